@@ -1,0 +1,112 @@
+import js from '@eslint/js';
+import tseslint from 'typescript-eslint';
+
+// The fence between the rooms (who may import and name what). Each rule below replaces the one before it for
+// the same file, so every room lists all that holds for it, from these parts.
+
+const imports = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
+const globals = (...names) => ({ 'no-restricted-globals': ['error', ...names] });
+const syntax = (...selectors) => ({ 'no-restricted-syntax': ['error', ...selectors] });
+
+const noLab = { regex: '(^|/)lab/', message: 'Nothing imports lab/.' };
+const noElements = { regex: '(^|/)elements/', message: 'physics-core knows no elements.' };
+const noPage = {
+  regex: '^(lit|@lit|x3dom)(/|$)',
+  message: 'physics-core knows neither lit nor x3dom.',
+};
+const noX3domImport = { regex: '^x3dom(/|$)', message: 'x3dom is a classic script of the page.' };
+const noEngine = {
+  regex: '(^|/)engine/|^ammojs-typed',
+  message: 'Bullet stays in physics-core/engine, nodes, shapes and effects: use node handles.',
+};
+
+const DOM = ['window', 'document', 'HTMLElement', 'Element', 'customElements'].map((name) => ({
+  name,
+  message: 'physics-core knows no DOM.',
+}));
+const noDomType = {
+  selector: 'TSTypeReference[typeName.name=/^(HTML\\w*|Document|Window)$/]',
+  message: 'physics-core knows no DOM.',
+};
+const x3dom = { name: 'x3dom', message: 'Only elements/bridge says x3dom.' };
+
+const noAmmo = { selector: 'Identifier[name=/Ammo/]', message: 'Use node handles, not Ammo.' };
+/** `globalThis.x3dom` is the same global. */
+const noX3domProperty = {
+  selector: 'MemberExpression[property.name="x3dom"]',
+  message: x3dom.message,
+};
+const noOnly = {
+  selector:
+    'MemberExpression[object.name=/^(describe|it|test|suite|context)$/][property.name="only"]',
+  message: 'It would switch off all other tests.',
+};
+
+export default tseslint.config(
+  { ignores: ['dist/', 'storybook-static/', 'coverage/'] },
+  js.configs.recommended,
+  ...tseslint.configs.recommended,
+  {
+    rules: {
+      '@typescript-eslint/no-unused-vars': [
+        'error',
+        { argsIgnorePattern: '^_', varsIgnorePattern: '^_', caughtErrors: 'none' },
+      ],
+    },
+  },
+  {
+    files: ['**/*.js'],
+    languageOptions: {
+      globals: Object.fromEntries(
+        ['console', 'process', 'setTimeout', 'clearTimeout', 'URL'].map((name) => [
+          name,
+          'readonly',
+        ]),
+      ),
+    },
+  },
+
+  // The rooms.
+  {
+    files: ['physics-core/**/*.ts'],
+    rules: {
+      ...imports(noElements, noPage, noLab),
+      ...globals(...DOM, x3dom),
+      ...syntax(noX3domProperty, noDomType),
+    },
+  },
+  {
+    files: ['physics-core/accuracy/**/*.ts'],
+    rules: {
+      ...imports(noElements, noPage, noEngine, noLab),
+      ...syntax(noAmmo, noX3domProperty, noDomType),
+    },
+  },
+  {
+    files: ['elements/**/*.ts'],
+    rules: {
+      ...imports(noEngine, noX3domImport, noLab),
+      ...globals(x3dom),
+      ...syntax(noAmmo, noX3domProperty),
+    },
+  },
+  {
+    files: ['elements/bridge/**/*.ts'],
+    rules: { ...globals(), ...syntax(noAmmo) },
+  },
+  {
+    files: ['stories/**/*.ts'],
+    rules: { ...imports(noLab), ...globals(x3dom), ...syntax(noX3domProperty) },
+  },
+  {
+    files: ['test/**/*.ts'],
+    rules: {
+      ...imports(noLab),
+      ...syntax(noOnly),
+      // chai: expect(x).to.be.true
+      '@typescript-eslint/no-unused-expressions': 'off',
+      // Tests reach into pages and hand over what no type allows.
+      '@typescript-eslint/no-explicit-any': 'off',
+    },
+  },
+);

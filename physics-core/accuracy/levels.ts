@@ -1,0 +1,63 @@
+/** The levels, coarse to fine. Figures: project measurements over the ladder of Bullet's own knobs. */
+export type LevelName = 'game' | 'standard' | 'fine' | 'precise' | 'reference';
+
+export interface Level {
+  name: LevelName;
+  /** Seconds that one step of Bullet takes. */
+  timeStep: number;
+  /** Solver iterations per step. */
+  iterations: number;
+  /** Share of a joint's position error repaired per step. */
+  errorCorrection: number;
+  /** Two friction directions instead of one: towers stand longer, +15 to 45 % time where much touches. */
+  twoFrictionDirections: boolean;
+}
+
+export const levels: readonly Level[] = [
+  {
+    name: 'game',
+    timeStep: 1 / 60,
+    iterations: 10,
+    errorCorrection: 0.8,
+    twoFrictionDirections: false,
+  },
+  {
+    name: 'standard',
+    timeStep: 1 / 120,
+    iterations: 10,
+    errorCorrection: 0.8,
+    twoFrictionDirections: true,
+  },
+  {
+    name: 'fine',
+    timeStep: 1 / 240,
+    iterations: 20,
+    errorCorrection: 0.8,
+    twoFrictionDirections: true,
+  },
+  {
+    name: 'precise',
+    timeStep: 1 / 480,
+    iterations: 30,
+    errorCorrection: 0.8,
+    twoFrictionDirections: true,
+  },
+  {
+    name: 'reference',
+    timeStep: 1 / 960,
+    iterations: 50,
+    errorCorrection: 0.8,
+    twoFrictionDirections: true,
+  },
+];
+
+export const levelNames: readonly LevelName[] = levels.map(({ name }) => name);
+export const DEFAULT_LEVEL: LevelName = 'standard';
+/** What X3D's `preferAccuracy` asks for. */
+export const ACCURATE_LEVEL: LevelName = 'precise';
+
+export const levelNamed = (name: string): Level => levels.find((level) => level.name === name)!;
+
+/** X3D's errorCorrection is per 1/60 s (the frame it was written for); this is its share per step of `dt`. */
+export const perStep = (errorCorrection: number, dt: number): number =>
+  1 - (1 - errorCorrection) ** (60 * dt);

@@ -1,0 +1,32 @@
+import { guards } from './guards.js';
+
+/** Wall time to fixed steps: an accumulator with a cap, so that a slow frame never breeds slower ones. */
+export class Clock {
+  /** Steps worth of time not taken yet, in seconds. */
+  #rest = 0;
+
+  /**
+   * Longest stretch of simulated time one frame may catch up, seconds. A frame slower than this drops time
+   * (reported as lag) instead of taking ever more steps.
+   */
+  static readonly LONGEST_FRAME = 0.1;
+
+  /** Takes `seconds` of wall time; returns how many steps of `dt` are due and how many seconds were dropped. */
+  advance(seconds: number, dt: number): { steps: number; dropped: number } {
+    const taken = guards.frameTime(seconds, Clock.LONGEST_FRAME);
+    this.#rest += taken;
+    // A hair of tolerance, so that 60 Hz frames against 1/120 s always make two steps in spite of rounding.
+    const steps = Math.floor(this.#rest / dt + 1e-6);
+    this.#rest = Math.max(0, this.#rest - steps * dt);
+    return { steps, dropped: seconds - taken };
+  }
+
+  /** How far the present lies between the last two steps: 0 at the last but one, 1 at the last. */
+  fraction(dt: number): number {
+    return Math.min(1, this.#rest / dt);
+  }
+
+  reset(): void {
+    this.#rest = 0;
+  }
+}

@@ -1,0 +1,37 @@
+import type { PhysicsNode } from '../nodes/node.js';
+
+/** Something a plain scene of falling bodies can do without. It runs while at least one node causes it. */
+export abstract class Effect {
+  abstract readonly name: string;
+  /** Why it is on: the nodes that need it, and what of them. */
+  readonly #causes = new Map<PhysicsNode, string>();
+  /** Milliseconds per step, a running mean. */
+  ms = 0;
+
+  get active(): boolean {
+    return this.#causes.size > 0;
+  }
+
+  /** The first cause, for people. */
+  get because(): { node: PhysicsNode; reason: string } | undefined {
+    const first = this.#causes.entries().next().value;
+    return first && { node: first[0], reason: first[1] };
+  }
+
+  get causes(): IterableIterator<PhysicsNode> {
+    return this.#causes.keys();
+  }
+
+  need(node: PhysicsNode, reason: string): void {
+    this.#causes.set(node, reason);
+  }
+
+  drop(node: PhysicsNode): void {
+    this.#causes.delete(node);
+  }
+
+  /** Before each step of Bullet, `dt` seconds. */
+  beforeStep?(dt: number): void;
+  /** After each step of Bullet. */
+  afterStep?(dt: number): void;
+}

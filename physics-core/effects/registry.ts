@@ -1,0 +1,84 @@
+import type { PhysicsNode } from '../nodes/node.js';
+import type { World } from '../world/world.js';
+import { AuthoredForces } from './forces.js';
+import { AxisDamping } from './damping.js';
+import { ContactSurface } from './contact-surface.js';
+import type { Effect } from './effect.js';
+import { MeshShapes } from './mesh-shapes.js';
+import { Motors } from './motors.js';
+import { Resting } from './resting.js';
+import { Stops } from './stops.js';
+
+/** What `world.effects` shows. */
+export interface EffectReport {
+  name: string;
+  active: boolean;
+  /** Which element switched it on, and by what. */
+  because: { element: unknown; reason: string } | null;
+  /** Milliseconds per step, a running mean. */
+  ms: number;
+}
+
+/** Weight of the newest step in the running mean of an effect's cost. */
+const NEWEST = 0.05;
+
+/** The effects of one world. Those without a cause are never called. */
+export class EffectRegistry {
+  readonly forces: AuthoredForces;
+  readonly damping: AxisDamping;
+  readonly motors: Motors;
+  readonly surface: ContactSurface;
+  readonly stops: Stops;
+  readonly meshes = new MeshShapes();
+  readonly resting: Resting;
+  readonly all: readonly Effect[];
+
+  constructor(world: World) {
+    this.forces = new AuthoredForces(world);
+    this.damping = new AxisDamping(world);
+    this.motors = new Motors(world);
+    this.surface = new ContactSurface(world);
+    this.stops = new Stops(world);
+    this.resting = new Resting(world);
+    this.all = [
+      this.forces,
+      this.damping,
+      this.motors,
+      this.stops,
+      this.surface,
+      this.meshes,
+      this.resting,
+    ];
+  }
+
+  beforeStep(dt: number): void {
+    for (const effect of this.all)
+      if (effect.active && effect.beforeStep) timed(effect, () => effect.beforeStep!(dt));
+  }
+
+  afterStep(dt: number): void {
+    for (const effect of this.all)
+      if (effect.active && effect.afterStep) timed(effect, () => effect.afterStep!(dt));
+  }
+
+  dropAll(node: PhysicsNode): void {
+    for (const effect of this.all) effect.drop(node);
+  }
+
+  report(): EffectReport[] {
+    return this.all.map((effect) => ({
+      name: effect.name,
+      active: effect.active,
+      because: effect.because
+        ? { element: effect.because.node.host, reason: effect.because.reason }
+        : null,
+      ms: effect.active ? effect.ms : 0,
+    }));
+  }
+}
+
+function timed(effect: Effect, run: () => void): void {
+  const start = performance.now();
+  run();
+  effect.ms += (performance.now() - start - effect.ms) * NEWEST;
+}

@@ -1,0 +1,95 @@
+import type { Ammo } from './ammo.js';
+import type { Engine } from './engine.js';
+import { solverOffsetsHold } from './heap-check.js';
+import type { BtBody } from './heap.js';
+import { SOLVER } from './offsets.js';
+import { Owner } from './owner.js';
+
+export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
+
+/** What a level sets in Bullet's solver. */
+export interface SolverSettings {
+  iterations: number;
+  solverMode: number;
+  /** Depth (metres, negative) above which contacts correct position without adding velocity. */
+  splitImpulseThreshold: number;
+  /** Depth that resting contacts keep, metres. */
+  linearSlop: number;
+}
+
+/** Bullet's dynamics world with its solver settings. Bodies and constraints are owned by their nodes. */
+export class BulletWorld {
+  readonly engine: Engine;
+  readonly bullet: Ammo['btDiscreteDynamicsWorld']['prototype'];
+  readonly #owner: Owner;
+  readonly #dispatcher: Ammo['btCollisionDispatcher']['prototype'];
+  readonly #solver: number;
+  readonly #solverTrusted: boolean;
+
+  constructor(engine: Engine) {
+    const { ammo } = engine;
+    this.engine = engine;
+    this.#owner = new Owner(ammo);
+    const configuration = this.#owner.own(new ammo.btDefaultCollisionConfiguration());
+    this.#dispatcher = this.#owner.own(new ammo.btCollisionDispatcher(configuration));
+    const broadphase = this.#owner.own(new ammo.btDbvtBroadphase());
+    const solver = this.#owner.own(new ammo.btSequentialImpulseConstraintSolver());
+    this.bullet = this.#owner.own(
+      new ammo.btDiscreteDynamicsWorld(this.#dispatcher, broadphase, solver, configuration),
+    );
+    // Every body carries its own collection's gravity.
+    this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
+    this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
+    this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
+  }
+
+  configure(settings: SolverSettings): void {
+    this.bullet.getSolverInfo().set_m_numIterations(settings.iterations);
+    if (!this.#solverTrusted) return;
+    const { ammo } = this.engine;
+    ammo.HEAP32[(this.#solver + SOLVER.mode) >> 2] = settings.solverMode;
+    ammo.HEAPF32[(this.#solver + SOLVER.splitImpulseThreshold) >> 2] =
+      settings.splitImpulseThreshold;
+    ammo.HEAPF32[(this.#solver + SOLVER.linearSlop) >> 2] = settings.linearSlop;
+  }
+
+  /** One exact step: `maxSubSteps` 0 makes Bullet take the given time as it is. */
+  step(seconds: number): void {
+    this.bullet.stepSimulation(seconds, 0);
+  }
+
+  /** Calls `visit` with the pointers of both bodies of every pair that may touch. */
+  eachManifold(
+    visit: (manifold: Ammo['btPersistentManifold']['prototype'], a: number, b: number) => void,
+  ): void {
+    const { ammo } = this.engine;
+    for (let i = 0, count = this.#dispatcher.getNumManifolds(); i < count; i++) {
+      const manifold = this.#dispatcher.getManifoldByIndexInternal(i);
+      visit(manifold, ammo.getPointer(manifold.getBody0()), ammo.getPointer(manifold.getBody1()));
+    }
+  }
+
+  get manifoldCount(): number {
+    return this.#dispatcher.getNumManifolds();
+  }
+
+  addBody(body: BtBody, group: number, mask: number): void {
+    this.bullet.addRigidBody(body, group, mask);
+  }
+
+  removeBody(body: BtBody): void {
+    this.bullet.removeRigidBody(body);
+  }
+
+  addConstraint(constraint: BtConstraint): void {
+    this.bullet.addConstraint(constraint, true);
+  }
+
+  removeConstraint(constraint: BtConstraint): void {
+    this.bullet.removeConstraint(constraint);
+  }
+
+  dispose(): void {
+    this.#owner.dispose();
+  }
+}

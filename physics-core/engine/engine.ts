@@ -1,0 +1,37 @@
+import { loadAmmo, type Ammo, type LoadOptions } from './ammo.js';
+import { ContactHook } from './contact-hook.js';
+import { bodyOffsetsHold } from './heap-check.js';
+import { ApiReader, HeapReader, type BodyReader } from './heap.js';
+import { Scratch } from './scratch.js';
+
+/** Ammo and what all worlds share of it: argument objects and the way state is read. */
+export class Engine {
+  readonly ammo: Ammo;
+  readonly scratch: Scratch;
+  readonly reader: BodyReader;
+  readonly contacts: ContactHook;
+  /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
+  readonly heapTrusted: boolean;
+
+  constructor(ammo: Ammo) {
+    this.ammo = ammo;
+    this.scratch = new Scratch(ammo);
+    this.contacts = new ContactHook(ammo);
+    this.heapTrusted = bodyOffsetsHold(ammo);
+    this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
+  }
+
+  /** Bytes of the wasm heap, shared by all worlds of the page. It never shrinks. */
+  get heapBytes(): number {
+    return this.ammo.HEAPU8.length;
+  }
+}
+
+let loading: Promise<Engine> | undefined;
+
+/** One engine per page, worker or process. A failed load may be tried again. */
+export function loadEngine(options: LoadOptions = {}): Promise<Engine> {
+  loading ??= loadAmmo(options).then((ammo) => new Engine(ammo));
+  loading.catch(() => (loading = undefined));
+  return loading;
+}

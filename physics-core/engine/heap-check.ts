@@ -1,0 +1,65 @@
+import type { Ammo } from './ammo.js';
+import { HeapReader, ApiReader } from './heap.js';
+import { Owner } from './owner.js';
+import { BODY, SOLVER } from './offsets.js';
+
+const close = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * Math.max(1, Math.abs(b));
+
+/**
+ * One body with odd values written through the API must be found at our offsets. Another Ammo build loses the fast
+ * reads, never the right values.
+ */
+export function bodyOffsetsHold(ammo: Ammo): boolean {
+  const owner = new Owner(ammo);
+  try {
+    const vector = owner.own(new ammo.btVector3(2, 3, 4));
+    const shape = owner.own(new ammo.btBoxShape(vector));
+    const info = owner.own(new ammo.btRigidBodyConstructionInfo(4, null as never, shape, vector));
+    const body = owner.own(new ammo.btRigidBody(info));
+    const transform = owner.own(new ammo.btTransform());
+    const rotation = owner.own(new ammo.btQuaternion(0.48, 0.6, 0, 0.64));
+    transform.setIdentity();
+    vector.setValue(1.25, -7.5, 0.375);
+    transform.setOrigin(vector);
+    transform.setRotation(rotation);
+    body.setCenterOfMassTransform(transform);
+    vector.setValue(0.5, 11, -3);
+    body.setLinearVelocity(vector);
+    vector.setValue(-9, 0.125, 6);
+    body.setAngularVelocity(vector);
+    const pointer = ammo.getPointer(body);
+    const fast = new Float64Array(13);
+    const sure = new Float64Array(13);
+    const reader = new HeapReader(ammo);
+    const api = new ApiReader();
+    reader.pose(body, pointer, fast, 0);
+    reader.velocity(body, pointer, fast, 7);
+    api.pose(body, pointer, sure, 0);
+    api.velocity(body, pointer, sure, 7);
+    body.forceActivationState(5);
+    const heap = ammo.HEAPF32;
+    return (
+      fast.every((value, i) => close(value, sure[i]!)) &&
+      ammo.HEAP32[(pointer + BODY.activationState) >> 2] === 5 &&
+      close(heap[(pointer + BODY.inverseMass) >> 2]!, 0.25) &&
+      close(heap[(pointer + BODY.inverseInertiaLocal) >> 2]!, 0.5)
+    );
+  } finally {
+    owner.dispose();
+  }
+}
+
+/** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (numerics: Bullet 2.82). */
+export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
+  const heap = ammo.HEAPF32;
+  const at = (offset: number): number => heap[(pointer + offset) >> 2]!;
+  return (
+    ammo.HEAP32[(pointer + SOLVER.iterations) >> 2] === 10 &&
+    close(at(0), 0.6) &&
+    close(at(SOLVER.errorReduction), 0.2) &&
+    close(at(SOLVER.errorReduction2), 0.8) &&
+    close(at(SOLVER.splitImpulseThreshold), -0.04) &&
+    close(at(SOLVER.warmstarting), 0.85) &&
+    ammo.HEAP32[(pointer + SOLVER.mode) >> 2] === 260
+  );
+}

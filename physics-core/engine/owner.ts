@@ -1,0 +1,25 @@
+import type { Ammo } from './ammo.js';
+
+/**
+ * Owns Ammo objects: who makes one hands it over in the same expression, and only `dispose` destroys, newest first.
+ * What a getter returns is borrowed and never comes here.
+ */
+export class Owner {
+  readonly #ammo: Ammo;
+  readonly #owned: object[] = [];
+
+  constructor(ammo: Ammo) {
+    this.#ammo = ammo;
+  }
+
+  own<T extends object>(object: T): T {
+    this.#owned.push(object);
+    return object;
+  }
+
+  dispose(): void {
+    for (let object = this.#owned.pop(); object; object = this.#owned.pop()) {
+      this.#ammo.destroy(object);
+    }
+  }
+}

@@ -1,0 +1,184 @@
+import type { FieldType, Value } from './types.js';
+
+/** How one field type reads text, takes JavaScript values, compares and prints. `undefined` means malformed. */
+export interface FieldCodec {
+  /** X3D text (numbers parted by spaces or commas) to a value. */
+  parse(text: string): Value | undefined;
+  /** Anything a property or `set` may be given: the value itself, a typed array, or the text. */
+  accept(value: unknown): Value | undefined;
+  equal(a: Value, b: Value): boolean;
+  /** A fresh copy, so that nobody holds our own arrays. */
+  copy(value: Value): Value;
+  format(value: Value): string;
+}
+
+const SEPARATOR = /[\s,]+/;
+
+function numbersIn(text: string): number[] | undefined {
+  const trimmed = text.trim();
+  if (trimmed === '') return [];
+  const numbers: number[] = [];
+  for (const part of trimmed.split(SEPARATOR)) {
+    if (part === '') continue;
+    const number = Number(part);
+    if (!Number.isFinite(number)) return undefined;
+    numbers.push(number);
+  }
+  return numbers;
+}
+
+function isNumberList(value: unknown): value is ArrayLike<number> {
+  return Array.isArray(value) || ArrayBuffer.isView(value);
+}
+
+function finiteNumbers(value: unknown): number[] | undefined {
+  if (typeof value === 'string') return numbersIn(value);
+  if (!isNumberList(value)) return undefined;
+  const numbers = Array.from(value as ArrayLike<unknown>).flatMap((item) =>
+    isNumberList(item) ? Array.from(item) : [item],
+  );
+  return numbers.every((item) => typeof item === 'number' && Number.isFinite(item))
+    ? (numbers as number[])
+    : undefined;
+}
+
+function sameList(a: Value, b: Value): boolean {
+  const left = a as unknown[];
+  const right = b as unknown[];
+  return left.length === right.length && left.every((item, index) => item === right[index]);
+}
+
+const copyList = (value: Value): Value => [...(value as unknown[])];
+
+function tuple(length: number): FieldCodec {
+  const exactly = (numbers: number[] | undefined): number[] | undefined =>
+    numbers?.length === length ? numbers : undefined;
+  return {
+    parse: (text) => exactly(numbersIn(text)),
+    accept: (value) => exactly(finiteNumbers(value)),
+    equal: sameList,
+    copy: copyList,
+    format: (value) => (value as number[]).join(' '),
+  };
+}
+
+function scalar(check: (number: number) => boolean): FieldCodec {
+  const only = (number: number): number | undefined =>
+    Number.isFinite(number) && check(number) ? number : undefined;
+  const parse = (text: string): number | undefined =>
+    text.trim() === '' ? undefined : only(Number(text));
+  return {
+    parse,
+    accept: (value) =>
+      typeof value === 'number'
+        ? only(value)
+        : typeof value === 'string'
+          ? parse(value)
+          : undefined,
+    equal: Object.is,
+    copy: (value) => value,
+    format: String,
+  };
+}
+
+const numberList: FieldCodec = {
+  parse: numbersIn,
+  accept: finiteNumbers,
+  equal: sameList,
+  copy: copyList,
+  format: (value) => (value as number[]).join(' '),
+};
+
+function triples(numbers: number[] | undefined): number[][] | undefined {
+  if (!numbers || numbers.length % 3 !== 0) return undefined;
+  const list: number[][] = [];
+  for (let i = 0; i < numbers.length; i += 3) list.push(numbers.slice(i, i + 3));
+  return list;
+}
+
+const vec3List: FieldCodec = {
+  parse: (text) => triples(numbersIn(text)),
+  accept: (value) => triples(finiteNumbers(value)),
+  equal: (a, b) => sameList((a as number[][]).flat(), (b as number[][]).flat()),
+  copy: (value) => (value as number[][]).map((item) => [...item]),
+  format: (value) => (value as number[][]).map((item) => item.join(' ')).join(', '),
+};
+
+/** A bare attribute (`fixed`) means true, as everywhere in HTML. */
+function parseBool(text: string): boolean | undefined {
+  const word = text.trim().toLowerCase();
+  if (word === 'true' || word === '') return true;
+  return word === 'false' ? false : undefined;
+}
+
+const bool: FieldCodec = {
+  parse: parseBool,
+  accept: (value) =>
+    typeof value === 'boolean' ? value : typeof value === 'string' ? parseBool(value) : undefined,
+  equal: Object.is,
+  copy: (value) => value,
+  format: String,
+};
+
+const string: FieldCodec = {
+  parse: (text) => text,
+  accept: (value) => (typeof value === 'string' ? value : undefined),
+  equal: Object.is,
+  copy: (value) => value,
+  format: String,
+};
+
+/** `"BOUNCE" "SPEED-1"`; words without quotes are taken one by one. */
+function parseStrings(text: string): string[] {
+  const words = text.match(/"(?:[^"\\]|\\.)*"|[^\s,"]+/g) ?? [];
+  return words.map((word) =>
+    word.startsWith('"') ? word.slice(1, -1).replace(/\\(["\\])/g, '$1') : word,
+  );
+}
+
+const stringList: FieldCodec = {
+  parse: parseStrings,
+  accept: (value) => {
+    if (typeof value === 'string') return parseStrings(value);
+    return Array.isArray(value) && value.every((item) => typeof item === 'string')
+      ? [...value]
+      : undefined;
+  },
+  equal: sameList,
+  copy: copyList,
+  format: (value) => (value as string[]).map((item) => JSON.stringify(item)).join(' '),
+};
+
+const node: FieldCodec = {
+  parse: () => undefined,
+  accept: (value) => (value === null || typeof value === 'object' ? value : undefined),
+  equal: Object.is,
+  copy: (value) => value,
+  format: String,
+};
+
+const nodeList: FieldCodec = {
+  parse: (text) => (text.trim() === '*' ? '*' : undefined),
+  accept: (value) => (value === '*' || Array.isArray(value) ? value : undefined),
+  equal: (a, b) => (Array.isArray(a) && Array.isArray(b) ? sameList(a, b) : a === b),
+  copy: (value) => (Array.isArray(value) ? [...value] : value),
+  format: String,
+};
+
+export const codecs: Record<FieldType, FieldCodec> = {
+  SFBool: bool,
+  SFFloat: scalar(() => true),
+  SFInt32: scalar(Number.isInteger),
+  SFTime: scalar(() => true),
+  SFString: string,
+  SFVec2f: tuple(2),
+  SFVec3f: tuple(3),
+  SFRotation: tuple(4),
+  SFMatrix3f: tuple(9),
+  MFFloat: numberList,
+  MFInt32: numberList,
+  MFString: stringList,
+  MFVec3f: vec3List,
+  SFNode: node,
+  MFNode: nodeList,
+};

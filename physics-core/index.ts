@@ -1,0 +1,40 @@
+import { loadEngine } from './engine/engine.js';
+import { World, type WorldOptions } from './world/world.js';
+
+export { loadEngine } from './engine/engine.js';
+export type { Engine } from './engine/engine.js';
+export { World } from './world/world.js';
+export type { AddOptions, Stats, WorldOptions } from './world/world.js';
+export { PhysicsNode } from './nodes/node.js';
+export { nodeTypes } from './nodes/index.js';
+export type { Field, NodeType } from './nodes/table.js';
+export { codecs } from './fields/values.js';
+export { fromSI, SI, toSI, type Units } from './fields/units.js';
+export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fields/types.js';
+export type { Problem, ProblemReport, Severity } from './problems.js';
+export type { EffectReport } from './effects/registry.js';
+export { levels, type Level, type LevelName } from './accuracy/levels.js';
+export type { Geometry } from './shapes/geometry.js';
+
+export interface CreateOptions extends WorldOptions {
+  /** Where ammo.wasm is; by default beside this file. */
+  wasmUrl?: string;
+  wasmBinary?: Uint8Array;
+  [field: string]: unknown;
+}
+
+/**
+ * A world without a page. The options are the fields of RigidBodyCollection, and `maxHeapBytes`.
+ * @example
+ * const world = await createWorld({ gravity: [0, -9.8, 0] });
+ * const ball = world.add('RigidBody', { position: [0, 5, 0], geometry: [{ type: 'Sphere', radius: 0.5 }] });
+ * world.advance(1);
+ */
+export async function createWorld(options: CreateOptions = {}): Promise<World> {
+  const { wasmUrl, wasmBinary, console, maxHeapBytes, ...fields } = options;
+  const engine = await loadEngine({ wasmUrl, wasmBinary });
+  const world = new World({ console: console ?? false, ...(maxHeapBytes ? { maxHeapBytes } : {}) });
+  world.add('RigidBodyCollection', fields);
+  world.start(engine);
+  return world;
+}

@@ -1,0 +1,66 @@
+import type { Vec3 } from '../fields/types.js';
+import { guards } from '../guards.js';
+import { IDENTITY, quaternionOf, rotate, type Pose } from '../math.js';
+import type { Geometry } from '../shapes/geometry.js';
+import { inertiaAbout, principal, solidOf, type PlacedSolid, type Tensor } from '../shapes/mass.js';
+import type { BodyNode } from './body.js';
+
+/** Mass, principal moments, and the frame they belong to in the body. */
+export interface MassProperties {
+  mass: number;
+  moments: Vec3;
+  centerOfMass: Pose;
+}
+
+/**
+ * Least share of the largest moment that the smallest may be. Needles thinner than this spin up without bound in
+ * single precision (measured: 17 000 rad/s at a ratio of 1e-8).
+ */
+const LEAST_MOMENT = 1e-4;
+
+function place({ p, q }: Pose, solid: PlacedSolid['solid']): PlacedSolid {
+  return {
+    solid,
+    origin: p,
+    axes: [rotate(q, [1, 0, 0]), rotate(q, [0, 1, 0]), rotate(q, [0, 0, 1])],
+  };
+}
+
+function solidsOf(body: BodyNode): PlacedSolid[] {
+  const model = body.asked<Geometry | null>('massDensityModel');
+  if (model)
+    return [place({ p: body.asked('centerOfMass'), q: IDENTITY }, centered(solidOf(model)))];
+  return body.parts.map(({ geometry, pose }) => place(pose, solidOf(geometry)));
+}
+
+/** A density model gives the distribution about the centre of mass, wherever its own origin lies. */
+const centered = (solid: PlacedSolid['solid']): PlacedSolid['solid'] => ({
+  ...solid,
+  centroid: [0, 0, 0],
+});
+
+/** An authored tensor stands; else the density model or the shapes give it. */
+function tensorOf(body: BodyNode, mass: number, center: Vec3): Tensor {
+  if (!body.authored('inertia')) return inertiaAbout(solidsOf(body), mass, center);
+  const m = body.asked<number[]>('inertia');
+  const both = (i: number, j: number): number => (m[i]! + m[j]!) / 2;
+  return [m[0]!, m[4]!, m[8]!, both(1, 3), both(2, 6), both(5, 7)];
+}
+
+export function massOf(body: BodyNode): MassProperties {
+  const mass = body.asked<number>('mass') || 1;
+  const center = [...body.asked<Vec3>('centerOfMass')] as Vec3;
+  const { moments, frame } = principal(tensorOf(body, mass, center));
+  const least = Math.max(...moments) * LEAST_MOMENT;
+  return {
+    mass,
+    moments: moments.map((moment) => guards.leastMoment(moment, least)) as Vec3,
+    centerOfMass: { p: center, q: frame },
+  };
+}
+
+/** The pose that a collidable's `translation` and `rotation` stand for. */
+export const poseOf = (translation: Vec3, rotation: readonly number[]): Pose => ({
+  p: [...translation],
+  q: quaternionOf(rotation),
+});

@@ -1,0 +1,119 @@
+import { compose, identityPose, quaternionOf, type Pose } from '../math.js';
+import type { Rotation, Vec3 } from '../fields/types.js';
+import type { Geometry } from '../shapes/geometry.js';
+import type { BodyNode } from './body.js';
+import { PhysicsNode } from './node.js';
+
+/** A geometry and its pose in the body's frame. */
+export interface CollidablePart {
+  geometry: Geometry;
+  pose: Pose;
+  collidable: CollidableNode;
+}
+
+/** What CollidableShape and CollidableOffset share: they make a body's shape, and belong to one body. */
+export abstract class CollidableNode extends PhysicsNode {
+  /** Those that name it, in order; the first owns it. */
+  readonly #claims: (BodyNode | CollidableNode)[] = [];
+
+  /** The body whose shape it makes. */
+  get owner(): BodyNode | undefined {
+    const [first] = this.#claims;
+    return first instanceof CollidableNode ? first.owner : first;
+  }
+
+  abstract parts(): CollidablePart[];
+
+  /** Its own pose where it stands free; inside an offset, its place there. */
+  protected get place(): Pose {
+    return {
+      p: [...this.asked<Vec3>('translation')],
+      q: quaternionOf(this.asked<Rotation>('rotation')),
+    };
+  }
+
+  /** The pose a body without an authored one starts at. */
+  get startPose(): Pose | undefined {
+    return this.authored('translation') || this.authored('rotation') ? this.place : undefined;
+  }
+
+  claim(by: BodyNode | CollidableNode): void {
+    if (this.#claims.includes(by)) return;
+    this.#claims.push(by);
+    if (this.#claims[0] === by) return;
+    by.report({
+      code: 'already-owned',
+      severity: 'warning',
+      attribute: 'geometry',
+      value: this.label,
+      used: this.#claims[0]!.label,
+      message: `${this.label} belongs to ${this.#claims[0]!.label}; ${by.label} goes without it until it is free`,
+    });
+  }
+
+  release(by: BodyNode | CollidableNode): void {
+    const at = this.#claims.indexOf(by);
+    if (at < 0) return;
+    this.#claims.splice(at, 1);
+    this.world.settle(by, 'geometry', 'already-owned');
+    if (at === 0)
+      this.#claims[0]?.touch(this.#claims[0] instanceof CollidableNode ? 'collidable' : 'geometry');
+  }
+
+  /** Its shape or place changed. */
+  changed(): void {
+    this.owner?.touch('geometry');
+  }
+
+  protected override released(): void {
+    this.owner?.touch('geometry');
+    this.world.pairs.refresh();
+  }
+}
+
+export class CollidableShapeNode extends CollidableNode {
+  /** Directly in a body it sits at the body's pose; inside an offset its own place counts. */
+  parts(displaced = false): CollidablePart[] {
+    const shape = this.asked<Geometry | Geometry[] | null>('shape');
+    if (!shape || !this.asked<boolean>('enabled')) return [];
+    const base = displaced ? this.place : identityPose();
+    return (Array.isArray(shape) ? shape : [shape]).map((geometry) => ({
+      geometry,
+      pose: compose(base, {
+        p: geometry.translation ?? [0, 0, 0],
+        q: quaternionOf(geometry.rotation ?? [0, 0, 1, 0]),
+      }),
+      collidable: this,
+    }));
+  }
+}
+
+export class CollidableOffsetNode extends CollidableNode {
+  #child: CollidableNode | undefined;
+
+  parts(): CollidablePart[] {
+    const child = this.#child;
+    if (!child || child.owner !== this.owner || !this.asked<boolean>('enabled')) return [];
+    const inner = child instanceof CollidableShapeNode ? child.parts(true) : child.parts();
+    return inner.map((part) => ({ ...part, pose: compose(this.place, part.pose) }));
+  }
+
+  override get startPose(): undefined {
+    return undefined;
+  }
+
+  updateChild(): void {
+    const child = this.asked<CollidableNode | null>('collidable') ?? undefined;
+    if (child !== this.#child) {
+      this.#child?.release(this);
+      this.#child = child;
+    }
+    child?.claim(this);
+    this.changed();
+  }
+
+  protected override released(): void {
+    this.#child?.release(this);
+    super.released();
+  }
+}

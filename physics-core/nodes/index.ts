@@ -1,0 +1,23 @@
+import { ballJoint } from './ball-joint.js';
+import { collidableOffset } from './collidable-offset.js';
+import { collidableShape } from './collidable-shape.js';
+import { collisionCollection } from './collision-collection.js';
+import { motorJoint } from './motor-joint.js';
+import { rigidBodyCollection } from './rigid-body-collection.js';
+import { rigidBody } from './rigid-body.js';
+import { singleAxisHingeJoint } from './single-axis-hinge-joint.js';
+import type { NodeType } from './table.js';
+
+/** Every node type by its X3D name. */
+export const nodeTypes: Readonly<Record<string, NodeType>> = Object.fromEntries(
+  [
+    rigidBodyCollection,
+    rigidBody,
+    collidableShape,
+    collidableOffset,
+    collisionCollection,
+    ballJoint,
+    singleAxisHingeJoint,
+    motorJoint,
+  ].map((type) => [type.name, type]),
+);

@@ -1,0 +1,227 @@
+import type { Vec3 } from '../fields/types.js';
+import { levelNames } from '../accuracy/levels.js';
+import { PhysicsNode } from './node.js';
+import { defineNode } from './table.js';
+
+/** Settings of a world and defaults of the bodies under it. The first collection of a world gives the settings. */
+export class CollectionNode extends PhysicsNode {
+  get gravity(): Vec3 {
+    return this.asked('gravity');
+  }
+
+  configureWorld(): void {
+    this.world.configure();
+  }
+
+  /** Bodies read gravity and rest from their own collection. */
+  eachBody(field: string): void {
+    for (const body of this.world.bodies) if (body.collection === this) body.touch(field);
+  }
+
+  updateColliders(): void {
+    this.world.pairs.refresh();
+  }
+
+  protected override created(): void {
+    this.world.configure();
+  }
+
+  protected override released(): void {
+    this.world.configure();
+    this.world.pairs.refresh();
+  }
+}
+
+const configure = (collection: CollectionNode): void => collection.configureWorld();
+const restOfBodies = (collection: CollectionNode): void => collection.eachBody('autoDisable');
+
+export const rigidBodyCollection = defineNode<CollectionNode>({
+  name: 'RigidBodyCollection',
+  containerField: 'children',
+  clause: '37.4.12',
+  doc: 'A world of bodies and joints: its gravity, its solver settings and the defaults of its bodies.',
+  rank: 0,
+  make: (context) => new CollectionNode(context),
+  fields: {
+    bodies: {
+      type: 'MFNode',
+      access: 'inputOutput',
+      default: [],
+      edit: 'passive',
+      doc: 'The bodies; membership is kept at each body.',
+    },
+    joints: {
+      type: 'MFNode',
+      access: 'inputOutput',
+      default: [],
+      edit: 'passive',
+      doc: 'The joints; membership is kept at each joint.',
+    },
+    collider: {
+      type: 'SFNode',
+      access: 'initializeOnly',
+      default: null,
+      nodes: ['CollisionCollection'],
+      edit: 'live',
+      patch: (collection) => collection.updateColliders(),
+      doc: 'Set: exactly the pairs inside that CollisionCollection collide. Not set: every pair of the world.',
+    },
+    enabled: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: true,
+      edit: 'live',
+      patch: configure,
+      doc: 'FALSE freezes the simulation; it resumes without a jump in time.',
+    },
+    gravity: {
+      type: 'SFVec3f',
+      access: 'inputOutput',
+      default: [0, -9.8, 0],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: (collection) => collection.eachBody('useGlobalGravity'),
+      doc: 'Acceleration of every body that uses global gravity, m/s².',
+    },
+    preferAccuracy: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      edit: 'live',
+      patch: configure,
+      doc: 'TRUE asks for accuracy level `precise` where no level is authored.',
+    },
+    iterations: {
+      type: 'SFInt32',
+      access: 'inputOutput',
+      default: 10,
+      range: [0, Infinity],
+      edit: 'live',
+      patch: configure,
+      doc: 'Solver iterations per step; authored, it wins over the accuracy level. 0 counts as 1.',
+    },
+    errorCorrection: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0.8,
+      range: [0, 1],
+      edit: 'live',
+      patch: configure,
+      doc: 'Share of a joint error repaired per 1/60 s; authored, it wins over the accuracy level.',
+    },
+    constantForceMix: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0.0001,
+      range: [0, Infinity],
+      edit: 'live',
+      patch: configure,
+      doc: 'Softness of joints, m/(N·s); acts where authored.',
+    },
+    contactSurfaceThickness: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: configure,
+      doc: 'Depth that resting contacts keep, metres.',
+    },
+    maxCorrectionSpeed: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: -1,
+      range: [-1, Infinity],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: configure,
+      doc: 'Greatest speed at which overlaps are pushed apart, m/s; -1 is unlimited.',
+    },
+    autoDisable: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      edit: 'live',
+      patch: restOfBodies,
+      doc: 'Default of the bodies. Not authored: bodies at rest may sleep unnoticed. FALSE: never. TRUE: by the fields below.',
+    },
+    disableTime: {
+      type: 'SFTime',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      edit: 'live',
+      patch: restOfBodies,
+      doc: 'Seconds below both speeds before a body sleeps.',
+    },
+    disableLinearSpeed: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: restOfBodies,
+      doc: 'Speed below which a body may sleep, m/s.',
+    },
+    disableAngularSpeed: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      dimension: { angle: 1 },
+      edit: 'live',
+      patch: restOfBodies,
+      doc: 'Angular speed below which a body may sleep, rad/s.',
+    },
+    accuracy: {
+      type: 'SFString',
+      access: 'inputOutput',
+      default: '',
+      values: ['', ...levelNames],
+      own: true,
+      edit: 'live',
+      patch: configure,
+      doc: 'Accuracy level: game, standard (default), fine, precise, reference.',
+    },
+    rest: {
+      type: 'SFString',
+      access: 'inputOutput',
+      default: 'auto',
+      values: ['auto', 'never'],
+      own: true,
+      edit: 'live',
+      patch: restOfBodies,
+      doc: '`never` keeps bodies awake whose autoDisable nobody wrote.',
+    },
+    collisionRules: {
+      type: 'SFString',
+      access: 'inputOutput',
+      default: 'lenient',
+      values: ['lenient', 'strict'],
+      own: true,
+      edit: 'live',
+      patch: (collection) => collection.updateColliders(),
+      doc: '`strict` follows the standard to the letter: without a collider nothing collides, and friction is what frictionCoefficients say.',
+    },
+    runHidden: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'passive',
+      doc: 'Keeps running while the page is hidden or the scene scrolled away.',
+    },
+    heapLimit: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 512,
+      range: [16, 2048],
+      own: true,
+      edit: 'live',
+      patch: configure,
+      doc: 'Greatest size of the wasm heap, MB.',
+    },
+  },
+});

@@ -1,0 +1,256 @@
+import { rotationOf } from '../math.js';
+import type { CollidableNode } from './collidable.js';
+import { BodyNode } from './body.js';
+import { defineNode } from './table.js';
+
+const mass = (body: BodyNode): void => body.updateMass();
+const rest = (body: BodyNode): void => body.updateRest();
+const damping = (body: BodyNode): void => body.updateDamping();
+const forces = (body: BodyNode): void => body.updateForces();
+
+/** Only the part that was asked for jumps; the other stays where the simulation has it. */
+const placed =
+  (part: 'p' | 'q') =>
+  (body: BodyNode): void => {
+    const field = part === 'p' ? 'position' : 'orientation';
+    if (!body.authored(field) && body.start) return;
+    body.moveTo({ ...body.pose(), [part]: body.startPose()[part] });
+    body.unpark();
+  };
+
+class RigidBodyNode extends BodyNode {
+  #named: CollidableNode[] = [];
+
+  /** The body owns what it names; what it no longer names is free for the next. */
+  updateGeometry(): void {
+    const named = this.collidables;
+    for (const old of this.#named) if (!named.includes(old)) old.release(this);
+    this.#named = [...named];
+    for (const collidable of named) collidable.claim(this);
+    if (this.built) this.updateShape();
+    this.world.pairs.refreshBody(this);
+  }
+
+  protected override create(): boolean {
+    for (const collidable of this.collidables) collidable.claim(this);
+    this.#named = [...this.collidables];
+    this.start ??= this.collidables.find((collidable) => collidable.startPose)?.startPose;
+    return super.create();
+  }
+}
+
+export const rigidBody = defineNode<RigidBodyNode>({
+  name: 'RigidBody',
+  containerField: 'bodies',
+  clause: '37.4.11',
+  doc: 'A body that moves by its mass, velocity and the forces on it.',
+  rank: 2,
+  make: (context) => new RigidBodyNode(context),
+  fields: {
+    enabled: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: true,
+      edit: 'live',
+      patch: (body) => body.updateMembership(),
+      doc: 'FALSE takes it out of the simulation: no motion, no contact, its joints idle.',
+    },
+    fixed: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      edit: 'live',
+      patch: (body) => body.updateFixed(),
+      doc: 'TRUE: never moves, but is collided with and holds joints.',
+    },
+    mass: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 1,
+      range: [0, Infinity],
+      dimension: { mass: 1 },
+      edit: 'live',
+      patch: mass,
+      doc: 'Mass, kg. 0 means fixed.',
+    },
+    inertia: {
+      type: 'SFMatrix3f',
+      access: 'inputOutput',
+      default: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+      dimension: { mass: 1, length: 2 },
+      edit: 'live',
+      patch: mass,
+      doc: 'Inertia tensor about the centre of mass in body axes, kg·m². Not authored: from massDensityModel or the geometry.',
+    },
+    centerOfMass: {
+      type: 'SFVec3f',
+      access: 'inputOutput',
+      default: [0, 0, 0],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: mass,
+      doc: 'Centre of mass in the body frame, metres.',
+    },
+    massDensityModel: {
+      type: 'SFNode',
+      access: 'inputOutput',
+      default: null,
+      edit: 'live',
+      patch: mass,
+      doc: 'Sphere, Box or Cone whose solid gives the distribution of the mass; never drawn.',
+    },
+    geometry: {
+      type: 'MFNode',
+      access: 'inputOutput',
+      default: [],
+      nodes: ['CollidableShape', 'CollidableOffset'],
+      edit: 'live',
+      patch: (body) => body.updateGeometry(),
+      doc: 'The collidables that make its shape.',
+    },
+    position: {
+      type: 'SFVec3f',
+      access: 'inputOutput',
+      default: [0, 0, 0],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: placed('p'),
+      read: (body) => body.pose().p,
+      doc: 'Position, metres, world frame. Live; setting it jumps.',
+    },
+    orientation: {
+      type: 'SFRotation',
+      access: 'inputOutput',
+      default: [0, 0, 1, 0],
+      dimension: { angle: 1 },
+      edit: 'live',
+      patch: placed('q'),
+      read: (body) => rotationOf(body.pose().q),
+      doc: 'Orientation, axis and angle, radians. Live; setting it jumps.',
+    },
+    linearVelocity: {
+      type: 'SFVec3f',
+      access: 'inputOutput',
+      default: [0, 0, 0],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: (body) => body.updateVelocity('linearVelocity'),
+      read: (body) => body.velocityAtOrigin().linear,
+      doc: "Velocity of the body's origin, m/s. Live.",
+    },
+    angularVelocity: {
+      type: 'SFVec3f',
+      access: 'inputOutput',
+      default: [0, 0, 0],
+      dimension: { angle: 1 },
+      edit: 'live',
+      patch: (body) => body.updateVelocity('angularVelocity'),
+      read: (body) => body.velocityAtOrigin().angular,
+      doc: 'Angular velocity, rad/s, world frame. Live.',
+    },
+    forces: {
+      type: 'MFVec3f',
+      access: 'inputOutput',
+      default: [],
+      dimension: { force: 1 },
+      edit: 'live',
+      patch: forces,
+      doc: 'Forces at the centre of mass, newtons, world frame; their sum acts in every step.',
+    },
+    torques: {
+      type: 'MFVec3f',
+      access: 'inputOutput',
+      default: [],
+      dimension: { force: 1, length: 1 },
+      edit: 'live',
+      patch: forces,
+      doc: 'Torques, newton metres, world frame; their sum acts in every step.',
+    },
+    useGlobalGravity: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: true,
+      edit: 'live',
+      patch: (body) => body.updateGravity(),
+      doc: "FALSE: the collection's gravity does not act on it.",
+    },
+    autoDamp: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      edit: 'live',
+      patch: damping,
+      doc: 'TRUE switches both damping factors on.',
+    },
+    linearDampingFactor: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0.001,
+      range: [0, 1],
+      edit: 'live',
+      patch: damping,
+      doc: 'Damping force = -factor × velocity, N·s/m.',
+    },
+    angularDampingFactor: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0.001,
+      range: [0, 1],
+      edit: 'live',
+      patch: damping,
+      doc: 'Damping torque = -factor × angular velocity, N·m·s.',
+    },
+    autoDisable: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      edit: 'live',
+      patch: rest,
+      doc: 'TRUE: sleeps by the fields below. FALSE, authored: never. Not authored: as its collection, else unnoticed at rest.',
+    },
+    disableTime: {
+      type: 'SFTime',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      edit: 'live',
+      patch: rest,
+      doc: 'Seconds below both speeds before it sleeps.',
+    },
+    disableLinearSpeed: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      dimension: { length: 1 },
+      edit: 'live',
+      patch: rest,
+      doc: 'Speed below which it may sleep, m/s.',
+    },
+    disableAngularSpeed: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 0,
+      range: [0, Infinity],
+      dimension: { angle: 1 },
+      edit: 'live',
+      patch: rest,
+      doc: 'Angular speed below which it may sleep, rad/s.',
+    },
+    useFiniteRotation: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      edit: 'passive',
+      doc: 'Bullet always turns bodies by finite rotations, so both values do the same.',
+    },
+    finiteRotationAxis: {
+      type: 'SFVec3f',
+      access: 'inputOutput',
+      default: [0, 1, 0],
+      range: [-1, 1],
+      edit: 'passive',
+      doc: 'All axes turn by finite rotations, so there is none to choose.',
+    },
+  },
+});

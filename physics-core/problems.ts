@@ -1,0 +1,64 @@
+export type Severity = 'error' | 'warning' | 'info';
+
+/** Something an author should know: what is wrong, where, and what is used instead. */
+export interface Problem {
+  /** Stable, for programs: `bad-value`, `unknown-reference`, … */
+  code: string;
+  severity: Severity;
+  /** One sentence for people. */
+  message: string;
+  /** The element in a page; the node in the core. */
+  element: unknown;
+  attribute?: string | undefined;
+  value?: unknown;
+  used?: unknown;
+}
+
+export type ProblemReport = Omit<Problem, 'element'>;
+
+const LOG = { error: 'error', warning: 'warn', info: 'info' } as const;
+
+/** Each problem once per element, attribute and code until it changes or is settled. */
+export class ProblemLog {
+  readonly #byElement = new Map<unknown, Map<string, Problem>>();
+  readonly #console: boolean;
+  onreport?: (problem: Problem) => void;
+
+  constructor(logToConsole: boolean) {
+    this.#console = logToConsole;
+  }
+
+  get all(): Problem[] {
+    return [...this.#byElement.values()].flatMap((problems) => [...problems.values()]);
+  }
+
+  of(element: unknown): Problem[] {
+    return [...(this.#byElement.get(element)?.values() ?? [])];
+  }
+
+  report(element: unknown, report: ProblemReport): void {
+    const key = `${report.attribute ?? ''} ${report.code}`;
+    const known = this.#byElement.get(element) ?? new Map<string, Problem>();
+    const before = known.get(key);
+    if (before && before.message === report.message && Object.is(before.value, report.value))
+      return;
+    const problem = { ...report, element };
+    known.set(key, problem);
+    this.#byElement.set(element, known);
+    if (this.#console)
+      console[LOG[report.severity]](`x3d-physics: ${report.message} [${report.code}]`);
+    this.onreport?.(problem);
+  }
+
+  /** Takes reports back whose cause is gone. */
+  settle(element: unknown, attribute?: string, code?: string): void {
+    const known = this.#byElement.get(element);
+    if (!known) return;
+    for (const [key, problem] of known) {
+      const meant =
+        (!attribute || problem.attribute === attribute) && (!code || problem.code === code);
+      if (meant) known.delete(key);
+    }
+    if (known.size === 0) this.#byElement.delete(element);
+  }
+}

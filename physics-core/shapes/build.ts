@@ -1,0 +1,141 @@
+import type { Ammo } from '../engine/ammo.js';
+import type { Owner } from '../engine/owner.js';
+import type { Scratch } from '../engine/scratch.js';
+import type { Vec3 } from '../fields/types.js';
+import { guards } from '../guards.js';
+import type { Pose } from '../math.js';
+import { isConvex } from './convex.js';
+import type { Geometry, Mesh } from './geometry.js';
+import { boundsOf } from './mass.js';
+import { axisScale } from './scale.js';
+import { tessellate } from './tessellate.js';
+
+export type BtShape = Ammo['btCollisionShape']['prototype'];
+
+/** What came out different from what the markup says; the body reports it. */
+export type ShapeNote = 'concave-dynamic' | 'zero-volume';
+
+/** What shapes are made with. The owner is the body's: they live and die with its shape. */
+export interface Workshop {
+  ammo: Ammo;
+  scratch: Scratch;
+  owner: Owner;
+  /** Bullet's triangle meshes only work on bodies that don't move. */
+  moving: boolean;
+  note(note: ShapeNote): void;
+}
+
+/** Bullet keeps this margin inside boxes and cylinders; a thin part needs a thinner one (numerics 4.8, 11). */
+const marginFor = (halfExtent: number): number => Math.min(0.04, 0.1 * halfExtent);
+
+/** A hull grows by its margin: small enough not to be seen, large enough for a stable contact search. */
+const hullMarginFor = (halfExtent: number): number => Math.min(0.005, 0.02 * halfExtent);
+
+/** Parts thinner than this (metres) are made this thick: Bullet's contact search needs a volume. */
+const THINNEST = 1e-4;
+
+function primitive(g: Geometry, scale: Vec3, workshop: Workshop): BtShape | undefined {
+  const { ammo, scratch, owner } = workshop;
+  const [x, y, z] = scale;
+  /** A half extent or radius with a volume to collide with; reported where the author's has none. */
+  const extent = (value: number): number => {
+    if (!(value > 0)) workshop.note('zero-volume');
+    return guards.thickness(Math.abs(value), THINNEST);
+  };
+  switch (g.type) {
+    case 'Box': {
+      const [w, h, d] = g.size ?? [2, 2, 2];
+      const [hx, hy, hz] = [extent((w * x) / 2), extent((h * y) / 2), extent((d * z) / 2)];
+      const shape = owner.own(new ammo.btBoxShape(scratch.vector(hx, hy, hz)));
+      shape.setMargin(marginFor(Math.min(hx, hy, hz)));
+      return shape;
+    }
+    case 'Sphere':
+      if (x !== y || y !== z) return undefined;
+      return owner.own(new ammo.btSphereShape(extent((g.radius ?? 1) * x)));
+    case 'Cylinder': {
+      if (x !== z || g.side === false || g.top === false || g.bottom === false) return undefined;
+      const [r, h] = [extent((g.radius ?? 1) * x), extent(((g.height ?? 2) * y) / 2)];
+      const shape = owner.own(new ammo.btCylinderShape(scratch.vector(r, h, r)));
+      shape.setMargin(marginFor(Math.min(r, h)));
+      return shape;
+    }
+    case 'Cone': {
+      if (x !== z || g.side === false || g.bottom === false) return undefined;
+      const [r, h] = [extent((g.bottomRadius ?? 1) * x), extent((g.height ?? 2) * y)];
+      const shape = owner.own(new ammo.btConeShape(r, h));
+      shape.setMargin(marginFor(Math.min(r, h / 2)));
+      return shape;
+    }
+    default:
+      return undefined;
+  }
+}
+
+function smallestHalfExtent(points: number[]): number {
+  const { min, max } = boundsOf(points);
+  return Math.min(...max.map((value, i) => (value - min[i]!) / 2));
+}
+
+function hull(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtShape {
+  const shape = owner.own(new ammo.btConvexHullShape());
+  for (let i = 0; i < mesh.points.length; i += 3) {
+    const last = i + 3 >= mesh.points.length;
+    shape.addPoint(scratch.vector(mesh.points[i]!, mesh.points[i + 1]!, mesh.points[i + 2]!), last);
+  }
+  shape.setMargin(Math.max(hullMarginFor(smallestHalfExtent(mesh.points)), THINNEST));
+  return shape;
+}
+
+function triangles(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtShape {
+  const triangleMesh = owner.own(new ammo.btTriangleMesh(true, false));
+  const corner = (at: number, slot: number) =>
+    scratch.vector(mesh.points[at * 3]!, mesh.points[at * 3 + 1]!, mesh.points[at * 3 + 2]!, slot);
+  for (let i = 0; i < mesh.index.length; i += 3) {
+    triangleMesh.addTriangle(
+      corner(mesh.index[i]!, 0),
+      corner(mesh.index[i + 1]!, 1),
+      corner(mesh.index[i + 2]!, 2),
+      false,
+    );
+  }
+  const shape = owner.own(new ammo.btBvhTriangleMeshShape(triangleMesh, true, true));
+  (shape as unknown as { setMargin(margin: number): void }).setMargin(0);
+  return shape;
+}
+
+/** One geometry as a Bullet shape; undefined where nothing is there that could collide. */
+function shapeOf(g: Geometry, workshop: Workshop): BtShape | undefined {
+  const scale = axisScale(g.linear);
+  const simple = scale && primitive(g, scale, workshop);
+  if (simple) return simple;
+  const mesh = tessellate(g);
+  if (mesh.points.length === 0 || mesh.index.length === 0) {
+    workshop.note('zero-volume');
+    return undefined;
+  }
+  if (!workshop.moving) return triangles(mesh, workshop);
+  if (!isConvex(mesh)) workshop.note('concave-dynamic');
+  return hull(mesh, workshop);
+}
+
+/** A geometry and the pose of its frame in the body's centre-of-mass frame. */
+export interface PlacedGeometry {
+  geometry: Geometry;
+  pose: Pose;
+}
+
+const isIdentity = ({ p, q }: Pose): boolean => p.every((value) => value === 0) && q[3] === 1;
+
+/** The whole shape of a body: one shape where it sits at the centre of mass, else a compound. */
+export function buildShape(parts: PlacedGeometry[], workshop: Workshop): BtShape {
+  const { ammo, owner, scratch } = workshop;
+  const shapes = parts
+    .map(({ geometry, pose }) => ({ shape: shapeOf(geometry, workshop), pose }))
+    .filter((part): part is { shape: BtShape; pose: Pose } => part.shape !== undefined);
+  if (shapes.length === 1 && isIdentity(shapes[0]!.pose)) return shapes[0]!.shape;
+  const compound = owner.own(new ammo.btCompoundShape(shapes.length > 8));
+  for (const { shape, pose } of shapes)
+    compound.addChildShape(scratch.transform(pose.p, pose.q), shape);
+  return compound;
+}

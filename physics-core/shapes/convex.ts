@@ -1,0 +1,33 @@
+import type { Mesh } from './geometry.js';
+import { boundsOf } from './mass.js';
+
+/** Whether every point of a mesh lies behind every one of its triangles (within a millionth of its size). */
+export function isConvex({ points, index }: Mesh): boolean {
+  const { min, max } = boundsOf(points);
+  const tolerance = 1e-5 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+  for (let t = 0; t < index.length; t += 3) {
+    const [a, b, c] = [index[t]! * 3, index[t + 1]! * 3, index[t + 2]! * 3];
+    const [ux, uy, uz] = [
+      points[b]! - points[a]!,
+      points[b + 1]! - points[a + 1]!,
+      points[b + 2]! - points[a + 2]!,
+    ];
+    const [vx, vy, vz] = [
+      points[c]! - points[a]!,
+      points[c + 1]! - points[a + 1]!,
+      points[c + 2]! - points[a + 2]!,
+    ];
+    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const size = Math.hypot(nx, ny, nz);
+    if (size === 0) continue;
+    for (let i = 0; i < points.length; i += 3) {
+      const height =
+        ((points[i]! - points[a]!) * nx +
+          (points[i + 1]! - points[a + 1]!) * ny +
+          (points[i + 2]! - points[a + 2]!) * nz) /
+        size;
+      if (height > tolerance) return false;
+    }
+  }
+  return true;
+}

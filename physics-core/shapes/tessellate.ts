@@ -1,0 +1,196 @@
+import type { Vec3 } from '../fields/types.js';
+import type { Geometry, Mesh } from './geometry.js';
+
+/** Sides of a ring: the radius of the polygon is then within 0.5 % of the circle's. */
+const SIDES = 32;
+
+const pointsOf = (coord: number[] | { point: number[] } | undefined): number[] =>
+  Array.isArray(coord) ? coord : (coord?.point ?? []);
+
+/** Faces as fans; X3D's faces are convex polygons unless `convex` is FALSE, which a fan still closes. */
+function fans(coordIndex: number[]): number[] {
+  const index: number[] = [];
+  let face: number[] = [];
+  for (const i of [...coordIndex, -1]) {
+    if (i >= 0) {
+      face.push(i);
+      continue;
+    }
+    for (let k = 2; k < face.length; k++) index.push(face[0]!, face[k - 1]!, face[k]!);
+    face = [];
+  }
+  return index;
+}
+
+/** Only triangles whose three points exist. */
+function sound(mesh: Mesh): Mesh {
+  const count = mesh.points.length / 3;
+  const index: number[] = [];
+  for (let i = 0; i + 2 < mesh.index.length; i += 3) {
+    const triangle = mesh.index.slice(i, i + 3);
+    if (triangle.every((k) => k >= 0 && k < count)) index.push(...triangle);
+  }
+  return { points: mesh.points, index };
+}
+
+function grid(
+  xDimension: number,
+  zDimension: number,
+  xSpacing: number,
+  zSpacing: number,
+  height: number[],
+): Mesh {
+  const points: number[] = [];
+  const index: number[] = [];
+  for (let z = 0; z < zDimension; z++) {
+    for (let x = 0; x < xDimension; x++) {
+      points.push(x * xSpacing, height[z * xDimension + x] ?? 0, z * zSpacing);
+      if (x === 0 || z === 0) continue;
+      const here = z * xDimension + x;
+      const [left, back, corner] = [here - 1, here - xDimension, here - xDimension - 1];
+      index.push(corner, left, here, corner, here, back);
+    }
+  }
+  return { points, index };
+}
+
+/** A surface of revolution about Y: `profile` from bottom to top as [radius, y]. */
+function turned(profile: [number, number][]): Mesh {
+  const points: number[] = [];
+  const index: number[] = [];
+  profile.forEach(([radius, y], ring) => {
+    for (let i = 0; i < SIDES; i++) {
+      const angle = (2 * Math.PI * i) / SIDES;
+      points.push(radius * Math.cos(angle), y, -radius * Math.sin(angle));
+      if (ring === 0) continue;
+      const next = (i + 1) % SIDES;
+      const [a, b] = [(ring - 1) * SIDES + i, (ring - 1) * SIDES + next];
+      const [c, d] = [ring * SIDES + i, ring * SIDES + next];
+      index.push(a, b, d, a, d, c);
+    }
+  });
+  return { points, index };
+}
+
+const box = ([x, y, z]: Vec3): Mesh => ({
+  points: [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [
+    (i & 1 ? x : -x) / 2,
+    (i & 2 ? y : -y) / 2,
+    (i & 4 ? z : -z) / 2,
+  ]),
+  index: [
+    0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3,
+    7, 1, 7, 5,
+  ],
+});
+
+function sphere(radius: number): Mesh {
+  const rings = SIDES / 2;
+  const profile = Array.from({ length: rings + 1 }, (_, i): [number, number] => {
+    const angle = (Math.PI * i) / rings;
+    return [radius * Math.sin(angle), -radius * Math.cos(angle)];
+  });
+  return turned(profile);
+}
+
+function cylinder(g: Extract<Geometry, { type: 'Cylinder' }>): Mesh {
+  const [r, h] = [g.radius ?? 1, (g.height ?? 2) / 2];
+  const parts: [number, number][][] = [];
+  if (g.bottom !== false)
+    parts.push([
+      [0, -h],
+      [r, -h],
+    ]);
+  if (g.side !== false)
+    parts.push([
+      [r, -h],
+      [r, h],
+    ]);
+  if (g.top !== false)
+    parts.push([
+      [r, h],
+      [0, h],
+    ]);
+  return merged(parts.map(turned));
+}
+
+function cone(g: Extract<Geometry, { type: 'Cone' }>): Mesh {
+  const [r, h] = [g.bottomRadius ?? 1, (g.height ?? 2) / 2];
+  const parts: [number, number][][] = [];
+  if (g.bottom !== false)
+    parts.push([
+      [0, -h],
+      [r, -h],
+    ]);
+  if (g.side !== false)
+    parts.push([
+      [r, -h],
+      [0, h],
+    ]);
+  return merged(parts.map(turned));
+}
+
+function merged(meshes: Mesh[]): Mesh {
+  const points: number[] = [];
+  const index: number[] = [];
+  for (const mesh of meshes) {
+    const first = points.length / 3;
+    points.push(...mesh.points);
+    index.push(...mesh.index.map((i) => i + first));
+  }
+  return { points, index };
+}
+
+/** The 3 × 3 `linear` on every point. A mirror turns the triangles round, so that they still face outward. */
+function transformed(mesh: Mesh, m: number[] | undefined): Mesh {
+  if (!m) return mesh;
+  const points: number[] = [];
+  for (let i = 0; i < mesh.points.length; i += 3) {
+    const [x, y, z] = [mesh.points[i]!, mesh.points[i + 1]!, mesh.points[i + 2]!];
+    for (let r = 0; r < 9; r += 3) points.push(m[r]! * x + m[r + 1]! * y + m[r + 2]! * z);
+  }
+  const determinant =
+    m[0]! * (m[4]! * m[8]! - m[5]! * m[7]!) -
+    m[1]! * (m[3]! * m[8]! - m[5]! * m[6]!) +
+    m[2]! * (m[3]! * m[7]! - m[4]! * m[6]!);
+  return { points, index: determinant < 0 ? mesh.index.toReversed() : mesh.index };
+}
+
+function plain(g: Geometry): Mesh {
+  switch (g.type) {
+    case 'Box':
+      return box(g.size ?? [2, 2, 2]);
+    case 'Sphere':
+      return sphere(g.radius ?? 1);
+    case 'Cylinder':
+      return cylinder(g);
+    case 'Cone':
+      return cone(g);
+    case 'IndexedFaceSet':
+      return { points: pointsOf(g.coord), index: fans(g.coordIndex ?? []) };
+    case 'IndexedTriangleSet':
+      return { points: pointsOf(g.coord), index: g.index ?? [] };
+    case 'TriangleSet': {
+      const points = pointsOf(g.coord);
+      return { points, index: Array.from({ length: points.length / 3 }, (_, i) => i) };
+    }
+    case 'ElevationGrid':
+      return grid(
+        g.xDimension ?? 0,
+        g.zDimension ?? 0,
+        g.xSpacing ?? 1,
+        g.zSpacing ?? 1,
+        g.height ?? [],
+      );
+    case 'Mesh':
+      return { points: g.points, index: g.index };
+  }
+}
+
+/** Any geometry as triangles facing outward, in the frame of its collidable before translation and rotation. */
+export function tessellate(g: Geometry): Mesh {
+  const mesh = sound(plain(g));
+  const outward =
+    'ccw' in g && g.ccw === false ? { ...mesh, index: mesh.index.toReversed() } : mesh;
+  return transformed(outward, g.linear);
+}

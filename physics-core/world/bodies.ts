@@ -1,0 +1,159 @@
+import { ACTIVATION } from '../engine/offsets.js';
+import { guards } from '../guards.js';
+import { compose, invert, type Pose } from '../math.js';
+import type { BodyNode } from '../nodes/body.js';
+import { POSE, type Poses } from './poses.js';
+import type { World } from './world.js';
+
+/** Numbers per velocity: linear, then angular. */
+const VELOCITY = 6;
+
+/** The built bodies of a world by slot, and what is read of them after every step. */
+export class Bodies {
+  readonly #world: World;
+  readonly #poses: Poses;
+  readonly #bySlot: (BodyNode | undefined)[] = [];
+  #velocities = new Float64Array(VELOCITY * 16);
+  #asleep = new Uint8Array(16);
+  readonly #centre = new Float64Array(POSE);
+  awake = 0;
+
+  constructor(world: World, poses: Poses) {
+    this.#world = world;
+    this.#poses = poses;
+  }
+
+  *[Symbol.iterator](): Generator<BodyNode> {
+    for (const body of this.#bySlot) if (body) yield body;
+  }
+
+  get count(): number {
+    let count = 0;
+    for (const body of this.#bySlot) if (body) count++;
+    return count;
+  }
+
+  at(slot: number): BodyNode | undefined {
+    return this.#bySlot[slot];
+  }
+
+  take(body: BodyNode): number {
+    const slot = this.#poses.take();
+    this.#bySlot[slot] = body;
+    if (slot >= this.#asleep.length) this.#grow();
+    this.#asleep[slot] = 0;
+    this.#velocities.fill(0, slot * VELOCITY, (slot + 1) * VELOCITY);
+    return slot;
+  }
+
+  release(body: BodyNode): void {
+    this.#bySlot[body.slot] = undefined;
+    this.#poses.release(body.slot);
+  }
+
+  #grow(): void {
+    const velocities = new Float64Array(this.#velocities.length * 2);
+    velocities.set(this.#velocities);
+    this.#velocities = velocities;
+    const asleep = new Uint8Array(this.#asleep.length * 2);
+    asleep.set(this.#asleep);
+    this.#asleep = asleep;
+  }
+
+  velocityOf(body: BodyNode): Float64Array {
+    return this.#velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
+  }
+
+  readVelocity(body: BodyNode): void {
+    this.#world.engine.reader.velocity(
+      body.body,
+      body.pointer,
+      this.#velocities,
+      body.slot * VELOCITY,
+    );
+  }
+
+  // ---- sleep ----------------------------------------------------------------------------------------------------
+
+  asleep(body: BodyNode): boolean {
+    return this.#asleep[body.slot] === 1;
+  }
+
+  wake(body: BodyNode): void {
+    body.body.forceActivationState(ACTIVATION.alwaysActive);
+    this.#world.registry.resting.restart(body.slot);
+    if (this.#asleep[body.slot]) this.#setAsleep(body, false);
+    // So that the page's loop starts again at once, not at the next step.
+    this.awake = Math.max(this.awake, 1);
+    this.#world.work();
+  }
+
+  sleep(body: BodyNode): void {
+    body.body.forceActivationState(ACTIVATION.sleeping);
+    if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
+  }
+
+  #setAsleep(body: BodyNode, asleep: boolean): void {
+    this.#asleep[body.slot] = asleep ? 1 : 0;
+    if (asleep) {
+      this.#velocities.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
+      body.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });
+    }
+    body.emit(asleep ? 'sleep' : 'wake', { time: this.#world.time });
+  }
+
+  // ---- after a step -----------------------------------------------------------------------------------------------
+
+  /** Reads poses and velocities of everything awake; parks what is no longer finite. */
+  read(): void {
+    let awake = 0;
+    for (let slot = 0; slot < this.#bySlot.length; slot++) {
+      const body = this.#bySlot[slot];
+      if (!body?.active || !body.movable) continue;
+      if (!this.#stayedAwake(body, slot)) continue;
+      if (this.#readBody(body, slot)) awake++;
+      else body.park();
+    }
+    this.awake = awake;
+  }
+
+  /** Bullet wakes a sleeping island that something hits by changing its state. */
+  #stayedAwake(body: BodyNode, slot: number): boolean {
+    const state = this.#world.engine.reader.activation(body.body, body.pointer);
+    if (state === ACTIVATION.sleeping) return false;
+    if (this.#asleep[slot]) this.wake(body);
+    return true;
+  }
+
+  /** False: not finite. The last good pose then still stands in `current`. */
+  #readBody(body: BodyNode, slot: number): boolean {
+    const { reader } = this.#world.engine;
+    const centre = this.#centre;
+    reader.pose(body.body, body.pointer, centre, 0);
+    reader.velocity(body.body, body.pointer, this.#velocities, slot * VELOCITY);
+    let sum = 0;
+    for (let i = 0; i < POSE; i++) sum += centre[i]!;
+    for (let i = 0; i < VELOCITY; i++) sum += this.#velocities[slot * VELOCITY + i]!;
+    if (!guards.finiteState(sum)) return false;
+    this.#store(body.centerOfMass, slot * POSE);
+    this.#poses.mark(slot);
+    return true;
+  }
+
+  /** From the centre of mass, which Bullet moves, to the body's origin. */
+  #store(centerOfMass: Pose, at: number): void {
+    const c = this.#centre;
+    const { current } = this.#poses;
+    const { p, q } = centerOfMass;
+    if (p[0] === 0 && p[1] === 0 && p[2] === 0 && q[3] === 1) {
+      current.set(c, at);
+      return;
+    }
+    const pose = compose(
+      { p: [c[0]!, c[1]!, c[2]!], q: [c[3]!, c[4]!, c[5]!, c[6]!] },
+      invert(centerOfMass),
+    );
+    for (let i = 0; i < 3; i++) current[at + i] = pose.p[i]!;
+    for (let i = 0; i < 4; i++) current[at + 3 + i] = pose.q[i]!;
+  }
+}

@@ -1,0 +1,606 @@
+import {
+  ACCURATE_LEVEL,
+  DEFAULT_LEVEL,
+  levelNamed,
+  levels,
+  perStep,
+  type Level,
+  type LevelName,
+} from '../accuracy/levels.js';
+import { Clock } from '../clock.js';
+import { EffectRegistry, type EffectReport } from '../effects/registry.js';
+import { Emitter, type Listener } from '../emitter.js';
+import { BulletWorld } from '../engine/bullet-world.js';
+import type { Engine } from '../engine/engine.js';
+import type { BtBody } from '../engine/heap.js';
+import { SOLVER_MODE } from '../engine/offsets.js';
+import { Owner } from '../engine/owner.js';
+import type { Vec3 } from '../fields/types.js';
+import type { Pose } from '../math.js';
+import { nodeTypes } from '../nodes/index.js';
+import { BodyNode } from '../nodes/body.js';
+import { JointNode } from '../nodes/joint.js';
+import { PhysicsNode, type NodeData } from '../nodes/node.js';
+import type { CollectionNode } from '../nodes/rigid-body-collection.js';
+import { ProblemLog, type Problem, type ProblemReport } from '../problems.js';
+import { Bodies } from './bodies.js';
+import { Pairs } from './pairs.js';
+import { Poses } from './poses.js';
+
+export interface WorldOptions {
+  /** Log each problem once to the console. */
+  console?: boolean;
+  /** Bytes the wasm heap may take. */
+  maxHeapBytes?: number;
+}
+
+export interface AddOptions {
+  /** What stands for the node outside: its element. */
+  host?: unknown;
+  /** Its DEF or id. */
+  name?: string | undefined;
+  /** The RigidBodyCollection it belongs to, where the world has several. */
+  collection?: PhysicsNode | undefined;
+  /** Where a body starts whose author gave no position or orientation. */
+  start?: Pose | undefined;
+}
+
+export interface Stats {
+  bodies: number;
+  awake: number;
+  joints: number;
+  contacts: number;
+  /** Objects made, edits applied without making anything, objects unmade, since the world began. */
+  created: number;
+  patched: number;
+  destroyed: number;
+  heapBytes: number;
+  /** Milliseconds of the last frame. */
+  ms: { step: number; read: number; write: number; events: number };
+}
+
+/** What joints need to know of the solver. */
+export interface Solver {
+  /** Share of a joint's error repaired per step. */
+  errorCorrection: number;
+  constantForceMix: number;
+  stepSeconds: number;
+}
+
+/** Nodes are made and patched in this order: collections, collidables, bodies, joints, collision collections, sensors. */
+const RANKS = 6;
+
+/** Wall time that the steps of one frame may take, milliseconds; what is left over is dropped and reported. */
+const FRAME_BUDGET = 50;
+
+/** Share of the heap limit from which an author is warned. */
+const HEAP_LOW = 0.9;
+const DEFAULT_HEAP = 512 * 2 ** 20;
+
+/** Bullet corrects overlaps deeper than this without adding velocity: best for stacks and plastic hits alike (numerics 4.5). */
+const SPLIT_THRESHOLD = -0.005;
+
+/** A world of X3D nodes on a Bullet world. It exists before the engine does; `start` builds what was added so far. */
+export class World {
+  readonly ready: Promise<World>;
+  engine!: Engine;
+  bullet!: BulletWorld;
+  /** An immovable body that joints with one body hold on to. */
+  ground!: BtBody;
+  readonly poses = new Poses();
+  readonly bodies: Bodies = new Bodies(this, this.poses);
+  readonly pairs: Pairs = new Pairs(this);
+  readonly registry: EffectRegistry;
+  readonly counts = { created: 0, patched: 0, destroyed: 0 };
+  /** Tells the page's loop that there is work again. */
+  onwork?: () => void;
+  timeScale = 1;
+  time = 0;
+  started = false;
+
+  #paused = false;
+  #level: Level = levelNamed(DEFAULT_LEVEL);
+  #solver: Solver = {
+    errorCorrection: this.#level.errorCorrection,
+    constantForceMix: 0,
+    stepSeconds: this.#level.timeStep,
+  };
+  #enabled = true;
+  #owner!: Owner;
+  #nextId = 1;
+  #maxHeapBytes: number;
+  readonly #nodes = new Set<PhysicsNode>();
+  readonly #collections = new Set<CollectionNode>();
+  readonly #defaults: CollectionNode;
+  readonly #queues: Set<PhysicsNode>[] = Array.from({ length: RANKS }, () => new Set());
+  readonly #clock = new Clock();
+  readonly #problems: ProblemLog;
+  readonly #emitter = new Emitter();
+  readonly #ms = { step: 0, read: 0, write: 0, events: 0 };
+  #settleReady!: { resolve: (world: World) => void; reject: (problem: unknown) => void };
+
+  constructor(options: WorldOptions = {}) {
+    this.#maxHeapBytes = options.maxHeapBytes ?? DEFAULT_HEAP;
+    this.#problems = new ProblemLog(options.console ?? false);
+    this.#problems.onreport = (problem) => this.#emitter.emit('problem', problem);
+    this.registry = new EffectRegistry(this);
+    this.ready = new Promise((resolve, reject) => (this.#settleReady = { resolve, reject }));
+    // Nobody need listen; who awaits still hears.
+    this.ready.catch(() => {});
+    this.#defaults = this.#construct('RigidBodyCollection', {}) as CollectionNode;
+  }
+
+  // ---- nodes ----------------------------------------------------------------------------------------------------
+
+  /** Adds a node of an X3D type. Field values are X3D's, in SI units; nodes may be given as nodes or plain data. */
+  add(type: string, fields: Record<string, unknown> = {}, options: AddOptions = {}): PhysicsNode {
+    if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${type}`);
+    const node = this.#construct(type, options);
+    this.#nodes.add(node);
+    if (type === 'RigidBodyCollection') this.#collections.add(node as CollectionNode);
+    if (node instanceof BodyNode && options.start) node.start = options.start;
+    for (const [name, value] of Object.entries(fields)) node.set(name, value);
+    this.enqueue(node);
+    return node;
+  }
+
+  #construct(type: string, options: AddOptions): PhysicsNode {
+    const nodeType = nodeTypes[type]!;
+    return nodeType.make({
+      world: this,
+      type: nodeType,
+      id: this.#nextId++,
+      host: options.host,
+      name: options.name,
+      collection: options.collection as CollectionNode | undefined,
+    });
+  }
+
+  /** A node from plain data in a field that takes `types`: bare geometry becomes a CollidableShape. */
+  addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined {
+    const { type, ...fields } = data;
+    const options = {
+      collection: parent.collection,
+      host: parent.host === parent ? undefined : parent.host,
+    };
+    if (types.includes(type))
+      return nodeTypes[type] ? this.add(type, fields, options) : (data as never);
+    if (types.includes('CollidableShape'))
+      return this.add('CollidableShape', { shape: [data] }, options);
+    parent.report({
+      code: 'misplaced',
+      severity: 'warning',
+      value: type,
+      message: `${parent.label}: a ${type} has no place here; ${types.join(' or ')} has`,
+    });
+    return undefined;
+  }
+
+  /** The node with this DEF, id, or host. */
+  node(nameOrHost: unknown): PhysicsNode | undefined {
+    let found: PhysicsNode | undefined;
+    for (const node of this.#nodes)
+      if (node.name === nameOrHost || node.host === nameOrHost) found = node;
+    return found;
+  }
+
+  get nodes(): Iterable<PhysicsNode> {
+    return this.#nodes;
+  }
+
+  forget(node: PhysicsNode): void {
+    this.#nodes.delete(node);
+    this.#collections.delete(node as CollectionNode);
+    this.#queues[node.type.rank]!.delete(node);
+    this.#problems.settle(node.host);
+  }
+
+  /** Settings of the world: its first collection's, or X3D's defaults. */
+  get settings(): CollectionNode {
+    for (const collection of this.#collections) return collection;
+    return this.#defaults;
+  }
+
+  /** The world is its first RigidBodyCollection. */
+  get(field: string): unknown {
+    return this.settings.get(field);
+  }
+
+  set(field: string, value: unknown): void {
+    if (this.#collections.size === 0) this.add('RigidBodyCollection');
+    this.settings.set(field, value);
+  }
+
+  bodyAt(pointer: number): BodyNode | undefined {
+    for (const body of this.bodies) if (body.pointer === pointer) return body;
+    return undefined;
+  }
+
+  // ---- edits ----------------------------------------------------------------------------------------------------
+
+  enqueue(node: PhysicsNode): void {
+    if (node === this.#defaults) return;
+    this.#queues[node.type.rank]!.add(node);
+    this.work();
+  }
+
+  work(): void {
+    this.onwork?.();
+  }
+
+  /** Applies pending edits. An edit may cause others (a body's shape by its collidable), so it goes round. */
+  flush(): void {
+    if (!this.started) return;
+    for (let rank = 0; rank < RANKS;) {
+      const queue = this.#queues[rank]!;
+      const next = queue.values().next().value;
+      if (!next) {
+        rank++;
+        continue;
+      }
+      queue.delete(next);
+      this.#apply(next);
+      rank = this.#firstPending(rank);
+    }
+  }
+
+  #firstPending(rank: number): number {
+    for (let r = 0; r < rank; r++) if (this.#queues[r]!.size > 0) return r;
+    return rank;
+  }
+
+  #apply(node: PhysicsNode): void {
+    try {
+      node.apply();
+    } catch (error) {
+      this.#exhausted(node, error);
+    }
+  }
+
+  /** The heap is full, or Bullet gave up: the addition is undone and the world pauses; the page lives. */
+  #exhausted(node: PhysicsNode, error: unknown): void {
+    this.#paused = true;
+    this.report(
+      {
+        code: 'heap-exhausted',
+        severity: 'error',
+        used: 'paused world',
+        message: `${node.label} could not be made (${String(error)}); the world pauses`,
+      },
+      node,
+    );
+  }
+
+  get #pending(): boolean {
+    return this.#queues.some((queue) => queue.size > 0);
+  }
+
+  // ---- start, reset, end ------------------------------------------------------------------------------------------
+
+  /** Builds everything added so far, in order, and settles `ready`. */
+  start(engine: Engine): void {
+    if (this.started) return;
+    this.engine = engine;
+    this.#build();
+    this.flush();
+    this.#settleReady.resolve(this);
+    this.#emitter.emit('ready', this);
+    this.work();
+  }
+
+  /** The world can't start: `ready` rejects with the problem. */
+  fail(problem: unknown): void {
+    this.#settleReady.reject(problem);
+  }
+
+  #build(): void {
+    this.bullet = new BulletWorld(this.engine);
+    this.#owner = new Owner(this.engine.ammo);
+    this.ground = this.#makeGround();
+    this.started = true;
+    this.configure();
+  }
+
+  #makeGround(): BtBody {
+    const { ammo, scratch } = this.engine;
+    const shape = this.#owner.own(new ammo.btSphereShape(1));
+    const info = this.#owner.own(
+      new ammo.btRigidBodyConstructionInfo(0, null as never, shape, scratch.vector(0, 0, 0)),
+    );
+    return this.#owner.own(new ammo.btRigidBody(info));
+  }
+
+  /** Back to what the markup says, at time 0. The next n steps are the first n steps, bit for bit. */
+  reset(): void {
+    if (!this.started) return;
+    this.flush();
+    this.#unbuild();
+    this.time = 0;
+    this.#clock.reset();
+    this.#build();
+    for (const node of this.#nodes) this.enqueue(node);
+    this.flush();
+    this.#emitter.emit('reset', this);
+  }
+
+  /** Newest first: joints before the bodies they hold. */
+  #unbuild(): void {
+    const nodes = [...this.#nodes].toReversed();
+    for (let rank = RANKS - 1; rank >= 0; rank--) {
+      for (const node of nodes) if (node.type.rank === rank) node.unmake();
+    }
+    this.#owner.dispose();
+    this.bullet.dispose();
+    this.started = false;
+  }
+
+  destroy(): void {
+    if (this.started) this.#unbuild();
+    for (const node of [...this.#nodes]) node.remove();
+    this.#nodes.clear();
+  }
+
+  // ---- accuracy ---------------------------------------------------------------------------------------------------
+
+  /** The level in force. */
+  get accuracy(): LevelName {
+    return this.#level.name;
+  }
+
+  set accuracy(name: LevelName) {
+    this.set('accuracy', name);
+    this.flush();
+  }
+
+  /** The ladder; `active` marks the level in force. */
+  get levels(): (Level & { active: boolean })[] {
+    return levels.map((level) => ({ ...level, active: level.name === this.#level.name }));
+  }
+
+  /** Seconds of one step. */
+  get timeStep(): number {
+    return this.#level.timeStep;
+  }
+
+  get solver(): Solver {
+    return this.#solver;
+  }
+
+  /** Takes the settings of the first collection into Bullet: authored field > authored level > preferAccuracy > standard. */
+  configure(): void {
+    if (!this.started) return;
+    const { settings } = this;
+    const named = settings.asked<string>('accuracy') as LevelName | '';
+    this.#level = levelNamed(
+      named || (settings.asked<boolean>('preferAccuracy') ? ACCURATE_LEVEL : DEFAULT_LEVEL),
+    );
+    this.#enabled = settings.asked('enabled');
+    this.#maxHeapBytes = settings.authored('heapLimit')
+      ? settings.asked<number>('heapLimit') * 2 ** 20
+      : this.#maxHeapBytes;
+    this.#configureSolver();
+    for (const node of this.#nodes) if (node instanceof JointNode) node.updateCorrection();
+    this.work();
+  }
+
+  #configureSolver(): void {
+    const { settings } = this;
+    const level = this.#level;
+    const authored = <T>(field: string, otherwise: T): T =>
+      settings.authored(field) ? settings.asked<T>(field) : otherwise;
+    const stepSeconds = level.timeStep;
+    this.#solver = {
+      errorCorrection: settings.authored('errorCorrection')
+        ? perStep(settings.asked('errorCorrection'), stepSeconds)
+        : level.errorCorrection,
+      constantForceMix: authored('constantForceMix', 0),
+      stepSeconds,
+    };
+    this.bullet.configure({
+      iterations: Math.max(1, authored('iterations', level.iterations)),
+      solverMode:
+        SOLVER_MODE.warmstart |
+        SOLVER_MODE.simd |
+        (level.twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0),
+      splitImpulseThreshold: this.registry.surface.anyBounce ? 0 : SPLIT_THRESHOLD,
+      linearSlop: settings.asked<number>('contactSurfaceThickness'),
+    });
+  }
+
+  // ---- time -----------------------------------------------------------------------------------------------------
+
+  get paused(): boolean {
+    return this.#paused;
+  }
+
+  set paused(paused: boolean) {
+    this.#paused = paused;
+    this.work();
+  }
+
+  /** Advances n steps at once, paused or not; returns the seconds advanced. `step(0)` applies pending edits. */
+  step(n = 1): number {
+    if (!this.started) return 0;
+    this.#ms.step = this.#ms.read = this.#ms.events = 0;
+    this.flush();
+    for (let i = 0; i < n; i++) this.#stepOnce();
+    if (n > 0) this.#clock.reset();
+    return n * this.timeStep;
+  }
+
+  /** Advances by as many whole steps as come nearest to `seconds`. */
+  advance(seconds: number): number {
+    return this.step(Math.max(0, Math.round(seconds / this.timeStep)));
+  }
+
+  #stepOnce(): void {
+    this.#event('beforestep');
+    this.flush();
+    if (this.#level.timeStep > 0 && this.bodies.awake === 0 && !this.#anythingAwake()) {
+      this.time += this.timeStep;
+      return;
+    }
+    this.poses.shift();
+    this.#stepBullet();
+    this.time += this.timeStep;
+    this.#event('afterstep');
+  }
+
+  #anythingAwake(): boolean {
+    for (const body of this.bodies)
+      if (body.active && body.movable && !this.bodies.asleep(body)) return true;
+    return false;
+  }
+
+  #stepBullet(): void {
+    const start = performance.now();
+    const { registry, timeStep } = this;
+    registry.beforeStep(timeStep);
+    this.engine.contacts.listen(
+      this.bullet.bullet,
+      registry.surface.active ? registry.surface : null,
+    );
+    this.bullet.step(timeStep);
+    const stepped = performance.now();
+    this.bodies.read();
+    this.#ms.read += performance.now() - stepped;
+    registry.afterStep(timeStep);
+    this.#ms.step += performance.now() - start;
+  }
+
+  #event(name: 'beforestep' | 'afterstep'): void {
+    if (!this.#emitter.heard(name)) return;
+    const start = performance.now();
+    this.#emitter.emit(name, { time: this.time, timeStep: this.timeStep });
+    this.#ms.events += performance.now() - start;
+  }
+
+  /** Advances by wall time in fixed steps and places what is drawn between the last two. Returns `needsFrame`. */
+  frame(seconds: number): boolean {
+    if (!this.started) return false;
+    this.#ms.step = this.#ms.read = this.#ms.events = 0;
+    this.flush();
+    if (this.running) this.#run(seconds * this.timeScale);
+    this.poses.interpolate(this.#moving ? this.#clock.fraction(this.timeStep) : 1);
+    return this.needsFrame;
+  }
+
+  #run(seconds: number): void {
+    const { steps, dropped } = this.#clock.advance(seconds, this.timeStep);
+    const start = performance.now();
+    let done = 0;
+    while (done < steps && (done === 0 || performance.now() - start < FRAME_BUDGET)) {
+      this.#stepOnce();
+      done++;
+    }
+    const lost = dropped + (steps - done) * this.timeStep;
+    if (lost > 0) this.#lag(lost);
+    this.#watchHeap();
+  }
+
+  #lag(seconds: number): void {
+    this.#emitter.emit('lag', { dropped: seconds, time: this.time });
+    this.report({
+      code: 'lag',
+      severity: 'info',
+      used: 'dropped time',
+      message: 'the simulation could not keep up with the clock; the time it lost is dropped',
+    });
+  }
+
+  #watchHeap(): void {
+    if (this.engine.heapBytes < this.#maxHeapBytes * HEAP_LOW) return;
+    this.report({
+      code: 'heap-low',
+      severity: 'warning',
+      value: this.engine.heapBytes,
+      message: `the wasm heap has taken ${Math.round(this.engine.heapBytes / 2 ** 20)} MB of the ${Math.round(this.#maxHeapBytes / 2 ** 20)} MB it may`,
+    });
+  }
+
+  /** Whether time passes by itself. */
+  get running(): boolean {
+    return this.started && !this.#paused && this.#enabled && this.timeScale > 0;
+  }
+
+  get #moving(): boolean {
+    return this.running && this.bodies.awake > 0;
+  }
+
+  /** Whether the next frame has anything to do. */
+  get needsFrame(): boolean {
+    return this.started && (this.#moving || this.#pending);
+  }
+
+  // ---- what bodies ask of it --------------------------------------------------------------------------------------
+
+  push(body: BodyNode, force: Vec3, torque: Vec3): void {
+    this.registry.forces.push(body, force, torque);
+  }
+
+  contactParametersChanged(body: BodyNode): void {
+    if (body.built) this.registry.surface.update(body);
+  }
+
+  /** Wakes what touches a body that goes or jumps: it may have lost its support. */
+  wakeTouching(body: BodyNode): void {
+    if (this.bodies.awake === this.bodies.count) return;
+    this.bullet.eachManifold((manifold, a, b) => {
+      if (manifold.getNumContacts() === 0 || (a !== body.pointer && b !== body.pointer)) return;
+      const other = this.bodyAt(a === body.pointer ? b : a);
+      if (other) other.wake();
+    });
+  }
+
+  // ---- looking in -------------------------------------------------------------------------------------------------
+
+  get stats(): Stats {
+    let joints = 0;
+    for (const node of this.#nodes) if (node instanceof JointNode && node.attached) joints++;
+    return {
+      bodies: this.bodies.count,
+      awake: this.bodies.awake,
+      joints,
+      contacts: this.#contacts(),
+      ...this.counts,
+      heapBytes: this.engine?.heapBytes ?? 0,
+      ms: { ...this.#ms },
+    };
+  }
+
+  #contacts(): number {
+    let contacts = 0;
+    if (this.started)
+      this.bullet.eachManifold((manifold) => (contacts += manifold.getNumContacts()));
+    return contacts;
+  }
+
+  get effects(): EffectReport[] {
+    return this.registry.report();
+  }
+
+  get problems(): Problem[] {
+    return this.#problems.all;
+  }
+
+  report(report: ProblemReport, about?: PhysicsNode | unknown): void {
+    this.#problems.report(about instanceof PhysicsNode ? about.host : (about ?? this), report);
+  }
+
+  settle(about: PhysicsNode | unknown, attribute?: string, code?: string): void {
+    this.#problems.settle(about instanceof PhysicsNode ? about.host : about, attribute, code);
+  }
+
+  problemsOf(about: PhysicsNode | unknown): Problem[] {
+    return this.#problems.of(about instanceof PhysicsNode ? about.host : about);
+  }
+
+  on(event: string, listener: Listener): () => void {
+    return this.#emitter.on(event, listener);
+  }
+
+  /** Milliseconds the page took to write poses; for `stats`. */
+  noteWriteTime(ms: number): void {
+    this.#ms.write = ms;
+  }
+}

@@ -1,0 +1,53 @@
+import { globSync } from './tools/files.js';
+import nodeResolve from '@rollup/plugin-node-resolve';
+import { ammoModule } from './tools/ammo-module.js';
+import { copyWasm, minify, typescript, wasmAsBase64 } from './tools/rollup-plugins.js';
+
+const common = {
+  // Node's own modules are only reached by dynamic imports that a page never runs.
+  external: /^node:/,
+  plugins: [typescript(), wasmAsBase64(), nodeResolve(), ammoModule(), minify()],
+  onLog(level, log, handle) {
+    // A bundle with an import that nobody can resolve is no bundle.
+    if (log.code === 'UNRESOLVED_IMPORT') throw new Error(log.message);
+    handle(level, log);
+  },
+};
+
+/** One build for all modules, so that the page's entry, the core and each element share their chunks. */
+const modules = {
+  ...common,
+  input: {
+    'x3d-physics': 'elements/index.ts',
+    core: 'physics-core/index.ts',
+    ...Object.fromEntries(
+      globSync('elements/x3d-*.ts').map((file) => [file.replace(/\.ts$/, ''), file]),
+    ),
+  },
+  output: {
+    dir: 'dist',
+    format: 'es',
+    sourcemap: true,
+    // Flat beside ammo.wasm: `new URL('./ammo.wasm', import.meta.url)` holds in whichever chunk it lands.
+    chunkFileNames: 'chunk-[name]-[hash].js',
+  },
+  plugins: [...common.plugins, copyWasm()],
+};
+
+const classic = (input, file) => ({
+  ...common,
+  input,
+  output: {
+    file,
+    format: 'iife',
+    name: 'X3DPhysics',
+    inlineDynamicImports: true,
+    sourcemap: true,
+  },
+});
+
+export default [
+  modules,
+  classic('elements/classic.ts', 'dist/x3d-physics.classic.js'),
+  classic('elements/single.ts', 'dist/x3d-physics.single.js'),
+];

@@ -1,0 +1,23 @@
+// npm run build: everything in dist/.
+import { existsSync, rmSync } from 'node:fs';
+import { BIN, runNode } from './processes.js';
+
+async function must(name, promise) {
+  const { ok, output } = await promise;
+  if (ok) return;
+  console.error(output);
+  console.error(`build: ${name} failed`);
+  process.exit(1);
+}
+
+const start = Date.now();
+// Old chunks carry another hash in their name and would stay for ever.
+rmSync('dist', { recursive: true, force: true });
+await Promise.all([
+  must('rollup', runNode([BIN.rollup, '-c', '--silent'], { quiet: true })),
+  must('declarations', runNode([BIN.tsc, '-p', 'tsconfig.types.json'], { quiet: true })),
+]);
+if (existsSync('tools/manifest.ts')) {
+  await must('manifest', runNode(['--import', 'tsx', 'tools/manifest.ts'], { quiet: true }));
+}
+console.log(`dist/ built in ${((Date.now() - start) / 1000).toFixed(1)} s`);

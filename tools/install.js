@@ -1,0 +1,18 @@
+import { existsSync, statSync, utimesSync } from 'node:fs';
+import { run } from './processes.js';
+
+const INSTALLED = 'node_modules/.package-lock.json';
+const changed = (file) => statSync(file).mtimeMs;
+
+/** Installs the packages where there are none, or where the lock file changed since. */
+export async function ensurePackages() {
+  if (existsSync(INSTALLED) && changed(INSTALLED) >= changed('package-lock.json')) return;
+  console.log('Installing packages (npm install) …');
+  const windows = process.platform === 'win32';
+  const command = windows ? ['cmd', ['/c', 'npm', 'install']] : ['npm', ['install']];
+  const { ok } = await run(...command);
+  if (!ok) throw new Error('npm install failed: see above; the npm registry must be reachable.');
+  // npm leaves the file alone when nothing changed, and we would ask again each time.
+  const now = new Date();
+  utimesSync(INSTALLED, now, now);
+}

@@ -1,0 +1,44 @@
+import { spawn } from 'node:child_process';
+
+/**
+ * Runs a command to its end. `quiet` keeps what it says for the answer instead of showing it.
+ * A command that takes longer than `timeout` is stopped and counts as failed.
+ */
+export function run(command, args, { env, quiet = false, timeout = 20 * 60_000 } = {}) {
+  return new Promise((resolve) => {
+    const child = spawn(command, args, {
+      stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
+      env: { ...process.env, ...env },
+    });
+    let output = '';
+    child.stdout?.on('data', (text) => (output += text));
+    child.stderr?.on('data', (text) => (output += text));
+    const timer = setTimeout(() => {
+      console.error(`${command} ${args[0]} took longer than ${timeout / 1000} s and is stopped`);
+      child.kill();
+    }, timeout);
+    const end = (ok) => {
+      clearTimeout(timer);
+      resolve({ ok, output });
+    };
+    child.on('error', (error) => {
+      output += error.message;
+      end(false);
+    });
+    child.on('close', (code) => end(code === 0));
+  });
+}
+
+/** Runs a script with the Node that runs us: needs neither the executable bit nor a shell. */
+export const runNode = (args, options) => run(process.execPath, args, options);
+
+/** Where the commands of our packages are. `.bin` is avoided: npm sometimes loses its executable bits. */
+export const BIN = {
+  eslint: 'node_modules/eslint/bin/eslint.js',
+  playwright: 'node_modules/playwright/cli.js',
+  prettier: 'node_modules/prettier/bin/prettier.cjs',
+  rollup: 'node_modules/rollup/dist/bin/rollup',
+  storybook: 'node_modules/storybook/dist/bin/dispatcher.js',
+  tsc: 'node_modules/typescript/bin/tsc',
+  wtr: 'node_modules/@web/test-runner/dist/bin.js',
+};

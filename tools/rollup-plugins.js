@@ -1,0 +1,72 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+import { transform } from 'esbuild';
+
+const TARGET = 'es2022';
+export const AMMO_WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
+
+/**
+ * TypeScript sources, which import each other by the `.js` name they would have. Resolving them here and not
+ * in node-resolve also keeps the `sideEffects` list of our own package.json away from our own sources.
+ */
+export function typescript() {
+  const tsconfigRaw = readFileSync('tsconfig.json', 'utf8');
+  return {
+    name: 'typescript',
+    resolveId(source, importer) {
+      if (!importer?.endsWith('.ts') || !source.startsWith('.')) return null;
+      const file = resolve(dirname(importer), source.replace(/\.js$/, '.ts'));
+      return existsSync(file) ? file : null;
+    },
+    async transform(code, id) {
+      if (!id.endsWith('.ts')) return null;
+      return transform(code, {
+        loader: 'ts',
+        target: TARGET,
+        sourcefile: id,
+        sourcemap: true,
+        tsconfigRaw,
+      });
+    },
+  };
+}
+
+export function minify() {
+  return {
+    name: 'minify',
+    renderChunk(code, _chunk, { format }) {
+      return transform(code, {
+        minify: true,
+        target: TARGET,
+        sourcemap: true,
+        legalComments: 'eof',
+        // Says that top-level names are private and may be shortened; in a classic script they are globals.
+        format: format === 'es' ? 'esm' : undefined,
+      });
+    },
+  };
+}
+
+/** `import base64 from 'virtual:ammo-wasm-base64'`, see types/virtual.d.ts. */
+export function wasmAsBase64() {
+  const NAME = 'virtual:ammo-wasm-base64';
+  return {
+    name: 'wasm-as-base64',
+    resolveId: (source) => (source === NAME ? `\0${NAME}` : null),
+    load(id) {
+      if (id !== `\0${NAME}`) return null;
+      const base64 = readFileSync(AMMO_WASM, 'base64');
+      return { code: `export default '${base64}';`, map: { mappings: '' } };
+    },
+  };
+}
+
+/** Puts ammo.wasm beside the bundles. */
+export function copyWasm() {
+  return {
+    name: 'copy-wasm',
+    generateBundle() {
+      this.emitFile({ type: 'asset', fileName: 'ammo.wasm', source: readFileSync(AMMO_WASM) });
+    },
+  };
+}

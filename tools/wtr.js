@@ -1,0 +1,76 @@
+// What the three configurations of Web Test Runner share.
+import { esbuildPlugin } from '@web/dev-server-esbuild';
+import { defaultReporter } from '@web/test-runner';
+import { ammoModuleForServer } from './ammo-module.js';
+import { countReporter } from './count-reporter.js';
+import { findFile } from './static-files.js';
+
+const WASM = '/node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
+
+/** Where a URL's file is taken as it is, unseen by the plugins that rewrite modules and pages. */
+function rawFile(path) {
+  if (path.startsWith('/shared-content/')) {
+    return findFile('../shared/content', path.slice('/shared-content'.length));
+  }
+  if (path.startsWith('/dist/') || path.startsWith('/node_modules/x3dom/')) {
+    return findFile('.', path);
+  }
+  // The sources say `new URL('./ammo.wasm', import.meta.url)`, which is right in dist/ only.
+  if (path.endsWith('/ammo.wasm')) return findFile('.', WASM);
+  if (/\.(html|xhtml|x3d|wasm)$/.test(path)) return findFile('.', path);
+}
+
+async function rawFiles(context, next) {
+  const found = rawFile(context.path);
+  if (!found) return next();
+  const { createReadStream } = await import('node:fs');
+  context.set('cache-control', 'no-cache');
+  context.type = found.type;
+  context.body = createReadStream(found.file);
+}
+
+/** Our core imports Node's own modules in branches that a page never takes: leave the names alone. */
+const nodeModulesAsTheyAre = {
+  name: 'node-modules-as-they-are',
+  resolveImport: ({ source }) => (source.startsWith('node:') ? source : undefined),
+};
+
+/** x3dom as a page has it, before the test; our library is imported by the tests themselves. */
+const page = (testFramework) => `<!DOCTYPE html>
+<html>
+  <head>
+    <meta charset="utf-8">
+    <link rel="stylesheet" href="/node_modules/x3dom/x3dom.css">
+    <script src="/node_modules/x3dom/x3dom.js"></script>
+    <script type="module" src="${testFramework}"></script>
+  </head>
+  <body></body>
+</html>`;
+
+export function config(browser) {
+  return {
+    rootDir: process.cwd(),
+    files: 'test/browser/**/*.test.ts',
+    browsers: [browser],
+    // One page at a time: WebGL in software takes both cores, and a second page would halve the frame rate.
+    concurrency: 1,
+    concurrentBrowsers: 1,
+    // 'production': Lit's development build writes to the console.
+    nodeResolve: { exportConditions: ['production', 'default'] },
+    plugins: [
+      nodeModulesAsTheyAre,
+      ammoModuleForServer(),
+      esbuildPlugin({ ts: true, target: 'es2022', tsconfig: './tsconfig.json' }),
+    ],
+    middleware: [rawFiles],
+    testRunnerHtml: page,
+    testFramework: { config: { ui: 'bdd', timeout: 60_000, retries: 0 } },
+    browserStartTimeout: 120_000,
+    testsStartTimeout: 120_000,
+    testsFinishTimeout: 10 * 60_000,
+    reporters: [
+      defaultReporter({ reportTestProgress: false }),
+      countReporter(process.env.TEST_COUNTS),
+    ],
+  };
+}

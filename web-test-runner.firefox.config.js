@@ -1,0 +1,14 @@
+import { puppeteerLauncher } from '@web/test-runner-puppeteer';
+import { findFirefox } from './tools/browsers.js';
+import { ensureDisplay } from './tools/display.js';
+import { config } from './tools/wtr.js';
+
+await ensureDisplay();
+
+// Puppeteer, because Playwright drives only a Firefox of its own; in a window, because headless has no WebGL.
+export default config(
+  puppeteerLauncher({
+    launchOptions: { browser: 'firefox', executablePath: findFirefox(), headless: false },
+    concurrency: 1,
+  }),
+);
