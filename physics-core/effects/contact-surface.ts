@@ -5,6 +5,9 @@ import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
 import { Effect } from './effect.js';
 
+/** Bullet's own contact processing threshold: no contact is left out. */
+const UNLIMITED = 1e18;
+
 /**
  * Writes a CollisionCollection's parameters into every contact of its pairs, between Bullet's contact search and its
  * solver. Without a collection that says more than the default this effect is off and costs nothing.
@@ -48,10 +51,11 @@ export class ContactSurface extends Effect {
    */
   #setBouncing(body: BodyNode, bounces: boolean): void {
     if (bounces === this.#bouncing.has(body)) return;
+    const before = this.anyBounce;
     if (bounces) this.#bouncing.add(body);
     else this.#bouncing.delete(body);
-    body.body.setContactProcessingThreshold(bounces ? 0 : 1e18);
-    this.#world.configure();
+    body.body.setContactProcessingThreshold(bounces ? 0 : UNLIMITED);
+    if (this.anyBounce !== before) this.#world.configureSolver();
   }
 
   get anyBounce(): boolean {

@@ -2,6 +2,7 @@ import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
 import { AuthoredForces } from './forces.js';
 import { AxisDamping } from './damping.js';
+import { ContactReader } from './contact-reader.js';
 import { ContactSurface } from './contact-surface.js';
 import type { Effect } from './effect.js';
 import { MeshShapes } from './mesh-shapes.js';
@@ -28,6 +29,7 @@ export class EffectRegistry {
   readonly damping: AxisDamping;
   readonly motors: Motors;
   readonly surface: ContactSurface;
+  readonly contacts: ContactReader;
   readonly stops: Stops;
   readonly meshes = new MeshShapes();
   readonly resting: Resting;
@@ -38,6 +40,7 @@ export class EffectRegistry {
     this.damping = new AxisDamping(world);
     this.motors = new Motors(world);
     this.surface = new ContactSurface(world);
+    this.contacts = new ContactReader(world);
     this.stops = new Stops(world);
     this.resting = new Resting(world);
     this.all = [
@@ -46,19 +49,28 @@ export class EffectRegistry {
       this.motors,
       this.stops,
       this.surface,
+      this.contacts,
       this.meshes,
       this.resting,
     ];
   }
 
   beforeStep(dt: number): void {
-    for (const effect of this.all)
-      if (effect.active && effect.beforeStep) timed(effect, () => effect.beforeStep!(dt));
+    for (const effect of this.all) {
+      if (!effect.active || !effect.beforeStep) continue;
+      const start = performance.now();
+      effect.beforeStep(dt);
+      note(effect, start);
+    }
   }
 
   afterStep(dt: number): void {
-    for (const effect of this.all)
-      if (effect.active && effect.afterStep) timed(effect, () => effect.afterStep!(dt));
+    for (const effect of this.all) {
+      if (!effect.active || !effect.afterStep) continue;
+      const start = performance.now();
+      effect.afterStep(dt);
+      note(effect, start);
+    }
   }
 
   dropAll(node: PhysicsNode): void {
@@ -77,8 +89,6 @@ export class EffectRegistry {
   }
 }
 
-function timed(effect: Effect, run: () => void): void {
-  const start = performance.now();
-  run();
+function note(effect: Effect, start: number): void {
   effect.ms += (performance.now() - start - effect.ms) * NEWEST;
 }

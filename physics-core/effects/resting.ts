@@ -64,10 +64,7 @@ export class Resting extends Effect {
     const slot = body.slot;
     const library = body.rest.mode === 'library';
     const limit = library ? LIBRARY : body.rest;
-    const [vx, vy, vz, wx, wy, wz] = this.#world.bodies.velocityOf(body);
-    const slow =
-      Math.hypot(vx!, vy!, vz!) < limit.linearSpeed &&
-      Math.hypot(wx!, wy!, wz!) < limit.angularSpeed;
+    const slow = this.#world.bodies.slower(slot, limit.linearSpeed, limit.angularSpeed);
     if (!slow || (library && this.#drifted(slot))) {
       this.#quiet[slot] = 0;
       return false;

@@ -35,14 +35,17 @@ async function fetchWasm(url: string): Promise<Uint8Array> {
 
 const inNode = typeof process === 'object' && !!process.versions?.node;
 
-async function wasmOf({ wasmUrl, wasmBinary }: LoadOptions): Promise<Uint8Array | undefined> {
-  if (wasmBinary) return wasmBinary;
-  if (!wasmUrl) return undefined;
-  if (inNode && wasmUrl.startsWith('file:')) {
-    const { readFile } = await import('node:fs/promises');
-    return readFile(new URL(wasmUrl));
-  }
-  return fetchWasm(wasmUrl);
+/** In Node the file is read; where it is not there (running from source) the glue finds its own. */
+async function readWasm(url: string): Promise<Uint8Array | undefined> {
+  const { readFile } = await import('node:fs/promises');
+  return readFile(new URL(url)).catch(() => undefined);
+}
+
+/** By default the wasm lies beside the file this code is in. */
+function wasmOf({ wasmUrl, wasmBinary }: LoadOptions): Promise<Uint8Array | undefined> {
+  if (wasmBinary) return Promise.resolve(wasmBinary);
+  const url = wasmUrl ?? new URL('./ammo.wasm', import.meta.url).href;
+  return inNode && url.startsWith('file:') ? readWasm(url) : fetchWasm(url);
 }
 
 /** Loads a fresh Ammo module. The glue ends in `this.Ammo = …` and so needs a receiver. */

@@ -43,6 +43,8 @@ export const MANIFOLD_POINT = {
   distance: 80,
   friction: 84,
   restitution: 92,
+  index0: 104,
+  index1: 108,
   frictionInitialized: 116,
   appliedImpulse: 120,
   motion1: 132,

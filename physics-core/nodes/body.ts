@@ -81,7 +81,7 @@ export class BodyNode extends PhysicsNode {
     this.body = this.#owner.own(new ammo.btRigidBody(info));
     ammo.destroy(info);
     this.pointer = ammo.getPointer(this.body);
-    this.body.setUserIndex(this.slot);
+    this.world.bodies.register(this);
     this.#place(this.startPose());
     return true;
   }
@@ -140,6 +140,8 @@ export class BodyNode extends PhysicsNode {
       note: (note) => notes.add(note),
     });
     this.#reportShape(notes);
+    if (notes.has('mesh')) this.world.registry.meshes.need(this, 'geometry');
+    else this.world.registry.meshes.drop(this);
     return shape;
   }
 

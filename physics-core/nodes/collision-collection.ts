@@ -9,10 +9,6 @@ export interface ContactParameters {
   bounce: number;
   minBounceSpeed: number;
   friction: number;
-  /** Speed of the surface along both friction directions, m/s; undefined where it stands still. */
-  surfaceSpeed: Vec2 | undefined;
-  /** Sliding speed per force, (m/s)/N; undefined where it does not slip. */
-  slip: Vec2 | undefined;
 }
 
 /** Both spellings stand in real files: schema and examples print hyphens, the 4.0 prose underscores. */
@@ -55,25 +51,17 @@ export class CollisionCollectionNode extends PhysicsNode {
 
   #read(): ContactParameters {
     const applied = new Set(this.asked<string[]>('appliedParameters').map(normal));
-    const both = (name: string, token: string): Vec2 | undefined => {
-      const [x, y] = this.asked<Vec2>(name);
-      const used: Vec2 = [applied.has(`${token}_1`) ? x : 0, applied.has(`${token}_2`) ? y : 0];
-      return used[0] === 0 && used[1] === 0 ? undefined : used;
-    };
     return {
       bounce: applied.has('BOUNCE') ? this.asked<number>('bounce') : 0,
       minBounceSpeed: this.asked<number>('minBounceSpeed'),
-      friction: this.#friction(applied),
-      surfaceSpeed: both('surfaceSpeed', 'SPEED'),
-      slip: both('slipFactors', 'SLIP'),
+      friction: this.#friction(),
     };
   }
 
   /** Without strict rules, friction nobody wrote is the library's default and not the field's 0. */
-  #friction(applied: Set<string>): number {
+  #friction(): number {
     const strict = this.world.settings.asked('collisionRules') === 'strict';
-    const meant =
-      this.authored('frictionCoefficients') || applied.has('FRICTION_COEFFICIENT_2') || strict;
+    const meant = strict || this.authored('frictionCoefficients');
     return meant ? this.asked<Vec2>('frictionCoefficients')[0] : DEFAULT_FRICTION;
   }
 }
@@ -111,7 +99,7 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       default: ['BOUNCE'],
       edit: 'live',
       patch: parameters,
-      doc: 'Which parameters below act: BOUNCE, FRICTION_COEFFICIENT-2, SPEED-1, SPEED-2, SLIP-1, SLIP-2 (hyphen or underscore).',
+      doc: 'Which parameters act. BOUNCE switches bounce on; the other tokens are taken in both spellings (hyphen, underscore).',
     },
     bounce: {
       type: 'SFFloat',
@@ -146,16 +134,16 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       access: 'inputOutput',
       default: [0, 0],
       dimension: { length: 1 },
-      edit: 'live',
-      patch: parameters,
+      edit: 'passive',
+      unsimulated: true,
       doc: 'Speed of the surface along the friction directions, m/s (a conveyor belt).',
     },
     slipFactors: {
       type: 'SFVec2f',
       access: 'inputOutput',
       default: [0, 0],
-      edit: 'live',
-      patch: parameters,
+      edit: 'passive',
+      unsimulated: true,
       doc: 'Sliding speed per tangential force, (m/s)/N.',
     },
     softnessConstantForceMix: {
@@ -164,7 +152,8 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       default: 0.0001,
       range: [0, 1],
       edit: 'passive',
-      doc: 'Softness of contacts; not simulated yet.',
+      unsimulated: true,
+      doc: 'Softness of contacts.',
     },
     softnessErrorCorrection: {
       type: 'SFFloat',
@@ -172,7 +161,8 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       default: 0.8,
       range: [0, 1],
       edit: 'passive',
-      doc: 'Share of an overlap repaired per step; not simulated yet.',
+      unsimulated: true,
+      doc: 'Share of an overlap repaired per step.',
     },
   },
 });

@@ -2,6 +2,7 @@ import { ballJoint } from './ball-joint.js';
 import { collidableOffset } from './collidable-offset.js';
 import { collidableShape } from './collidable-shape.js';
 import { collisionCollection } from './collision-collection.js';
+import { collisionSensor } from './collision-sensor.js';
 import { motorJoint } from './motor-joint.js';
 import { rigidBodyCollection } from './rigid-body-collection.js';
 import { rigidBody } from './rigid-body.js';
@@ -16,6 +17,7 @@ export const nodeTypes: Readonly<Record<string, NodeType>> = Object.fromEntries(
     collidableShape,
     collidableOffset,
     collisionCollection,
+    collisionSensor,
     ballJoint,
     singleAxisHingeJoint,
     motorJoint,

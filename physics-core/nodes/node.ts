@@ -152,7 +152,19 @@ export class PhysicsNode {
   #take(name: string, value: Value): void {
     this.#asked.set(name, this.#adopt(name, this.type.fields[name]!, value));
     this.#authored.add(name);
+    if (this.type.fields[name]!.unsimulated) this.#reportUnsimulated(name, value);
     this.touch(name);
+  }
+
+  #reportUnsimulated(name: string, value: Value): void {
+    this.report({
+      code: 'approximated-field',
+      severity: 'warning',
+      attribute: name,
+      value,
+      used: 'nothing',
+      message: `${this.label}: ${name} is kept but not simulated yet`,
+    });
   }
 
   /** The valid value, or undefined after a report: a value that can't be used never reaches Bullet. */

@@ -134,8 +134,8 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       default: -1,
       range: [-1, Infinity],
       dimension: { length: 1 },
-      edit: 'live',
-      patch: configure,
+      edit: 'passive',
+      unsimulated: true,
       doc: 'Greatest speed at which overlaps are pushed apart, m/s; -1 is unlimited.',
     },
     autoDisable: {

@@ -12,8 +12,8 @@ import { tessellate } from './tessellate.js';
 
 export type BtShape = Ammo['btCollisionShape']['prototype'];
 
-/** What came out different from what the markup says; the body reports it. */
-export type ShapeNote = 'concave-dynamic' | 'zero-volume';
+/** What the body should know of its shape: what came out different from the markup, and whether it took a mesh. */
+export type ShapeNote = 'concave-dynamic' | 'zero-volume' | 'mesh';
 
 /** What shapes are made with. The owner is the body's: they live and die with its shape. */
 export interface Workshop {
@@ -114,6 +114,7 @@ function shapeOf(g: Geometry, workshop: Workshop): BtShape | undefined {
     workshop.note('zero-volume');
     return undefined;
   }
+  workshop.note('mesh');
   if (!workshop.moving) return triangles(mesh, workshop);
   if (!isConvex(mesh)) workshop.note('concave-dynamic');
   return hull(mesh, workshop);

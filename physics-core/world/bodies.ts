@@ -13,6 +13,7 @@ export class Bodies {
   readonly #world: World;
   readonly #poses: Poses;
   readonly #bySlot: (BodyNode | undefined)[] = [];
+  readonly #byPointer = new Map<number, BodyNode>();
   #velocities = new Float64Array(VELOCITY * 16);
   #asleep = new Uint8Array(16);
   readonly #centre = new Float64Array(POSE);
@@ -33,6 +34,15 @@ export class Bodies {
     return count;
   }
 
+  /** The body behind a heap pointer that Bullet hands us. */
+  behind(pointer: number): BodyNode | undefined {
+    return this.#byPointer.get(pointer);
+  }
+
+  register(body: BodyNode): void {
+    this.#byPointer.set(body.pointer, body);
+  }
+
   at(slot: number): BodyNode | undefined {
     return this.#bySlot[slot];
   }
@@ -48,6 +58,7 @@ export class Bodies {
 
   release(body: BodyNode): void {
     this.#bySlot[body.slot] = undefined;
+    this.#byPointer.delete(body.pointer);
     this.#poses.release(body.slot);
   }
 
@@ -62,6 +73,15 @@ export class Bodies {
 
   velocityOf(body: BodyNode): Float64Array {
     return this.#velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
+  }
+
+  /** Whether a body's speeds lie below both limits. */
+  slower(slot: number, linear: number, angular: number): boolean {
+    const v = this.#velocities;
+    const at = slot * VELOCITY;
+    const speed = v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2;
+    const spin = v[at + 3]! ** 2 + v[at + 4]! ** 2 + v[at + 5]! ** 2;
+    return speed < linear * linear && spin < angular * angular;
   }
 
   readVelocity(body: BodyNode): void {

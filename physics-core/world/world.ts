@@ -212,8 +212,7 @@ export class World {
   }
 
   bodyAt(pointer: number): BodyNode | undefined {
-    for (const body of this.bodies) if (body.pointer === pointer) return body;
-    return undefined;
+    return this.bodies.behind(pointer);
   }
 
   // ---- edits ----------------------------------------------------------------------------------------------------
@@ -251,6 +250,8 @@ export class World {
 
   #apply(node: PhysicsNode): void {
     try {
+      if (!node.built && this.engine.heapBytes > this.#maxHeapBytes)
+        throw new Error('the heap limit is reached');
       node.apply();
     } catch (error) {
       this.#exhausted(node, error);
@@ -378,12 +379,13 @@ export class World {
     this.#maxHeapBytes = settings.authored('heapLimit')
       ? settings.asked<number>('heapLimit') * 2 ** 20
       : this.#maxHeapBytes;
-    this.#configureSolver();
+    this.configureSolver();
     for (const node of this.#nodes) if (node instanceof JointNode) node.updateCorrection();
     this.work();
   }
 
-  #configureSolver(): void {
+  /** What Bullet's solver works with now. */
+  configureSolver(): void {
     const { settings } = this;
     const level = this.#level;
     const authored = <T>(field: string, otherwise: T): T =>
@@ -424,7 +426,6 @@ export class World {
     this.#ms.step = this.#ms.read = this.#ms.events = 0;
     this.flush();
     for (let i = 0; i < n; i++) this.#stepOnce();
-    if (n > 0) this.#clock.reset();
     return n * this.timeStep;
   }
 
@@ -436,12 +437,10 @@ export class World {
   #stepOnce(): void {
     this.#event('beforestep');
     this.flush();
-    if (this.#level.timeStep > 0 && this.bodies.awake === 0 && !this.#anythingAwake()) {
-      this.time += this.timeStep;
-      return;
+    if (this.bodies.awake > 0 || this.#anythingAwake()) {
+      this.poses.shift();
+      this.#stepBullet();
     }
-    this.poses.shift();
-    this.#stepBullet();
     this.time += this.timeStep;
     this.#event('afterstep');
   }
