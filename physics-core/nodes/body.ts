@@ -14,6 +14,7 @@ import {
   subtract,
   type Pose,
 } from '../math.js';
+import { guards } from '../guards.js';
 import { buildShape, type ShapeNote } from '../shapes/build.js';
 import { POSE } from '../world/poses.js';
 import { massOf, type MassProperties } from './body-mass.js';
@@ -325,7 +326,9 @@ export class BodyNode extends PhysicsNode {
 
   /** Jumps to a pose; velocities stay. World frame, metres, axis and angle. */
   teleport(position: Vec3, orientation: Rotation = rotationOf(this.pose().q)): void {
-    this.moveTo({ p: position, q: quaternionOf(orientation) });
+    if (!this.#sound('teleport', position, orientation)) return;
+    this.world.flush();
+    this.moveTo({ p: [...position], q: quaternionOf(orientation) });
   }
 
   moveTo(pose: Pose): void {
@@ -396,7 +399,7 @@ export class BodyNode extends PhysicsNode {
 
   /** Newtons in the world frame for the next timeStep, at a world point or the centre of mass. */
   applyForce(force: Vec3, at?: Vec3): void {
-    if (!this.#pushable()) return;
+    if (!this.#sound('applyForce', force, at) || !this.#pushable()) return;
     this.world.push(
       this,
       force,
@@ -406,12 +409,13 @@ export class BodyNode extends PhysicsNode {
 
   /** Newton metres in the world frame for the next timeStep. */
   applyTorque(torque: Vec3): void {
-    if (this.#pushable()) this.world.push(this, [0, 0, 0], torque);
+    if (!this.#sound('applyTorque', torque) || !this.#pushable()) return;
+    this.world.push(this, [0, 0, 0], torque);
   }
 
   /** Newton seconds at once, at a world point or the centre of mass. */
   applyImpulse(impulse: Vec3, at?: Vec3): void {
-    if (!this.#pushable()) return;
+    if (!this.#sound('applyImpulse', impulse, at) || !this.#pushable()) return;
     const { scratch } = this.world.engine;
     this.body.applyCentralImpulse(scratch.vector(...impulse));
     if (at)
@@ -419,6 +423,20 @@ export class BodyNode extends PhysicsNode {
         scratch.vector(...cross(subtract(at, this.centerOfMassWorld()), impulse)),
       );
     this.world.bodies.readVelocity(this);
+  }
+
+  /** Numbers that are not finite never reach Bullet. */
+  #sound(method: string, ...vectors: (readonly number[] | undefined)[]): boolean {
+    const given = vectors.filter((vector) => vector !== undefined);
+    if (given.every(guards.finiteVector)) return true;
+    this.report({
+      code: 'bad-value',
+      severity: 'warning',
+      value: given,
+      used: 'nothing',
+      message: `${this.label}: ${method} takes finite numbers, not ${given.map((vector) => vector.join(' ')).join(', ')}; nothing is applied`,
+    });
+    return false;
   }
 
   #pushable(): boolean {

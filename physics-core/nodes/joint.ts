@@ -38,6 +38,9 @@ export const LOCKED: Limit = [1e-20, 1e-20];
 /** From 1 on Bullet lets a joint go altogether (measured: a sag of 500 m). */
 const MOST_SOFTNESS = 0.9;
 
+/** Masses more unlike than this strain a joint visibly at `standard` (numerics 4.3, 4.8). */
+const HARD_MASS_RATIO = 100;
+
 /** Where a joint sits, world frame, at the moment it is made. Its x axis is the one that `limits` speak of first. */
 export interface JointFrame {
   anchor: Vec3;
@@ -154,7 +157,23 @@ export abstract class JointNode extends PhysicsNode {
     this.updateCorrection();
     this.world.bullet.addConstraint(this.#constraint as BtConstraint);
     for (const body of bodies) body.wake();
+    this.#reportMassRatio();
     this.attachedChanged();
+  }
+
+  #reportMassRatio(): void {
+    const masses = [this.body1, this.body2].map((body) => (body?.movable ? body.mass.mass : 0));
+    const ratio = Math.max(...masses) / Math.min(...masses);
+    if (!Number.isFinite(ratio) || ratio <= HARD_MASS_RATIO) {
+      this.world.settle(this, undefined, 'mass-ratio');
+      return;
+    }
+    this.report({
+      code: 'mass-ratio',
+      severity: 'warning',
+      value: ratio,
+      message: `${this.label} holds ${this.body1!.label} (${masses[0]} kg) to ${this.body2!.label} (${masses[1]} kg): so unlike masses need accuracy="fine" or better to hold together`,
+    });
   }
 
   detach(): void {

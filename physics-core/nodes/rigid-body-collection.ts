@@ -13,6 +13,26 @@ export class CollectionNode extends PhysicsNode {
     this.world.configure();
   }
 
+  /** In a shared world the first collection's world-wide fields hold; what this one says otherwise is reported. */
+  compareWith(first: CollectionNode): void {
+    for (const [name, field] of Object.entries(this.type.fields)) {
+      if (!field.worldWide) continue;
+      const [asked, used] = [this.asked(name), first.asked(name)];
+      if (this === first || !this.authored(name) || asked === used) {
+        this.world.settle(this, name, 'shared-world-conflict');
+        continue;
+      }
+      this.report({
+        code: 'shared-world-conflict',
+        severity: 'warning',
+        attribute: name,
+        value: asked,
+        used,
+        message: `${this.label}: ${name}="${String(asked)}" differs from the first collection of the shared world; ${String(used)} is used`,
+      });
+    }
+  }
+
   /** Bodies read gravity and rest from their own collection. */
   eachBody(field: string): void {
     for (const body of this.world.bodies) if (body.collection === this) body.touch(field);
@@ -72,6 +92,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       default: true,
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'FALSE freezes the simulation; it resumes without a jump in time.',
     },
     gravity: {
@@ -89,6 +110,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       default: false,
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'TRUE asks for accuracy level `precise` where no level is authored.',
     },
     iterations: {
@@ -98,6 +120,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       range: [0, Infinity],
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'Solver iterations per step; authored, it wins over the accuracy level. 0 counts as 1.',
     },
     errorCorrection: {
@@ -107,6 +130,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       range: [0, 1],
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'Share of a joint error repaired per 1/60 s; authored, it wins over the accuracy level.',
     },
     constantForceMix: {
@@ -116,6 +140,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       range: [0, Infinity],
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'Softness of joints, m/(N·s); acts where authored.',
     },
     contactSurfaceThickness: {
@@ -126,6 +151,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       dimension: { length: 1 },
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'Depth that resting contacts keep, metres.',
     },
     maxCorrectionSpeed: {
@@ -136,6 +162,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       dimension: { length: 1 },
       edit: 'passive',
       unsimulated: true,
+      worldWide: true,
       doc: 'Greatest speed at which overlaps are pushed apart, m/s; -1 is unlimited.',
     },
     autoDisable: {
@@ -183,6 +210,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       own: true,
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'Accuracy level: game, standard (default), fine, precise, reference.',
     },
     rest: {
@@ -221,6 +249,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       own: true,
       edit: 'live',
       patch: configure,
+      worldWide: true,
       doc: 'Greatest size of the wasm heap, MB.',
     },
   },

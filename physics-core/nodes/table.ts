@@ -26,6 +26,8 @@ export interface Field<N extends PhysicsNode = never> {
    */
   edit: 'live' | 'rebuild' | 'passive';
   patch?: (node: N) => void;
+  /** Of a RigidBodyCollection: one value for all collections that share a world. */
+  worldWide?: true;
   /** The simulation leaves it out so far; an author who writes it is told. */
   unsimulated?: true;
   /** Reads the live value; without it a field reads as it was last asked for. */

@@ -380,6 +380,7 @@ export class World {
       ? settings.asked<number>('heapLimit') * 2 ** 20
       : this.#maxHeapBytes;
     this.configureSolver();
+    for (const collection of this.#collections) collection.compareWith(settings);
     for (const node of this.#nodes) if (node instanceof JointNode) node.updateCorrection();
     this.work();
   }

@@ -1,0 +1,90 @@
+// npm run manifest: dist/custom-elements.json and editor data, from the field tables alone.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { codecs, nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
+
+const kebab = (name: string): string =>
+  name.replace(/[A-Z]/g, (letter, at: number) => `${at ? '-' : ''}${letter.toLowerCase()}`);
+const tagOf = (type: NodeType): string => `x3d-${kebab(type.name)}`;
+const holdsNodes = (field: Field): boolean => field.type.endsWith('Node');
+const attributeOf = (name: string, field: Field): string => (field.own ? kebab(name) : name);
+
+const SCRIPT_TYPES: Record<string, string> = {
+  SFBool: 'boolean',
+  SFFloat: 'number',
+  SFInt32: 'number',
+  SFTime: 'number',
+  SFString: 'string',
+  MFString: 'string[]',
+};
+const scriptType = (field: Field): string => SCRIPT_TYPES[field.type] ?? 'number[]';
+
+const rangeOf = ({ range, open }: Field): string =>
+  range ? ` Range ${open ? '(' : '['}${range[0]}, ${range[1]}].` : '';
+const describe = (field: Field): string => `${field.doc}${rangeOf(field)} (${field.type})`;
+const defaultOf = (field: Field): string => codecs[field.type].format(field.default);
+
+const settable = (type: NodeType): [string, Field][] =>
+  Object.entries(type.fields as Record<string, Field>).filter(
+    ([, field]) => !holdsNodes(field) && field.access !== 'outputOnly',
+  );
+
+function declaration(type: NodeType) {
+  const fields = Object.entries(type.fields as Record<string, Field>).filter(([, f]) => !holdsNodes(f));
+  return {
+    kind: 'class',
+    customElement: true,
+    tagName: tagOf(type),
+    name: `X3D${type.name}Element`,
+    summary: type.doc,
+    description: `${type.doc} ISO/IEC 19775-1, ${type.clause}.`,
+    superclass: { name: 'HTMLElement' },
+    attributes: settable(type).map(([name, field]) => ({
+      name: attributeOf(name, field).toLowerCase(),
+      fieldName: name,
+      type: { text: field.values?.map((value) => `"${value}"`).join(' | ') ?? field.type },
+      default: defaultOf(field),
+      description: describe(field),
+    })),
+    members: fields.map(([name, field]) => ({
+      kind: 'field',
+      name,
+      type: { text: scriptType(field) },
+      default: defaultOf(field),
+      description: describe(field),
+      ...(field.access === 'outputOnly' ? { readonly: true } : {}),
+    })),
+    events: [{ name: 'physicsproblem', type: { text: 'CustomEvent' }, description: 'Something the author should know.' }],
+  };
+}
+
+const types = Object.values(nodeTypes);
+
+const manifest = {
+  schemaVersion: '1.0.0',
+  modules: types.map((type) => ({
+    kind: 'javascript-module',
+    path: `elements/${tagOf(type)}.js`,
+    declarations: [declaration(type)],
+    exports: [
+      { kind: 'js', name: `X3D${type.name}Element`, declaration: { name: `X3D${type.name}Element` } },
+    ],
+  })),
+};
+
+const editorData = {
+  version: 1.1,
+  tags: types.map((type) => ({
+    name: tagOf(type),
+    description: type.doc,
+    attributes: settable(type).map(([name, field]) => ({
+      name: attributeOf(name, field).toLowerCase(),
+      description: describe(field),
+      ...(field.values ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) } : {}),
+    })),
+  })),
+};
+
+mkdirSync('dist', { recursive: true });
+writeFileSync('dist/custom-elements.json', JSON.stringify(manifest, null, 2));
+writeFileSync('dist/vscode.html-custom-data.json', JSON.stringify(editorData, null, 2));
+console.log(`${types.length} elements in dist/custom-elements.json`);
