@@ -2,6 +2,7 @@ import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
 import { AuthoredForces } from './forces.js';
 import { AxisDamping } from './damping.js';
+import { Carrying } from './carrying.js';
 import { ContactReader } from './contact-reader.js';
 import { ContactSurface } from './contact-surface.js';
 import type { Effect } from './effect.js';
@@ -28,6 +29,7 @@ export class EffectRegistry {
   readonly forces: AuthoredForces;
   readonly damping: AxisDamping;
   readonly motors: Motors;
+  readonly carrying: Carrying;
   readonly surface: ContactSurface;
   readonly contacts: ContactReader;
   readonly stops: Stops;
@@ -40,6 +42,7 @@ export class EffectRegistry {
     this.damping = new AxisDamping(world);
     this.motors = new Motors(world);
     this.surface = new ContactSurface(world);
+    this.carrying = new Carrying(world);
     this.contacts = new ContactReader(world);
     this.stops = new Stops(world);
     this.resting = new Resting(world);
@@ -49,6 +52,7 @@ export class EffectRegistry {
       this.motors,
       this.stops,
       this.surface,
+      this.carrying,
       this.contacts,
       this.meshes,
       this.resting,

@@ -8,6 +8,7 @@ import {
   cross,
   identityPose,
   invert,
+  length,
   quaternionOf,
   rotate,
   rotationOf,
@@ -30,6 +31,9 @@ export interface RestRule {
   linearSpeed: number;
   angularSpeed: number;
 }
+
+/** Metres that a fixed body is carried at once; at 60 frames per second that is 30 m/s. */
+const LONGEST_CARRY = 0.5;
 
 const samePose = (a: Pose, b: Pose): boolean =>
   a.p.every((value, i) => value === b.p[i]) && a.q.every((value, i) => value === b.q[i]);
@@ -343,23 +347,35 @@ export class BodyNode extends PhysicsNode {
     this.wake();
   }
 
-  /** A fixed body that is moved along pushes others instead of jumping through them. */
+  /**
+   * Where the author or an event puts it. A fixed body that is moved along is kinematic meanwhile, so that it pushes
+   * others instead of jumping through them; a leap it makes as a jump.
+   */
   carryTo(pose: Pose): void {
-    if (this.movable || !this.built) {
+    const distance = length(subtract(pose.p, this.pose().p));
+    if (this.movable || !this.active || distance > LONGEST_CARRY) {
       this.moveTo(pose);
       return;
     }
-    if (!this.#kinematic) {
-      this.#kinematic = true;
-      this.#setFlags();
-    }
+    this.#kinematic = true;
+    this.#setFlags();
     const center = compose(pose, this.centerOfMass);
     this.world.wakeTouching(this);
+    // Bullet takes the velocity from the pose of the step before, which this leaves alone.
     this.body.setWorldTransform(this.world.engine.scratch.transform(center.p, center.q));
     this.body.forceActivationState(ACTIVATION.alwaysActive);
     const { poses } = this.world;
     poses.current.set([...pose.p, ...pose.q], this.slot * POSE);
-    poses.mark(this.slot);
+    poses.snap(this.slot);
+    this.world.registry.carrying.carried(this);
+  }
+
+  /** Carried no longer: static again. */
+  standStill(): void {
+    if (!this.built || this.movable) return;
+    this.#kinematic = false;
+    this.#setFlags();
+    this.#place(this.pose());
   }
 
   /** Velocities of the body's origin, world frame. */

@@ -67,7 +67,6 @@ export abstract class CollidableNode extends PhysicsNode {
 
   protected override released(): void {
     this.owner?.touch('geometry');
-    this.world.pairs.refresh();
   }
 }
 

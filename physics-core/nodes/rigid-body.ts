@@ -14,7 +14,7 @@ const placed =
   (body: BodyNode): void => {
     const field = part === 'p' ? 'position' : 'orientation';
     if (!body.authored(field) && body.start) return;
-    body.moveTo({ ...body.pose(), [part]: body.startPose()[part] });
+    body.carryTo({ ...body.pose(), [part]: body.startPose()[part] });
     body.unpark();
   };
 
