@@ -1,12 +1,13 @@
 import { existsSync } from 'node:fs';
 import type { StorybookConfig } from '@storybook/web-components-vite';
 
-/** Served as they are. The stories show the built library, the file that a page would load. */
-const staticDirs = [
-  { from: '../node_modules/x3dom', to: '/x3dom' },
-  { from: '../dist', to: '/dist' },
-  { from: '../stories/assets', to: '/assets' },
-];
+/**
+ * Served as they are, at the addresses they have in the repository. The stories show the built library, the file
+ * that a page would load; and they show the pages of test/pages, which name their files from there.
+ */
+const staticDirs = ['node_modules/x3dom', 'dist', 'stories/assets', 'styles', 'test/pages'].map(
+  (folder) => ({ from: `../${folder}`, to: `/${folder}` }),
+);
 
 const config: StorybookConfig = {
   framework: '@storybook/web-components-vite',

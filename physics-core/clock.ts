@@ -13,6 +13,8 @@ export class Clock {
 
   /** Takes `seconds` of wall time; returns how many steps of `dt` are due and how many seconds were dropped. */
   advance(seconds: number, dt: number): { steps: number; dropped: number } {
+    // A page's clock may stand still or go back; NaN would stop the world for good.
+    if (!(seconds > 0)) return { steps: 0, dropped: 0 };
     const taken = guards.frameTime(seconds, Clock.LONGEST_FRAME);
     this.#rest += taken;
     // A hair of tolerance, so that 60 Hz frames against 1/120 s always make two steps in spite of rounding.

@@ -17,8 +17,9 @@ export const guards = {
     return numbers.every((n) => n >= low && n <= high && !(field.open && n === low));
   },
 
-  /** Arguments of methods. */
-  finiteVector: (vector: readonly number[]): boolean => vector.every(Number.isFinite),
+  /** Arguments of methods, in Bullet's single precision. */
+  finiteVector: (vector: readonly number[]): boolean =>
+    vector.every((value) => Number.isFinite(Math.fround(value))),
 
   /** `sum` of the numbers of a state: one NaN or infinity among them shows in it. */
   finiteState: (sum: number): boolean => Number.isFinite(sum),

@@ -17,6 +17,7 @@ import {
 } from '../math.js';
 import { guards } from '../guards.js';
 import { buildShape, type ShapeNote } from '../shapes/build.js';
+import { DEFAULT_FRICTION } from '../world/pairs.js';
 import { POSE } from '../world/poses.js';
 import { massOf, type MassProperties } from './body-mass.js';
 import type { CollidableNode, CollidablePart } from './collidable.js';
@@ -76,7 +77,9 @@ export class BodyNode extends PhysicsNode {
     this.mass = massOf(this);
     this.centerOfMass = this.mass.centerOfMass;
     const shape = this.#makeShape();
-    const inertia = scratch.vector(...this.mass.moments);
+    // Bullet takes an inertia at mass 0 too, and would let joints and contacts turn the immovable body.
+    const moments: Vec3 = this.movable ? this.mass.moments : [0, 0, 0];
+    const inertia = scratch.vector(...moments);
     const info = new ammo.btRigidBodyConstructionInfo(
       this.movable ? this.mass.mass : 0,
       null as never,
@@ -85,6 +88,8 @@ export class BodyNode extends PhysicsNode {
     );
     this.body = this.#owner.own(new ammo.btRigidBody(info));
     ammo.destroy(info);
+    // Bullet multiplies the frictions of both bodies.
+    this.body.setFriction(Math.sqrt(DEFAULT_FRICTION));
     this.pointer = ammo.getPointer(this.body);
     this.world.bodies.register(this);
     this.#place(this.startPose());
@@ -151,7 +156,8 @@ export class BodyNode extends PhysicsNode {
   }
 
   #reportShape(notes: Set<ShapeNote>): void {
-    this.world.settle(this, 'geometry');
+    for (const code of ['concave-dynamic', 'zero-volume'])
+      this.world.settle(this, 'geometry', code);
     if (notes.has('concave-dynamic')) {
       this.report({
         code: 'concave-dynamic',
@@ -187,7 +193,7 @@ export class BodyNode extends PhysicsNode {
     old.dispose();
     this.#applyMass();
     this.#place(pose);
-    this.setVelocityAtOrigin(velocity);
+    if (this.movable) this.setVelocityAtOrigin(velocity);
     if (moved) for (const joint of this.joints) joint.reattach();
     this.updateMembership();
   }
@@ -524,6 +530,16 @@ export class BodyNode extends PhysicsNode {
       used: 'its last good pose',
       message: `${this.label}: the simulation lost its numbers (NaN); it is taken out of the step at its last good pose`,
     });
+  }
+
+  /** Another body lost its numbers and broke this one: back to before the step, without contacts and joint impulses. */
+  recover(): void {
+    const velocity = this.velocityAtOrigin();
+    this.#leaveWorld();
+    this.body.clearForces();
+    this.#place(this.pose());
+    this.setVelocityAtOrigin(velocity);
+    this.updateMembership();
   }
 
   /** An edit of pose or velocity gives a parked body another try. */

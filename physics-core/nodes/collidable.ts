@@ -56,8 +56,10 @@ export abstract class CollidableNode extends PhysicsNode {
     if (at < 0) return;
     this.#claims.splice(at, 1);
     this.world.settle(by, 'geometry', 'already-owned');
-    if (at === 0)
-      this.#claims[0]?.touch(this.#claims[0] instanceof CollidableNode ? 'collidable' : 'geometry');
+    const [next] = this.#claims;
+    if (at > 0 || !next) return;
+    this.world.settle(next, 'geometry', 'already-owned');
+    next.touch(next instanceof CollidableNode ? 'collidable' : 'geometry');
   }
 
   /** Its shape or place changed. */

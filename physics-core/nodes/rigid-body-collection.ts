@@ -35,7 +35,7 @@ export class CollectionNode extends PhysicsNode {
 
   /** Bodies read gravity and rest from their own collection. */
   eachBody(field: string): void {
-    for (const body of this.world.bodies) if (body.collection === this) body.touch(field);
+    for (const body of this.world.bodies) if (body.settings === this) body.touch(field);
   }
 
   updateColliders(): void {

@@ -28,7 +28,7 @@ export interface Workshop {
 /** Bullet keeps this margin inside boxes and cylinders; a thin part needs a thinner one (numerics 4.8, 11). */
 const marginFor = (halfExtent: number): number => Math.min(0.04, 0.1 * halfExtent);
 
-/** A hull grows by its margin: small enough not to be seen, large enough for a stable contact search. */
+/** A hull, and Bullet's cone, grows by its margin: small enough not to be seen, large enough for a stable contact search. */
 const hullMarginFor = (halfExtent: number): number => Math.min(0.005, 0.02 * halfExtent);
 
 /** Parts thinner than this (metres) are made this thick: Bullet's contact search needs a volume. */
@@ -64,7 +64,7 @@ function primitive(g: Geometry, scale: Vec3, workshop: Workshop): BtShape | unde
       if (x !== z || g.side === false || g.bottom === false) return undefined;
       const [r, h] = [extent((g.bottomRadius ?? 1) * x), extent((g.height ?? 2) * y)];
       const shape = owner.own(new ammo.btConeShape(r, h));
-      shape.setMargin(marginFor(Math.min(r, h / 2)));
+      shape.setMargin(hullMarginFor(Math.min(r, h / 2)));
       return shape;
     }
     default:

@@ -4,7 +4,8 @@ import { boundsOf } from './mass.js';
 /** Whether every point of a mesh lies behind every one of its triangles (within a millionth of its size). */
 export function isConvex({ points, index }: Mesh): boolean {
   const { min, max } = boundsOf(points);
-  const tolerance = 1e-5 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+  const extent = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+  const tolerance = 1e-5 * extent;
   for (let t = 0; t < index.length; t += 3) {
     const [a, b, c] = [index[t]! * 3, index[t + 1]! * 3, index[t + 2]! * 3];
     const [ux, uy, uz] = [
@@ -19,7 +20,8 @@ export function isConvex({ points, index }: Mesh): boolean {
     ];
     const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
     const size = Math.hypot(nx, ny, nz);
-    if (size === 0) continue;
+    // A sliver has no direction; the poles of a sphere have such.
+    if (size <= 1e-9 * extent * extent) continue;
     for (let i = 0; i < points.length; i += 3) {
       const height =
         ((points[i]! - points[a]!) * nx +

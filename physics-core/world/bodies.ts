@@ -8,6 +8,9 @@ import type { World } from './world.js';
 /** Numbers per velocity: linear, then angular. */
 const VELOCITY = 6;
 
+/** No body is sane at this speed or spin, m/s or rad/s. */
+const WILD = 1e6;
+
 /** The built bodies of a world by slot, and what is read of them after every step. */
 export class Bodies {
   readonly #world: World;
@@ -17,6 +20,7 @@ export class Bodies {
   #velocities = new Float64Array(VELOCITY * 16);
   #asleep = new Uint8Array(16);
   readonly #centre = new Float64Array(POSE);
+  readonly #velocity = new Float64Array(VELOCITY);
   awake = 0;
 
   constructor(world: World, poses: Poses) {
@@ -127,14 +131,28 @@ export class Bodies {
   /** Reads poses and velocities of everything awake; parks what is no longer finite. */
   read(): void {
     let awake = 0;
+    let broken: BodyNode[] | undefined;
     for (let slot = 0; slot < this.#bySlot.length; slot++) {
       const body = this.#bySlot[slot];
       if (!body?.active || !body.movable) continue;
       if (!this.#stayedAwake(body, slot)) continue;
       if (this.#readBody(body, slot)) awake++;
-      else body.park();
+      else (broken ??= []).push(body);
     }
     this.awake = awake;
+    if (broken) this.#mend(broken);
+  }
+
+  /**
+   * A body without finite numbers breaks what it touches or is joined to. What was sane before the step goes on from
+   * there; where nothing else stands out, all of them are parked.
+   */
+  #mend(broken: BodyNode[]): void {
+    const sane = broken.filter((body) => this.slower(body.slot, WILD, WILD));
+    for (const body of broken) {
+      if (sane.length < broken.length && sane.includes(body)) body.recover();
+      else body.park();
+    }
   }
 
   /** Bullet wakes a sleeping island that something hits by changing its state. */
@@ -145,16 +163,17 @@ export class Bodies {
     return true;
   }
 
-  /** False: not finite. The last good pose then still stands in `current`. */
+  /** False: not finite. The last good pose and velocity then still stand. */
   #readBody(body: BodyNode, slot: number): boolean {
     const { reader } = this.#world.engine;
     const centre = this.#centre;
     reader.pose(body.body, body.pointer, centre, 0);
-    reader.velocity(body.body, body.pointer, this.#velocities, slot * VELOCITY);
+    reader.velocity(body.body, body.pointer, this.#velocity, 0);
     let sum = 0;
     for (let i = 0; i < POSE; i++) sum += centre[i]!;
-    for (let i = 0; i < VELOCITY; i++) sum += this.#velocities[slot * VELOCITY + i]!;
+    for (let i = 0; i < VELOCITY; i++) sum += this.#velocity[i]!;
     if (!guards.finiteState(sum)) return false;
+    this.#velocities.set(this.#velocity, slot * VELOCITY);
     this.#store(body.centerOfMass, slot * POSE);
     this.#poses.mark(slot);
     return true;

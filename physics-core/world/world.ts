@@ -432,6 +432,8 @@ export class World {
 
   /** Advances by as many whole steps as come nearest to `seconds`. */
   advance(seconds: number): number {
+    // A pending edit may change the level, and with it the length of a step.
+    this.flush();
     return this.step(Math.max(0, Math.round(seconds / this.timeStep)));
   }
 

@@ -1,5 +1,6 @@
 import { expect } from 'chai';
-import { worldOf, type World } from '../../elements/index.js';
+import type { World } from '../../physics-core/index.js';
+import { worldOf } from '../../elements/index.js';
 import { place } from './bridge/scene.js';
 
 /**

@@ -1,0 +1,25 @@
+// What every entry file exports.
+import { explain, page, type Explanation } from './bridge/index.js';
+import { defineElements } from './define.js';
+
+/** The world that an element lives in: custom, plain or inlined, also before it has started. */
+export const worldOf = (element: Element) => page.worldOf(element);
+
+export { explain, type Explanation };
+export { elementClasses } from './define.js';
+export { X3DNodeElement } from './node-element.js';
+export { X3DBallJointElement } from './x3d-ball-joint.js';
+export { X3DCollidableOffsetElement } from './x3d-collidable-offset.js';
+export { X3DCollidableShapeElement } from './x3d-collidable-shape.js';
+export { X3DCollisionCollectionElement } from './x3d-collision-collection.js';
+export { X3DCollisionSensorElement } from './x3d-collision-sensor.js';
+export { X3DMotorJointElement } from './x3d-motor-joint.js';
+export { X3DRigidBodyCollectionElement } from './x3d-rigid-body-collection.js';
+export { X3DRigidBodyElement } from './x3d-rigid-body.js';
+export { X3DSingleAxisHingeJointElement } from './x3d-single-axis-hinge-joint.js';
+
+/** Both spellings of every node, from now on. */
+export function begin(): void {
+  defineElements();
+  page.begin();
+}

@@ -1,0 +1,141 @@
+import { ownBinding } from '../nodes/binding.js';
+import { attribute, isCustom, isPhysics, isTransform, lowerName, subtree } from './dom.js';
+import { isType } from './markup.js';
+import type { Scene } from '../scene.js';
+import type { Scope } from './scope.js';
+import { nodeOf } from '../x3dom/x3dom.js';
+
+/** Names and what decides who an element stands for. */
+const NAMING = new Set([
+  'def',
+  'id',
+  'use',
+  'containerfield',
+  'as',
+  'localdef',
+  'importeddef',
+  'inlinedef',
+]);
+
+/** Follows the document under an `<x3d>` and in its Inlines; x3dom's own observer misses much (x3dom.md). */
+export class Observed {
+  readonly #scene: Scene;
+  /** Attributes of Transforms that the author took away, lowercase: x3dom does not hear of them again. */
+  readonly #removed = new WeakMap<Element, Set<string>>();
+
+  constructor(scene: Scene) {
+    this.#scene = scene;
+  }
+
+  observe(scope: Scope): void {
+    scope.observer = new MutationObserver((records) => this.#take(records, scope));
+    scope.observer.observe(scope.root, {
+      childList: true,
+      attributes: true,
+      attributeOldValue: true,
+      subtree: true,
+    });
+  }
+
+  /** What happened so far in this task, now. */
+  takeRecords(): void {
+    for (const scope of this.#scene.scopes) {
+      const records = scope.observer?.takeRecords();
+      if (records?.length) this.#take(records, scope);
+    }
+  }
+
+  #take(records: MutationRecord[], scope: Scope): void {
+    for (const record of records) {
+      if (!(record.target instanceof Element)) continue;
+      if (record.type === 'attributes')
+        this.#attribute(record.target, record.attributeName!, record.oldValue, scope);
+      else this.#children(record.target, record, scope);
+    }
+  }
+
+  #children(parent: Element, { addedNodes, removedNodes }: MutationRecord, scope: Scope): void {
+    for (const node of removedNodes) {
+      if (node instanceof Element && !scope.root.contains(node)) this.#eachLeft(node, scope);
+      else if (node instanceof Element) this.#eachMoved(node);
+    }
+    for (const node of addedNodes) {
+      if (node instanceof Element && scope.root.contains(node)) this.#scene.connectAll(node, scope);
+    }
+    if ([...addedNodes, ...removedNodes].some((node) => concerns(parent, node)))
+      this.#touch(parent);
+  }
+
+  #eachLeft(root: Element, scope: Scope): void {
+    for (const element of subtree(root)) this.#scene.disconnect(element, scope);
+  }
+
+  /** Taken out and put back within one task. */
+  #eachMoved(root: Element): void {
+    for (const element of subtree(root)) if (isPhysics(element)) this.#touch(element);
+  }
+
+  /** The children of an element changed, or it moved. */
+  #touch(element: Element): void {
+    const binding = isPhysics(element) ? ownBinding(element) : undefined;
+    if (binding?.scope) this.#scene.dirty(binding);
+    for (const reader of this.#scene.readers.of(element)) this.#scene.dirty(reader);
+  }
+
+  #attribute(element: Element, name: string, oldValue: string | null, scope: Scope): void {
+    const lower = name.toLowerCase();
+    if (NAMING.has(lower)) return this.#renamed(element, scope);
+    const value = attribute(element, name);
+    if (isPhysics(element)) this.#physics(element, name, value === oldValue);
+    else if (isTransform(element)) this.#transform(element, name, oldValue, value);
+    else this.#touch(element);
+    if (element.ownerDocument !== document && !isPhysics(element) && value !== null)
+      nodeOf(element)?.updateField(name, value);
+  }
+
+  #renamed(element: Element, scope: Scope): void {
+    scope.names.remove(element);
+    scope.noteStatement(element, false);
+    const binding = isPhysics(element) ? ownBinding(element) : undefined;
+    if (binding?.scope && attribute(element, 'USE')) this.#scene.updates.drop(binding);
+    this.#scene.connect(element, scope);
+    this.#touch(element);
+    if (element.parentElement) this.#touch(element.parentElement);
+  }
+
+  /** Custom elements hear of their attributes themselves, at once. */
+  #physics(element: Element, name: string, same: boolean): void {
+    if (same) return;
+    if (!isCustom(element) || !customElements.get(element.localName))
+      ownBinding(element)?.attributeChanged(name);
+  }
+
+  /** x3dom follows a Transform's attribute only from one value to another; the rest is done here. */
+  #transform(element: Element, name: string, oldValue: string | null, value: string | null): void {
+    if (value === oldValue) return this.#scene.updates.rewritten(element);
+    const lower = name.toLowerCase();
+    const removed = this.#removed.get(element);
+    if (value === null) {
+      this.#removed.set(element, (removed ?? new Set()).add(lower));
+      if (DEFAULTS[lower]) nodeOf(element)?.updateField(name, DEFAULTS[lower]);
+    } else if (removed?.delete(lower)) nodeOf(element)?.updateField(name, value);
+  }
+}
+
+/** Of its children only some concern a collection; it may have thousands, and they come one by one. */
+function concerns(parent: Element, child: Node): boolean {
+  if (!(child instanceof Element)) return false;
+  return (
+    !isType(parent, 'RigidBodyCollection') ||
+    (!isType(child, 'RigidBody', 'CollidableShape') && !lowerName(child).endsWith('joint'))
+  );
+}
+
+/** X3D's defaults, in force again when an attribute is removed. */
+const DEFAULTS: Record<string, string> = {
+  translation: '0 0 0',
+  rotation: '0 0 1 0',
+  scale: '1 1 1',
+  scaleorientation: '0 0 1 0',
+  center: '0 0 0',
+};

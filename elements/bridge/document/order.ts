@@ -1,0 +1,21 @@
+import type { Binding } from '../nodes/binding.js';
+import { precedes } from './dom.js';
+import type { Scope } from './scope.js';
+
+/** By rank, then in document order: arrival is that within a scope. */
+export function inOrder(bindings: Binding[]): Binding[] {
+  return bindings.sort((a, b) => a.type.rank - b.type.rank || scopeOrder(a, b));
+}
+
+function scopeOrder(a: Binding, b: Binding): number {
+  if (a.scope === b.scope) return 0;
+  let [left, right] = [a.element, b.element];
+  let [inLeft, inRight] = [a.scope!, b.scope!];
+  while (inLeft !== inRight) {
+    if (depth(inLeft) >= depth(inRight)) [left, inLeft] = [inLeft.host!, inLeft.parent!];
+    else [right, inRight] = [inRight.host!, inRight.parent!];
+  }
+  return precedes(left, right);
+}
+
+const depth = (scope: Scope): number => (scope.parent ? depth(scope.parent) + 1 : 0);

@@ -1,0 +1,63 @@
+import type { Binding } from '../nodes/binding.js';
+import { attribute, isPhysics, isTransform } from './dom.js';
+import { multiply, type Affine } from '../geometry/matrix.js';
+import type { Scope } from './scope.js';
+import { drivenMatrix, matrixAbove, transformsAbove } from '../geometry/transforms.js';
+
+/** What a body or collidable stands for in the scene: the Transform it moves, and where its Shapes are. */
+export interface StandIn {
+  scope: Scope;
+  /** Undefined for a Shape with no Transform above it: nothing can be moved. */
+  transform: Element | undefined;
+  shapes: Element;
+}
+
+/** Shortcut 2: `for="ID"` names a Transform, a Shape or a group. */
+function named(binding: Binding, name: string): StandIn | undefined {
+  const scope = binding.scope!;
+  const element = scope.find(name, binding);
+  if (!element) {
+    binding.waitFor('for', name);
+    return undefined;
+  }
+  const at = scope.scene.scopeOf(element) ?? scope;
+  const transform = isTransform(element) ? element : transformsAbove(element, at)[0];
+  return { scope: at, transform, shapes: element };
+}
+
+/** Shortcut 1: a body inside a Transform, with nothing of physics between them. */
+function enclosing(binding: Binding): StandIn | undefined {
+  const scope = binding.scope!;
+  for (let at = binding.element.parentElement; at && at !== scope.root; at = at.parentElement) {
+    if (isPhysics(at)) return undefined;
+    if (isTransform(at)) return { scope, transform: at, shapes: at };
+  }
+  return undefined;
+}
+
+/** X3DOM's older dialect: `<CollidableShape><Transform USE='x' containerField='transform'/></CollidableShape>`. */
+function dialect(binding: Binding): StandIn | undefined {
+  const scope = binding.scope!;
+  for (const child of binding.element.children) {
+    const use = isTransform(child) ? attribute(child, 'USE') : null;
+    const transform = use ? scope.find(use, binding) : undefined;
+    if (transform) return { scope, transform, shapes: transform };
+  }
+  return undefined;
+}
+
+export function standInOf(binding: Binding): StandIn | undefined {
+  const name = attribute(binding.element, 'for');
+  if (name) return named(binding, name);
+  if (binding.is('RigidBody')) return enclosing(binding);
+  return binding.is('CollidableShape') ? dialect(binding) : undefined;
+}
+
+/** World matrix of what a stand-in moves, as drawn now. */
+export function standInMatrix({ transform, shapes, scope }: StandIn): Affine {
+  const frame = transform ?? shapes;
+  const above = matrixAbove(frame, scope);
+  return transform && isTransform(transform)
+    ? multiply(above, drivenMatrix(transform, scope))
+    : above;
+}

@@ -1,0 +1,56 @@
+import { codecs } from '../../../physics-core/index.js';
+import type { Binding } from '../nodes/binding.js';
+import { isType } from '../document/markup.js';
+import { identity, matrixOf, multiply, quaternionOf, type Affine } from './matrix.js';
+import { ownerOf } from '../document/structure.js';
+import { matrixAbove } from './transforms.js';
+
+// Where collidables stand, going by the document.
+
+/** A collidable that stands in the scene has the Transforms above it; one inside a body has none. */
+export function above(collidable: Binding): Affine {
+  const parent = collidable.element.parentElement;
+  return !parent || isType(parent, 'RigidBody', 'CollidableOffset')
+    ? identity()
+    : matrixAbove(collidable.element, collidable.scope!);
+}
+
+/** Its own translation and rotation, in file lengths and radians. */
+export function localPose(collidable: Binding): Affine {
+  const [x, y, z] = valueOf(collidable, 'translation');
+  const [ax, ay, az, angle] = valueOf(collidable, 'rotation');
+  const quaternion = quaternionOf([ax, ay, az, angle * collidable.units.angle]);
+  return matrixOf({ position: [x, y, z], quaternion });
+}
+
+export const collidableMatrix = (collidable: Binding): Affine =>
+  multiply(above(collidable), localPose(collidable));
+
+/**
+ * X_ITE and Titania write into an offset that stands in the scene the pose of its body, where the standard has the
+ * arm from the body: then the arm is in the child alone (KineticPendulum.x3d).
+ */
+export function repeatsBodyPose(offset: Binding): boolean {
+  const body = ownerOf(offset);
+  if (
+    !body ||
+    offset.element.parentElement === body.element ||
+    !offset.wrote('translation', 'rotation')
+  )
+    return false;
+  const same = (own: string, its: string): boolean => {
+    const a = valueOf(offset, own);
+    return valueOf(body, its).every(
+      (value, i) => Math.abs(value - a[i]) <= 1e-5 * Math.max(1, Math.abs(value)),
+    );
+  };
+  return same('translation', 'position') && same('rotation', 'orientation');
+}
+
+/** What the author wrote, in file units, or the default. */
+function valueOf(binding: Binding, name: string): number[] {
+  const field = binding.type.fields[name];
+  const written = binding.authored(name);
+  return ((written !== undefined && codecs[field.type].accept(written)) ||
+    field.default) as number[];
+}

@@ -1,0 +1,9 @@
+// What the rest of elements/ may use of the bridge.
+export { ownBinding, type Binding } from './nodes/binding.js';
+export { kebab, tagOf, type Field, type NodeType } from './document/dom.js';
+export { keepInternals } from './states.js';
+export { explain, type Explanation } from './nodes/explain.js';
+export { attributeOf, holdsNodes } from './nodes/fields.js';
+export { checkPlace } from './document/misplaced.js';
+export { page } from './page.js';
+export { attachListener, detachListener } from './x3dom/listeners.js';

@@ -1,0 +1,40 @@
+import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { Binding } from './binding.js';
+import { attribute } from '../document/dom.js';
+import { isType } from '../document/markup.js';
+import { collectionNode, nodesIn, type Plan } from './plan.js';
+import { collidablesIn, meant } from '../document/structure.js';
+import type { PageWorld } from './worlds.js';
+
+/** The one CollisionCollection among the children. */
+function colliderOf(binding: Binding, world: PageWorld): PhysicsNode | null {
+  const child = [...binding.element.children].find((each) => isType(each, 'CollisionCollection'));
+  const collider = child && meant(binding, child, 'collider');
+  return (collider && nodesIn(world, [collider], binding)[0]) ?? null;
+}
+
+export function planCollection(binding: Binding, world: PageWorld): Plan {
+  return { world, relations: { collider: colliderOf(binding, world) } };
+}
+
+export function planSensor(binding: Binding, world: PageWorld): Plan {
+  return { world, relations: { collider: colliderOf(binding, world) } };
+}
+
+export function planColliders(binding: Binding, world: PageWorld): Plan {
+  const all =
+    binding.authored('collidables') === '*' ||
+    attribute(binding.element, 'collidables')?.trim() === '*';
+  const collidables = all ? '*' : nodesIn(world, members(binding), binding);
+  return { world, collection: collectionNode(binding), relations: { collidables } };
+}
+
+/** Collidables listed directly or in CollisionSpaces, which only group them. */
+function members(binding: Binding): Binding[] {
+  const spaces = [...binding.element.children].filter((child) => isType(child, 'CollisionSpace'));
+  const inSpaces = spaces.flatMap((child) => {
+    const space = meant(binding, child, 'collidables');
+    return space?.scope ? members(space) : [];
+  });
+  return [...collidablesIn(binding, 'collidables'), ...inSpaces];
+}

@@ -1,0 +1,24 @@
+import type { Binding } from './binding.js';
+import { planBody } from './plan-body.js';
+import { planOffset, planShape } from './plan-collidable.js';
+import { planColliders, planCollection, planSensor } from './plan-collection.js';
+import { planJoint } from './plan-joint.js';
+import type { Plan } from './plan.js';
+import type { PageWorld } from './worlds.js';
+
+type Planner = (binding: Binding, world: PageWorld) => Plan | undefined;
+
+const planners: Record<string, Planner> = {
+  RigidBodyCollection: planCollection,
+  RigidBody: planBody,
+  CollidableShape: planShape,
+  CollidableOffset: planOffset,
+  CollisionCollection: planColliders,
+  CollisionSensor: planSensor,
+};
+
+/** What a node is to be, going by the document; undefined while something it needs is missing. */
+export function planFor(binding: Binding, world: PageWorld): Plan | undefined {
+  const planner = planners[binding.type.name] ?? planJoint;
+  return planner(binding, world);
+}

@@ -1,0 +1,235 @@
+import { ownBinding, type Binding } from './binding.js';
+import { drawnPose, moveTo } from './body-state.js';
+import { attribute, isInline, isPhysics, isTransform } from '../document/dom.js';
+import { checkMarkup } from '../document/markup.js';
+import { inOrder } from '../document/order.js';
+import type { Plan } from './plan.js';
+import { planFor } from './plans.js';
+import type { Scene } from '../scene.js';
+import type { Scope } from '../document/scope.js';
+import { worldFor } from '../document/structure.js';
+import { Writer } from './writer.js';
+import { nodeOf } from '../x3dom/x3dom.js';
+
+/** More rounds than any chain of nodes that name each other needs. */
+const ROUNDS = 50;
+
+/** Brings the core's nodes up to date with the document: only those that something near them touched. */
+export class Updates {
+  readonly #scene: Scene;
+  readonly #writer: Writer;
+  #queue = new Set<Binding>();
+  readonly #left = new Set<Binding>();
+  #arrived: { element: Element; scope: Scope }[] = [];
+  readonly #edited = new Set<Element>();
+  /** Transforms whose attribute was written with what it said already. */
+  readonly #rewritten = new Set<Element>();
+  readonly #redraw = new Set<Binding>();
+  /** Bodies that follow an edit: their Transforms are there already, their drawn poses come with the next frame. */
+  readonly #jumped = new Set<Binding>();
+  #scheduled = false;
+  #running = false;
+
+  constructor(scene: Scene) {
+    this.#scene = scene;
+    this.#writer = new Writer(scene);
+  }
+
+  add(binding: Binding): void {
+    this.#queue.add(binding);
+    this.schedule();
+  }
+
+  arrived(element: Element, scope: Scope): void {
+    this.#arrived.push({ element, scope });
+    this.schedule();
+  }
+
+  left(binding: Binding | undefined): void {
+    if (!binding) return;
+    this.#left.add(binding);
+    this.schedule();
+  }
+
+  transformEdited(element: Element): void {
+    this.#edited.add(element);
+    this.schedule();
+  }
+
+  rewritten(element: Element): void {
+    this.#rewritten.add(element);
+  }
+
+  redraw(binding: Binding): void {
+    this.#redraw.add(binding);
+    this.schedule();
+  }
+
+  /** A microtask later x3dom has seen the same changes: its observer runs after ours. */
+  schedule(): void {
+    if (this.#scheduled || !this.#scene.live) return;
+    this.#scheduled = true;
+    queueMicrotask(() => {
+      this.#scheduled = false;
+      this.#scene.drain();
+    });
+  }
+
+  run(): void {
+    if (this.#running || !this.#scene.live) return;
+    this.#running = true;
+    try {
+      this.#takeArrived();
+      this.#takeLeft();
+      this.#takeEdited();
+      for (let round = 0; this.#queue.size > 0 && round < ROUNDS; round++) this.#round();
+      for (const binding of this.#redraw)
+        if (!this.#jumped.has(binding)) this.#scene.drawing.redraw(binding);
+      this.#redraw.clear();
+      this.#jumped.clear();
+    } finally {
+      this.#running = false;
+    }
+  }
+
+  // ---- what happened in the document ----------------------------------------------------------------------------
+
+  #takeArrived(): void {
+    const arrived = this.#arrived;
+    this.#arrived = [];
+    for (const { element, scope } of arrived) {
+      const body = nodeOf(element)?.protoBodyClone;
+      if (body) this.#scene.addPrototype(element, body);
+      if (isInline(element)) this.#scene.addInline(element);
+      const moving = this.#scene.drawing.bodyMoving(element);
+      if (moving) this.#redraw.add(moving);
+      this.#reviveUses(element, scope);
+      if (isPhysics(element)) this.#reviveRoutes(element, scope);
+      // Only now the units of its file are known.
+      const binding = isPhysics(element) ? ownBinding(element) : undefined;
+      if (binding) this.#scene.valueChanged(binding);
+    }
+  }
+
+  /** x3dom drops a USE that stands before its DEF. */
+  #reviveUses(element: Element, scope: Scope): void {
+    const { document } = this.#scene;
+    if (!document || !nodeOf(element)) return;
+    for (const use of scope.names.usesOf(element)) {
+      const parent = use.parentElement;
+      if (!nodeOf(use) && parent && nodeOf(parent)) document.onNodeAdded(use, parent);
+    }
+  }
+
+  /** An element that moved has a new node in x3dom, which knows nothing of its ROUTEs. */
+  #reviveRoutes(element: Element, scope: Scope): void {
+    const name = attribute(element, 'DEF') ?? attribute(element, 'id');
+    const node = nodeOf(element);
+    if (!name || !node) return;
+    for (const route of scope.routesFrom(name)) {
+      const target = scope.names.find(attribute(route, 'toNode') ?? '');
+      const to = target && nodeOf(target);
+      const [field, toField] = [attribute(route, 'fromField'), attribute(route, 'toField')];
+      if (to && field && toField) node.setupRoute(field, to, toField);
+    }
+  }
+
+  /** What is in the document again was moved: its node stays. */
+  #takeLeft(): void {
+    for (const binding of this.#left) {
+      if (this.#scene.scopeOf(binding.element) === binding.scope && binding.scope)
+        this.#queue.add(binding);
+      else this.drop(binding);
+    }
+    this.#left.clear();
+  }
+
+  #takeEdited(): void {
+    const { drawing, readers } = this.#scene;
+    for (const element of this.#edited) {
+      const own = drawing.bodyMoving(element);
+      const rewritten = this.#rewritten.has(element);
+      if (!rewritten) drawing.unwrite(element);
+      for (const binding of new Set([...(own ? [own] : []), ...drawing.bodiesUnder(element)])) {
+        if (rewritten || !this.#follow(binding, element)) this.#redraw.add(binding);
+      }
+      for (const reader of readers.of(element)) this.#queue.add(reader);
+    }
+    this.#edited.clear();
+    this.#rewritten.clear();
+  }
+
+  /** A body goes where the author put the Transform that it moves, or one above. */
+  #follow(binding: Binding, edited: Element): boolean {
+    const targets = this.#scene.drawing
+      .targetsOf(binding)
+      .filter(({ element }) => isTransform(element));
+    const target = targets.find(({ element }) => element === edited) ?? targets[0];
+    if (!target || !binding.node) return false;
+    moveTo(binding.node, drawnPose(target));
+    this.#jumped.add(binding);
+    this.#queue.add(binding);
+    return true;
+  }
+
+  // ---- nodes --------------------------------------------------------------------------------------------------
+
+  #round(): void {
+    const batch = inOrder(
+      [...this.#queue].filter((binding) => binding.scope?.scene === this.#scene),
+    );
+    this.#queue = new Set();
+    for (const binding of batch)
+      if (binding.is('RigidBody', 'CollidableShape')) this.#scene.updateStandIn(binding);
+    for (const binding of batch) if (binding.scope) this.#update(binding);
+  }
+
+  #update(binding: Binding): void {
+    const { node, world } = binding;
+    const plan = binding.plan(() => this.#plan(binding));
+    if (plan) this.#writer.apply(binding, plan, world);
+    else this.#writer.remove(binding);
+    if (binding.node !== node || binding.is('CollidableShape', 'CollidableOffset'))
+      this.#tellUsers(binding);
+    if (world !== binding.world && binding.is('RigidBodyCollection'))
+      this.#movedWorld(binding, world);
+  }
+
+  #plan(binding: Binding): Plan | undefined {
+    const world = worldFor(binding);
+    binding.world = world ?? null;
+    checkMarkup(binding);
+    return world && planFor(binding, world);
+  }
+
+  #tellUsers(binding: Binding): void {
+    for (const user of binding.users) this.#queue.add(user);
+  }
+
+  /** What lives in a collection goes with it. */
+  #movedWorld(collection: Binding, from: Binding['world']): void {
+    from?.collections.delete(collection);
+    collection.world?.collections.add(collection);
+    if (from) for (const scope of this.#scene.scopes) this.#scene.requeue(scope);
+  }
+
+  /** An element left the `<x3d>`. */
+  drop(binding: Binding): void {
+    this.#queue.delete(binding);
+    this.#tellUsers(binding);
+    this.#writer.remove(binding);
+    this.#scene.stopDriving(binding);
+    this.#scene.settle(binding);
+    binding.world?.collections.delete(binding);
+    binding.forgetTies();
+    binding.scope = null;
+    binding.world = null;
+  }
+
+  dropAll(): void {
+    for (const binding of this.#left) this.drop(binding);
+    this.#left.clear();
+    this.#queue.clear();
+    this.#arrived = [];
+  }
+}

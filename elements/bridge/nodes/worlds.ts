@@ -1,0 +1,126 @@
+import { World, type PhysicsNode } from '../../../physics-core/index.js';
+import type { Binding } from './binding.js';
+import { attribute, precedes } from '../document/dom.js';
+import type { Scene } from '../scene.js';
+import { setState } from '../states.js';
+
+/** A world whose nodes stand in an `<x3d>`. */
+export class PageWorld extends World {
+  readonly scene: Scene;
+  /** Its RigidBodyCollections, in the order of the document. */
+  readonly collections = new Set<Binding>();
+
+  constructor(scene: Scene) {
+    super({ console: true });
+    this.scene = scene;
+    this.onwork = () => scene.loop.wake();
+  }
+
+  /** Edits of plain tags are seen by an observer that has not run yet: have it run now. */
+  override flush(): void {
+    this.scene.drain();
+    super.flush();
+  }
+
+  /** A paused world is drawn after a step by hand, too. */
+  override step(n = 1): number {
+    const seconds = super.step(n);
+    this.work();
+    return seconds;
+  }
+
+  override settle(about: unknown, attributeName?: string, code?: string): void {
+    super.settle(about, attributeName, code);
+    const element = about instanceof Element ? about : (about as { host?: unknown }).host;
+    if (element instanceof Element && this.problemsOf(element).length === 0)
+      setState(element, 'problem', false);
+  }
+
+  /** By name, or by an element, also one that only stands for another by USE. */
+  override node(nameOrElement: unknown): PhysicsNode | undefined {
+    const element =
+      nameOrElement instanceof Element ? this.scene.meant(nameOrElement) : nameOrElement;
+    return super.node(element);
+  }
+
+  /** Keeps running while the page is hidden or the scene scrolled away. */
+  get runsHidden(): boolean {
+    for (const collection of this.collections) if (collection.get('runHidden')) return true;
+    return false;
+  }
+}
+
+/** The worlds of one `<x3d>`: one per collection, one per `shared-world` name, and the default one. */
+export class Worlds {
+  readonly #scene: Scene;
+  readonly #own = new WeakMap<Binding, PageWorld>();
+  readonly #shared = new Map<string, PageWorld>();
+  #default: PageWorld | undefined;
+  readonly all = new Set<PageWorld>();
+  /** Called with each world when it is made. */
+  onmake: (world: PageWorld) => void = () => {};
+
+  constructor(scene: Scene) {
+    this.#scene = scene;
+  }
+
+  #make(): PageWorld {
+    const world = new PageWorld(this.#scene);
+    this.all.add(world);
+    this.onmake(world);
+    return world;
+  }
+
+  /** For bodies outside any collection. */
+  get default(): PageWorld {
+    return (this.#default ??= this.#make());
+  }
+
+  /** The world, where there is but one. */
+  get only(): PageWorld | undefined {
+    const [first] = this.all;
+    return this.all.size === 1 ? first : undefined;
+  }
+
+  isDefault(world: PageWorld | null): boolean {
+    return world !== null && world === this.#default;
+  }
+
+  #named(name: string): PageWorld {
+    const known = this.#shared.get(name);
+    if (known) return known;
+    const world = this.#make();
+    this.#shared.set(name, world);
+    return world;
+  }
+
+  of(collection: Binding): PageWorld {
+    const shared = attribute(collection.element, 'shared-world') ?? collection.scope?.sharedWorld;
+    if (shared) return this.#named(shared);
+    if (isDefaultCollection(collection.element)) return this.default;
+    const known = this.#own.get(collection);
+    if (known && this.all.has(known)) return known;
+    const world = this.#make();
+    this.#own.set(collection, world);
+    return world;
+  }
+
+  /** The collection that gives the default world its fields. */
+  defaultCollection(): Binding | undefined {
+    return [...(this.#default?.collections ?? [])].sort((a, b) =>
+      precedes(a.element, b.element),
+    )[0];
+  }
+
+  destroy(): void {
+    for (const world of this.all) world.destroy();
+    this.all.clear();
+    this.#shared.clear();
+    this.#default = undefined;
+  }
+}
+
+export function isDefaultCollection(element: Element): boolean {
+  const text = attribute(element, 'default');
+  return text !== null && text.trim().toLowerCase() !== 'false';
+}

@@ -1,0 +1,215 @@
+import { ownBinding, type Binding } from './nodes/binding.js';
+import { attribute, isPhysics, isScene, isX3D } from './document/dom.js';
+import { makeUnread, setUpDropped, wasLetGo, wasRead } from './x3dom/late.js';
+import { registerNodeTypes, type Listener, type PhysicsX3DNode } from './x3dom/node-types.js';
+import { Scene } from './scene.js';
+import { hasPhysics, prefetchEngine, Start } from './start.js';
+import { worldFor } from './document/structure.js';
+import type { PageWorld } from './nodes/worlds.js';
+import { documentOf, x3dom } from './x3dom/x3dom.js';
+
+const X3D = 'x3d, X3D';
+
+/** The page: finds each `<x3d>`, and hands what x3dom tells us to the scene it concerns. */
+class Page implements Listener {
+  readonly #scenes = new Map<Element, { scene: Scene; start: Start }>();
+  readonly #settledInlines = new WeakSet<Element>();
+  #registered = false;
+  #begun = false;
+
+  /** Begins to work; again does nothing. */
+  begin(): void {
+    if (this.#begun) return;
+    this.#begun = true;
+    hideSceneTags();
+    new MutationObserver((records) => this.#changed(records)).observe(document, {
+      childList: true,
+      subtree: true,
+    });
+    this.#meetX3DOM();
+    this.#findAll();
+  }
+
+  /** A custom element was connected. */
+  met(element: Element): void {
+    this.begin();
+    if (element.closest(X3D)) prefetchEngine();
+  }
+
+  /** x3dom may come after us: it reads the page on window load, and we are there before that. */
+  #meetX3DOM(): void {
+    if (this.#register() || document.readyState === 'complete') return;
+    const again = (): void => void this.#register();
+    document.addEventListener('DOMContentLoaded', again, { once: true });
+    window.addEventListener('load', again, { once: true, capture: true });
+  }
+
+  #register(): boolean {
+    const x = x3dom();
+    if (!x || this.#registered) return this.#registered;
+    this.#registered = true;
+    this.#otherPhysics = x.nodeTypes.RigidBody !== undefined;
+    registerNodeTypes(x, this);
+    for (const x3d of document.querySelectorAll(X3D)) if (documentOf(x3d)) setUpDropped(x3d);
+    return true;
+  }
+
+  /** x3dom-full.js brings a physics engine of its own. */
+  #otherPhysics = false;
+
+  // ---- the x3d elements -----------------------------------------------------------------------------------------
+
+  #findAll(): void {
+    for (const x3d of document.querySelectorAll(X3D)) this.#found(x3d);
+  }
+
+  #changed(records: MutationRecord[]): void {
+    for (const { target, addedNodes, removedNodes } of records) {
+      for (const node of addedNodes) if (node instanceof Element) this.#added(node, target);
+      for (const node of removedNodes) if (node instanceof Element) this.#removed(node);
+    }
+  }
+
+  #added(node: Element, parent: Node): void {
+    if (parent instanceof Element && isX3D(parent) && isScene(node)) this.#found(parent);
+    if (isX3D(node)) this.#found(node);
+    else if (node.firstElementChild) for (const x3d of node.querySelectorAll(X3D)) this.#found(x3d);
+  }
+
+  #removed(node: Element): void {
+    const gone = isX3D(node) ? [node] : node.firstElementChild ? node.querySelectorAll(X3D) : [];
+    for (const x3d of gone) {
+      // Put back within one task, its worlds go on; x3dom has to read it again all the same.
+      queueMicrotask(() => (x3d.isConnected ? this.#found(x3d) : this.#forget(x3d)));
+    }
+  }
+
+  #forget(x3d: Element): void {
+    const known = this.#scenes.get(x3d);
+    this.#scenes.delete(x3d);
+    known?.start.stop();
+    known?.scene.destroy();
+  }
+
+  #found(x3d: Element): void {
+    if (!x3d.isConnected) return;
+    this.sceneAt(x3d);
+    this.#scenes.get(x3d)!.start.check();
+    if (hasPhysics(x3d)) prefetchEngine();
+    // x3dom's own observer has run when this does.
+    queueMicrotask(() => this.#haveRead(x3d));
+  }
+
+  /** Elements inserted after window load are read only on request. */
+  #haveRead(x3d: Element): void {
+    const x = x3dom();
+    if (!x || document.readyState !== 'complete' || ![...x3d.children].some(isScene)) return;
+    this.#register();
+    if (wasLetGo(x3d)) makeUnread(x3d);
+    if (!wasRead(x3d)) x.reload();
+  }
+
+  sceneAt(x3d: Element): Scene {
+    const known = this.#scenes.get(x3d);
+    if (known) return known.scene;
+    const scene = new Scene(x3d);
+    const start = new Start(scene, this.#settledInlines);
+    this.#scenes.set(x3d, { scene, start });
+    if (this.#otherPhysics && hasPhysics(x3d)) reportOtherPhysics(scene);
+    return scene;
+  }
+
+  /** The scene of an element of the page, or of one in an Inline or prototype. */
+  sceneOf(element: Element): Scene | undefined {
+    const x3d = element.closest(X3D);
+    if (x3d?.isConnected && x3d.ownerDocument === document) return this.sceneAt(x3d);
+    for (const { scene } of this.#scenes.values()) if (scene.scopeOf(element)) return scene;
+    return undefined;
+  }
+
+  // ---- what x3dom tells -------------------------------------------------------------------------------------------
+
+  /** x3dom made a node anew: it stands where its attributes say until it is drawn again. */
+  nodeMade(element: Element): void {
+    for (const { scene } of this.#scenes.values()) {
+      const body = scene.drawing.bodyMoving(element);
+      if (body) scene.updates.redraw(body);
+    }
+  }
+
+  routed(node: PhysicsX3DNode): void {
+    queueMicrotask(() => this.#sceneOfNode(node)?.routed(node));
+  }
+
+  #sceneOfNode(node: PhysicsX3DNode): Scene | undefined {
+    for (const { scene } of this.#scenes.values()) {
+      if (scene.document && scene.document === node._nameSpace?.doc) return scene;
+    }
+    return undefined;
+  }
+
+  transformEdited(transform: Element): void {
+    for (const { scene } of this.#scenes.values())
+      if (scene.live) scene.updates.transformEdited(transform);
+  }
+
+  inlineSettled(inline: Element, loaded: boolean): void {
+    this.#settledInlines.add(inline);
+    if (loaded) this.sceneOf(inline)?.addInline(inline);
+  }
+
+  // ---- what users ask -------------------------------------------------------------------------------------------
+
+  /** The binding of a physics element, or of what it stands for by USE. */
+  bindingOf(element: Element): Binding | undefined {
+    if (!isPhysics(element)) return undefined;
+    const scene = this.sceneOf(element);
+    if (!scene) return attribute(element, 'USE') ? undefined : ownBinding(element);
+    if (scene.readPage()) scene.drain();
+    const meant = scene.meant(element);
+    return meant && ownBinding(meant);
+  }
+
+  worldOf(element: Element): PageWorld | undefined {
+    const scene = this.sceneOf(element);
+    if (!scene?.readPage()) return undefined;
+    const binding = this.bindingOf(element) ?? this.bodyOf(element);
+    if (binding?.scope) return binding.world ?? worldFor(binding) ?? scene.worlds.default;
+    return scene.worlds.only ?? scene.firstWorld();
+  }
+
+  /** The body that moves an element which is no physics node. */
+  bodyOf(element: Element): Binding | undefined {
+    const scene = this.sceneOf(element);
+    for (let at: Element | null = element; at && scene && !isX3D(at); at = at.parentElement) {
+      const body = scene.drawing.bodyMoving(at);
+      if (body) return body;
+    }
+    return undefined;
+  }
+}
+
+function reportOtherPhysics(scene: Scene): void {
+  scene.worlds.default.report(
+    {
+      code: 'two-physics-engines',
+      severity: 'warning',
+      value: 'x3dom-full.js',
+      used: 'x3d-physics',
+      message: 'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
+    },
+    scene.x3d,
+  );
+}
+
+/**
+ * x3dom rewrites its progress text in each frame, and the page would then lay out the thousands of tags under it:
+ * 17 ms per frame at 1000 bodies.
+ */
+function hideSceneTags(): void {
+  const style = document.createElementNS('http://www.w3.org/1999/xhtml', 'style');
+  style.textContent = 'x3d > scene, X3D > Scene { display: none; }';
+  (document.head ?? document.documentElement).append(style);
+}
+
+export const page = new Page();

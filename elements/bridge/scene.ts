@@ -1,0 +1,284 @@
+import { Binding, ownBinding, type Report } from './nodes/binding.js';
+import { attribute, isPhysics, isScene, subtree } from './document/dom.js';
+import { Drawing } from './drawing/drawing.js';
+import { Events } from './events.js';
+import { loop, type Driven } from './drawing/loop.js';
+import { Readers } from './document/readers.js';
+import { Routes } from './drawing/routes.js';
+import { Scope } from './document/scope.js';
+import { placeAsWritten } from './drawing/place.js';
+import { Observed } from './document/observed.js';
+import { standInOf } from './document/shortcuts.js';
+import { isCollidable, worldFor } from './document/structure.js';
+import { Updates } from './nodes/updates.js';
+import { Worlds, type PageWorld } from './nodes/worlds.js';
+import type { PhysicsX3DNode } from './x3dom/node-types.js';
+import { documentOf, nodeOf, type X3DDocument } from './x3dom/x3dom.js';
+
+/** The physics of one `<x3d>`: its scopes, its worlds, and the nodes that wait to be brought up to date. */
+export class Scene implements Driven {
+  readonly x3d: Element;
+  readonly loop = loop;
+  readonly worlds = new Worlds(this);
+  readonly drawing = new Drawing();
+  readonly routes = new Routes();
+  readonly readers = new Readers();
+  readonly events = new Events(this);
+  readonly updates = new Updates(this);
+  readonly observed = new Observed(this);
+  /** Scopes by the element they stand under. */
+  readonly #scopes = new Map<Element, Scope>();
+  /** By Transform: the body, or the collidable of one, that moves it. */
+  readonly #drivers = new Map<Element, Binding>();
+  /** Whether its nodes stand in the core; before that the document is still being read. */
+  live = false;
+  /** Scrolled away or not shown: worlds pause. */
+  inView = true;
+  #view: IntersectionObserver | undefined;
+
+  constructor(x3d: Element) {
+    this.x3d = x3d;
+    this.worlds.onmake = (world) => this.events.listen(world);
+    this.#view = new IntersectionObserver(([entry]) => this.#viewed(entry.isIntersecting));
+    this.#view.observe(x3d);
+    loop.add(this);
+  }
+
+  #viewed(inView: boolean): void {
+    this.inView = inView;
+    if (inView) loop.turn();
+  }
+
+  // ---- scopes -------------------------------------------------------------------------------------------------
+
+  get root(): Element | undefined {
+    return [...this.x3d.children].find(isScene);
+  }
+
+  get scopes(): Iterable<Scope> {
+    return this.#scopes.values();
+  }
+
+  /** The page's own scope, read on first demand. */
+  readPage(): Scope | undefined {
+    const { root } = this;
+    return root && (this.#scopes.get(root) ?? this.addScope(root, null, null));
+  }
+
+  addScope(root: Element, host: Element | null, parent: Scope | null): Scope {
+    const scope = new Scope(this, root, host, parent);
+    this.#scopes.set(root, scope);
+    scope.names.onchange = (name, watchers) => {
+      for (const watcher of watchers) this.dirty(watcher);
+      const bearer = scope.names.find(name);
+      const binding = bearer && isPhysics(bearer) ? ownBinding(bearer) : undefined;
+      if (binding?.scope) this.dirty(binding);
+    };
+    this.connectAll(root, scope);
+    this.observed.observe(scope);
+    scope.touchImports();
+    return scope;
+  }
+
+  removeScope(scope: Scope): void {
+    this.#scopes.delete(scope.root);
+    scope.observer?.disconnect();
+    for (const element of subtree(scope.root)) this.disconnect(element, scope);
+    this.updates.schedule();
+  }
+
+  scopeOf(element: Element): Scope | undefined {
+    for (let at: Element | null = element; at; at = at.parentElement) {
+      const scope = this.#scopes.get(at);
+      if (scope) return scope;
+    }
+    return undefined;
+  }
+
+  /** The element that an element means: itself, or what it stands for by USE. */
+  meant(element: Element): Element | undefined {
+    const use = attribute(element, 'USE');
+    return use ? this.scopeOf(element)?.find(use) : element;
+  }
+
+  /** The scope that an Inline or a prototype's instance stands for. */
+  scopeIn(host: Element): Scope | undefined {
+    for (const scope of this.#scopes.values()) if (scope.host === host) return scope;
+    return undefined;
+  }
+
+  // ---- elements that come and go --------------------------------------------------------------------------------
+
+  connectAll(root: Element, scope: Scope): void {
+    for (const element of subtree(root)) this.connect(element, scope);
+  }
+
+  connect(element: Element, scope: Scope): void {
+    if (!scope.names.has(element)) scope.names.add(element);
+    scope.noteStatement(element, true);
+    this.updates.arrived(element, scope);
+    if (!isPhysics(element) || attribute(element, 'USE')) return;
+    const binding = ownBinding(element);
+    if (!binding || binding.scope === scope) return;
+    binding.scope?.scene.updates.drop(binding);
+    binding.scope = scope;
+    this.dirty(binding);
+  }
+
+  disconnect(element: Element, scope: Scope): void {
+    scope.names.remove(element);
+    scope.noteStatement(element, false);
+    const inner = this.scopeIn(element);
+    if (inner) this.removeScope(inner);
+    if (isPhysics(element)) this.updates.left(ownBinding(element));
+  }
+
+  /** An Inline's file stands in the scene: what was there before from the same Inline has gone. */
+  addInline(inline: Element): void {
+    const root = nodeOf(inline)?._childNodes[0]?._xmlNode;
+    const parent = this.scopeOf(inline);
+    if (!root || !parent || this.#scopes.has(root)) return;
+    const old = this.scopeIn(inline);
+    if (old) this.removeScope(old);
+    this.addScope(root, inline, parent);
+  }
+
+  addPrototype(instance: Element, body: Element): void {
+    const parent = this.scopeOf(instance);
+    if (parent && !this.#scopes.has(body)) this.addScope(body, instance, parent);
+  }
+
+  // ---- upkeep -------------------------------------------------------------------------------------------------
+
+  dirty(binding: Binding): void {
+    this.updates.add(binding);
+  }
+
+  /** All nodes of a scope: what they live in changed. */
+  requeue(scope: Scope): void {
+    for (const element of subtree(scope.root)) {
+      const binding = isPhysics(element) ? ownBinding(element) : undefined;
+      if (binding?.scope) this.dirty(binding);
+    }
+  }
+
+  /** Everything seen so far, brought to the core. */
+  drain(): void {
+    this.observed.takeRecords();
+    this.updates.run();
+  }
+
+  /** The document is read: nodes are made, and later changes are followed. */
+  goLive(): void {
+    if (this.live) return;
+    this.readPage();
+    this.live = true;
+    this.drain();
+  }
+
+  destroy(): void {
+    this.live = false;
+    for (const scope of [...this.scopes]) this.removeScope(scope);
+    this.updates.dropAll();
+    this.worlds.destroy();
+    this.#view?.disconnect();
+    loop.delete(this);
+  }
+
+  // ---- what moves what ------------------------------------------------------------------------------------------
+
+  /** Finds out what a body or collidable stands for; other nodes that read the same Transform hear of it. */
+  updateStandIn(binding: Binding): void {
+    const before = binding.standIn?.transform;
+    binding.standIn = standInOf(binding);
+    const after = binding.standIn?.transform;
+    if (before === after) return;
+    if (before && this.#drivers.get(before) === binding) this.#drivers.delete(before);
+    if (after) this.#drivers.set(after, binding);
+    for (const element of [before, after]) {
+      if (element)
+        for (const reader of this.readers.of(element)) if (reader !== binding) this.dirty(reader);
+    }
+  }
+
+  stopDriving(binding: Binding): void {
+    const transform = binding.standIn?.transform;
+    if (transform && this.#drivers.get(transform) === binding) this.#drivers.delete(transform);
+    binding.standIn = undefined;
+  }
+
+  bodyDriving(transform: Element): Binding | undefined {
+    return this.#drivers.get(transform);
+  }
+
+  /** For elements that belong to no node: the world of the first physics element. */
+  firstWorld(): PageWorld | undefined {
+    for (const scope of this.scopes) {
+      for (const element of subtree(scope.root)) {
+        const binding = isPhysics(element) ? ownBinding(element) : undefined;
+        const world = binding?.scope && worldFor(binding);
+        if (world) return world;
+      }
+    }
+    return undefined;
+  }
+
+  // ---- problems and drawing -------------------------------------------------------------------------------------
+
+  #worldFor(binding: Binding): PageWorld {
+    const [first] = this.worlds.all;
+    return binding.world ?? first ?? this.worlds.default;
+  }
+
+  report(report: Report, binding: Binding): void {
+    this.#worldFor(binding).report(report, binding.element);
+  }
+
+  settle(binding: Binding, attributeName?: string, code?: string): void {
+    for (const world of this.worlds.all) world.settle(binding.element, attributeName, code);
+  }
+
+  /** A collidable that no body moves is drawn where its fields say. */
+  valueChanged(binding: Binding): void {
+    if (!isCollidable(binding) || this.drawing.bodyMoving(binding.element)) return;
+    placeAsWritten(binding, nodeOf(binding.element));
+    this.requestRender();
+  }
+
+  routed(node: PhysicsX3DNode): void {
+    this.routes.add(node);
+    loop.wake();
+  }
+
+  get document(): X3DDocument | undefined {
+    return documentOf(this.x3d);
+  }
+
+  requestRender(): void {
+    const { document } = this;
+    if (document) document.needRender = true;
+  }
+
+  frame(seconds: number, hidden: boolean): boolean {
+    let again = false;
+    for (const world of this.worlds.all) {
+      if (!world.started || ((hidden || !this.inView) && !world.runsHidden)) continue;
+      if (advance(world, seconds, hidden)) again = true;
+      const start = performance.now();
+      this.drawing.drawMoved(world);
+      this.routes.send(world);
+      world.noteWriteTime(performance.now() - start);
+    }
+    return again;
+  }
+}
+
+/** The longest stretch a world takes at once without calling it lag, seconds. */
+const STRETCH = 0.1;
+
+/** A hidden page gets a frame per second: its worlds take that in pieces. */
+function advance(world: PageWorld, seconds: number, hidden: boolean): boolean {
+  let left = seconds;
+  for (; hidden && left > STRETCH; left -= STRETCH) world.frame(STRETCH);
+  return world.frame(left);
+}

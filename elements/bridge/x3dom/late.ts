@@ -1,0 +1,68 @@
+import { isPhysics } from '../document/dom.js';
+import { documentOf, nodeOf, type NameSpace, type X3DElement } from './x3dom.js';
+
+// x3dom has already met what we come to late: cures for that (x3dom.md).
+
+/** Our tags meant nothing to x3dom when it read the page, and it dropped all below them: it is shown them again. */
+export function setUpDropped(x3d: Element): void {
+  const doc = documentOf(x3d);
+  const scene = doc?._scene?._xmlNode;
+  if (!doc || !scene) return;
+  const spaces = new Set<NameSpace>();
+  for (const root of roots(scene)) {
+    for (const element of root.querySelectorAll('*')) {
+      const parent = element.parentElement;
+      const above = parent && nodeOf(parent);
+      if (!above || nodeOf(element) || !isPhysics(element)) continue;
+      doc.onNodeAdded(element, parent);
+      if (above._nameSpace) spaces.add(above._nameSpace);
+    }
+  }
+  for (const space of spaces) space.routeLateRoutes();
+}
+
+/** The scene tag, and those of the Inlines in it. */
+function* roots(scene: Element): Generator<Element> {
+  yield scene;
+  for (const inline of scene.querySelectorAll('inline, Inline')) {
+    const inner = nodeOf(inline)?._childNodes[0]?._xmlNode;
+    if (inner) yield* roots(inner);
+  }
+}
+
+const PATCHED = [
+  'setAttribute',
+  'getAttribute',
+  'hasAttribute',
+  'addEventListener',
+  'removeEventListener',
+  'highlight',
+];
+
+/** What x3dom appended to the `<x3d>` when it read it. */
+const APPENDED = ':scope > canvas, :scope > div[class*="x3dom"], :scope > .x3dom-vr';
+
+/**
+ * x3dom does not read an `<x3d>` a second time, and wraps its patched methods in themselves if it is made to: an
+ * element that comes back must look untouched.
+ */
+export function makeUnread(x3d: Element): void {
+  const element = x3d as X3DElement;
+  delete element.hasRuntime;
+  delete element.runtime;
+  for (const each of [x3d, ...x3d.querySelectorAll('*')]) unpatch(each);
+  for (const appended of x3d.querySelectorAll(APPENDED)) appended.remove();
+}
+
+function unpatch(element: Element): void {
+  const own = element as unknown as Record<string, unknown>;
+  for (const name of PATCHED) {
+    for (const each of [name, `__${name}`]) if (Object.hasOwn(own, each)) delete own[each];
+  }
+  if (Object.hasOwn(own, '_x3domNode')) delete own._x3domNode;
+}
+
+export const wasRead = (x3d: Element): boolean => (x3d as X3DElement).hasRuntime !== undefined;
+
+/** Read once, but x3dom let go of it when it left the page. */
+export const wasLetGo = (x3d: Element): boolean => wasRead(x3d) && !documentOf(x3d);

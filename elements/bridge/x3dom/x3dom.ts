@@ -1,0 +1,127 @@
+/** The slice of x3dom 1.8.3 that the bridge uses. x3dom has no types and is a classic script of the page. */
+
+export interface X3DMatrix {
+  _00: number;
+  _01: number;
+  _02: number;
+  _03: number;
+  _10: number;
+  _11: number;
+  _12: number;
+  _13: number;
+  _20: number;
+  _21: number;
+  _22: number;
+  _23: number;
+  _30: number;
+  _31: number;
+  _32: number;
+  _33: number;
+}
+
+export interface X3DVector {
+  x: number;
+  y: number;
+  z: number;
+}
+
+export interface X3DQuaternion extends X3DVector {
+  w: number;
+}
+
+export interface X3DMesh {
+  _primType: string;
+  _positions: ArrayLike<number>[];
+  _indices: ArrayLike<number>[];
+}
+
+export interface X3DNode {
+  _xmlNode: Element | null;
+  _DEF: string | null;
+  _nameSpace: NameSpace | null;
+  _vf: Record<string, unknown>;
+  _cf: Record<string, { node?: X3DNode | null; nodes?: X3DNode[] }>;
+  _routes: Record<string, unknown>;
+  _listeners: Record<string, unknown[]>;
+  _parentNodes: X3DNode[];
+  _childNodes: X3DNode[];
+  /** Transforms only. */
+  _trafo?: X3DMatrix;
+  /** Geometry only. */
+  _mesh?: X3DMesh;
+  /** Instances of prototypes only. */
+  protoBodyClone?: Element;
+  addChild(child: X3DNode, containerField?: string | null): boolean | undefined;
+  postMessage(field: string, value: unknown): void;
+  fieldChanged(field: string): void;
+  nodeChanged(): void;
+  updateField(attribute: string, text: string): void;
+  setupRoute(field: string, to: X3DNode, toField: string): void;
+  removeRoute(field: string, to: X3DNode, toField: string): void;
+  invalidateVolume(): void;
+  getVolume(): unknown;
+}
+
+export interface NameSpace {
+  doc: X3DDocument;
+  superInlineNode: X3DNode | null;
+  routeLateRoutes(): void;
+}
+
+export interface X3DDocument {
+  needRender: boolean | number;
+  _scene: X3DNode | null;
+  onNodeAdded(element: Element, parent: Element): void;
+  onNodeRemoved(element: Element, parent: Element): void;
+}
+
+export interface NodeContext {
+  doc: X3DDocument;
+  runtime: unknown;
+  xmlNode: Element | null;
+  nameSpace: NameSpace;
+}
+
+export interface X3DNodeClass {
+  new (context: NodeContext): X3DNode;
+  prototype: X3DNode;
+  _typeName?: string;
+}
+
+export interface X3DElement extends Element {
+  _x3domNode?: X3DNode;
+  hasRuntime?: boolean;
+  runtime?: { canvas?: { doc?: X3DDocument | null } | null } | null;
+}
+
+export interface X3DOM {
+  nodeTypes: Record<string, X3DNodeClass>;
+  nodeTypesLC: Record<string, X3DNodeClass>;
+  fields: {
+    SFVec3f: new (x: number, y: number, z: number) => X3DVector;
+    SFVec2f: new (x: number, y: number) => { x: number; y: number };
+    SFMatrix4f: { new (): X3DMatrix; identity(): X3DMatrix };
+    Quaternion: {
+      new (x: number, y: number, z: number, w: number): X3DQuaternion;
+      axisAngle(axis: X3DVector, angle: number): X3DQuaternion;
+    };
+    MFVec3f: new (array?: unknown[]) => unknown[];
+    MFString: new (array?: unknown[]) => unknown[];
+    MFFloat: new (array?: unknown[]) => unknown[];
+  };
+  registerNodeType(name: string, component: string, type: X3DNodeClass): void;
+  reload(): void;
+}
+
+declare const globalThis: { x3dom?: X3DOM };
+
+/** x3dom, once the page has it. */
+export const x3dom = (): X3DOM | undefined => globalThis.x3dom;
+
+export const nodeOf = (element: Element): X3DNode | undefined => (element as X3DElement)._x3domNode;
+
+/** The document behind an `<x3d>`, once x3dom has read it. */
+export function documentOf(x3d: Element): X3DDocument | undefined {
+  const doc = (x3d as X3DElement).runtime?.canvas?.doc;
+  return doc?._scene ? doc : undefined;
+}

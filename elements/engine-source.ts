@@ -1,0 +1,13 @@
+/** Where the engine's wasm comes from: each entry file says so before the first physics element appears. */
+export interface EngineOptions {
+  wasmUrl?: string;
+  wasmBinary?: Uint8Array;
+}
+
+let source: () => EngineOptions | Promise<EngineOptions> = () => ({});
+
+export function setEngineSource(options: typeof source): void {
+  source = options;
+}
+
+export const engineSource = async (): Promise<EngineOptions> => source();

@@ -1,0 +1,137 @@
+import { nodeTypes } from '../physics-core/index.js';
+import {
+  attachListener,
+  attributeOf,
+  checkPlace,
+  detachListener,
+  explain,
+  holdsNodes,
+  keepInternals,
+  ownBinding,
+  page,
+  tagOf,
+  type Binding,
+  type Explanation,
+  type NodeType,
+} from './bridge/index.js';
+
+type Add = Parameters<EventTarget['addEventListener']>;
+
+/**
+ * The custom element around a physics node: its properties come from the node's table, see `forType`. An element
+ * that stands for another one by `use` has that one's properties.
+ */
+export class X3DNodeElement extends HTMLElement {
+  static readonly type: NodeType;
+
+  constructor() {
+    super();
+    keepInternals(this);
+  }
+
+  protected get binding(): Binding {
+    return page.bindingOf(this) ?? ownBinding(this)!;
+  }
+
+  /** The world it lives in; before the start, too. */
+  get world() {
+    return page.worldOf(this);
+  }
+
+  /** What the simulation has for it, as plain data. */
+  explain(): Explanation {
+    return explain(this);
+  }
+
+  connectedCallback(): void {
+    page.met(this);
+    takeEarlyProperties(this);
+    queueMicrotask(() => checkPlace(this));
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before !== after) ownBinding(this)?.attributeChanged(name);
+  }
+}
+
+/**
+ * x3dom replaces these on the elements it reads, unless they carry its `__` names already; its own answer defaults for
+ * absent attributes and throw once the element has left the scene.
+ */
+const NATIVE = {
+  __addEventListener: EventTarget.prototype.addEventListener,
+  __removeEventListener: EventTarget.prototype.removeEventListener,
+  __getAttribute: Element.prototype.getAttribute,
+  __setAttribute: Element.prototype.setAttribute,
+  __hasAttribute: Element.prototype.hasAttribute,
+};
+for (const [name, value] of Object.entries(NATIVE))
+  Object.defineProperty(X3DNodeElement.prototype, name, { value });
+
+/** When x3dom lets go of an element it leaves null in place of these: the setter takes it and nothing happens. */
+const LISTENING = { addEventListener: attachListener, removeEventListener: detachListener };
+for (const [name, act] of Object.entries(LISTENING)) {
+  const method = function (this: Element, ...args: Add): void {
+    act(this, ...args);
+  };
+  Object.defineProperty(X3DNodeElement.prototype, name, { get: () => method, set: () => {} });
+}
+
+/** Properties that a framework set before the element was defined hide our accessors: set them again, through them. */
+function takeEarlyProperties(element: X3DNodeElement): void {
+  const own = element as unknown as Record<string, unknown>;
+  for (const name of Object.keys((element.constructor as typeof X3DNodeElement).type.fields)) {
+    if (!Object.hasOwn(own, name)) continue;
+    const value = own[name];
+    delete own[name];
+    own[name] = value;
+  }
+}
+
+/** Attributes in HTML's lowercase, and as XML has them. */
+function attributesOf(type: NodeType): string[] {
+  const names = Object.entries(type.fields)
+    .filter(([, field]) => field.access !== 'outputOnly')
+    .map(([name, field]) => attributeOf(name, field));
+  return [...new Set(names.flatMap((name) => [name.toLowerCase(), name]))];
+}
+
+function defineProperties(prototype: X3DNodeElement, type: NodeType): void {
+  for (const [name, field] of Object.entries(type.fields)) {
+    if (holdsNodes(field) && !/^body[12]$/.test(name)) continue;
+    Object.defineProperty(prototype, name, {
+      configurable: true,
+      enumerable: true,
+      get(this: X3DNodeElement) {
+        return this['binding'].get(name);
+      },
+      set(this: X3DNodeElement, value: unknown) {
+        this['binding'].set(name, value);
+      },
+    });
+  }
+}
+
+/** What the class of one node's element has beside its base. */
+export interface NodeElementStatics {
+  readonly type: NodeType;
+  readonly tag: string;
+  readonly observedAttributes: string[];
+}
+
+export type X3DNodeElementClass = NodeElementStatics & (new () => X3DNodeElement);
+
+/** The base class of one node's element, made from its table. */
+export function forType<Base extends typeof X3DNodeElement = typeof X3DNodeElement>(
+  name: string,
+  base?: Base,
+): Base & NodeElementStatics {
+  const type = nodeTypes[name] as NodeType;
+  class TypedElement extends (base ?? X3DNodeElement) {
+    static override readonly type = type;
+    static readonly tag = tagOf(type);
+    static readonly observedAttributes = attributesOf(type);
+  }
+  defineProperties(TypedElement.prototype, type);
+  return TypedElement as unknown as Base & NodeElementStatics;
+}

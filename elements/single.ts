@@ -1,0 +1,11 @@
+// The classic script with the wasm inside, for pages opened from disk: they may not fetch a file beside them.
+import base64 from 'virtual:ammo-wasm-base64';
+import { begin } from './api.js';
+import { setEngineSource } from './engine-source.js';
+
+setEngineSource(() => ({
+  wasmBinary: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
+}));
+begin();
+
+export * from './api.js';

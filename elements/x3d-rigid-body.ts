@@ -1,0 +1,13 @@
+import { X3DBodyElement } from './body-element.js';
+import { forType } from './node-element.js';
+
+/**
+ * A body that moves by its mass, velocity and the forces on it; inside a Transform it moves that.
+ */
+export class X3DRigidBodyElement extends forType('RigidBody', X3DBodyElement) {}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'x3d-rigid-body': X3DRigidBodyElement;
+  }
+}

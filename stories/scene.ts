@@ -1,0 +1,74 @@
+// What the stories of single nodes share: a page around the scene, its camera and lights, the ground, colours.
+import { html, nothing, type TemplateResult } from 'lit';
+
+type Content = TemplateResult | typeof nothing;
+
+const COLORS = {
+  red: '0.8 0.2 0.15',
+  brass: '0.85 0.62 0.25',
+  blue: '0.1 0.5 0.65',
+  iron: '0.28 0.32 0.38',
+};
+
+/** A Shape of one colour. */
+export const shape = (color: keyof typeof COLORS, geometry: Content, id?: string) => html`
+  <shape id=${id ?? nothing}>
+    <appearance>
+      <material
+        diffuseColor=${COLORS[color]}
+        specularColor="0.5 0.5 0.5"
+        shininess="0.5"
+      ></material>
+    </appearance>
+    ${geometry}
+  </shape>
+`;
+
+/** A fixed floor whose top is at y = 0. */
+export const ground = html`
+  <transform translation="0 -0.5 0">
+    <shape>
+      <appearance>
+        <pixeltexture image="2 2 3 0x8A95A1 0x96A1AD 0x96A1AD 0x8A95A1">
+          <textureproperties magnificationFilter="NEAREST_PIXEL"></textureproperties>
+        </pixeltexture>
+        <texturetransform scale="6 6"></texturetransform>
+      </appearance>
+      <box size="12 1 12"></box>
+    </shape>
+    <x3d-rigid-body fixed></x3d-rigid-body>
+  </transform>
+`;
+
+/** Every world of the scene, back to what its markup says. */
+function startAgain({ currentTarget }: Event): void {
+  const main = (currentTarget as Element).closest('main')!;
+  const bodies = [...main.querySelectorAll('x3d-rigid-body')];
+  for (const world of new Set(bodies.map((body) => body.world))) world?.reset();
+}
+
+/** A page with one scene, seen from the front. Lit renders controls into it as edits of the running elements. */
+export const scene = (text: string, content: Content) => html`
+  <main>
+    <p>${text}</p>
+    <x3d>
+      <scene>
+        <viewpoint
+          position="0 3.4 9"
+          orientation="1 0 0 -0.2"
+          centerOfRotation="0 1.5 0"
+        ></viewpoint>
+        <background transparency="1"></background>
+        <navigationinfo headlight="false"></navigationinfo>
+        <directionallight
+          direction="-0.4 -1 -0.6"
+          intensity="0.8"
+          ambientIntensity="0.3"
+        ></directionallight>
+        <directionallight direction="0.7 -0.2 -0.6" intensity="0.4"></directionallight>
+        ${content}
+      </scene>
+    </x3d>
+    <button type="button" @click=${startAgain}>Start again</button>
+  </main>
+`;

@@ -1,0 +1,115 @@
+import { expect } from 'chai';
+import { drawn, drawnAt, nextFrame, place, show } from './scene.js';
+import { worldOf } from '../../../elements/index.js';
+
+const codes = (world: { problems: { code: string }[] }): string[] =>
+  world.problems.map(({ code }) => code);
+
+/** As X3DOM's own physics wants it. */
+const older = `
+  <transform DEF="ground"><shape><box size="10 1 10"></box></shape></transform>
+  <transform DEF="link" translation="9 9 9"><transform translation="0 0 0"><shape DEF="linkshape"><box size="1 1 1"></box></shape></transform></transform>
+  <CollisionSensor><CollisionCollection enabled="true" bounce="0.5">
+    <CollidableShape DEF="cs0"><transform USE="ground" containerField="transform"></transform></CollidableShape>
+    <CollidableShape DEF="cs1" translation="2 3 0"><transform USE="link" containerField="transform"></transform><shape USE="linkshape" containerField="shape"></shape></CollidableShape>
+  </CollisionCollection></CollisionSensor>
+  <RigidBodyCollection id="c">
+    <RigidBody DEF="r0" mass="0"><CollidableShape USE="cs0" containerField="geometry"></CollidableShape></RigidBody>
+    <RigidBody DEF="r1" mass="2"><CollidableShape USE="cs1" containerField="geometry"></CollidableShape></RigidBody>
+    <BallJoint DEF="j" anchorPoint="2 3 0">
+      <CollidableShape USE="cs1" containerField="body1"></CollidableShape>
+    </BallJoint>
+  </RigidBodyCollection>`;
+
+describe("X3DOM's older dialect", () => {
+  it('a Transform named by USE is what moves, and starts where its collidable stands', async () => {
+    const { x3d, world } = await show(older.replace(/<BallJoint[^]*<\/BallJoint>/, ''));
+    world.paused = true;
+    await nextFrame();
+    await nextFrame();
+    expect(codes(world)).to.eql(['zero-mass']);
+    const link = x3d.querySelector('[def=link]')!;
+    expect(drawnAt(link)[0]).to.be.closeTo(2, 1e-6);
+    world.advance(4);
+    await nextFrame();
+    await nextFrame();
+    expect(drawnAt(link)[1]).to.be.closeTo(1, 0.05);
+    expect(drawnAt(link)[0]).to.be.closeTo(2, 0.05);
+  });
+
+  it('zero mass pins, and a joint names its body by a collidable', async () => {
+    const { world } = await show(older);
+    world.paused = true;
+    world.advance(1);
+    expect(world.stats.joints).to.equal(1);
+    expect((world.node('r1')!.get('position') as number[])[1]).to.be.closeTo(3, 0.01);
+    expect((world.node('r0')!.get('position') as number[])[1]).to.equal(0);
+  });
+
+  it('nothing is drawn twice', async () => {
+    const { x3d } = await show(older);
+    const node = (
+      x3d.querySelector('[def=link]') as unknown as { _x3domNode: { _parentNodes: unknown[] } }
+    )._x3domNode;
+    expect(node._parentNodes.length).to.equal(1);
+  });
+});
+
+describe('KineticPendulum.x3d', () => {
+  it('its bodies stay where the hinges hold them', async () => {
+    const x3d = place('<inline url="/shared-content/KineticPendulum.x3d"></inline>');
+    const event = await new Promise<CustomEvent>((resolve) =>
+      x3d.addEventListener('physicsready', (e) => resolve(e as CustomEvent)),
+    );
+    const world = worldOf(event.detail.element)!;
+    world.paused = true;
+    const before = (world.node('_40')!.get('position') as number[]).slice();
+    await drawn();
+    const balls = [...(event.detail.element as Element).ownerDocument.querySelectorAll('CollidableOffset > CollidableShape')];
+    expect(drawnAt(balls[1])[1]).to.be.closeTo(-2, 0.05);
+    expect(codes(world)).to.eql([]);
+    world.advance(3);
+    const after = world.node('_40')!.get('position') as number[];
+    expect(Math.hypot(after[0] - before[0], after[1] - before[1])).to.be.below(3);
+    expect(Math.abs(after[2])).to.be.below(0.05);
+    expect(Math.hypot(after[0] - 1, after[1] - 2)).to.be.closeTo(2, 0.05);
+  });
+});
+
+describe('units', () => {
+  const content = `
+    <unit category="angle" name="degree" conversionFactor="0.0174532925199432958"></unit>
+    <unit category="length" name="cm" conversionFactor="0.01"></unit>`;
+
+  it('physics fields and driven Transforms are in those of the file', async () => {
+    document.body.innerHTML = `<x3d width="300px" height="200px">${content}<scene>
+      <transform DEF="t" translation="100 0 0" rotation="0 0 1 90"><shape><box size="100 20 20"></box></shape>
+        <x3d-rigid-body id="b" useglobalgravity="false" angularvelocity="0 0 90" linearvelocity="50 0 0"></x3d-rigid-body></transform>
+    </scene></x3d>`;
+    const body = document.querySelector('#b') as unknown as Element & {
+      position: number[];
+      orientation: number[];
+      angularVelocity: number[];
+    };
+    const world = worldOf(body)!;
+    await world.ready;
+    world.paused = true;
+    world.reset();
+    const node = world.node(body)!;
+    expect((node.get('position') as number[])[0]).to.be.closeTo(1, 1e-6);
+    expect((node.get('orientation') as number[])[3]).to.be.closeTo(Math.PI / 2, 1e-5);
+    expect((node.get('linearVelocity') as number[])[0]).to.be.closeTo(0.5, 1e-6);
+    expect(body.angularVelocity[2]).to.be.closeTo(90, 1e-3);
+    const [collidable] = node.get('geometry') as { get(name: string): { size: number[] }[] }[];
+    expect(collidable.get('shape')[0].size[0]).to.be.closeTo(1, 1e-9);
+    world.advance(1);
+    await nextFrame();
+    await nextFrame();
+    expect(body.position[0]).to.be.closeTo(150, 0.1);
+    const t = document.querySelector('[def=t]')! as unknown as Element & {
+      _x3domNode: { _trafo: Record<string, number> };
+    };
+    expect(drawnAt(t)[0]).to.be.closeTo(150, 0.1);
+    expect(t._x3domNode._trafo._00).to.be.closeTo(Math.cos(Math.PI), 1e-2);
+  });
+});

@@ -1,0 +1,203 @@
+import { expect } from 'chai';
+import { worldOf } from '../../../elements/index.js';
+import { drawn, drawnAt, nextFrame, place, show, wait } from './scene.js';
+
+const ball = `<transform id="t" translation="0 3 0"><shape><sphere></sphere></shape><x3d-rigid-body id="ball"></x3d-rigid-body></transform>`;
+
+describe('an x3d', () => {
+  it('moved within one task goes on with its world, and is drawn again', async () => {
+    const { x3d, world } = await show(ball, '#ball');
+    world.paused = true;
+    world.advance(1);
+    const y = (world.node('ball')!.get('position') as number[])[1];
+    const box = document.createElement('div');
+    document.body.append(box);
+    box.append(x3d);
+    await wait(100);
+    expect(worldOf(x3d.querySelector('#ball')!)).to.equal(world);
+    expect((world.node('ball')!.get('position') as number[])[1]).to.equal(y);
+    expect(drawnAt(x3d.querySelector('#t')!)[1]).to.be.closeTo(y, 1e-5);
+    expect(x3d.querySelectorAll('canvas').length).to.equal(1);
+    x3d.querySelector('#ball')!.setAttribute('mass', '4');
+    world.step(0);
+    expect(world.node('ball')!.get('mass')).to.equal(4);
+  });
+
+  it('may be removed and put back again and again', async () => {
+    const { x3d } = await show(ball, '#ball');
+    for (let i = 0; i < 3; i++) {
+      x3d.remove();
+      await wait(20);
+      document.body.append(x3d);
+      const world = worldOf(x3d.querySelector('#ball')!)!;
+      await world.ready;
+      await wait(30);
+      world.paused = true;
+      world.reset();
+      expect(world.node('ball')!.get('position')).to.eql([0, 3, 0]);
+      world.advance(0.5);
+      await drawn();
+      expect(drawnAt(x3d.querySelector('#t')!)[1]).to.be.closeTo(3 - 4.9 * 0.25, 0.05);
+    }
+    expect(x3d.querySelectorAll('canvas').length).to.equal(1);
+  });
+
+  it('has worlds of its own beside another', async () => {
+    document.body.innerHTML = `<x3d id="a" width="100px" height="100px"><scene>${ball}</scene></x3d><x3d id="b" width="100px" height="100px"><scene>${ball}</scene></x3d>`;
+    const [a, b] = ['#a', '#b'].map((id) => worldOf(document.querySelector(`${id} #ball`)!)!);
+    expect(a).not.to.equal(b);
+    await Promise.all([a.ready, b.ready]);
+    expect([a.stats.bodies, b.stats.bodies]).to.eql([1, 1]);
+  });
+
+  it('built node by node, as a framework does, starts', async () => {
+    document.body.innerHTML = '';
+    const x3d = document.createElement('x3d');
+    document.body.append(x3d);
+    await wait(30);
+    const scene = document.createElement('scene');
+    x3d.append(scene);
+    await wait(30);
+    const collection = document.createElement('x3d-rigid-body-collection');
+    scene.append(collection);
+    await wait(30);
+    collection.innerHTML = '<x3d-rigid-body id="b" position="0 2 0"></x3d-rigid-body>';
+    const world = worldOf(collection)!;
+    await world.ready;
+    world.step(0);
+    expect(world.stats.bodies).to.equal(1);
+  });
+
+  it('scrolled away stands still and goes on without a jump', async () => {
+    const { x3d, world } = await show(ball, '#ball');
+    x3d.style.marginTop = '5000px';
+    await wait(500);
+    const { time } = world;
+    await wait(200);
+    expect(world.time).to.equal(time);
+    x3d.style.marginTop = '';
+    await wait(500);
+    expect(world.time - time).to.be.within(0.001, 0.7);
+  });
+});
+
+describe('x3dom', () => {
+  it('draws a USE that stands before its DEF', async () => {
+    const { x3d } = await show(`
+      <CollidableShape id="use" USE="late"></CollidableShape>
+      <RigidBodyCollection><RigidBody DEF="b"><CollidableShape DEF="late"><Shape><Sphere></Sphere></Shape></CollidableShape></RigidBody></RigidBodyCollection>`);
+    const node = (
+      x3d.querySelector('[def=late]') as unknown as { _x3domNode: { _parentNodes: unknown[] } }
+    )._x3domNode;
+    expect(node._parentNodes.length).to.equal(1);
+  });
+
+  it('is not needed for the simulation to run from elements in the scene only', async () => {
+    const { x3d, world } = await show(
+      `<RigidBodyCollection><RigidBody DEF="b"></RigidBody></RigidBodyCollection>`,
+    );
+    expect(world.stats.bodies).to.equal(1);
+    expect(getComputedStyle(x3d.querySelector('scene')!).display).to.equal('none');
+  });
+
+  it('a prototype holds bodies', async () => {
+    const { x3d } = await show(
+      `
+      <ProtoDeclare name="Ball"><ProtoInterface><field name="at" type="SFVec3f" dataType="SFVec3f" accessType="initializeOnly" value="0 0 0"></field></ProtoInterface>
+        <ProtoBody><RigidBodyCollection DEF="pc"><RigidBody DEF="pb" position="0 4 0"></RigidBody></RigidBodyCollection></ProtoBody></ProtoDeclare>
+      <ProtoInstance name="Ball" DEF="one"></ProtoInstance>
+      <x3d-rigid-body id="own"></x3d-rigid-body>`,
+      '#own',
+    );
+    await wait(100);
+    const instance = x3d.querySelector('ball');
+    expect(instance).not.to.equal(null);
+    const body = (
+      instance as unknown as { _x3domNode: { protoBodyClone: Element } }
+    )._x3domNode.protoBodyClone.querySelector('[def=pb]')!;
+    const world = worldOf(body)!;
+    await world.ready;
+    expect(world.node(body)!.get('position')).to.have.property('1').closeTo(4, 0.5);
+    expect(world.stats.bodies).to.equal(1);
+  });
+});
+
+describe('an Inline', () => {
+  it('exports names to joints of the page, fires events at its element, and goes with it', async () => {
+    const x3d = place(`
+      <RigidBodyCollection id="c" shared-world="w"><BallJoint DEF="j" anchorPoint="0.1 3 0" body1="fromInline"></BallJoint></RigidBodyCollection>
+      <inline DEF="file" url="/test/pages/ball.x3d" shared-world="w"></inline>
+      <import inlineDEF="file" importedDEF="theBall" AS="fromInline"></import>`);
+    const events: CustomEvent[] = [];
+    x3d.addEventListener('physicsready', (event) => events.push(event as CustomEvent));
+    const world = worldOf(x3d.querySelector('#c')!)!;
+    await world.ready;
+    world.paused = true;
+    expect(events.map((event) => (event.target as Element).localName)).to.eql([
+      'rigidbodycollection',
+      'inline',
+    ]);
+    expect(events[1].detail.element.localName).to.equal('RigidBodyCollection');
+    expect(world.stats.joints).to.equal(1);
+    expect(world.stats.bodies).to.equal(2);
+    const inner = events[1].detail.element as Element;
+    inner.querySelector('[DEF=ball]')!.setAttribute('mass', '7');
+    world.step(0);
+    expect(world.node('ball')!.get('mass')).to.equal(7);
+    // x3dom itself stumbles over an Inline that goes within a second of its coming.
+    await wait(1100);
+    x3d.querySelector('inline')!.remove();
+    world.step(0);
+    expect([world.stats.bodies, world.stats.joints]).to.eql([0, 0]);
+  });
+
+  it('that is missing holds nothing up for long', async () => {
+    const { world } = await show(
+      `<inline url="/nowhere.x3d"></inline><RigidBodyCollection><RigidBody></RigidBody></RigidBodyCollection>`,
+    );
+    expect(world.stats.bodies).to.equal(1);
+  });
+
+  it('appended later joins', async () => {
+    const { x3d } = await show(`<RigidBodyCollection></RigidBodyCollection>`);
+    const ready = new Promise<CustomEvent>((resolve) =>
+      x3d.addEventListener('physicsready', (event) => resolve(event as CustomEvent)),
+    );
+    x3d
+      .querySelector('scene')!
+      .insertAdjacentHTML('beforeend', '<inline url="/test/pages/ball.x3d"></inline>');
+    const { detail } = await ready;
+    expect(worldOf(detail.element)!.stats.bodies).to.equal(2);
+    await nextFrame();
+  });
+});
+
+describe('many bodies', () => {
+  it('appended one by one cost little each, however many there are', async () => {
+    const { x3d, world } = await show(
+      `<x3d-rigid-body-collection id="c" gravity="0 0 0"></x3d-rigid-body-collection>`,
+    );
+    const scene = x3d.querySelector('scene')!;
+    const times: number[] = [];
+    for (let i = 0; i < 600; i++) {
+      const start = performance.now();
+      scene.insertAdjacentHTML(
+        'beforeend',
+        `<transform translation="${i * 3} 0 0"><shape><box></box></shape><x3d-rigid-body></x3d-rigid-body></transform>`,
+      );
+      await Promise.resolve();
+      await Promise.resolve();
+      await Promise.resolve();
+      times.push(performance.now() - start);
+    }
+    const mean = (list: number[]): number => list.reduce((a, b) => a + b) / list.length;
+    console.log(
+      `append: ${mean(times.slice(0, 100)).toFixed(2)} ms at first, ${mean(times.slice(-100)).toFixed(2)} ms at 600`,
+    );
+    const bodies = worldOf(scene.lastElementChild!)!;
+    bodies.step(0);
+    expect(bodies.stats.bodies).to.equal(600);
+    expect(world.stats.bodies).to.equal(0);
+    expect(mean(times.slice(-100))).to.be.below(5 * mean(times.slice(0, 100)) + 1);
+  });
+});

@@ -1,0 +1,42 @@
+import assert from 'node:assert/strict';
+import { describe } from 'node:test';
+import { guards } from '../../../physics-core/guards.js';
+import { nodeTypes } from '../../../physics-core/index.js';
+import { fact, world } from '../helpers.js';
+import { guardRows, rowsOf } from './all.js';
+
+for (const [type, rows] of Object.entries(rowsOf)) {
+  describe(type, () => {
+    for (const row of rows) fact(`${row.field ?? row.effect}: ${row.fact}`, row.run);
+
+    fact('every field of its table has at least one row, and every row a field', () => {
+      const fields = Object.keys(nodeTypes[type]!.fields);
+      const covered = new Set(rows.flatMap(({ field }) => field ?? []));
+      assert.deepEqual([...covered].sort(), fields.sort());
+    });
+  });
+}
+
+describe('guards', () => {
+  for (const row of guardRows) fact(`${row.guard}: ${row.fact}`, row.run);
+
+  fact('every guard has at least one row', () => {
+    const covered = new Set([...guardRows, ...Object.values(rowsOf).flat()].map((r) => r.guard));
+    for (const guard of Object.keys(guards)) assert.ok(covered.has(guard), guard);
+  });
+});
+
+describe('tables', () => {
+  fact('every node type has rows', () => {
+    assert.deepEqual(Object.keys(rowsOf).sort(), Object.keys(nodeTypes).sort());
+  });
+
+  fact('every effect that works in the step has at least one row', async () => {
+    const w = await world();
+    const covered = new Set(Object.values(rowsOf).flatMap((rows) => rows.map((r) => r.effect)));
+    for (const effect of w.registry.all) {
+      const works = effect.beforeStep || effect.afterStep || 'process' in effect;
+      if (works) assert.ok(covered.has(effect.name), effect.name);
+    }
+  });
+});

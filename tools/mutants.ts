@@ -1,0 +1,124 @@
+// npm run test:mutants: breaks one field's patch, one effect or one guard at a time and expects a test row that
+// concerns it to throw. What survives is a promise that no test keeps.
+//   --only <word>   only mutants whose name contains it
+import { parseArgs } from 'node:util';
+import { guards } from '../physics-core/guards.js';
+import { nodeTypes } from '../physics-core/index.js';
+import { guardRows, rowsOf } from '../test/core/fields/all.js';
+import type { Row } from '../test/core/fields/rows.js';
+import { closeWorlds, world } from '../test/core/helpers.js';
+
+interface Mutant {
+  name: string;
+  rows: Row[];
+  /** Breaks the code; returns how to mend it. */
+  apply(): () => void;
+}
+
+const { values: options } = parseArgs({ options: { only: { type: 'string' } } });
+
+const allRows = [...Object.values(rowsOf).flat(), ...guardRows];
+
+/** Puts another function in the place of `object[key]`. */
+function replacing(object: object, key: string, broken: unknown): () => () => void {
+  return () => {
+    const own = Object.getOwnPropertyDescriptor(object, key)!;
+    Object.defineProperty(object, key, { ...own, value: broken });
+    return () => Object.defineProperty(object, key, own);
+  };
+}
+
+/** A field whose edit never reaches Bullet. */
+const fieldMutants = (): Mutant[] =>
+  Object.values(nodeTypes).flatMap((type) =>
+    Object.entries(type.fields)
+      .filter(([, field]) => field.patch)
+      .map(([name, field]) => ({
+        name: `${type.name}.${name} is not patched`,
+        rows: (rowsOf[type.name] ?? []).filter((row) => row.field === name),
+        apply: replacing(field, 'patch', () => {}),
+      })),
+  );
+
+/** An effect that does nothing before a step, after it, or at a contact. */
+async function effectMutants(): Promise<Mutant[]> {
+  const { registry } = await world();
+  closeWorlds(false);
+  return registry.all.flatMap((effect) => {
+    const prototype = Object.getPrototypeOf(effect) as object;
+    return ['beforeStep', 'afterStep', 'process']
+      .filter((method) => Object.hasOwn(prototype, method))
+      .map((method) => ({
+        name: `effect "${effect.name}" without ${method}`,
+        rows: allRows.filter((row) => row.effect === effect.name),
+        apply: replacing(prototype, method, () => {}),
+      }));
+  });
+}
+
+/** A guard that lets everything through. */
+const open: Partial<Record<keyof typeof guards, unknown>> = {
+  wellFormed: (_codec: unknown, value: unknown) => value,
+  inRange: () => true,
+  finiteVector: () => true,
+  finiteState: () => true,
+};
+
+/** The other guards limit their first argument. */
+const guardMutants = (): Mutant[] =>
+  (Object.keys(guards) as (keyof typeof guards)[]).map((name) => ({
+    name: `guard ${name} lets everything through`,
+    rows: allRows.filter((row) => row.guard === name),
+    apply: replacing(guards, name, open[name] ?? ((value: unknown) => value)),
+  }));
+
+/** Whether a row throws. */
+async function fails(row: Row): Promise<boolean> {
+  let judge = false;
+  try {
+    await row.run();
+    judge = true;
+    closeWorlds();
+    return false;
+  } catch {
+    if (!judge) closeWorlds(false);
+    return true;
+  }
+}
+
+async function killed({ rows, apply }: Mutant): Promise<boolean> {
+  const mend = apply();
+  try {
+    for (const row of rows) if (await fails(row)) return true;
+    return false;
+  } finally {
+    mend();
+  }
+}
+
+async function main(): Promise<void> {
+  const start = Date.now();
+  for (const row of allRows) {
+    if (!(await fails(row))) continue;
+    console.log(`✗ without any mutant a row fails: ${row.fact}\nRun the core tests first.`);
+    process.exit(1);
+  }
+  const mutants = [...fieldMutants(), ...(await effectMutants()), ...guardMutants()].filter(
+    ({ name }) => name.includes(options.only ?? ''),
+  );
+  const survivors: Mutant[] = [];
+  for (const [i, mutant] of mutants.entries()) {
+    const dead = await killed(mutant);
+    if (!dead) survivors.push(mutant);
+    console.log(`${dead ? '✓' : '✗'} ${i + 1}/${mutants.length} ${mutant.name}`);
+  }
+  if (survivors.length > 0) console.log('\nSurvivors:');
+  for (const { name, rows } of survivors)
+    console.log(`✗ ${name} (${rows.length === 0 ? 'no row concerns it' : `${rows.length} rows`})`);
+  console.log(
+    `\n${((Date.now() - start) / 1000).toFixed(1)} s\n${mutants.length - survivors.length} killed, ${survivors.length} survived`,
+  );
+  process.exit(survivors.length === 0 && mutants.length > 0 ? 0 : 1);
+}
+
+await main();
