@@ -6,6 +6,15 @@ import { defineElements } from './define.js';
 export const worldOf = (element: Element) => page.worldOf(element);
 
 export { explain, type Explanation };
+export type {
+  EffectReport,
+  Level,
+  LevelName,
+  PhysicsNode,
+  Problem,
+  Stats,
+  World,
+} from '../physics-core/index.js';
 export { elementClasses } from './define.js';
 export { X3DNodeElement } from './node-element.js';
 export { X3DBallJointElement } from './x3d-ball-joint.js';

@@ -27,6 +27,9 @@ export const guards = {
   /** Wall time of one frame that is simulated, seconds: a slow frame must not breed slower ones. */
   frameTime: (seconds: number, longest: number): number => Math.min(seconds, longest),
 
+  /** Principal moments of an authored inertia: with a negative one a body gains energy at every touch. */
+  positive: (moments: readonly number[]): boolean => moments.every((moment) => moment > 0),
+
   /** Moments of a needle, lifted so that it can't spin up without bound. */
   leastMoment: (moment: number, least: number): number => Math.max(moment, least),
 

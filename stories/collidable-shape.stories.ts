@@ -26,6 +26,10 @@ const meta: Meta<Args> = {
           ${shape('iron', html`<box size="6 0.2 3"></box>`)}
           <x3d-rigid-body fixed></x3d-rigid-body>
         </transform>
+        <transform translation="4 0.5 0">
+          ${shape('iron', html`<box size="0.3 1 3"></box>`)}
+          <x3d-rigid-body fixed></x3d-rigid-body>
+        </transform>
         ${ground}
         <x3d-rigid-body-collection default></x3d-rigid-body-collection>
         <x3d-rigid-body position="-3 3.5 0" orientation="1 0 0 1.3">

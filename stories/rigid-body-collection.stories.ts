@@ -42,7 +42,7 @@ const meta: Meta<Args> = {
         ${ground}${planks}
         <transform translation="-4 1.6 0">
           ${shape('red', html`<sphere radius="0.4"></sphere>`)}
-          <x3d-rigid-body mass="3" linearVelocity="6 2 0"></x3d-rigid-body>
+          <x3d-rigid-body mass="3" linearVelocity="10 1 0"></x3d-rigid-body>
         </transform>
       `,
     ),

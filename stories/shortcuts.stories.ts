@@ -34,7 +34,7 @@ export const For: StoryObj = {
         <transform id="crate" translation="-0.3 3 0">
           ${shape('blue', html`<box size="1 1 1"></box>`)}
         </transform>
-        <transform id="barrel" translation="0.3 5 0" rotation="1 0 0 1.2">
+        <transform id="barrel" translation="0.3 5 0" rotation="0 0 1 0.4">
           ${shape('brass', html`<cylinder radius="0.5" height="1.2"></cylinder>`)}
         </transform>
         <x3d-rigid-body-collection default gravity="0 -9.8 0"></x3d-rigid-body-collection>

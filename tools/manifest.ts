@@ -1,5 +1,5 @@
-// npm run manifest: dist/custom-elements.json and editor data, from the field tables alone.
-import { mkdirSync, writeFileSync } from 'node:fs';
+// npm run manifest: dist/custom-elements.json, editor data and the types of properties, from the field tables alone.
+import { appendFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { codecs, nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
 
 const kebab = (name: string): string =>
@@ -29,7 +29,9 @@ const settable = (type: NodeType): [string, Field][] =>
   );
 
 function declaration(type: NodeType) {
-  const fields = Object.entries(type.fields as Record<string, Field>).filter(([, f]) => !holdsNodes(f));
+  const fields = Object.entries(type.fields as Record<string, Field>).filter(
+    ([, f]) => !holdsNodes(f),
+  );
   return {
     kind: 'class',
     customElement: true,
@@ -53,7 +55,13 @@ function declaration(type: NodeType) {
       description: describe(field),
       ...(field.access === 'outputOnly' ? { readonly: true } : {}),
     })),
-    events: [{ name: 'physicsproblem', type: { text: 'CustomEvent' }, description: 'Something the author should know.' }],
+    events: [
+      {
+        name: 'physicsproblem',
+        type: { text: 'CustomEvent' },
+        description: 'Something the author should know.',
+      },
+    ],
   };
 }
 
@@ -66,7 +74,11 @@ const manifest = {
     path: `elements/${tagOf(type)}.js`,
     declarations: [declaration(type)],
     exports: [
-      { kind: 'js', name: `X3D${type.name}Element`, declaration: { name: `X3D${type.name}Element` } },
+      {
+        kind: 'js',
+        name: `X3D${type.name}Element`,
+        declaration: { name: `X3D${type.name}Element` },
+      },
     ],
   })),
 };
@@ -79,12 +91,43 @@ const editorData = {
     attributes: settable(type).map(([name, field]) => ({
       name: attributeOf(name, field).toLowerCase(),
       description: describe(field),
-      ...(field.values ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) } : {}),
+      ...(field.values
+        ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) }
+        : {}),
     })),
   })),
 };
 
+/** What a property takes: its value, the X3D text, and for numbers any list of them. */
+const settableType = (field: Field): string => {
+  const type = scriptType(field);
+  if (type === 'string') return 'string';
+  return `${type === 'number[]' ? 'ArrayLike<number> | readonly ArrayLike<number>[]' : type} | string`;
+};
+
+function property(name: string, field: Field): string {
+  const comment = `    /** ${describe(field)} Default ${defaultOf(field) || 'none'}. */`;
+  const type = field.type === 'MFVec3f' ? 'number[][]' : scriptType(field);
+  if (field.access === 'outputOnly') return `${comment}\n    readonly ${name}: ${type};`;
+  return `${comment}\n    get ${name}(): ${type};\n    set ${name}(value: ${settableType(field)});`;
+}
+
+/** The properties that the element classes get from the tables at run time. */
+const propertyTypes = types
+  .map((type) => {
+    const properties = Object.entries(type.fields as Record<string, Field>)
+      .filter(([, field]) => !holdsNodes(field))
+      .map(([name, field]) => property(name, field));
+    return `declare module './${tagOf(type)}.js' {\n  interface X3D${type.name}Element {\n${properties.join('\n')}\n  }\n}`;
+  })
+  .join('\n\n');
+
 mkdirSync('dist', { recursive: true });
 writeFileSync('dist/custom-elements.json', JSON.stringify(manifest, null, 2));
 writeFileSync('dist/vscode.html-custom-data.json', JSON.stringify(editorData, null, 2));
+const INDEX = 'dist/types/elements/index.d.ts';
+if (existsSync(INDEX)) {
+  writeFileSync('dist/types/elements/properties.d.ts', `export {};\n\n${propertyTypes}\n`);
+  appendFileSync(INDEX, "import './properties.js';\n");
+}
 console.log(`${types.length} elements in dist/custom-elements.json`);

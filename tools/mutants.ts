@@ -62,6 +62,7 @@ const open: Partial<Record<keyof typeof guards, unknown>> = {
   inRange: () => true,
   finiteVector: () => true,
   finiteState: () => true,
+  positive: () => true,
 };
 
 /** The other guards limit their first argument. */

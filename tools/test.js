@@ -1,5 +1,5 @@
 // npm test: installs what is missing, checks, builds, runs all tests. Options:
-//   --only core|chromium|firefox|webkit   one stage (and neither type-check nor lint)
+//   --only core|mutants|chromium|firefox|webkit   one stage (and neither type-check nor lint)
 //   --files <glob>                        only these test files, e.g. 'test/browser/joints/*.test.ts'
 //   --no-build                            with dist/ as it is
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -61,6 +61,14 @@ async function coreTests(files) {
   return { ok, passed: count('pass'), failed: count('fail') + count('cancelled') };
 }
 
+/** Each mutant that no test notices counts as a failed test. */
+async function mutants() {
+  const { ok, output } = await runNode(['--import', 'tsx', 'tools/mutants.ts'], { quiet: true });
+  const [, killed, survived] = output.match(/(\d+) killed, (\d+) survived/) ?? [, 0, 1];
+  if (!ok) console.log(output);
+  return { ok, passed: Number(killed), failed: Number(survived) };
+}
+
 const browserTests = (config) => async (files) => {
   const report = join(temporary, `${config}.json`);
   const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...files], {
@@ -75,6 +83,7 @@ const browserTests = (config) => async (files) => {
 
 const STAGES = [
   { name: 'core', folder: 'core', missing: () => null, run: coreTests },
+  { name: 'mutants', folder: 'core', missing: () => null, run: mutants },
   {
     name: 'chromium',
     folder: 'browser',

@@ -39,7 +39,9 @@ export class Scene implements Driven {
   constructor(x3d: Element) {
     this.x3d = x3d;
     this.worlds.onmake = (world) => this.events.listen(world);
-    this.#view = new IntersectionObserver(([entry]) => this.#viewed(entry.isIntersecting));
+    this.#view = new IntersectionObserver((entries) =>
+      this.#viewed(entries.at(-1)!.isIntersecting),
+    );
     this.#view.observe(x3d);
     loop.add(this);
   }

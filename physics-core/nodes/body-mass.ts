@@ -39,18 +39,36 @@ const centered = (solid: PlacedSolid['solid']): PlacedSolid['solid'] => ({
   centroid: [0, 0, 0],
 });
 
-/** An authored tensor stands; else the density model or the shapes give it. */
-function tensorOf(body: BodyNode, mass: number, center: Vec3): Tensor {
-  if (!body.authored('inertia')) return inertiaAbout(solidsOf(body), mass, center);
+function authoredTensor(body: BodyNode): Tensor {
   const m = body.asked<number[]>('inertia');
   const both = (i: number, j: number): number => (m[i]! + m[j]!) / 2;
   return [m[0]!, m[4]!, m[8]!, both(1, 3), both(2, 6), both(5, 7)];
 }
 
+/** An authored tensor stands where a body can have it; else the density model or the shapes give one. */
+function authoredMoments(body: BodyNode): ReturnType<typeof principal> | undefined {
+  if (!body.authored('inertia')) return undefined;
+  const found = principal(authoredTensor(body));
+  if (guards.positive(found.moments)) {
+    body.world.settle(body, 'inertia', 'out-of-range');
+    return found;
+  }
+  body.report({
+    code: 'out-of-range',
+    severity: 'warning',
+    attribute: 'inertia',
+    value: body.asked('inertia'),
+    used: 'the inertia of its geometry',
+    message: `${body.label}: inertia has a principal moment of ${Math.min(...found.moments)} and must have three above zero; that of its geometry is used`,
+  });
+  return undefined;
+}
+
 export function massOf(body: BodyNode): MassProperties {
   const mass = body.asked<number>('mass') || 1;
   const center = [...body.asked<Vec3>('centerOfMass')] as Vec3;
-  const { moments, frame } = principal(tensorOf(body, mass, center));
+  const { moments, frame } =
+    authoredMoments(body) ?? principal(inertiaAbout(solidsOf(body), mass, center));
   const least = Math.max(...moments) * LEAST_MOMENT;
   return {
     mass,

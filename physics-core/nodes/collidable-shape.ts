@@ -49,7 +49,7 @@ export const collidableShape = defineNode<CollidableShapeNode>({
       default: [],
       nodes: [...geometryTypes],
       edit: 'live',
-      patch: changed,
+      patch: (collidable) => collidable.updateShape(),
       doc: 'The Shape whose geometry collides.',
     },
   },

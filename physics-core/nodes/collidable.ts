@@ -1,3 +1,4 @@
+import { guards } from '../guards.js';
 import { compose, identityPose, quaternionOf, type Pose } from '../math.js';
 import type { Rotation, Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
@@ -72,13 +73,41 @@ export abstract class CollidableNode extends PhysicsNode {
   }
 }
 
+/** All numbers of a geometry, of its lists and of its Coordinate. */
+const numbersOf = (value: unknown): number[] => {
+  if (typeof value === 'number') return [value];
+  return value && typeof value === 'object' ? Object.values(value).flatMap(numbersOf) : [];
+};
+
 export class CollidableShapeNode extends CollidableNode {
+  /** The geometries that may go to Bullet. */
+  #geometries: Geometry[] = [];
+
+  /** One number that is not finite would make the body's whole state so. */
+  updateShape(): void {
+    const shape = this.asked<Geometry | Geometry[] | null>('shape') ?? [];
+    const all = Array.isArray(shape) ? shape : [shape];
+    this.#geometries = all.filter((geometry) => guards.finiteVector(numbersOf(geometry)));
+    if (this.#geometries.length < all.length) this.#reportNumbers();
+    else this.world.settle(this, 'shape', 'bad-value');
+    this.changed();
+  }
+
+  #reportNumbers(): void {
+    this.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'shape',
+      used: 'nothing',
+      message: `${this.label}: a geometry has sizes or points that are not finite numbers; it does not collide`,
+    });
+  }
+
   /** Directly in a body it sits at the body's pose; inside an offset its own place counts. */
   parts(displaced = false): CollidablePart[] {
-    const shape = this.asked<Geometry | Geometry[] | null>('shape');
-    if (!shape || !this.asked<boolean>('enabled')) return [];
+    if (!this.asked<boolean>('enabled')) return [];
     const base = displaced ? this.place : identityPose();
-    return (Array.isArray(shape) ? shape : [shape]).map((geometry) => ({
+    return this.#geometries.map((geometry) => ({
       geometry,
       pose: compose(base, {
         p: geometry.translation ?? [0, 0, 0],

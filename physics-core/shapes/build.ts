@@ -135,7 +135,8 @@ export function buildShape(parts: PlacedGeometry[], workshop: Workshop): BtShape
     .map(({ geometry, pose }) => ({ shape: shapeOf(geometry, workshop), pose }))
     .filter((part): part is { shape: BtShape; pose: Pose } => part.shape !== undefined);
   if (shapes.length === 1 && isIdentity(shapes[0]!.pose)) return shapes[0]!.shape;
-  const compound = owner.own(new ammo.btCompoundShape(shapes.length > 8));
+  // With its tree of boxes: Bullet lets two compounds without one pass through each other.
+  const compound = owner.own(new ammo.btCompoundShape(true));
   for (const { shape, pose } of shapes)
     compound.addChildShape(scratch.transform(pose.p, pose.q), shape);
   return compound;

@@ -85,7 +85,8 @@ export class Pairs {
   }
 
   #reportLeftOut(body: BodyNode, collider: CollisionCollectionNode, listed: boolean): void {
-    if (listed || body.collidables.length === 0) {
+    // Before the collider itself is built nobody can be in it yet.
+    if (listed || !collider.built || body.collidables.length === 0) {
       this.#world.settle(body, undefined, 'not-in-collider');
       return;
     }

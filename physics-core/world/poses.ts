@@ -13,7 +13,7 @@ export class Poses {
   /** Slots to draw; the first `movedCount` count. */
   moved = new Int32Array(16);
   movedCount = 0;
-  /** Steps for which a slot is still to be drawn: 2 when it just moved, 1 when it stopped in the step before. */
+  /** What is still to be drawn of a slot: 2 when it just moved, 1 when it stands where it came to, 0 when that is drawn. */
   #dirty = new Uint8Array(16);
   readonly #free: number[] = [];
   #count = 0;
@@ -61,7 +61,7 @@ export class Poses {
   shift(): void {
     for (let slot = 0; slot < this.#count; slot++) {
       if (!this.#dirty[slot]) continue;
-      this.#dirty[slot]!--;
+      this.#dirty[slot] = 1;
       const at = slot * POSE;
       for (let i = at; i < at + POSE; i++) this.previous[i] = this.current[i]!;
     }
@@ -74,7 +74,7 @@ export class Poses {
       if (!this.#dirty[slot]) continue;
       this.#between(slot * POSE, fraction);
       this.moved[this.movedCount++] = slot;
-      if (fraction >= 1) this.#dirty[slot] = 0;
+      if (fraction >= 1 || this.#dirty[slot] === 1) this.#dirty[slot] = 0;
     }
   }
 

@@ -460,7 +460,8 @@ export class World {
     registry.beforeStep(timeStep);
     this.engine.contacts.listen(
       this.bullet.bullet,
-      registry.surface.active ? registry.surface : null,
+      // It writes into the heap, which only a known layout allows.
+      registry.surface.active && this.engine.heapTrusted ? registry.surface : null,
     );
     this.bullet.step(timeStep);
     const stepped = performance.now();

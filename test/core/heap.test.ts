@@ -76,31 +76,29 @@ fact('reading from the heap and through the API gives the same numbers', async (
   }
 });
 
-fact(
-  'with another memory layout the engine reads through the API, writes nothing, and moves as well',
-  async () => {
-    const { engine, heap } = await foreignEngine();
-    assert.equal(engine.heapTrusted, false);
-    assert.ok(engine.reader instanceof ApiReader);
-    const [far, near] = [new World(), await world()];
-    far.add('RigidBodyCollection', { rest: 'never' });
-    far.start(engine);
-    watch(far);
-    for (const w of [far, near]) {
-      scene(w);
-      w.add('CollisionCollection', { collidables: '*', bounce: 0 });
-      w.step(30);
-    }
-    const [a, b] = [far, near].map((w) => [...w.bodies].map(position));
-    a!.forEach((at, i) => close(at, b![i]!, 1e-5, 'm, before anything touches'));
-    far.step(200);
-    for (const body of far.bodies) assert.ok(position(body).every(Number.isFinite));
-    assert.ok(
-      heap.HEAP32.every((word) => word === 0),
-      'something was written where this build has something else',
-    );
-  },
-);
+fact('with another memory layout all goes through the API, and nothing is written', async () => {
+  const { engine, heap } = await foreignEngine();
+  assert.equal(engine.heapTrusted, false);
+  assert.ok(engine.reader instanceof ApiReader);
+  const far = new World();
+  far.add('RigidBodyCollection', { rest: 'never' });
+  far.start(engine);
+  watch(far);
+  // One after the other: Bullet has one contact callback, and a page one engine.
+  const runs = [far, await world()].map((w) => {
+    scene(w);
+    w.add('CollisionCollection', { collidables: '*' });
+    w.step(30);
+    const falling = [...w.bodies].map(position);
+    w.step(200);
+    for (const body of w.bodies) assert.ok(position(body).every(Number.isFinite));
+    assert.ok(w.stats.contacts > 0);
+    return falling;
+  });
+  runs[0]!.forEach((at, i) => close(at, runs[1]![i]!, 1e-5, 'm, before anything touches'));
+  const written = heap.HEAP32.filter((word) => word !== 0).length;
+  assert.equal(written, 0, 'words written where this build has something else');
+});
 
 fact('reads go on after the heap has grown and moved', async () => {
   const w = await world({ gravity: [0, 0, 0] });

@@ -131,6 +131,19 @@ fact('rests: a compound on its lowest part', async () => {
   close(await restHeight([sphere(0.3), offset]), 1.5, 2e-3, 'm');
 });
 
+fact('rests: a compound on a compound', async () => {
+  const w = await world();
+  const halves = [0.5, -0.5].map((y) => ({
+    type: 'CollidableOffset',
+    translation: [0, y, 0],
+    collidable: box(1),
+  }));
+  addBody(w, { fixed: true, position: [0, -1, 0], geometry: halves });
+  const upper = addBody(w, { position: [0, 3, 0], geometry: halves });
+  w.advance(3);
+  close(height(upper), 1, 2e-3, 'm');
+});
+
 fact('rests: a body on a fixed mesh as on the true surface', async () => {
   for (const [name, make] of Object.entries({ faces, indexedTriangles, triangles })) {
     const w = await world();

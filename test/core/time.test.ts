@@ -246,6 +246,37 @@ fact(
   },
 );
 
+fact('a frame whose steps take too long takes fewer and reports the time it drops', async () => {
+  const w = await world();
+  claim(w, 'lag');
+  addBody(w);
+  w.step();
+  let dropped = 0;
+  w.on('lag', (lag) => (dropped += (lag as { dropped: number }).dropped));
+  const { now } = performance;
+  let clock = 0;
+  performance.now = () => (clock += 15);
+  w.frame(0.1);
+  performance.now = now;
+  assert.ok(w.time < 0.05, `${w.time} s taken`);
+  close(w.time + dropped, 0.1 + 1 / 120, 1e-9, 's');
+});
+
+fact('a fixed body that jumps is drawn where it is, however many steps a frame takes', async () => {
+  for (const rate of [30, 60, 144]) {
+    const w = await world();
+    addBody(w, { position: [0, 50, 0] });
+    const post = addBody(w, { fixed: true, position: [1, 2, 3] });
+    w.frame(1 / rate);
+    close(drawn(w, post), [1, 2, 3], 1e-6, `m at ${rate} Hz`);
+    post.set('position', [9, 2, 3]);
+    w.frame(1 / rate);
+    close(drawn(w, post), [9, 2, 3], 1e-6, `m at ${rate} Hz, moved`);
+    for (let i = 0; i < 30; i++) w.frame(1 / rate);
+    assert.ok(![...w.poses.moved.slice(0, w.poses.movedCount)].includes(post.slot), 'drawn once');
+  }
+});
+
 fact('frames of zero, negative or no time advance nothing (S26)', async () => {
   const w = await world();
   const ball = addBody(w, { position: [0, 5, 0] });

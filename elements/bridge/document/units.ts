@@ -14,5 +14,3 @@ export function unitsOf(file: Document | Element): Units {
   }
   return units;
 }
-
-export const isSI = (units: Units): boolean => units.angle === 1 && units.length === 1;

@@ -66,9 +66,9 @@ export class GeometryReader {
   }
 
   #geometry(element: Element, scope: Scope): GeometryData | undefined {
+    this.#watch(element);
     const type = knownGeometry(lowerName(element));
     if (!type) return meshOf(element, scope.units.length);
-    this.#watch(element);
     const data: GeometryData = { type };
     for (const [name, field] of Object.entries(geometryFields[type])) {
       const text = attribute(element, name);

@@ -65,7 +65,11 @@ describe('KineticPendulum.x3d', () => {
     world.paused = true;
     const before = (world.node('_40')!.get('position') as number[]).slice();
     await drawn();
-    const balls = [...(event.detail.element as Element).ownerDocument.querySelectorAll('CollidableOffset > CollidableShape')];
+    const balls = [
+      ...(event.detail.element as Element).ownerDocument.querySelectorAll(
+        'CollidableOffset > CollidableShape',
+      ),
+    ];
     expect(drawnAt(balls[1])[1]).to.be.closeTo(-2, 0.05);
     expect(codes(world)).to.eql([]);
     world.advance(3);

@@ -48,6 +48,12 @@ describe('geometry', () => {
     const torus = await shapeOf('<shape><torus innerradius="0.2" outerradius="1"></torus></shape>');
     expect(torus.type).to.equal('Mesh');
     expect((torus.index as number[]).length).to.be.above(100);
+    const far = Math.max(...(torus.points as number[]));
+    document.querySelector('torus')!.setAttribute('outerradius', '3');
+    await wait(30);
+    const body = document.querySelector('#s')!;
+    const [wider] = worldOf(body)!.node(body)!.get('shape') as { points: number[] }[];
+    expect(Math.max(...wider.points)).to.be.above(1.5 * far);
   });
 
   it('takes the place and scale of the Transforms between', async () => {

@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { wait } from './scene.js';
+import { until, wait } from './scene.js';
 
 type World = ReturnType<typeof import('../../../elements/index.js').worldOf> & object;
 interface Physics {
@@ -44,8 +44,7 @@ describe('pages', () => {
     it(`${path}: the ball falls, and is drawn where it lies`, async () => {
       const page = await open(path);
       falls.push(await fall(page, page.X3DPhysics!));
-      await wait(100);
-      expect(drawn(named(page, 'shape'))).to.be.closeTo(0.5, 0.05);
+      await until(() => Math.abs(drawn(named(page, 'shape')) - 0.5) < 0.05);
     });
   }
 
@@ -92,10 +91,9 @@ describe('pages', () => {
     await world.ready;
     world.paused = true;
     world.advance(1);
-    await wait(100);
     const y = (world.node('ball')!.get('position') as number[])[1];
     expect(y).to.be.below(0);
-    expect(drawn(named(page, 'shape'))).to.be.closeTo(y, 1e-4);
+    await until(() => Math.abs(drawn(named(page, 'shape')) - y) < 1e-4);
     expect(drawn(named(page, 'follower'))).to.be.closeTo(y, 1e-4);
     expect(drawn(named(page, 'othershape'))).to.be.closeTo(y, 1e-4);
   });

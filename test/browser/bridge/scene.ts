@@ -1,3 +1,4 @@
+import '../console.js';
 import '../../../elements/index.js';
 import { worldOf } from '../../../elements/index.js';
 
@@ -37,4 +38,13 @@ export function drawnAt(element: Element): number[] {
 /** Long enough for what moved to be drawn. */
 export async function drawn(): Promise<void> {
   for (let i = 0; i < 3; i++) await nextFrame();
+}
+
+/** Waits for something that takes frames of a page that may be slow to draw. */
+export async function until(holds: () => boolean, milliseconds = 3000): Promise<void> {
+  const end = performance.now() + milliseconds;
+  while (!holds()) {
+    if (performance.now() > end) throw new Error(`not within ${milliseconds} ms: ${holds}`);
+    await nextFrame();
+  }
 }

@@ -15,7 +15,7 @@ import {
   type Body,
   type Sensor,
 } from '../helpers.js';
-import type { Row } from './rows.js';
+import { unsimulated, type Row } from './rows.js';
 
 /** A slab and a ball above it, each of one named collidable, and a collection of both. */
 async function pair(fields: Record<string, unknown> = {}, ball: Record<string, unknown> = {}) {
@@ -151,6 +151,12 @@ export const collectionRows: Row[] = [
       close(slide(w, body, [1, 0]), expected(0.5), 0.05, 'm, unset');
     },
   },
+  ...unsimulated('CollisionCollection', {
+    surfaceSpeed: [1, 0],
+    slipFactors: [0.1, 0.1],
+    softnessConstantForceMix: 0.01,
+    softnessErrorCorrection: 0.5,
+  }),
 ];
 
 async function watched() {

@@ -79,6 +79,53 @@ export const guardRows: Row[] = [
     },
   },
   {
+    guard: 'positive',
+    fact: 'an inertia that no body can have is not used: a struck body gains no energy',
+    run: async () => {
+      for (const inertia of [
+        [-1, 0, 0, 0, -1, 0, 0, 0, -1],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [1, 3, 0, 3, 1, 0, 0, 0, 1],
+      ]) {
+        const w = await world();
+        claim(w, 'out-of-range');
+        addFloor(w);
+        const stone = addBody(w, {
+          position: [0, 2, 0],
+          angularVelocity: [1, 2, 3],
+          geometry: [box(1)],
+          inertia,
+        });
+        w.advance(3);
+        close(height(stone), 0.5, 5e-3, 'm, at rest on a face');
+        close(spin(stone), [0, 0, 0], 0.05, 'rad/s');
+      }
+    },
+  },
+  {
+    guard: 'finiteVector',
+    fact: 'a geometry with numbers that are not finite never reaches Bullet (S14)',
+    run: async () => {
+      for (const geometry of [
+        box(NaN, 1, 1),
+        box(1, Infinity, 1),
+        { type: 'Sphere', radius: NaN },
+        { ...box(1), translation: [0, NaN, 0] },
+        { ...box(1), linear: [NaN, 0, 0, 0, 1, 0, 0, 0, 1] },
+        { type: 'TriangleSet', coord: { point: [0, 0, NaN, 1, 0, 0, 0, 1, 0] } },
+      ]) {
+        const w = await world();
+        claim(w, 'bad-value');
+        addFloor(w);
+        const bad = addBody(w, { position: [0, 2, 0], geometry: [box(1), geometry] });
+        w.advance(2);
+        // The other part of its shape goes on.
+        close(height(bad), 0.5, 2e-3, 'm');
+        assert.equal(bad.parked, false);
+      }
+    },
+  },
+  {
     guard: 'finiteState',
     fact: 'a body whose numbers break stands at its last good pose while its neighbours go on, until it is edited',
     run: async () => {

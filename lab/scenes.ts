@@ -1,0 +1,92 @@
+import type { PhysicsNode, World } from '../physics-core/index.js';
+
+/** A scene to measure. */
+export interface Scene {
+  name: string;
+  /** Fields of its RigidBodyCollection. */
+  fields?: Record<string, unknown>;
+  /** Seconds simulated before anything is measured. */
+  warmUp: number;
+  build(world: World): void;
+}
+
+const sphere = (radius: number) => ({ type: 'Sphere', radius });
+const box = (...size: number[]) => ({ type: 'Box', size });
+
+/** Scene 1 of the paper: eight balls on seven ball joints, the last twenty times as heavy. */
+function chain(world: World): void {
+  const d = Math.SQRT1_2;
+  let last: PhysicsNode | undefined;
+  for (let i = 0; i < 8; i++) {
+    const body = world.add('RigidBody', {
+      position: [i * d, -i * d, 0],
+      fixed: i === 0,
+      mass: i < 7 ? 0.1 : 2,
+      useGlobalGravity: i === 7,
+      geometry: [sphere(0.1)],
+    });
+    if (last)
+      world.add('BallJoint', {
+        body1: last,
+        body2: body,
+        anchorPoint: [(i - 1) * d, -(i - 1) * d, 0],
+      });
+    last = body;
+  }
+}
+
+/** Scene 3 of the paper without its motor: boxes heaped up in a room. */
+const pile =
+  (count: number) =>
+  (world: World): void => {
+    const wall = (position: number[], size: number[]) =>
+      world.add('RigidBody', { fixed: true, position, geometry: [box(...size)] });
+    wall([0, -0.5, 0], [12, 1, 12]);
+    for (const s of [-5.5, 5.5]) {
+      wall([s, 20, 0], [1, 40, 12]);
+      wall([0, 20, s], [12, 40, 1]);
+    }
+    let state = 1;
+    const random = () => (state = (state * 16807) % 2147483647) / 2147483647;
+    for (let i = 0; i < count; i++) {
+      const size = 0.5 + 0.5 * random();
+      world.add('RigidBody', {
+        position: [
+          1.2 * ((i % 7) - 3),
+          1 + 1.1 * Math.floor(i / 49),
+          1.2 * ((Math.floor(i / 7) % 7) - 3),
+        ],
+        mass: 8 * size ** 3,
+        geometry: [box(size, size, size)],
+      });
+    }
+  };
+
+/** Scene 4 of the paper: hinged pieces lying on the ground. */
+const hinges =
+  (count: number) =>
+  (world: World): void => {
+    world.add('RigidBody', { fixed: true, position: [0, -0.5, 0], geometry: [box(400, 1, 400)] });
+    let last: PhysicsNode | undefined;
+    for (let i = 0; i < count; i++) {
+      const body = world.add('RigidBody', {
+        position: [0.5 * i, 0.1, 0],
+        mass: 0.5,
+        geometry: [box(0.4, 0.2, 0.2)],
+      });
+      if (last)
+        world.add('SingleAxisHingeJoint', {
+          body1: last,
+          body2: body,
+          axis: [0, 1, 0],
+          anchorPoint: [0.5 * i - 0.25, 0.1, 0],
+        });
+      last = body;
+    }
+  };
+
+export const scenes: readonly Scene[] = [
+  { name: 'chain of 8', warmUp: 0.1, build: chain },
+  { name: 'pile of 500', warmUp: 2, build: pile(500) },
+  { name: 'row of 200 hinges', warmUp: 1, build: hinges(200) },
+];
