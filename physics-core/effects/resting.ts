@@ -7,7 +7,7 @@ import { Effect } from './effect.js';
  * When nobody wrote autoDisable: below these for this long, and not drifting meanwhile, an island may sleep unseen.
  * The drift bound keeps a slow slide awake, which the speeds alone would freeze.
  */
-const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 5e-5 };
+const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
 
 /** Islands are looked at this often, seconds of simulated time. */
 const LOOK = 0.25;

@@ -13,6 +13,8 @@ export interface SolverSettings {
   solverMode: number;
   /** Depth (metres, negative) above which contacts correct position without adding velocity. */
   splitImpulseThreshold: number;
+  /** Share of a shallow overlap that contacts repair per step, by velocity. */
+  contactErrorReduction: number;
   /** Depth that resting contacts keep, metres. */
   linearSlop: number;
 }
@@ -50,6 +52,7 @@ export class BulletWorld {
     ammo.HEAP32[(this.#solver + SOLVER.mode) >> 2] = settings.solverMode;
     ammo.HEAPF32[(this.#solver + SOLVER.splitImpulseThreshold) >> 2] =
       settings.splitImpulseThreshold;
+    ammo.HEAPF32[(this.#solver + SOLVER.errorReduction) >> 2] = settings.contactErrorReduction;
     ammo.HEAPF32[(this.#solver + SOLVER.linearSlop) >> 2] = settings.linearSlop;
   }
 
