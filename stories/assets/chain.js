@@ -4,9 +4,9 @@ import { grow } from './grow.js';
 /** Metres from link to link. */
 const PITCH = 0.5;
 /** Metres from one round of the spiral to the next. */
-const ROUND = 0.8;
+const ROUND = 1;
 /** Sideways speed of a new link, m/s: enough to see it slide, too little to reach the next round of the spiral. */
-const SPEED = 0.5;
+const SPEED = 0.3;
 
 /** Where a chain of `n` links lies on Archimedes' spiral: its radius there. */
 const radius = (n) => Math.sqrt((n * PITCH * ROUND) / Math.PI + 1);
