@@ -1,10 +1,11 @@
 import { loadEngine } from './engine/engine.js';
-import { World, type WorldOptions } from './world/world.js';
+import type { WorldOptions } from './world/types.js';
+import { World } from './world/world.js';
 
 export { loadEngine } from './engine/engine.js';
 export type { Engine } from './engine/engine.js';
 export { World } from './world/world.js';
-export type { AddOptions, Stats, WorldOptions } from './world/world.js';
+export type { AddOptions, Stats, WorldOptions } from './world/types.js';
 export { PhysicsNode } from './nodes/node.js';
 export { nodeTypes } from './nodes/index.js';
 export type { Field, NodeType } from './nodes/table.js';

@@ -54,8 +54,24 @@ class Page implements Listener {
     return true;
   }
 
-  /** x3dom-full.js brings a physics engine of its own. */
+  /** x3dom-full.js brings a physics engine of its own; said once. */
   #otherPhysics = false;
+
+  #reportOtherPhysics(world: PageWorld, x3d: Element): void {
+    if (!this.#otherPhysics) return;
+    this.#otherPhysics = false;
+    world.report(
+      {
+        code: 'two-physics-engines',
+        severity: 'warning',
+        value: 'x3dom-full.js',
+        used: 'x3d-physics',
+        message:
+          'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
+      },
+      x3d,
+    );
+  }
 
   // ---- the x3d elements -----------------------------------------------------------------------------------------
 
@@ -115,7 +131,11 @@ class Page implements Listener {
     const scene = new Scene(x3d);
     const start = new Start(scene, this.#settledInlines);
     this.#scenes.set(x3d, { scene, start });
-    if (this.#otherPhysics && hasPhysics(x3d)) reportOtherPhysics(scene);
+    const made = scene.worlds.onmake;
+    scene.worlds.onmake = (world) => {
+      made(world);
+      world.on('ready', () => this.#reportOtherPhysics(world, x3d));
+    };
     return scene;
   }
 
@@ -155,7 +175,9 @@ class Page implements Listener {
 
   inlineSettled(inline: Element, loaded: boolean): void {
     this.#settledInlines.add(inline);
-    if (loaded) this.sceneOf(inline)?.addInline(inline);
+    const scene = loaded ? this.sceneOf(inline) : undefined;
+    // A file may be there before the page around it has been looked at.
+    if (scene?.readPage()) scene.addInline(inline);
   }
 
   // ---- what users ask -------------------------------------------------------------------------------------------
@@ -189,19 +211,6 @@ class Page implements Listener {
   }
 }
 
-function reportOtherPhysics(scene: Scene): void {
-  scene.worlds.default.report(
-    {
-      code: 'two-physics-engines',
-      severity: 'warning',
-      value: 'x3dom-full.js',
-      used: 'x3d-physics',
-      message: 'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
-    },
-    scene.x3d,
-  );
-}
-
 /**
  * x3dom rewrites its progress text in each frame, and the page would then lay out the thousands of tags under it:
  * 17 ms per frame at 1000 bodies.
@@ -212,4 +221,8 @@ function hideSceneTags(): void {
   (document.head ?? document.documentElement).append(style);
 }
 
-export const page = new Page();
+/** All copies of the library on a page, say the module and a classic script, work through the first one's. */
+const KEY = Symbol.for('x3d-physics');
+const shared = document as unknown as { [KEY]?: Page };
+
+export const page = (shared[KEY] ??= new Page());

@@ -23,6 +23,8 @@ export interface SolverSettings {
 export class BulletWorld {
   readonly engine: Engine;
   readonly bullet: Ammo['btDiscreteDynamicsWorld']['prototype'];
+  /** An immovable body that joints with one body hold on to; it stands in no world. */
+  readonly ground: BtBody;
   readonly #owner: Owner;
   readonly #dispatcher: Ammo['btCollisionDispatcher']['prototype'];
   readonly #solver: number;
@@ -39,10 +41,20 @@ export class BulletWorld {
     this.bullet = this.#owner.own(
       new ammo.btDiscreteDynamicsWorld(this.#dispatcher, broadphase, solver, configuration),
     );
+    this.ground = this.#makeGround();
     // Every body carries its own collection's gravity.
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
     this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
+  }
+
+  #makeGround(): BtBody {
+    const { ammo, scratch } = this.engine;
+    const own = this.#owner;
+    const shape = own.own(new ammo.btSphereShape(1));
+    const nothing = scratch.vector(0, 0, 0);
+    const info = own.own(new ammo.btRigidBodyConstructionInfo(0, null as never, shape, nothing));
+    return own.own(new ammo.btRigidBody(info));
   }
 
   configure(settings: SolverSettings): void {

@@ -7,7 +7,6 @@ import {
   compose,
   cross,
   identityPose,
-  invert,
   length,
   quaternionOf,
   rotate,
@@ -16,10 +15,11 @@ import {
   type Pose,
 } from '../math.js';
 import { guards } from '../guards.js';
-import { buildShape, type ShapeNote } from '../shapes/build.js';
+import type { BtShape } from '../shapes/build.js';
 import { DEFAULT_FRICTION } from '../world/pairs.js';
 import { POSE } from '../world/poses.js';
 import { massOf, type MassProperties } from './body-mass.js';
+import { shapeOf } from './body-shape.js';
 import type { CollidableNode, CollidablePart } from './collidable.js';
 import type { CollectionNode } from './rigid-body-collection.js';
 import type { JointNode } from './joint.js';
@@ -133,49 +133,9 @@ export class BodyNode extends PhysicsNode {
     return !this.asked<boolean>('fixed') && this.asked<number>('mass') > 0;
   }
 
-  #makeShape() {
-    const { ammo, scratch } = this.world.engine;
-    const toCenter = invert(this.centerOfMass);
-    const parts = this.parts.map(({ geometry, pose }) => ({
-      geometry,
-      pose: compose(toCenter, pose),
-    }));
-    const notes = new Set<ShapeNote>();
+  #makeShape(): BtShape {
     this.#shapeMoving = this.movable;
-    const shape = buildShape(parts, {
-      ammo,
-      scratch,
-      owner: this.#shapeOwner,
-      moving: this.#shapeMoving,
-      note: (note) => notes.add(note),
-    });
-    this.#reportShape(notes);
-    if (notes.has('mesh')) this.world.registry.meshes.need(this, 'geometry');
-    else this.world.registry.meshes.drop(this);
-    return shape;
-  }
-
-  #reportShape(notes: Set<ShapeNote>): void {
-    for (const code of ['concave-dynamic', 'zero-volume'])
-      this.world.settle(this, 'geometry', code);
-    if (notes.has('concave-dynamic')) {
-      this.report({
-        code: 'concave-dynamic',
-        severity: 'info',
-        attribute: 'geometry',
-        used: 'convex hull',
-        message: `${this.label}: a moving body can't collide as a hollow mesh; its convex hull is used`,
-      });
-    }
-    if (notes.has('zero-volume')) {
-      this.report({
-        code: 'zero-volume',
-        severity: 'warning',
-        attribute: 'geometry',
-        used: 'least thickness',
-        message: `${this.label}: a geometry without volume (a size of zero, no points or faces) hardly collides; the least thickness is used`,
-      });
-    }
+    return shapeOf(this, this.#shapeOwner);
   }
 
   /** New geometry or a new centre of mass: another shape for the same btRigidBody; pose and velocity stay. */

@@ -239,7 +239,7 @@ export abstract class JointNode extends PhysicsNode {
     const inCentre = ({ body, frame }: (typeof ends)[0]): Pose =>
       body ? compose(invert(body.centerOfMass), frame) : frame;
     const [frameA, frameB] = [inCentre(a), inCentre(b)];
-    const bullet = (body: BodyNode | undefined) => body?.body ?? this.world.ground;
+    const bullet = (body: BodyNode | undefined) => body?.body ?? this.world.bullet.ground;
     return new engine.ammo.btGeneric6DofConstraint(
       bullet(a.body),
       bullet(b.body),

@@ -1,9 +1,7 @@
 import {
-  ACCURATE_LEVEL,
   DEFAULT_LEVEL,
   levelNamed,
   levels,
-  perStep,
   type Level,
   type LevelName,
 } from '../accuracy/levels.js';
@@ -12,11 +10,7 @@ import { EffectRegistry, type EffectReport } from '../effects/registry.js';
 import { Emitter, type Listener } from '../emitter.js';
 import { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
-import type { BtBody } from '../engine/heap.js';
-import { SOLVER_MODE } from '../engine/offsets.js';
-import { Owner } from '../engine/owner.js';
 import type { Vec3 } from '../fields/types.js';
-import type { Pose } from '../math.js';
 import { nodeTypes } from '../nodes/index.js';
 import { BodyNode } from '../nodes/body.js';
 import { JointNode } from '../nodes/joint.js';
@@ -24,51 +18,11 @@ import { PhysicsNode, type NodeData } from '../nodes/node.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 import { ProblemLog, type Problem, type ProblemReport } from '../problems.js';
 import { Bodies } from './bodies.js';
+import { Edits, RANKS } from './edits.js';
 import { Pairs } from './pairs.js';
 import { Poses } from './poses.js';
-
-export interface WorldOptions {
-  /** Log each problem once to the console. */
-  console?: boolean;
-  /** Bytes the wasm heap may take. */
-  maxHeapBytes?: number;
-}
-
-export interface AddOptions {
-  /** What stands for the node outside: its element. */
-  host?: unknown;
-  /** Its DEF or id. */
-  name?: string | undefined;
-  /** The RigidBodyCollection it belongs to, where the world has several. */
-  collection?: PhysicsNode | undefined;
-  /** Where a body starts whose author gave no position or orientation. */
-  start?: Pose | undefined;
-}
-
-export interface Stats {
-  bodies: number;
-  awake: number;
-  joints: number;
-  contacts: number;
-  /** Objects made, edits applied without making anything, objects unmade, since the world began. */
-  created: number;
-  patched: number;
-  destroyed: number;
-  heapBytes: number;
-  /** Milliseconds of the last frame. */
-  ms: { step: number; read: number; write: number; events: number };
-}
-
-/** What joints need to know of the solver. */
-export interface Solver {
-  /** Share of a joint's error repaired per step. */
-  errorCorrection: number;
-  constantForceMix: number;
-  stepSeconds: number;
-}
-
-/** Nodes are made and patched in this order: collections, collidables, bodies, joints, collision collections, sensors. */
-const RANKS = 6;
+import { jointSettings, levelOf, solverSettings, type JointSettings } from './solver-settings.js';
+import type { AddOptions, Stats, WorldOptions } from './types.js';
 
 /** Wall time that the steps of one frame may take, milliseconds; what is left over is dropped and reported. */
 const FRAME_BUDGET = 50;
@@ -77,23 +31,11 @@ const FRAME_BUDGET = 50;
 const HEAP_LOW = 0.9;
 const DEFAULT_HEAP = 512 * 2 ** 20;
 
-/** Bullet corrects overlaps deeper than this without adding velocity: best for stacks and plastic hits alike (numerics 4.5). */
-const SPLIT_THRESHOLD = -0.005;
-
-/**
- * A stack buzzes where resting contacts push all of their overlap apart at once. Left 0.1 mm deep and repaired at this
- * share per 1/60 s, six boxes come to rest (0.1 m/s before, 2e-4 m/s after) and 20 stand as they did (measured).
- */
-const CONTACT_DEPTH = 1e-4;
-const CONTACT_CORRECTION = 0.19;
-
 /** A world of X3D nodes on a Bullet world. It exists before the engine does; `start` builds what was added so far. */
 export class World {
   readonly ready: Promise<World>;
   engine!: Engine;
   bullet!: BulletWorld;
-  /** An immovable body that joints with one body hold on to. */
-  ground!: BtBody;
   readonly poses = new Poses();
   readonly bodies: Bodies = new Bodies(this, this.poses);
   readonly pairs: Pairs = new Pairs(this);
@@ -107,19 +49,14 @@ export class World {
 
   #paused = false;
   #level: Level = levelNamed(DEFAULT_LEVEL);
-  #solver: Solver = {
-    errorCorrection: this.#level.errorCorrection,
-    constantForceMix: 0,
-    stepSeconds: this.#level.timeStep,
-  };
+  #solver!: JointSettings;
   #enabled = true;
-  #owner!: Owner;
   #nextId = 1;
-  #maxHeapBytes: number;
+  readonly #maxHeapBytes: number;
   readonly #nodes = new Set<PhysicsNode>();
   readonly #collections = new Set<CollectionNode>();
   readonly #defaults: CollectionNode;
-  readonly #queues: Set<PhysicsNode>[] = Array.from({ length: RANKS }, () => new Set());
+  readonly #edits = new Edits();
   readonly #clock = new Clock();
   readonly #problems: ProblemLog;
   readonly #emitter = new Emitter();
@@ -198,7 +135,7 @@ export class World {
   forget(node: PhysicsNode): void {
     this.#nodes.delete(node);
     this.#collections.delete(node as CollectionNode);
-    this.#queues[node.type.rank]!.delete(node);
+    this.#edits.drop(node);
     this.#problems.settle(node.host);
   }
 
@@ -226,7 +163,7 @@ export class World {
 
   enqueue(node: PhysicsNode): void {
     if (node === this.#defaults) return;
-    this.#queues[node.type.rank]!.add(node);
+    this.#edits.add(node);
     this.work();
   }
 
@@ -234,35 +171,27 @@ export class World {
     this.onwork?.();
   }
 
-  /** Applies pending edits. An edit may cause others (a body's shape by its collidable), so it goes round. */
+  /** Applies pending edits. */
   flush(): void {
-    if (!this.started) return;
-    for (let rank = 0; rank < RANKS;) {
-      const queue = this.#queues[rank]!;
-      const next = queue.values().next().value;
-      if (!next) {
-        rank++;
-        continue;
-      }
-      queue.delete(next);
-      this.#apply(next);
-      rank = this.#firstPending(rank);
-    }
+    if (this.started) this.#edits.applyAll(this.#apply);
   }
 
-  #firstPending(rank: number): number {
-    for (let r = 0; r < rank; r++) if (this.#queues[r]!.size > 0) return r;
-    return rank;
-  }
-
-  #apply(node: PhysicsNode): void {
+  readonly #apply = (node: PhysicsNode): void => {
     try {
-      if (!node.built && this.engine.heapBytes > this.#maxHeapBytes)
+      if (!node.built && this.engine.heapBytes > this.#heapLimit)
         throw new Error('the heap limit is reached');
       node.apply();
     } catch (error) {
       this.#exhausted(node, error);
     }
+  };
+
+  /** Bytes that the wasm heap may take. */
+  get #heapLimit(): number {
+    const { settings } = this;
+    return settings.authored('heapLimit')
+      ? settings.asked<number>('heapLimit') * 2 ** 20
+      : this.#maxHeapBytes;
   }
 
   /** The heap is full, or Bullet gave up: the addition is undone and the world pauses; the page lives. */
@@ -277,10 +206,6 @@ export class World {
       },
       node,
     );
-  }
-
-  get #pending(): boolean {
-    return this.#queues.some((queue) => queue.size > 0);
   }
 
   // ---- start, reset, end ------------------------------------------------------------------------------------------
@@ -303,8 +228,6 @@ export class World {
 
   #build(): void {
     this.bullet = new BulletWorld(this.engine);
-    this.#owner = new Owner(this.engine.ammo);
-    this.ground = this.#makeGround();
     this.started = true;
     if (!this.engine.heapTrusted) this.#reportUnknownBuild();
     this.configure();
@@ -318,15 +241,6 @@ export class World {
       message:
         "the memory of this Ammo build is laid out in another way: the parameters of CollisionCollections, the level's solver settings and rest are left out",
     });
-  }
-
-  #makeGround(): BtBody {
-    const { ammo, scratch } = this.engine;
-    const shape = this.#owner.own(new ammo.btSphereShape(1));
-    const info = this.#owner.own(
-      new ammo.btRigidBodyConstructionInfo(0, null as never, shape, scratch.vector(0, 0, 0)),
-    );
-    return this.#owner.own(new ammo.btRigidBody(info));
   }
 
   /** Back to what the markup says, at time 0. The next n steps are the first n steps, bit for bit. */
@@ -348,7 +262,6 @@ export class World {
     for (let rank = RANKS - 1; rank >= 0; rank--) {
       for (const node of nodes) if (node.type.rank === rank) node.unmake();
     }
-    this.#owner.dispose();
     this.bullet.dispose();
     this.started = false;
   }
@@ -381,22 +294,16 @@ export class World {
     return this.#level.timeStep;
   }
 
-  get solver(): Solver {
+  get solver(): JointSettings {
     return this.#solver;
   }
 
-  /** Takes the settings of the first collection into Bullet: authored field > authored level > preferAccuracy > standard. */
+  /** Takes the settings of the first collection into Bullet. */
   configure(): void {
     if (!this.started) return;
     const { settings } = this;
-    const named = settings.asked<string>('accuracy') as LevelName | '';
-    this.#level = levelNamed(
-      named || (settings.asked<boolean>('preferAccuracy') ? ACCURATE_LEVEL : DEFAULT_LEVEL),
-    );
+    this.#level = levelOf(settings);
     this.#enabled = settings.asked('enabled');
-    this.#maxHeapBytes = settings.authored('heapLimit')
-      ? settings.asked<number>('heapLimit') * 2 ** 20
-      : this.#maxHeapBytes;
     this.configureSolver();
     for (const collection of this.#collections) collection.compareWith(settings);
     for (const node of this.#nodes) if (node instanceof JointNode) node.updateCorrection();
@@ -406,27 +313,8 @@ export class World {
   /** What Bullet's solver works with now. */
   configureSolver(): void {
     const { settings } = this;
-    const level = this.#level;
-    const authored = <T>(field: string, otherwise: T): T =>
-      settings.authored(field) ? settings.asked<T>(field) : otherwise;
-    const stepSeconds = level.timeStep;
-    this.#solver = {
-      errorCorrection: settings.authored('errorCorrection')
-        ? perStep(settings.asked('errorCorrection'), stepSeconds)
-        : level.errorCorrection,
-      constantForceMix: authored('constantForceMix', 0),
-      stepSeconds,
-    };
-    this.bullet.configure({
-      iterations: Math.max(1, authored('iterations', level.iterations)),
-      solverMode:
-        SOLVER_MODE.warmstart |
-        SOLVER_MODE.simd |
-        (level.twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0),
-      splitImpulseThreshold: this.registry.surface.anyBounce ? 0 : SPLIT_THRESHOLD,
-      contactErrorReduction: perStep(CONTACT_CORRECTION, stepSeconds),
-      linearSlop: Math.max(CONTACT_DEPTH, settings.asked<number>('contactSurfaceThickness')),
-    });
+    this.#solver = jointSettings(settings, this.#level);
+    this.bullet.configure(solverSettings(settings, this.#level, this.registry.surface.anyBounce));
   }
 
   // ---- time -----------------------------------------------------------------------------------------------------
@@ -531,12 +419,12 @@ export class World {
   }
 
   #watchHeap(): void {
-    if (this.engine.heapBytes < this.#maxHeapBytes * HEAP_LOW) return;
+    if (this.engine.heapBytes < this.#heapLimit * HEAP_LOW) return;
     this.report({
       code: 'heap-low',
       severity: 'warning',
       value: this.engine.heapBytes,
-      message: `the wasm heap has taken ${Math.round(this.engine.heapBytes / 2 ** 20)} MB of the ${Math.round(this.#maxHeapBytes / 2 ** 20)} MB it may`,
+      message: `the wasm heap has taken ${Math.round(this.engine.heapBytes / 2 ** 20)} MB of the ${Math.round(this.#heapLimit / 2 ** 20)} MB it may`,
     });
   }
 
@@ -551,7 +439,7 @@ export class World {
 
   /** Whether the next frame has anything to do. */
   get needsFrame(): boolean {
-    return this.started && (this.#moving || this.#pending);
+    return this.started && (this.#moving || this.#edits.pending);
   }
 
   // ---- what bodies ask of it --------------------------------------------------------------------------------------

@@ -32,8 +32,8 @@ async function load(this: Mocha.Context, file: string): Promise<Content> {
 /** The world of the Inline's own RigidBodyCollection, as soon as the file is there. */
 async function collectionWorld(inline: Element): Promise<World> {
   for (let tries = 0; tries < 500; tries++) {
-    const root = (inline as unknown as { _x3domNode?: { _childNodes: { _xmlNode: Element }[] } })._x3domNode
-      ?._childNodes[0]?._xmlNode;
+    const root = (inline as unknown as { _x3domNode?: { _childNodes: { _xmlNode: Element }[] } })
+      ._x3domNode?._childNodes[0]?._xmlNode;
     const collection = root?.getElementsByTagName('RigidBodyCollection')[0];
     const world = collection && worldOf(collection);
     if (world) return world.ready;
@@ -42,7 +42,8 @@ async function collectionWorld(inline: Element): Promise<World> {
   throw new Error('the Inline did not load');
 }
 
-const position = (world: World, name: string): Numbers => world.node(name)!.get('position') as Numbers;
+const position = (world: World, name: string): Numbers =>
+  world.node(name)!.get('position') as Numbers;
 const speed = (world: World, name: string): number =>
   Math.hypot(...(world.node(name)!.get('linearVelocity') as Numbers));
 const joints = (world: World, type: string): Joint[] =>
@@ -93,10 +94,9 @@ describe('X3D content written for other browsers', () => {
     // The floor is 1 m thick about the origin, the box 1 m.
     expect(position(world, 'Faller')[1]).to.be.closeTo(1, 0.005);
     expect(sensor.get('isActive')).to.equal(true);
-    expect((sensor.get('intersections') as { name: string }[]).map(({ name }) => name).sort()).to.deep.equal([
-      'FallColl',
-      'FloorColl',
-    ]);
+    expect(
+      (sensor.get('intersections') as { name: string }[]).map(({ name }) => name).sort(),
+    ).to.deep.equal(['FallColl', 'FloorColl']);
     expect(heard[0]).to.equal(true);
     expect(inline.isConnected).to.equal(true);
   });

@@ -47,6 +47,7 @@ export class Binding {
   #waiting = new Map<string, string>();
   /** What was reported while its node was planned: taken back when the next plan does not find it again. */
   #found = new Map<string, Report>();
+  #told = this.#found;
   #planning = false;
 
   constructor(element: Element, type: NodeType) {
@@ -198,21 +199,31 @@ export class Binding {
     return this.#waiting;
   }
 
-  /** Reads anew what its node is to be; whatever `read` reports holds until the next time. */
+  /** Reads anew what its node is to be; what that finds wrong is told by `tellFound`. */
   plan<T>(read: () => T): T {
-    const before = this.#found;
     this.forgetTies();
     this.#waiting = new Map();
+    this.#told = this.#found;
     this.#found = new Map();
     this.#planning = true;
     try {
       return read();
     } finally {
       this.#planning = false;
-      for (const report of this.#found.values()) this.problem(report);
-      for (const [key, { code, attribute: name }] of before)
-        if (!this.#found.has(key)) this.settle(code, name);
     }
+  }
+
+  /** Reports what the plan found and takes back what it no longer found, once its node is as planned. */
+  tellFound(): void {
+    for (const report of this.#found.values()) this.problem(report);
+    for (const [key, { code, attribute: name }] of this.#told)
+      if (!this.#found.has(key)) this.settle(code, name);
+    this.#told = this.#found;
+  }
+
+  /** Whether the markup as last read has this problem, whatever its node says of the field. */
+  found(code: string, attributeName: string | undefined): boolean {
+    return this.#found.has(`${code} ${attributeName}`);
   }
 
   get label(): string {

@@ -105,8 +105,9 @@ export class Updates {
       if (moving) this.#redraw.add(moving);
       this.#reviveUses(element, scope);
       if (isPhysics(element)) this.#reviveRoutes(element, scope);
-      // Only now the units of its file are known.
-      const binding = isPhysics(element) ? ownBinding(element) : undefined;
+      // Only now the units of its file are known. What stands for another by USE has that one's x3dom node.
+      const binding =
+        isPhysics(element) && !attribute(element, 'USE') ? ownBinding(element) : undefined;
       if (binding) this.#scene.valueChanged(binding);
     }
   }
@@ -189,6 +190,7 @@ export class Updates {
     const plan = binding.plan(() => this.#plan(binding));
     if (plan) this.#writer.apply(binding, plan, world);
     else this.#writer.remove(binding);
+    binding.tellFound();
     if (binding.node !== node || binding.is('CollidableShape', 'CollidableOffset'))
       this.#tellUsers(binding);
     if (world !== binding.world && binding.is('RigidBodyCollection'))
@@ -219,9 +221,10 @@ export class Updates {
     this.#tellUsers(binding);
     this.#writer.remove(binding);
     this.#scene.stopDriving(binding);
+    binding.plan(() => {});
+    binding.tellFound();
     this.#scene.settle(binding);
     binding.world?.collections.delete(binding);
-    binding.forgetTies();
     binding.scope = null;
     binding.world = null;
   }

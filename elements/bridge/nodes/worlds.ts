@@ -1,5 +1,5 @@
 import { World, type PhysicsNode } from '../../../physics-core/index.js';
-import type { Binding } from './binding.js';
+import { ownBinding, type Binding } from './binding.js';
 import { attribute, precedes } from '../document/dom.js';
 import type { Scene } from '../scene.js';
 import { setState } from '../states.js';
@@ -29,11 +29,16 @@ export class PageWorld extends World {
     return seconds;
   }
 
+  /** A field with a value that the core can use may still have a problem in the markup: that stands. */
   override settle(about: unknown, attributeName?: string, code?: string): void {
-    super.settle(about, attributeName, code);
     const element = about instanceof Element ? about : (about as { host?: unknown }).host;
-    if (element instanceof Element && this.problemsOf(element).length === 0)
-      setState(element, 'problem', false);
+    if (!(element instanceof Element)) return super.settle(about, attributeName, code);
+    for (const problem of this.problemsOf(element)) {
+      if (attributeName && problem.attribute !== attributeName) continue;
+      if (!code && ownBinding(element)?.found(problem.code, problem.attribute)) continue;
+      if (!code || problem.code === code) super.settle(element, problem.attribute, problem.code);
+    }
+    if (this.problemsOf(element).length === 0) setState(element, 'problem', false);
   }
 
   /** By name, or by an element, also one that only stands for another by USE. */

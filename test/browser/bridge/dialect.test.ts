@@ -1,4 +1,5 @@
 import { expect } from 'chai';
+import { claim } from '../console.js';
 import { drawn, drawnAt, nextFrame, place, show } from './scene.js';
 import { worldOf } from '../../../elements/index.js';
 
@@ -23,6 +24,7 @@ const older = `
 
 describe("X3DOM's older dialect", () => {
   it('a Transform named by USE is what moves, and starts where its collidable stands', async () => {
+    claim('zero-mass');
     const { x3d, world } = await show(older.replace(/<BallJoint[^]*<\/BallJoint>/, ''));
     world.paused = true;
     await nextFrame();
@@ -38,6 +40,7 @@ describe("X3DOM's older dialect", () => {
   });
 
   it('zero mass pins, and a joint names its body by a collidable', async () => {
+    claim('zero-mass');
     const { world } = await show(older);
     world.paused = true;
     world.advance(1);
@@ -47,6 +50,7 @@ describe("X3DOM's older dialect", () => {
   });
 
   it('nothing is drawn twice', async () => {
+    claim('zero-mass');
     const { x3d } = await show(older);
     const node = (
       x3d.querySelector('[def=link]') as unknown as { _x3domNode: { _parentNodes: unknown[] } }

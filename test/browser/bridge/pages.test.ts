@@ -1,35 +1,28 @@
 import { expect } from 'chai';
+import { addScript, named, open, worldIn, type PageWindow } from '../page.js';
 import { until, wait } from './scene.js';
 
-type World = ReturnType<typeof import('../../../elements/index.js').worldOf> & object;
-interface Physics {
-  worldOf(element: Element): World;
-}
-type PageWindow = Window & { X3DPhysics?: Physics; eval(text: string): unknown };
-
-async function open(path: string): Promise<PageWindow> {
-  const frame = document.createElement('iframe');
-  frame.width = '400';
-  frame.height = '300';
-  frame.src = `/test/pages/${path}`;
-  document.body.replaceChildren(frame);
-  await new Promise((resolve) => frame.addEventListener('load', resolve, { once: true }));
-  return frame.contentWindow as PageWindow;
+/** The world of the file that a page's Inline brings. */
+async function worldOfInline(page: PageWindow, inline: Element) {
+  const content = (): Element | undefined =>
+    (inline as unknown as { _x3domNode?: { _childNodes: { _xmlNode: Element }[] } })._x3domNode
+      ?._childNodes[0]?._xmlNode;
+  await until(() => content() !== undefined);
+  return page.X3DPhysics!.worldOf(content()!.querySelector('RigidBody')!)!.ready;
 }
 
-const named = (page: Window, name: string): Element =>
-  [...page.document.querySelectorAll('*')].find(
-    (element) => Element.prototype.getAttribute.call(element, 'DEF') === name,
-  )!;
-
-async function fall(page: PageWindow, physics: Physics): Promise<string> {
-  const world = physics.worldOf(named(page, 'ball'));
-  await world.ready;
+/** All numbers of the ball after 200 steps, and how high its collidable is drawn. */
+async function fall(page: PageWindow): Promise<string> {
+  const inline = page.document.querySelector('inline[url="ball.x3d"]');
+  const world = await (inline ? worldOfInline(page, inline) : worldIn(page));
   world.paused = true;
   world.reset();
   world.step(200);
-  const body = world.node('ball')!;
-  return JSON.stringify([body.get('position'), body.get('orientation')]);
+  const ball = world.node('ball')!;
+  const shape = world.node('shape')!.host as Element;
+  await until(() => Math.abs(drawn(shape) - 0.5) < 0.05);
+  const fields = ['position', 'orientation', 'linearVelocity', 'angularVelocity'];
+  return JSON.stringify(fields.map((field) => ball.get(field)));
 }
 
 function drawn(element: Element): number {
@@ -38,63 +31,99 @@ function drawn(element: Element): number {
   return node.getCurrentTransform()._13;
 }
 
-describe('pages', () => {
-  const falls: string[] = [];
-  for (const path of ['classic.html', 'classic.xhtml', 'plain.xhtml', 'foreign.xhtml']) {
-    it(`${path}: the ball falls, and is drawn where it lies`, async () => {
-      const page = await open(path);
-      falls.push(await fall(page, page.X3DPhysics!));
-      await until(() => Math.abs(drawn(named(page, 'shape')) - 0.5) < 0.05);
-    });
-  }
+const heardIn = (page: Window): string[] => (page as unknown as { heard: string[] }).heard;
+const height = (world: Awaited<ReturnType<typeof worldIn>>, name: string): number =>
+  (world.node(name)!.get('position') as number[])[1]!;
 
-  it('the same scene has the same bits in each', () => {
-    expect(new Set(falls).size).to.equal(1);
+describe('pages', () => {
+  it('one scene has the same bits in HTML, XHTML and an Inline file, in both spellings', async () => {
+    const falls: Record<string, string> = {};
+    const pages = ['classic.html', 'plain.html', 'classic.xhtml', 'plain.xhtml', 'foreign.xhtml'];
+    for (const path of [...pages, 'inline.html']) falls[path] = await fall(await open(path));
+    expect(falls['inline.html']).to.contain('.');
+    for (const [path, bits] of Object.entries(falls))
+      expect(bits, path).to.equal(falls['classic.html']);
   });
 
   it('foreign.xhtml: says once that hyphenated tags are no custom elements there', async () => {
     const page = await open('foreign.xhtml');
-    const world = page.X3DPhysics!.worldOf(named(page, 'ball'));
-    await world.ready;
+    const world = await worldIn(page);
     expect(world.problems.map(({ code }) => code)).to.eql(['not-upgraded']);
   });
 
   it('without-x3dom.html: the simulation runs unseen', async () => {
-    const page = await open('without-x3dom.html');
-    const world = page.X3DPhysics!.worldOf(named(page, 'ball'));
-    await world.ready;
+    const world = await worldIn(await open('without-x3dom.html'));
     world.paused = true;
     world.reset();
     world.advance(1);
-    expect((world.node('ball')!.get('position') as number[])[1]).to.be.closeTo(3 - 4.9, 0.05);
+    expect(height(world, 'ball')).to.be.closeTo(3 - 4.9, 0.05);
   });
 
-  it('engine-missing.html: ready rejects with the problem, and the page hears it', async () => {
-    const page = await open('engine-missing.html');
-    const world = page.X3DPhysics!.worldOf(named(page, 'ball'));
-    const problem = (await world.ready.then(
-      () => undefined,
-      (reason: unknown) => reason,
-    )) as { code: string };
-    expect(problem.code).to.equal('engine-load-failed');
-    expect((page as unknown as { heard: string[] }).heard).to.eql(['engine-load-failed']);
-  });
+  for (const search of ['', '?404']) {
+    it(`engine-missing.html${search}: the page hears of it once, ready rejects, x3dom draws`, async () => {
+      const page = await open(`engine-missing.html${search}`);
+      const ball = named(page, 'ball');
+      const world = page.X3DPhysics!.worldOf(ball)!;
+      const problem = await world.ready.then(
+        () => undefined,
+        (reason: unknown) => reason as { code: string; value: string },
+      );
+      expect(problem!.code).to.equal('engine-load-failed');
+      expect(problem!.value).to.contain(search ? '404' : 'no network');
+      ball.setAttribute('mass', '3');
+      await wait(100);
+      expect(heardIn(page)).to.eql(['engine-load-failed']);
+      expect(world.problems.map(({ code }) => code)).to.eql(['engine-load-failed']);
+      expect(drawn(named(page, 'drawn'))).to.equal(3);
+    });
+  }
 
   it('late-library.html: what x3dom dropped is set up when we come', async () => {
     const page = await open('late-library.html');
     await wait(300);
-    const script = page.document.createElement('script');
-    script.src = '/dist/x3d-physics.classic.js';
-    page.document.head.append(script);
-    await new Promise((resolve) => script.addEventListener('load', resolve));
-    const world = page.X3DPhysics!.worldOf(named(page, 'ball'));
-    await world.ready;
+    await addScript(page, '/dist/x3d-physics.classic.js');
+    const world = await worldIn(page);
     world.paused = true;
     world.advance(1);
-    const y = (world.node('ball')!.get('position') as number[])[1];
+    const y = height(world, 'ball');
     expect(y).to.be.below(0);
     await until(() => Math.abs(drawn(named(page, 'shape')) - y) < 1e-4);
     expect(drawn(named(page, 'follower'))).to.be.closeTo(y, 1e-4);
     expect(drawn(named(page, 'othershape'))).to.be.closeTo(y, 1e-4);
+  });
+
+  it('two-scripts.html: both builds on a page are one library', async () => {
+    const page = await open('two-scripts.html');
+    const world = await worldIn(page);
+    const other = await page.X3DPhysics!.worldOf(named(page, 'other'))!.ready;
+    await wait(100);
+    expect(heardIn(page).sort()).to.eql(['custom', 'plain']);
+    expect([...world.problems, ...other.problems]).to.eql([]);
+    const module = (await (page as unknown as { eval(text: string): unknown }).eval(
+      "import('/dist/x3d-physics.js')",
+    )) as { worldOf(element: Element): unknown; explain(element: Element): object };
+    for (const name of ['ball', 'other']) {
+      const element = named(page, name);
+      expect(module.worldOf(element)).to.equal(page.X3DPhysics!.worldOf(element));
+      expect(module.explain(element)).to.deep.include({ running: true, problems: [] });
+    }
+    for (const each of [world, other]) {
+      each.paused = true;
+      each.reset();
+      each.advance(1);
+    }
+    expect(height(world, 'ball')).to.be.closeTo(3 - 4.9, 0.05);
+    await until(() => Math.abs(drawn(named(page, 'shape')) - height(other, 'other')) < 1e-4);
+    expect(height(other, 'other')).to.equal(height(world, 'ball'));
+  });
+
+  it('other-physics.html: physics in x3dom itself is reported once', async () => {
+    const page = await open('other-physics.html');
+    const world = await worldIn(page);
+    world.paused = true;
+    expect(heardIn(page)).to.eql(['two-physics-engines']);
+    world.reset();
+    world.advance(1);
+    expect(height(world, 'ball')).to.be.closeTo(3 - 4.9, 0.05);
   });
 });

@@ -1,5 +1,6 @@
 import { expect } from 'chai';
 import { worldOf } from '../../../elements/index.js';
+import { claim } from '../console.js';
 import { place, show, wait } from './scene.js';
 
 const inWorld = (content: string): string =>
@@ -27,6 +28,7 @@ describe('problems', () => {
 
   for (const tag of ['x3d-rigid-body', 'RigidBody']) {
     it(`${tag}: unknown attributes, with what was meant`, async () => {
+      claim('unknown-attribute');
       const { world } = await show(inWorld(`<${tag} linearvelocty="1 0 0"></${tag}>`), '#c');
       expect(
         world.problems.map(({ code, message }) => [code, /linearVelocity\?$/.test(message)]),
@@ -34,6 +36,7 @@ describe('problems', () => {
     });
 
     it(`${tag}: values that can't be used keep the last valid one`, async () => {
+      claim('mass="heavy" is', 'linearDampingFactor="3" is', 'mass="x" is');
       const { x3d, world } = await show(
         inWorld(`<${tag} id="a" mass="heavy" linearDampingFactor="3"></${tag}>`),
         '#c',
@@ -61,6 +64,7 @@ describe('problems', () => {
   }
 
   it('fire at the element, bubble, and show as a state', async () => {
+    claim('bad-value');
     const heard: string[] = [];
     const listen = (event: Event): void =>
       void heard.push(`${(event.target as Element).id} ${(event as CustomEvent).detail.code}`);
@@ -72,18 +76,21 @@ describe('problems', () => {
   });
 
   it('a self-closed tag that swallowed its siblings', async () => {
+    claim('self-closing');
     expect(await codes(`<x3d-rigid-body fixed="true" /><x3d-rigid-body></x3d-rigid-body>`)).to.eql([
       'self-closing',
     ]);
   });
 
   it('a Shape directly in a body', async () => {
+    claim('misplaced');
     expect(await codes(`<x3d-rigid-body><shape><sphere></sphere></shape></x3d-rigid-body>`)).to.eql(
       ['misplaced'],
     );
   });
 
   it('a Shape whose geometry has not come yet', async () => {
+    claim('waiting-for-geometry');
     const { x3d, world } = await show(
       inWorld(
         `<x3d-rigid-body id="a"><x3d-collidable-shape id="s"><shape></shape></x3d-collidable-shape></x3d-rigid-body>`,
@@ -98,6 +105,7 @@ describe('problems', () => {
   });
 
   it('outside any x3d, and in a shadow root', async () => {
+    claim('misplaced', 'shadow-root');
     const heard: string[] = [];
     const listen = (event: Event): void => void heard.push((event as CustomEvent).detail.code);
     document.addEventListener('physicsproblem', listen);
@@ -110,6 +118,7 @@ describe('problems', () => {
   });
 
   it('an element set up before it is defined and attached keeps what was set', async () => {
+    claim('position="4 5" is');
     const body = document.createElement('x3d-rigid-body') as unknown as HTMLElement & {
       mass: unknown;
       position: unknown;
@@ -129,4 +138,127 @@ describe('problems', () => {
     expect(body.position).to.eql([4, 5, 6]);
     expect(world.problems.map(({ code }) => code)).to.eql(['bad-value']);
   });
+});
+
+describe('a problem of the markup', () => {
+  it('stands while its cause does, and is said once', async () => {
+    claim('"gone"', '"nobody"');
+    const { x3d, world } = await show(
+      inWorld(`
+        <x3d-rigid-body id="a"><x3d-collidable-shape use="gone"></x3d-collidable-shape></x3d-rigid-body>
+        <x3d-ball-joint id="j" body1="a"></x3d-ball-joint>`),
+      '#c',
+    );
+    world.paused = true;
+    const codes = (): unknown[] => {
+      world.step(0);
+      return world.problems.map(({ code, value }) => [code, value]);
+    };
+    expect(codes()).to.eql([['unknown-reference', 'gone']]);
+    // The body takes a shape that is there: the other one still is not.
+    x3d
+      .querySelector('#a')!
+      .insertAdjacentHTML(
+        'beforeend',
+        '<x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape>',
+      );
+    expect(codes()).to.eql([['unknown-reference', 'gone']]);
+    // Without its second body the joint is taken out of the world; why, stays to be seen.
+    x3d.querySelector('#j')!.setAttribute('body2', 'nobody');
+    expect(codes()).to.have.deep.members([
+      ['unknown-reference', 'gone'],
+      ['unknown-reference', 'nobody'],
+    ]);
+    expect(world.stats.joints).to.equal(0);
+    x3d.querySelector('#j')!.remove();
+    x3d.querySelector('[use]')!.remove();
+    expect(codes()).to.eql([]);
+    expect(x3d.querySelector('#a')!.matches(':state(problem)')).to.equal(false);
+  });
+});
+
+/** Markup that is wrong, and the problem that it gets. */
+const wrong: [title: string, markup: string, code: string, words?: string][] = [
+  [
+    'a DEF that is nowhere',
+    '<x3d-rigid-body id="w"><x3d-collidable-shape use="gone"></x3d-collidable-shape></x3d-rigid-body>',
+    'unknown-reference',
+    '"gone"',
+  ],
+  [
+    'a joint naming nobody',
+    '<x3d-rigid-body id="w" fixed="true"></x3d-rigid-body><x3d-ball-joint body1="w" body2="nobody"></x3d-ball-joint>',
+    'unknown-reference',
+    '"nobody"',
+  ],
+  ['a joint without bodies', '<x3d-ball-joint anchorPoint="0 1 0"></x3d-ball-joint>', 'no-body'],
+  [
+    'a wrong number',
+    '<x3d-rigid-body id="w" position="1 two 3" fixed="true"></x3d-rigid-body>',
+    'bad-value',
+    'position="1 two 3"',
+  ],
+  [
+    'a number out of range',
+    '<x3d-rigid-body id="w" angularDampingFactor="-2" fixed="true"></x3d-rigid-body>',
+    'out-of-range',
+    '0 is used',
+  ],
+  [
+    'a wrong number in a geometry',
+    '<x3d-rigid-body id="w" fixed="true"><x3d-collidable-shape><shape><box size="1 x 1"></box></shape></x3d-collidable-shape></x3d-rigid-body>',
+    'bad-value',
+    'size="1 x 1"',
+  ],
+  [
+    'a box of no size',
+    '<x3d-rigid-body id="w" fixed="true"><x3d-collidable-shape><shape><box size="0 0 0"></box></shape></x3d-collidable-shape></x3d-rigid-body>',
+    'zero-volume',
+  ],
+  [
+    'a cylinder of no height',
+    '<x3d-rigid-body id="w" fixed="true"><x3d-collidable-shape><shape><cylinder height="0"></cylinder></shape></x3d-collidable-shape></x3d-rigid-body>',
+    'zero-volume',
+  ],
+  [
+    'a self-closed tag',
+    '<x3d-rigid-body id="w" fixed="true" /><x3d-rigid-body id="x" fixed="true" />',
+    'self-closing',
+  ],
+];
+const plain = (markup: string): string =>
+  markup
+    .replaceAll('x3d-rigid-body', 'RigidBody')
+    .replaceAll('x3d-collidable-shape', 'CollidableShape')
+    .replaceAll('x3d-ball-joint', 'BallJoint');
+
+describe('a malformed page', () => {
+  for (const [title, markup, code, words] of wrong) {
+    for (const content of [markup, plain(markup)]) {
+      it(`${content === markup ? 'custom' : 'plain'} tags, ${title}: one problem, and the rest goes on`, async () => {
+        claim(words ?? code);
+        const heard: string[] = [];
+        const listen = (event: Event): void => void heard.push((event as CustomEvent).detail.code);
+        document.addEventListener('physicsproblem', listen);
+        const good = '<x3d-rigid-body id="good" position="9 3 0"></x3d-rigid-body>';
+        const { world } = await show(inWorld(good + content), '#c');
+        world.paused = true;
+        await wait(30);
+        // Later changes elsewhere say nothing anew.
+        document
+          .querySelector('#c')!
+          .insertAdjacentHTML('beforeend', good.replace('good', 'late').replace('9', '12'));
+        const speed = (name: string): number =>
+          (world.node(name)!.get('linearVelocity') as number[])[1]!;
+        world.step(0);
+        const before = [speed('good'), speed('late')];
+        world.advance(1);
+        document.removeEventListener('physicsproblem', listen);
+        expect(heard).to.eql([code]);
+        expect(world.problems.map((problem) => problem.code)).to.eql([code]);
+        expect(speed('good') - before[0]!).to.be.closeTo(-9.8, 0.01);
+        expect(speed('late') - before[1]!).to.be.closeTo(-9.8, 0.01);
+      });
+    }
+  }
 });

@@ -1,5 +1,6 @@
 import { expect } from 'chai';
 import { worldOf } from '../../../elements/index.js';
+import { claim } from '../console.js';
 import { place, show, wait } from './scene.js';
 
 const world = (x3d: Element, selector: string) => worldOf(x3d.querySelector(selector)!)!;
@@ -83,6 +84,7 @@ describe('worlds', () => {
 
 describe('references', () => {
   it('work forwards, late, and again when a match comes or goes', async () => {
+    claim('unknown-reference');
     const { x3d, world: w } = await show(`
       <x3d-rigid-body-collection id="c">
         <x3d-ball-joint id="j" body1="late" body2="b" anchorpoint="0 0 0"></x3d-ball-joint>
@@ -97,18 +99,21 @@ describe('references', () => {
     w.step(0);
     expect(w.stats.joints).to.equal(1);
     expect(w.problems).to.eql([]);
+    claim('unknown-reference');
     late.id = 'other';
     w.step(0);
     expect(w.stats.joints).to.equal(0);
     late.id = 'late';
     w.step(0);
     expect(w.stats.joints).to.equal(1);
+    claim('unknown-reference');
     late.remove();
     w.step(0);
     expect(w.stats.joints).to.equal(0);
   });
 
   it('a collidable used twice belongs to the first body, then to the second', async () => {
+    claim('already-owned');
     const { x3d, world: w } = await show(`
       <x3d-rigid-body-collection id="c">
         <x3d-rigid-body id="a"><x3d-collidable-shape use="s"></x3d-collidable-shape></x3d-rigid-body>
@@ -126,6 +131,7 @@ describe('references', () => {
   });
 
   it('the last DEF wins and duplicates are reported', async () => {
+    claim('duplicate-def');
     const { x3d, world: w } = await show(`
       <RigidBodyCollection>
         <RigidBody DEF="b" position="1 0 0"></RigidBody><RigidBody DEF="b" position="2 0 0"></RigidBody>

@@ -1,0 +1,34 @@
+import type { PhysicsNode } from '../nodes/node.js';
+
+/** Nodes are made and patched in this order: collections, collidables, bodies, joints, collision collections, sensors. */
+export const RANKS = 6;
+
+/** Nodes with edits that Bullet has not seen yet, by rank. */
+export class Edits {
+  readonly #queues: Set<PhysicsNode>[] = Array.from({ length: RANKS }, () => new Set());
+
+  add(node: PhysicsNode): void {
+    this.#queues[node.type.rank]!.add(node);
+  }
+
+  drop(node: PhysicsNode): void {
+    this.#queues[node.type.rank]!.delete(node);
+  }
+
+  get pending(): boolean {
+    return this.#queues.some((queue) => queue.size > 0);
+  }
+
+  /** Applies all, lowest rank first. An edit may cause others (a body's shape by its collidable), so it goes round. */
+  applyAll(apply: (node: PhysicsNode) => void): void {
+    for (let queue = this.#first(); queue; queue = this.#first()) {
+      const node = queue.values().next().value!;
+      queue.delete(node);
+      apply(node);
+    }
+  }
+
+  #first(): Set<PhysicsNode> | undefined {
+    return this.#queues.find((queue) => queue.size > 0);
+  }
+}

@@ -1,0 +1,34 @@
+import type { Pose } from '../math.js';
+import type { PhysicsNode } from '../nodes/node.js';
+
+export interface WorldOptions {
+  /** Log each problem once to the console. */
+  console?: boolean;
+  /** Bytes the wasm heap may take. */
+  maxHeapBytes?: number;
+}
+
+export interface AddOptions {
+  /** What stands for the node outside: its element. */
+  host?: unknown;
+  /** Its DEF or id. */
+  name?: string | undefined;
+  /** The RigidBodyCollection it belongs to, where the world has several. */
+  collection?: PhysicsNode | undefined;
+  /** Where a body starts whose author gave no position or orientation. */
+  start?: Pose | undefined;
+}
+
+export interface Stats {
+  bodies: number;
+  awake: number;
+  joints: number;
+  contacts: number;
+  /** Objects made, edits applied without making anything, objects unmade, since the world began. */
+  created: number;
+  patched: number;
+  destroyed: number;
+  heapBytes: number;
+  /** Milliseconds of the last frame. */
+  ms: { step: number; read: number; write: number; events: number };
+}

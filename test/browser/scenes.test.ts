@@ -1,0 +1,135 @@
+import { expect } from 'chai';
+import './console.js';
+import { until } from './bridge/scene.js';
+import { open, worldIn } from './page.js';
+
+// The paper's four scenes, as the pages that people open.
+
+type World = Awaited<ReturnType<typeof worldIn>>;
+
+/** A growing page draws while it grows, on a graphics card or without one. */
+const TO_GROW = 60_000;
+
+interface Node {
+  host: unknown;
+  type: { name: string };
+  gap: number;
+  get(field: string): unknown;
+}
+
+const nodes = (world: World, ...types: string[]): Node[] =>
+  [...world.nodes].filter(({ type }) => types.includes(type.name)) as unknown as Node[];
+const place = (node: Node): number[] => node.get('position') as number[];
+const moving = (world: World): Node[] =>
+  nodes(world, 'RigidBody').filter((body) => !body.get('fixed'));
+
+/** The widest gap of any of these joints, metres, at any end of a tenth of a second. */
+function widestGap(world: World, joints: Node[], seconds: number): number {
+  let widest = 0;
+  for (let i = 0; i < 10 * seconds; i++) {
+    world.advance(0.1);
+    widest = Math.max(widest, ...joints.map(({ gap }) => gap));
+  }
+  return widest;
+}
+
+const distance = (a: number[], b: number[]): number => Math.hypot(...a.map((x, i) => x - b[i]!));
+
+async function start(path: string): Promise<{ world: World; page: Document }> {
+  const page = await open(path);
+  const world = await worldIn(page);
+  world.paused = true;
+  return { world, page: page.document };
+}
+
+/** Everything the page will append is there. */
+async function grown(path: string, bodies: number): Promise<World> {
+  const world = await worldIn(await open(path));
+  await until(() => world.stats.bodies === bodies, TO_GROW);
+  world.paused = true;
+  return world;
+}
+
+/** What the page got wrong; lag is the machine's. */
+const problems = (world: World): string[] =>
+  world.problems.map(({ code }) => code).filter((code) => code !== 'lag');
+
+for (const form of ['html', 'xhtml']) {
+  describe(`the scenes in ${form}`, () => {
+    it('scene 1: the pendulum swings and its seven joints hold', async () => {
+      const { world } = await start(`scene1.${form}`);
+      world.reset();
+      const joints = nodes(world, 'BallJoint');
+      expect(joints.length).to.equal(7);
+      const before = moving(world).map(place);
+      expect(widestGap(world, joints, 1)).to.be.below(0.02);
+      const far = moving(world).map((body, i) => distance(place(body), before[i]!));
+      // In its first second the load falls about a quarter of its swing; each ball above goes less far.
+      expect(far[6]).to.be.above(1);
+      for (let i = 1; i < 7; i++) expect(far[i]).to.be.above(far[i - 1]!);
+      expect(widestGap(world, joints, 9)).to.be.below(0.02);
+      expect(problems(world)).to.eql([]);
+    });
+
+    it('scene 2: the rotor of the Inline turns, strikes what hangs there, and all joints hold', async () => {
+      const { world, page } = await start(`scene2.${form}`);
+      world.reset();
+      expect(world.stats.bodies).to.equal(8 + 6);
+      const joints = nodes(world, 'BallJoint');
+      expect(joints.length).to.equal(7 + 5);
+      const rotor = world.node('Rotor')!;
+      // Those that the rotor strikes: the Inline's other moving bodies.
+      const struck = moving(world).filter(
+        ({ host }) => (host as Element).ownerDocument !== page && host !== rotor.host,
+      );
+      expect(struck.length).to.equal(4);
+      const holdsStruck = (joint: Node): boolean =>
+        struck.includes(joint.get('body1') as Node) || struck.includes(joint.get('body2') as Node);
+      const [light, others] = [joints.filter(holdsStruck), joints.filter((j) => !holdsStruck(j))];
+      expect(light.length).to.equal(4);
+      const hung = struck.map(place);
+      let turned = 0;
+      const far = [0, 0, 0, 0];
+      for (let i = 0; i < 100; i++) {
+        expect(widestGap(world, others, 0.1)).to.be.below(0.02);
+        // What is struck has a sixtieth of the rotor's mass.
+        expect(Math.max(...light.map(({ gap }) => gap))).to.be.below(0.05);
+        turned += (rotor.get('angularVelocity') as number[])[2]! * 0.1;
+        struck.forEach((body, i) => (far[i] = Math.max(far[i]!, distance(place(body), hung[i]!))));
+      }
+      // It has four arms: by a right angle, what hangs there has let it pass.
+      expect(Math.abs(turned)).to.be.above(Math.PI / 2);
+      for (const each of far) expect(each).to.be.above(0.05);
+      expect(problems(world)).to.eql([]);
+    });
+
+    it('scene 3: 60 boxes stay in the room, stirred by the ball', async () => {
+      const world = await grown(`scene3.${form}?count=60`, 6 + 1 + 60);
+      let spin = 0;
+      for (let i = 0; i < 50; i++) {
+        world.advance(0.1);
+        for (const body of moving(world)) {
+          const [x, y, z] = place(body);
+          expect(Math.abs(x!)).to.be.below(5);
+          expect(y).to.be.within(0, 10);
+          expect(Math.abs(z!)).to.be.below(5);
+        }
+        const [, turning] = world.node('ball')!.get('angularVelocity') as number[];
+        spin = Math.max(spin, turning!);
+      }
+      expect(spin).to.be.above(1);
+      expect(problems(world)).to.eql([]);
+    });
+
+    it('scene 4: 40 hinged links slide on the ground, and every hinge holds', async () => {
+      const world = await grown(`scene4.${form}?count=40`, 2 + 40);
+      const hinges = nodes(world, 'SingleAxisHingeJoint');
+      expect(hinges.length).to.equal(40);
+      // 5 % of the 0.5 m from link to link.
+      expect(widestGap(world, hinges, 3)).to.be.below(0.025);
+      // The links are 0.2 m thick and the ground's upper side lies at 0.
+      for (const link of moving(world)) expect(place(link)[1]).to.be.closeTo(0.1, 0.02);
+      expect(problems(world)).to.eql([]);
+    });
+  });
+}
