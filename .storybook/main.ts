@@ -3,9 +3,9 @@ import type { StorybookConfig } from '@storybook/web-components-vite';
 
 /**
  * Served as they are, at the addresses they have in the repository. The stories show the built library, the file
- * that a page would load; and they show the pages of test/pages, which name their files from there.
+ * that a page would load; and they show the pages of stories/pages, which name their files from there.
  */
-const staticDirs = ['node_modules/x3dom', 'dist', 'stories/assets', 'styles', 'test/pages'].map(
+const staticDirs = ['node_modules/x3dom', 'dist', 'stories/assets', 'styles', 'stories/pages'].map(
   (folder) => ({ from: `../${folder}`, to: `/${folder}` }),
 );
 

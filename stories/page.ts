@@ -1,5 +1,5 @@
 /// <reference types="vite/client" />
-// Pages of test/pages as stories: what stands in their <main>, and the markup to read.
+// The pages beside it as stories: what stands in their <main>, and the markup to read.
 
 /** Pages name their files from where they are in the repository; a story is served from its root. */
 const fromRoot = (source: string) => source.replaceAll('../../', './');
@@ -31,7 +31,7 @@ export function page(source: string): HTMLElement {
 /** An XHTML page can't stand in an HTML one: it is shown in a frame. */
 export function framed(file: string): HTMLElement {
   const main = document.createElement('main');
-  const address = `./test/pages/${file}`;
+  const address = `./stories/pages/${file}`;
   main.innerHTML = `<iframe src="${address}" title="${file}"></iframe><p><a href="${address}">${file}</a> by itself</p>`;
   return main;
 }

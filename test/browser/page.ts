@@ -17,9 +17,9 @@ async function load(element: HTMLIFrameElement): Promise<PageWindow> {
   return element.contentWindow as PageWindow;
 }
 
-/** Opens a page of test/pages. */
-export function open(path: string): Promise<PageWindow> {
-  return load(Object.assign(frame(), { src: `/test/pages/${path}` }));
+/** Opens a page, by default one of test/pages. */
+export function open(path: string, folder = 'test/pages'): Promise<PageWindow> {
+  return load(Object.assign(frame(), { src: `/${folder}/${path}` }));
 }
 
 /** Opens a page given as text. */

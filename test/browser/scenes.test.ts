@@ -4,6 +4,7 @@ import { until } from './bridge/scene.js';
 import { open, worldIn } from './page.js';
 
 // The paper's four scenes, as the pages that people open.
+const SCENES = 'stories/pages';
 
 type World = Awaited<ReturnType<typeof worldIn>>;
 
@@ -36,7 +37,7 @@ function widestGap(world: World, joints: Node[], seconds: number): number {
 const distance = (a: number[], b: number[]): number => Math.hypot(...a.map((x, i) => x - b[i]!));
 
 async function start(path: string): Promise<{ world: World; page: Document }> {
-  const page = await open(path);
+  const page = await open(path, SCENES);
   const world = await worldIn(page);
   world.paused = true;
   return { world, page: page.document };
@@ -44,7 +45,7 @@ async function start(path: string): Promise<{ world: World; page: Document }> {
 
 /** Everything the page will append is there. */
 async function grown(path: string, bodies: number): Promise<World> {
-  const world = await worldIn(await open(path));
+  const world = await worldIn(await open(path, SCENES));
   await until(() => world.stats.bodies === bodies, TO_GROW);
   world.paused = true;
   return world;
@@ -57,7 +58,7 @@ const problems = (world: World): string[] =>
 for (const form of ['html', 'xhtml']) {
   describe(`the scenes in ${form}`, () => {
     it('scene 1: the pendulum swings and its seven joints hold', async () => {
-      const { world } = await start(`scene1.${form}`);
+      const { world } = await start(`pendulum.${form}`);
       world.reset();
       const joints = nodes(world, 'BallJoint');
       expect(joints.length).to.equal(7);
@@ -72,7 +73,7 @@ for (const form of ['html', 'xhtml']) {
     });
 
     it('scene 2: the rotor of the Inline turns, strikes what hangs there, and all joints hold', async () => {
-      const { world, page } = await start(`scene2.${form}`);
+      const { world, page } = await start(`pendulum-and-motor.${form}`);
       world.reset();
       expect(world.stats.bodies).to.equal(8 + 6);
       const joints = nodes(world, 'BallJoint');
@@ -104,7 +105,7 @@ for (const form of ['html', 'xhtml']) {
     });
 
     it('scene 3: 60 boxes stay in the room, stirred by the ball', async () => {
-      const world = await grown(`scene3.${form}?count=60`, 6 + 1 + 60);
+      const world = await grown(`room-of-boxes.${form}?count=60`, 6 + 1 + 60);
       let spin = 0;
       for (let i = 0; i < 50; i++) {
         world.advance(0.1);
@@ -122,7 +123,7 @@ for (const form of ['html', 'xhtml']) {
     });
 
     it('scene 4: 40 hinged links slide on the ground, and every hinge holds', async () => {
-      const world = await grown(`scene4.${form}?count=40`, 2 + 40);
+      const world = await grown(`growing-chain.${form}?count=40`, 2 + 40);
       const hinges = nodes(world, 'SingleAxisHingeJoint');
       expect(hinges.length).to.equal(40);
       // 5 % of the 0.5 m from link to link.
