@@ -247,10 +247,9 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       default: 512,
       range: [16, 2048],
       own: true,
-      edit: 'live',
-      patch: configure,
+      edit: 'passive',
       worldWide: true,
-      doc: 'Greatest size of the wasm heap, MB.',
+      doc: 'Greatest size of the wasm heap, MB; looked at whenever something is made.',
     },
   },
 });
