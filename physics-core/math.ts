@@ -78,6 +78,17 @@ export function invert(a: Pose): Pose {
   return { p: scale(rotate(q, a.p), -1), q };
 }
 
+/** The pose `f` of the way from `a` to `b`: a straight line, and the normalised line between the quaternions. */
+export function mix(a: Pose, b: Pose, f: number): Pose {
+  const sign = a.q.reduce((sum, value, i) => sum + value * b.q[i]!, 0) < 0 ? -1 : 1;
+  const q = a.q.map((value, i) => value + (sign * b.q[i]! - value) * f) as Quaternion;
+  const size = Math.hypot(...q);
+  return {
+    p: add(a.p, scale(subtract(b.p, a.p), f)),
+    q: q.map((value) => value / size) as Quaternion,
+  };
+}
+
 /** Quaternion of the rotation matrix with these rows. */
 export function quaternionOfRows(
   m00: number,

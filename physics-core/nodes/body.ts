@@ -2,6 +2,7 @@ import type { BtBody } from '../engine/heap.js';
 import { ACTIVATION, COLLISION_FLAG, RIGID_BODY_FLAG } from '../engine/offsets.js';
 import { Owner } from '../engine/owner.js';
 import type { Rotation, Value, Vec3 } from '../fields/types.js';
+import { codecs } from '../fields/values.js';
 import {
   add,
   compose,
@@ -295,10 +296,12 @@ export class BodyNode extends PhysicsNode {
   }
 
   /** Jumps to a pose; velocities stay. World frame, metres, axis and angle. */
-  teleport(position: Vec3, orientation: Rotation = rotationOf(this.pose().q)): void {
-    if (!this.#sound('teleport', position, orientation)) return;
+  teleport(position: Vec3, orientation?: Rotation): void {
     this.world.flush();
-    this.moveTo({ p: [...position], q: quaternionOf(orientation) });
+    const p = this.#argument<Vec3>('teleport', 'SFVec3f', position);
+    const turned = orientation === undefined ? rotationOf(this.pose().q) : orientation;
+    const rotation = this.#argument<Rotation>('teleport', 'SFRotation', turned);
+    if (p && rotation) this.moveTo({ p, q: quaternionOf(rotation) });
   }
 
   moveTo(pose: Pose): void {
@@ -319,21 +322,17 @@ export class BodyNode extends PhysicsNode {
    */
   carryTo(pose: Pose): void {
     const distance = length(subtract(pose.p, this.pose().p));
-    if (this.movable || !this.active || distance > LONGEST_CARRY) {
+    if (this.#fresh || this.movable || !this.active || distance > LONGEST_CARRY) {
       this.moveTo(pose);
       return;
     }
+    const from = compose(this.pose(), this.centerOfMass);
     this.#kinematic = true;
     this.#setFlags();
-    const center = compose(pose, this.centerOfMass);
     this.world.wakeTouching(this);
-    // Bullet takes the velocity from the pose of the step before, which this leaves alone.
-    this.body.setWorldTransform(this.world.engine.scratch.transform(center.p, center.q));
+    this.#place(pose);
     this.body.forceActivationState(ACTIVATION.alwaysActive);
-    const { poses } = this.world;
-    poses.current.set([...pose.p, ...pose.q], this.slot * POSE);
-    poses.snap(this.slot);
-    this.world.registry.carrying.carried(this);
+    this.world.registry.carrying.carried(this, from, compose(pose, this.centerOfMass));
   }
 
   /** Carried no longer: static again. */
@@ -341,6 +340,8 @@ export class BodyNode extends PhysicsNode {
     if (!this.built || this.movable) return;
     this.#kinematic = false;
     this.#setFlags();
+    // As Bullet itself has immovable bodies: two of them are then not tested against each other.
+    this.body.forceActivationState(ACTIVATION.sleeping);
     this.#place(this.pose());
   }
 
@@ -381,44 +382,46 @@ export class BodyNode extends PhysicsNode {
 
   /** Newtons in the world frame for the next timeStep, at a world point or the centre of mass. */
   applyForce(force: Vec3, at?: Vec3): void {
-    if (!this.#sound('applyForce', force, at) || !this.#pushable()) return;
-    this.world.push(
-      this,
-      force,
-      at ? cross(subtract(at, this.centerOfMassWorld()), force) : [0, 0, 0],
-    );
+    const load = this.#load('applyForce', force, at);
+    if (load) this.world.push(this, ...load);
   }
 
   /** Newton metres in the world frame for the next timeStep. */
   applyTorque(torque: Vec3): void {
-    if (!this.#sound('applyTorque', torque) || !this.#pushable()) return;
-    this.world.push(this, [0, 0, 0], torque);
+    const load = this.#load('applyTorque', torque);
+    if (load) this.world.push(this, [0, 0, 0], load[0]);
   }
 
   /** Newton seconds at once, at a world point or the centre of mass. */
   applyImpulse(impulse: Vec3, at?: Vec3): void {
-    if (!this.#sound('applyImpulse', impulse, at) || !this.#pushable()) return;
+    const load = this.#load('applyImpulse', impulse, at);
+    if (!load) return;
     const { scratch } = this.world.engine;
-    this.body.applyCentralImpulse(scratch.vector(...impulse));
-    if (at)
-      this.body.applyTorqueImpulse(
-        scratch.vector(...cross(subtract(at, this.centerOfMassWorld()), impulse)),
-      );
+    this.body.applyCentralImpulse(scratch.vector(...load[0]));
+    this.body.applyTorqueImpulse(scratch.vector(...load[1]));
     this.world.bodies.readVelocity(this);
   }
 
-  /** Numbers that are not finite never reach Bullet. */
-  #sound(method: string, ...vectors: (readonly number[] | undefined)[]): boolean {
-    const given = vectors.filter((vector) => vector !== undefined);
-    if (given.every(guards.finiteVector)) return true;
+  /** A force or impulse and its moment about the centre of mass; undefined where it can't act. */
+  #load(method: string, value: Vec3, at?: Vec3): [Vec3, Vec3] | undefined {
+    const force = this.#argument<Vec3>(method, 'SFVec3f', value);
+    const point = at === undefined ? undefined : this.#argument<Vec3>(method, 'SFVec3f', at);
+    if (!force || (at !== undefined && !point) || !this.#pushable()) return undefined;
+    return [force, point ? cross(subtract(point, this.centerOfMassWorld()), force) : [0, 0, 0]];
+  }
+
+  /** What can't be read as finite numbers never reaches Bullet. */
+  #argument<T>(method: string, type: 'SFVec3f' | 'SFRotation', value: unknown): T | undefined {
+    const accepted = codecs[type].accept(value);
+    if (accepted !== undefined && guards.finiteVector(accepted as number[])) return accepted as T;
     this.report({
       code: 'bad-value',
       severity: 'warning',
-      value: given,
+      value,
       used: 'nothing',
-      message: `${this.label}: ${method} takes finite numbers, not ${given.map((vector) => vector.join(' ')).join(', ')}; nothing is applied`,
+      message: `${this.label}: ${method} takes ${type === 'SFVec3f' ? 'three' : 'four'} finite numbers, not ${String(value)}; nothing is done`,
     });
-    return false;
+    return undefined;
   }
 
   #pushable(): boolean {

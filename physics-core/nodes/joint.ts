@@ -172,6 +172,7 @@ export abstract class JointNode extends PhysicsNode {
       code: 'mass-ratio',
       severity: 'warning',
       value: ratio,
+      used: 'the present accuracy',
       message: `${this.label} holds ${this.body1!.label} (${masses[0]} kg) to ${this.body2!.label} (${masses[1]} kg): so unlike masses need accuracy="fine" or better to hold together`,
     });
   }

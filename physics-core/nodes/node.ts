@@ -39,6 +39,8 @@ export class PhysicsNode {
   readonly #children = new Map<string, PhysicsNode[]>();
   readonly #asked = new Map<string, Value>();
   readonly #authored = new Set<string>();
+  /** What the author had asked for where an event has come since; undefined: nothing. */
+  readonly #beforeEvent = new Map<string, Value | undefined>();
   readonly #emitter = new Emitter();
   #changed = new Set<string>();
   #built = false;
@@ -86,12 +88,20 @@ export class PhysicsNode {
     if (!field) return;
     const accepted = this.#accept(name, field, value, text);
     if (accepted === undefined) return;
-    const same = codecs[field.type].equal(accepted, this.asked(name));
+    const same = codecs[field.type].equal(accepted, this.#lastAsked(name, field));
     if (same && (this.#authored.has(name) || field.read)) {
       this.#authored.add(name);
       return;
     }
+    this.#beforeEvent.delete(name);
     this.#take(name, accepted);
+  }
+
+  /** The author's last word: what events did since does not make the same word an edit. */
+  #lastAsked(name: string, field: Field): Value {
+    if (!this.#beforeEvent.has(name)) return this.asked(name);
+    const said = this.#beforeEvent.get(name);
+    return said === undefined ? field.default : said;
   }
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
@@ -110,7 +120,10 @@ export class PhysicsNode {
       return;
     }
     const accepted = this.#accept(name, field, value, value);
-    if (accepted !== undefined) this.#take(name, accepted);
+    if (accepted === undefined) return;
+    if (!this.#beforeEvent.has(name))
+      this.#beforeEvent.set(name, this.#authored.has(name) ? this.asked(name) : undefined);
+    this.#take(name, accepted);
   }
 
   /** The attribute was removed: X3D's default again. */
@@ -118,10 +131,20 @@ export class PhysicsNode {
     const field = this.type.fields[name];
     if (!field) return;
     this.world.settle(this, name);
+    this.#beforeEvent.delete(name);
     if (!this.#authored.delete(name)) return;
     this.#asked.delete(name);
     this.#adopt(name, field, field.default);
     this.touch(name);
+  }
+
+  /** Back to the author's own values: what events did is undone. */
+  forgetEvents(): void {
+    for (const [name, said] of this.#beforeEvent) {
+      if (said === undefined) this.unset(name);
+      else this.#take(name, said);
+    }
+    this.#beforeEvent.clear();
   }
 
   #field(name: string): Field | undefined {

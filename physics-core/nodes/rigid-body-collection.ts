@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { levelNames } from '../accuracy/levels.js';
+import { DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
 
@@ -205,8 +205,8 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
     accuracy: {
       type: 'SFString',
       access: 'inputOutput',
-      default: '',
-      values: ['', ...levelNames],
+      default: DEFAULT_LEVEL,
+      values: levelNames,
       own: true,
       edit: 'live',
       patch: configure,

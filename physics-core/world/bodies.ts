@@ -47,6 +47,13 @@ export class Bodies {
     this.#byPointer.set(body.pointer, body);
   }
 
+  /** Movable bodies in the world that do not sleep, counted anew. */
+  countAwake(): number {
+    let awake = 0;
+    for (const body of this) if (body.active && body.movable && !this.asleep(body)) awake++;
+    return awake;
+  }
+
   at(slot: number): BodyNode | undefined {
     return this.#bySlot[slot];
   }

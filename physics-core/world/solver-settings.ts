@@ -30,9 +30,8 @@ export interface JointSettings {
 
 /** The level that a collection asks for: authored level > preferAccuracy > standard. */
 export function levelOf(settings: CollectionNode): Level {
-  const named = settings.asked<LevelName | ''>('accuracy');
-  const unnamed = settings.asked<boolean>('preferAccuracy') ? ACCURATE_LEVEL : DEFAULT_LEVEL;
-  return levelNamed(named || unnamed);
+  if (settings.authored('accuracy')) return levelNamed(settings.asked<LevelName>('accuracy'));
+  return levelNamed(settings.asked<boolean>('preferAccuracy') ? ACCURATE_LEVEL : DEFAULT_LEVEL);
 }
 
 /** An authored field wins over the level. */

@@ -19,6 +19,7 @@ import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 import { ProblemLog, type Problem, type ProblemReport } from '../problems.js';
 import { Bodies } from './bodies.js';
 import { Edits, RANKS } from './edits.js';
+import { reportOverlaps } from './overlaps.js';
 import { Pairs } from './pairs.js';
 import { Poses } from './poses.js';
 import { jointSettings, levelOf, solverSettings, type JointSettings } from './solver-settings.js';
@@ -26,6 +27,9 @@ import type { AddOptions, Stats, WorldOptions } from './types.js';
 
 /** Wall time that the steps of one frame may take, milliseconds; what is left over is dropped and reported. */
 const FRAME_BUDGET = 50;
+
+/** Seconds dropped before authors are told: the first frames of any page are slow. */
+const MUCH_LOST = 1;
 
 /** Share of the heap limit from which an author is warned. */
 const HEAP_LOW = 0.9;
@@ -43,11 +47,18 @@ export class World {
   readonly counts = { created: 0, patched: 0, destroyed: 0 };
   /** Tells the page's loop that there is work again. */
   onwork?: () => void;
-  timeScale = 1;
-  time = 0;
   started = false;
 
   #paused = false;
+  /** Seconds dropped so far. */
+  #lost = 0;
+  #timeScale = 1;
+  /** Steps since the step last changed its length, and the time that was then: sums of steps would round. */
+  #steps = 0;
+  #timeBefore = 0;
+  #stepping = false;
+  /** The next step is the first one: bodies may begin inside each other. */
+  #first = true;
   #level: Level = levelNamed(DEFAULT_LEVEL);
   #solver!: JointSettings;
   #enabled = true;
@@ -120,11 +131,11 @@ export class World {
     return undefined;
   }
 
-  /** The node with this DEF, id, or host. */
+  /** The node with this DEF, id, or host; the last one where several have it. */
   node(nameOrHost: unknown): PhysicsNode | undefined {
     let found: PhysicsNode | undefined;
     for (const node of this.#nodes)
-      if (node.name === nameOrHost || node.host === nameOrHost) found = node;
+      if ([node.name, node.host, node.id].includes(nameOrHost)) found = node;
     return found;
   }
 
@@ -229,6 +240,7 @@ export class World {
   #build(): void {
     this.bullet = new BulletWorld(this.engine);
     this.started = true;
+    this.#first = true;
     if (!this.engine.heapTrusted) this.#reportUnknownBuild();
     this.configure();
   }
@@ -248,10 +260,13 @@ export class World {
     if (!this.started) return;
     this.flush();
     this.#unbuild();
-    this.time = 0;
+    this.#steps = this.#timeBefore = 0;
     this.#clock.reset();
     this.#build();
-    for (const node of this.#nodes) this.enqueue(node);
+    for (const node of this.#nodes) {
+      node.forgetEvents();
+      this.enqueue(node);
+    }
     this.flush();
     this.#emitter.emit('reset', this);
   }
@@ -302,12 +317,19 @@ export class World {
   configure(): void {
     if (!this.started) return;
     const { settings } = this;
-    this.#level = levelOf(settings);
+    this.#setLevel(levelOf(settings));
     this.#enabled = settings.asked('enabled');
     this.configureSolver();
     for (const collection of this.#collections) collection.compareWith(settings);
     for (const node of this.#nodes) if (node instanceof JointNode) node.updateCorrection();
     this.work();
+  }
+
+  #setLevel(level: Level): void {
+    if (level === this.#level) return;
+    this.#timeBefore = this.time;
+    this.#steps = 0;
+    this.#level = level;
   }
 
   /** What Bullet's solver works with now. */
@@ -328,37 +350,71 @@ export class World {
     this.work();
   }
 
-  /** Advances n steps at once, paused or not; returns the seconds advanced. `step(0)` applies pending edits. */
+  /** Simulated seconds since the start or the last reset. */
+  get time(): number {
+    return this.#timeBefore + this.#steps * this.timeStep;
+  }
+
+  /** Simulated seconds per second of the clock; 0 stands still. */
+  get timeScale(): number {
+    return this.#timeScale;
+  }
+
+  set timeScale(scale: number) {
+    if (!(scale >= 0 && Number.isFinite(scale))) {
+      this.report({
+        code: 'bad-value',
+        severity: 'warning',
+        attribute: 'timeScale',
+        value: scale,
+        used: this.#timeScale,
+        message: `timeScale takes a number from 0 on, not ${scale}; ${this.#timeScale} is used`,
+      });
+      return;
+    }
+    this.#timeScale = scale;
+    this.work();
+  }
+
+  /**
+   * Advances n steps at once, paused or not; returns the seconds advanced. `step(0)` applies pending edits. Within a
+   * step (a `beforestep` listener) it does nothing.
+   */
   step(n = 1): number {
-    if (!this.started) return 0;
+    if (!this.started || this.#stepping) return 0;
+    const steps = Math.max(0, Math.floor(n) || 0);
     this.#ms.step = this.#ms.read = this.#ms.events = 0;
     this.flush();
-    for (let i = 0; i < n; i++) this.#stepOnce();
-    return n * this.timeStep;
+    for (let i = 0; i < steps && this.started; i++) this.#stepOnce();
+    return steps * this.timeStep;
   }
 
   /** Advances by as many whole steps as come nearest to `seconds`. */
   advance(seconds: number): number {
     // A pending edit may change the level, and with it the length of a step.
     this.flush();
-    return this.step(Math.max(0, Math.round(seconds / this.timeStep)));
+    return this.step(Math.round(seconds / this.timeStep));
   }
 
   #stepOnce(): void {
-    this.#event('beforestep');
+    this.#stepping = true;
+    try {
+      this.#event('beforestep');
+      if (this.started) this.#stepAwake();
+      this.#event('afterstep');
+    } finally {
+      this.#stepping = false;
+    }
+  }
+
+  /** Where nothing is awake, only time goes on. */
+  #stepAwake(): void {
     this.flush();
-    if (this.bodies.awake > 0 || this.#anythingAwake()) {
+    if (this.bodies.awake > 0 || this.bodies.countAwake() > 0) {
       this.poses.shift();
       this.#stepBullet();
     }
-    this.time += this.timeStep;
-    this.#event('afterstep');
-  }
-
-  #anythingAwake(): boolean {
-    for (const body of this.bodies)
-      if (body.active && body.movable && !this.bodies.asleep(body)) return true;
-    return false;
+    this.#steps++;
   }
 
   #stepBullet(): void {
@@ -371,6 +427,8 @@ export class World {
       registry.surface.active && this.engine.heapTrusted ? registry.surface : null,
     );
     this.bullet.step(timeStep);
+    if (this.#first) reportOverlaps(this);
+    this.#first = false;
     const stepped = performance.now();
     this.bodies.read();
     this.#ms.read += performance.now() - stepped;
@@ -410,6 +468,8 @@ export class World {
 
   #lag(seconds: number): void {
     this.#emitter.emit('lag', { dropped: seconds, time: this.time });
+    this.#lost += seconds;
+    if (this.#lost < MUCH_LOST) return;
     this.report({
       code: 'lag',
       severity: 'info',
@@ -469,7 +529,7 @@ export class World {
     for (const node of this.#nodes) if (node instanceof JointNode && node.attached) joints++;
     return {
       bodies: this.bodies.count,
-      awake: this.bodies.awake,
+      awake: this.bodies.countAwake(),
       joints,
       contacts: this.#contacts(),
       ...this.counts,

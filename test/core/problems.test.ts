@@ -310,3 +310,33 @@ fact('a chain goes on when one of its links loses its numbers (S25)', async () =
   assert.ok(height(links[5]!) < -10, 'the rest below it fell off');
   assert.ok(height(links[2]!) > -3.1, 'the rest above it hangs on');
 });
+
+fact('bodies that begin inside each other are told of once, walls that cross are not', async () => {
+  const w = await world({ gravity: [0, 0, 0] });
+  claim(w, 'initial-overlap');
+  addBody(w, { fixed: true, geometry: [box(2)] });
+  addBody(w, { fixed: true, position: [1, 0, 0], geometry: [box(2)] });
+  addBody(w, { position: [10, 0, 0], geometry: [box(1)] });
+  addBody(w, { position: [10.5, 0, 0], geometry: [box(1)] });
+  w.step(3);
+  const told = w.problems.filter(({ code }) => code === 'initial-overlap');
+  assert.equal(told.length, 1);
+  assert.ok(Math.abs((told[0]!.value as number) - 0.5) < 0.01);
+});
+
+fact("methods of a body refuse what can't be read as finite numbers, and take text", async () => {
+  const w = await world({ gravity: [0, 0, 0] });
+  claim(w, 'bad-value');
+  const ball = addBody(w);
+  w.step();
+  for (const bad of [undefined, null, 'up', [1], [1, NaN, 0], 7] as never[]) {
+    ball.applyForce(bad);
+    ball.applyTorque(bad);
+    ball.applyImpulse(bad);
+    ball.teleport(bad);
+  }
+  w.step(10);
+  assert.deepEqual(ball.get('position'), [0, 0, 0]);
+  ball.teleport('1 2 3' as never);
+  assert.deepEqual(ball.get('position'), [1, 2, 3]);
+});

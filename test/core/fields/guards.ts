@@ -170,6 +170,7 @@ export const guardRows: Row[] = [
     fact: 'a needle that strikes a floor does not spin up without bound (S15)',
     run: async () => {
       const w = await world();
+      claim(w, 'initial-overlap');
       addFloor(w);
       const needle = addBody(w, {
         mass: 1,
