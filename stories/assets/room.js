@@ -2,7 +2,7 @@
 import { grow, sequence } from './grow.js';
 
 /** kg/m³: light enough for the ball to stir. */
-const DENSITY = 8;
+const DENSITY = 2;
 const COLORS = [
   '0.82 0.28 0.2',
   '0.9 0.66 0.25',
