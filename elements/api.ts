@@ -1,9 +1,8 @@
 // What every entry file exports.
 import { explain, page, type Explanation } from './bridge/index.js';
-import { defineElements } from './define.js';
 
 /** The world that an element lives in: custom, plain or inlined, also before it has started. */
-export const worldOf = (element: Element) => page.worldOf(element);
+export const worldOf = (element: Element | null | undefined) => page.worldOf(element);
 
 export { explain, type Explanation };
 export type {
@@ -26,9 +25,3 @@ export { X3DMotorJointElement } from './x3d-motor-joint.js';
 export { X3DRigidBodyCollectionElement } from './x3d-rigid-body-collection.js';
 export { X3DRigidBodyElement } from './x3d-rigid-body.js';
 export { X3DSingleAxisHingeJointElement } from './x3d-single-axis-hinge-joint.js';
-
-/** Both spellings of every node, from now on. */
-export function begin(): void {
-  defineElements();
-  page.begin();
-}

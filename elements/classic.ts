@@ -1,5 +1,5 @@
 // The classic script, global `X3DPhysics`: everything but the wasm, which lies beside it.
-import { begin } from './api.js';
+import { begin } from './begin.js';
 import { setEngineSource } from './engine-source.js';
 
 // Known only while the script itself runs.

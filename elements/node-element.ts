@@ -5,15 +5,21 @@ import {
   checkPlace,
   detachListener,
   explain,
+  camel,
   holdsNodes,
   keepInternals,
   ownBinding,
   page,
+  STRUCTURE,
   tagOf,
   type Binding,
   type Explanation,
   type NodeType,
 } from './bridge/index.js';
+
+// Servers that render pages may import this, too; they have neither.
+const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+const { prototype: native } = globalThis.Element ?? Base;
 
 type Add = Parameters<EventTarget['addEventListener']>;
 
@@ -21,7 +27,7 @@ type Add = Parameters<EventTarget['addEventListener']>;
  * The custom element around a physics node: its properties come from the node's table, see `forType`. An element
  * that stands for another one by `use` has that one's properties.
  */
-export class X3DNodeElement extends HTMLElement {
+export class X3DNodeElement extends Base {
   static readonly type: NodeType;
 
   constructor() {
@@ -59,11 +65,11 @@ export class X3DNodeElement extends HTMLElement {
  * absent attributes and throw once the element has left the scene.
  */
 const NATIVE = {
-  __addEventListener: EventTarget.prototype.addEventListener,
-  __removeEventListener: EventTarget.prototype.removeEventListener,
-  __getAttribute: Element.prototype.getAttribute,
-  __setAttribute: Element.prototype.setAttribute,
-  __hasAttribute: Element.prototype.hasAttribute,
+  __addEventListener: native.addEventListener,
+  __removeEventListener: native.removeEventListener,
+  __getAttribute: native.getAttribute,
+  __setAttribute: native.setAttribute,
+  __hasAttribute: native.hasAttribute,
 };
 for (const [name, value] of Object.entries(NATIVE))
   Object.defineProperty(X3DNodeElement.prototype, name, { value });
@@ -80,7 +86,8 @@ for (const [name, act] of Object.entries(LISTENING)) {
 /** Properties that a framework set before the element was defined hide our accessors: set them again, through them. */
 function takeEarlyProperties(element: X3DNodeElement): void {
   const own = element as unknown as Record<string, unknown>;
-  for (const name of Object.keys((element.constructor as typeof X3DNodeElement).type.fields)) {
+  const { type } = element.constructor as typeof X3DNodeElement;
+  for (const name of [...Object.keys(type.fields), ...additions(type).map(camel)]) {
     if (!Object.hasOwn(own, name)) continue;
     const value = own[name];
     delete own[name];
@@ -96,9 +103,32 @@ function attributesOf(type: NodeType): string[] {
   return [...new Set(names.flatMap((name) => [name.toLowerCase(), name]))];
 }
 
+/** Fields that hold nodes and may be written as text: names, or `*`. */
+const NAMED_NODES = /^(body[12]|collidables)$/;
+
+/** Additions of ours that are no fields. */
+const additions = (type: NodeType): string[] => STRUCTURE[type.name] ?? [];
+
+/** These properties are their attributes, as `id` is. */
+function defineReflection(prototype: X3DNodeElement, name: string): void {
+  Object.defineProperty(prototype, camel(name), {
+    configurable: true,
+    enumerable: true,
+    get(this: Element) {
+      const text = native.getAttribute.call(this, name);
+      return name === 'default' ? text !== null && text !== 'false' : (text ?? '');
+    },
+    set(this: Element, value: unknown) {
+      if (value === null || value === undefined || value === false)
+        native.removeAttribute.call(this, name);
+      else native.setAttribute.call(this, name, value === true ? '' : String(value));
+    },
+  });
+}
+
 function defineProperties(prototype: X3DNodeElement, type: NodeType): void {
   for (const [name, field] of Object.entries(type.fields)) {
-    if (holdsNodes(field) && !/^body[12]$/.test(name)) continue;
+    if (holdsNodes(field) && !NAMED_NODES.test(name)) continue;
     Object.defineProperty(prototype, name, {
       configurable: true,
       enumerable: true,
@@ -133,5 +163,6 @@ export function forType<Base extends typeof X3DNodeElement = typeof X3DNodeEleme
     static readonly observedAttributes = attributesOf(type);
   }
   defineProperties(TypedElement.prototype, type);
+  for (const name of additions(type)) defineReflection(TypedElement.prototype, name);
   return TypedElement as unknown as Base & NodeElementStatics;
 }

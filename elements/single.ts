@@ -1,6 +1,6 @@
 // The classic script with the wasm inside, for pages opened from disk: they may not fetch a file beside them.
 import base64 from 'virtual:ammo-wasm-base64';
-import { begin } from './api.js';
+import { begin } from './begin.js';
 import { setEngineSource } from './engine-source.js';
 
 setEngineSource(() => ({

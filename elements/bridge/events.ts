@@ -27,7 +27,7 @@ export class Events {
         this.#atCollections(world, type, detail === world ? {} : (detail as object)),
       );
     }
-    world.on('problem', (problem) => this.#problem(problem as { element: unknown; code: string }));
+    world.on('problem', (problem) => this.#problem(world, problem as { element: unknown }));
   }
 
   /** A world's events fire at its collections; at the `<x3d>` where it has none. */
@@ -66,10 +66,10 @@ export class Events {
     return event;
   }
 
-  #problem(problem: { element: unknown; code: string }): void {
+  #problem(world: PageWorld, problem: { element: unknown }): void {
     const { element } = problem;
-    if (!(element instanceof Element))
-      return this.#fire(this.#scene.x3d, 'physicsproblem', problem);
+    // A problem of the world itself.
+    if (!(element instanceof Element)) return this.#atCollections(world, 'physicsproblem', problem);
     setState(element, 'problem', true);
     const binding = ownBinding(element);
     if (binding) this.#fireAt(binding, 'physicsproblem', problem);

@@ -1,7 +1,8 @@
 // What the rest of elements/ may use of the bridge.
 export { ownBinding, type Binding } from './nodes/binding.js';
-export { kebab, tagOf, type Field, type NodeType } from './document/dom.js';
 export { keepInternals } from './states.js';
+export { STRUCTURE } from './document/markup.js';
+export { camel, kebab, tagOf, type Field, type NodeType } from './document/dom.js';
 export { explain, type Explanation } from './nodes/explain.js';
 export { attributeOf, holdsNodes } from './nodes/fields.js';
 export { checkPlace } from './document/misplaced.js';

@@ -1,5 +1,5 @@
 import { ownBinding, type Binding } from './nodes/binding.js';
-import { attribute, isPhysics, isScene, isX3D } from './document/dom.js';
+import { attribute, isInline, isPhysics, isScene, isX3D } from './document/dom.js';
 import { makeUnread, setUpDropped, wasLetGo, wasRead } from './x3dom/late.js';
 import { registerNodeTypes, type Listener, type PhysicsX3DNode } from './x3dom/node-types.js';
 import { Scene } from './scene.js';
@@ -192,9 +192,11 @@ class Page implements Listener {
     return meant && ownBinding(meant);
   }
 
-  worldOf(element: Element): PageWorld | undefined {
-    const scene = this.sceneOf(element);
-    if (!scene?.readPage()) return undefined;
+  worldOf(element: Element | null | undefined): PageWorld | undefined {
+    const scene = element instanceof Element ? this.sceneOf(element) : undefined;
+    if (!element || !scene?.readPage()) return undefined;
+    const inlined = isInline(element) && scene.worldIn(element);
+    if (inlined) return inlined;
     const binding = this.bindingOf(element) ?? this.bodyOf(element);
     if (binding?.scope) return binding.world ?? worldFor(binding) ?? scene.worlds.default;
     return scene.worlds.only ?? scene.firstWorld();
@@ -223,6 +225,6 @@ function hideSceneTags(): void {
 
 /** All copies of the library on a page, say the module and a classic script, work through the first one's. */
 const KEY = Symbol.for('x3d-physics');
-const shared = document as unknown as { [KEY]?: Page };
+const shared = (globalThis.document ?? {}) as { [KEY]?: Page };
 
 export const page = (shared[KEY] ??= new Page());

@@ -13,6 +13,7 @@ import { isCollidable, worldFor } from './document/structure.js';
 import { Updates } from './nodes/updates.js';
 import { Worlds, type PageWorld } from './nodes/worlds.js';
 import type { PhysicsX3DNode } from './x3dom/node-types.js';
+import { tellPage } from './document/misplaced.js';
 import { documentOf, nodeOf, type X3DDocument } from './x3dom/x3dom.js';
 
 /** The physics of one `<x3d>`: its scopes, its worlds, and the nodes that wait to be brought up to date. */
@@ -34,6 +35,7 @@ export class Scene implements Driven {
   live = false;
   /** Scrolled away or not shown: worlds pause. */
   inView = true;
+  readonly #unheard: { report: Report; binding: Binding }[] = [];
   #view: IntersectionObserver | undefined;
 
   constructor(x3d: Element) {
@@ -158,10 +160,16 @@ export class Scene implements Driven {
 
   /** All nodes of a scope: what they live in changed. */
   requeue(scope: Scope): void {
-    for (const element of subtree(scope.root)) {
-      const binding = isPhysics(element) ? ownBinding(element) : undefined;
-      if (binding?.scope) this.dirty(binding);
-    }
+    for (const binding of bindingsIn(scope)) this.dirty(binding);
+  }
+
+  /** The nodes of an Inline and of those in it. */
+  requeueInline(inline: Element): void {
+    const scope = this.scopeIn(inline);
+    if (!scope) return;
+    this.requeue(scope);
+    for (const { host, parent } of this.scopes)
+      if (host && parent === scope) this.requeueInline(host);
   }
 
   /** Everything seen so far, brought to the core. */
@@ -213,27 +221,40 @@ export class Scene implements Driven {
     return this.#drivers.get(transform);
   }
 
+  /** For an Inline: the world of its first collection, else of its first physics element. */
+  worldIn(host: Element): PageWorld | undefined {
+    const scope = this.scopeIn(host);
+    const bindings = scope ? [...bindingsIn(scope)] : [];
+    const collection = bindings.find((binding) => binding.is('RigidBodyCollection'));
+    return firstOf(collection ? [collection] : bindings);
+  }
+
   /** For elements that belong to no node: the world of the first physics element. */
   firstWorld(): PageWorld | undefined {
     for (const scope of this.scopes) {
-      for (const element of subtree(scope.root)) {
-        const binding = isPhysics(element) ? ownBinding(element) : undefined;
-        const world = binding?.scope && worldFor(binding);
-        if (world) return world;
-      }
+      const world = firstOf(bindingsIn(scope));
+      if (world) return world;
     }
     return undefined;
   }
 
   // ---- problems and drawing -------------------------------------------------------------------------------------
 
-  #worldFor(binding: Binding): PageWorld {
+  /** Of a node that lives in no world, the first world hears; a report makes no world. */
+  report(report: Report, binding: Binding): void {
     const [first] = this.worlds.all;
-    return binding.world ?? first ?? this.worlds.default;
+    const world = binding.world ?? first;
+    if (world) world.report(report, binding.element);
+    else this.#unheard.push({ report, binding });
   }
 
-  report(report: Report, binding: Binding): void {
-    this.#worldFor(binding).report(report, binding.element);
+  /** Where there still is no world, the console and the page hear. */
+  tellUnheard(): void {
+    const [first] = this.worlds.all;
+    for (const { report, binding } of this.#unheard.splice(0)) {
+      if (first) this.report(report, binding);
+      else if (binding.scope) tellPage(report, binding.element);
+    }
   }
 
   settle(binding: Binding, attributeName?: string, code?: string): void {
@@ -273,6 +294,21 @@ export class Scene implements Driven {
     }
     return again;
   }
+}
+
+function* bindingsIn(scope: Scope): Generator<Binding> {
+  for (const element of subtree(scope.root)) {
+    const binding = isPhysics(element) ? ownBinding(element) : undefined;
+    if (binding?.scope) yield binding;
+  }
+}
+
+function firstOf(bindings: Iterable<Binding>): PageWorld | undefined {
+  for (const binding of bindings) {
+    const world = worldFor(binding);
+    if (world) return world;
+  }
+  return undefined;
 }
 
 /** The longest stretch a world takes at once without calling it lag, seconds. */

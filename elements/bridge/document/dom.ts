@@ -4,7 +4,8 @@ import { nodeTypes } from '../../../physics-core/index.js';
 export type NodeType = (typeof nodeTypes)[string];
 export type Field = NodeType['fields'][string];
 
-const getAttribute = Element.prototype.getAttribute;
+// Node, where servers render pages, has no Element.
+const getAttribute = globalThis.Element?.prototype.getAttribute;
 
 /**
  * An attribute as the author wrote it. x3dom replaces `getAttribute` on its elements by one that answers defaults.
@@ -31,6 +32,9 @@ export const isTemplate = (element: Element): boolean => TEMPLATES.has(lowerName
 export const kebab = (name: string): string =>
   name.replace(/[A-Z]/g, (letter, at) => (at ? '-' : '') + letter.toLowerCase());
 
+export const camel = (name: string): string =>
+  name.replace(/-[a-z]/g, (letter) => letter[1].toUpperCase());
+
 export const tagOf = (type: NodeType): string => `x3d-${kebab(type.name)}`;
 
 const typesByName = new Map<string, NodeType>();
@@ -41,12 +45,20 @@ for (const type of Object.values(nodeTypes)) {
 
 /** The physics node that an element of either spelling stands for. */
 export const typeOf = (element: Element): NodeType | undefined =>
-  typesByName.get(lowerName(element));
+  typesByName.get(lowerName(element)) ?? typeOfClass(element);
+
+/** Our classes may be defined under other tags. */
+function typeOfClass(element: Element): NodeType | undefined {
+  if (!element.localName.includes('-')) return undefined;
+  const { type } = element.constructor as { type?: NodeType };
+  return type && nodeTypes[type.name] === type ? type : undefined;
+}
 
 /** The X3D names of all physics nodes, also of those without a table yet. */
 const PHYSICS =
   /^(x3d-)?(rigid-?body(-?collection)?|collidable-?(shape|offset)|collision-?(collection|space|sensor)|contact|(ball|(single|double)-?axis-?hinge|slider|universal|motor)-?joint)$/;
-export const isPhysics = (element: Element): boolean => PHYSICS.test(lowerName(element));
+export const isPhysics = (element: Element): boolean =>
+  PHYSICS.test(lowerName(element)) || typeOfClass(element) !== undefined;
 
 export const isCustom = (element: Element): boolean =>
   element.localName.startsWith('x3d-') && element.namespaceURI === 'http://www.w3.org/1999/xhtml';

@@ -31,7 +31,7 @@ const COMMON = new Set([
 const COMMON_PREFIX = /^(on|data-|aria-|xml|xsi:|_|:|@)/;
 
 /** Additions of ours that say something about structure, and so are no fields. */
-const STRUCTURE: Record<string, string[]> = {
+export const STRUCTURE: Record<string, string[]> = {
   RigidBodyCollection: ['default', 'shared-world'],
   RigidBody: ['for'],
   CollidableShape: ['for'],
@@ -51,13 +51,15 @@ export function known(type: NodeType, name: string): boolean {
   );
 }
 
-export function unknownAttribute(type: NodeType, name: string): Report {
+export function unknownAttribute({ element, type, label }: Binding, name: string): Report {
   const meant = nearest(name, type);
   return {
     code: 'unknown-attribute',
     severity: 'warning',
     attribute: name,
-    message: `${type.name} has no attribute ${name}${meant ? `; did you mean ${meant}?` : ''}`,
+    value: attribute(element, name),
+    used: 'nothing',
+    message: `${label} has no attribute ${name}${meant ? `; did you mean ${meant}?` : ''}`,
   };
 }
 
@@ -94,7 +96,7 @@ const IMPOSSIBLE: Record<string, RegExp> = {
   CollidableShape: /rigid-?body|joint|collision|collidable/,
   CollidableOffset: /rigid-?body|joint|collision/,
   CollisionCollection: /rigid-?body|joint|collision-?(collection|sensor)/,
-  RigidBodyCollection: /rigid-?body-?collection|^scene$/,
+  RigidBodyCollection: /rigid-?body-?collection|collidable|^scene$/,
 };
 const JOINT_CHILD = /joint|collision|rigid-?body-?collection|^shape$|^transform$/;
 
@@ -102,7 +104,7 @@ const JOINT_CHILD = /joint|collision|rigid-?body-?collection|^shape$|^transform$
 export function checkMarkup(binding: Binding): void {
   const { element, type } = binding;
   for (const { name } of element.attributes) {
-    if (!known(type, name)) binding.problem(unknownAttribute(type, name));
+    if (!known(type, name)) binding.problem(unknownAttribute(binding, name));
   }
   const impossible =
     IMPOSSIBLE[type.name] ?? (type.name.endsWith('Joint') ? JOINT_CHILD : undefined);
@@ -127,22 +129,27 @@ const duplicate = (def: string, { label }: Binding): Report => ({
   severity: 'warning',
   attribute: 'DEF',
   value: def,
+  used: 'the later element',
   message: `${label} shares its DEF with a later element, and a USE means the later one`,
 });
 
-function misplacedChild({ element, label }: Binding, child: Element): Report {
-  const swallowed = isHTML(element) && (isPhysics(child) || lowerName(child) === 'scene');
+function misplacedChild({ element, type, label }: Binding, child: Element): Report {
+  // A collection that is thought closed swallows whole bodies and collections, not single collidables.
+  const stray = type.name === 'RigidBodyCollection' && /collidable/.test(lowerName(child));
+  const swallowed = isHTML(element) && !stray && (isPhysics(child) || lowerName(child) === 'scene');
   return swallowed
     ? {
         code: 'self-closing',
         severity: 'error',
         value: child.localName,
+        used: 'the markup as HTML reads it',
         message: `${label} has swallowed <${child.localName}>: HTML knows no self-closing tags, write <${element.localName}></${element.localName}>`,
       }
     : {
         code: 'misplaced',
         severity: 'warning',
         value: child.localName,
+        used: 'nothing',
         message: `<${child.localName}> can't stand in ${label}${lowerName(child) === 'shape' ? '; put it into a CollidableShape' : ''}`,
       };
 }

@@ -1,18 +1,37 @@
-/**
- * A physics element that no scene will ever see: outside any `<x3d>`, or in a shadow root, where x3dom does not look.
- * There is no world to tell, so the console and the event are all.
- */
-export function checkPlace(element: Element): void {
-  if (!element.isConnected) return;
-  const inScene = element.closest('x3d, X3D') && element.closest('scene, Scene');
-  const inShadow = element.getRootNode() instanceof ShadowRoot;
-  if (inScene && !inShadow) return;
-  const [code, message] = inShadow
-    ? ['shadow-root', `<${element.localName}> stands in a shadow root, where x3dom does not look`]
-    : ['misplaced', `<${element.localName}> stands outside the scene of any <x3d>`];
-  console.warn(`x3d-physics: ${message} [${code}]`);
-  const detail = { code, severity: 'warning', message, element };
+import type { Report } from '../nodes/binding.js';
+import { setState } from '../states.js';
+
+const misplaced = new WeakSet<Element>();
+const told = new WeakMap<Element, Set<string>>();
+
+/** Of an element that no world has: the console and the event are all. */
+export function tellPage(report: Report, element: Element): void {
+  const key = `${report.code} ${report.attribute}`;
+  const before = told.get(element) ?? new Set();
+  if (before.has(key)) return;
+  told.set(element, before.add(key));
+  console.warn(`x3d-physics: ${report.message} [${report.code}]`);
+  setState(element, 'problem', true);
+  const detail = { ...report, element };
   element.dispatchEvent(
     new CustomEvent('physicsproblem', { bubbles: true, composed: true, detail }),
   );
+}
+
+/** A physics element that no scene will ever see: outside any `<x3d>`, or in a shadow root, where x3dom does not look. */
+export function checkPlace(element: Element): void {
+  if (!element.isConnected) return;
+  if (misplaced.delete(element)) {
+    told.delete(element);
+    setState(element, 'problem', false);
+  }
+  const inScene = element.closest('x3d, X3D') && element.closest('scene, Scene');
+  const inShadow = element.getRootNode() instanceof ShadowRoot;
+  if (inScene && !inShadow) return;
+  misplaced.add(element);
+  const [code, where] = inShadow
+    ? ['shadow-root', 'in a shadow root, where x3dom does not look']
+    : ['misplaced', 'outside the scene of any <x3d>'];
+  const message = `<${element.localName}> stands ${where}`;
+  tellPage({ code, severity: 'warning', used: 'nothing', message }, element);
 }

@@ -1,5 +1,6 @@
 import { ownBinding } from '../nodes/binding.js';
-import { attribute, isCustom, isPhysics, isTransform, lowerName, subtree } from './dom.js';
+import { fieldsByAttribute } from '../nodes/fields.js';
+import { attribute, isInline, isPhysics, isTransform, lowerName, subtree } from './dom.js';
 import { isType } from './markup.js';
 import type { Scene } from '../scene.js';
 import type { Scope } from './scope.js';
@@ -89,6 +90,7 @@ export class Observed {
     if (isPhysics(element)) this.#physics(element, name, value === oldValue);
     else if (isTransform(element)) this.#transform(element, name, oldValue, value);
     else this.#touch(element);
+    if (isInline(element) && lower === 'shared-world') this.#scene.requeueInline(element);
     if (element.ownerDocument !== document && !isPhysics(element) && value !== null)
       nodeOf(element)?.updateField(name, value);
   }
@@ -103,11 +105,12 @@ export class Observed {
     if (element.parentElement) this.#touch(element.parentElement);
   }
 
-  /** Custom elements hear of their attributes themselves, at once. */
+  /** Custom elements hear of the attributes of their fields themselves, at once; of all others they do not. */
   #physics(element: Element, name: string, same: boolean): void {
-    if (same) return;
-    if (!isCustom(element) || !customElements.get(element.localName))
-      ownBinding(element)?.attributeChanged(name);
+    const binding = same ? undefined : ownBinding(element);
+    if (!binding) return;
+    const heard = isUpgraded(element) && fieldsByAttribute(binding.type).has(name.toLowerCase());
+    if (!heard) binding.attributeChanged(name);
   }
 
   /** x3dom follows a Transform's attribute only from one value to another; the rest is done here. */
@@ -122,12 +125,14 @@ export class Observed {
   }
 }
 
+const isUpgraded = (element: Element): boolean => 'attributeChangedCallback' in element;
+
 /** Of its children only some concern a collection; it may have thousands, and they come one by one. */
 function concerns(parent: Element, child: Node): boolean {
   if (!(child instanceof Element)) return false;
   return (
     !isType(parent, 'RigidBodyCollection') ||
-    (!isType(child, 'RigidBody', 'CollidableShape') && !lowerName(child).endsWith('joint'))
+    (!isType(child, 'RigidBody') && !lowerName(child).endsWith('joint'))
   );
 }
 

@@ -140,10 +140,14 @@ function meshOf(element: Element, length: number): GeometryData | undefined {
 }
 
 export function noteWaiting(binding: Binding, reader: GeometryReader): void {
-  if (!reader.waiting) return;
+  // What names something that is not there has been told so already.
+  if ((!reader.waiting && reader.found.length > 0) || binding.waiting.size > 0) return;
   binding.problem({
     code: 'waiting-for-geometry',
     severity: 'info',
-    message: `${binding.label} has a Shape without a geometry that could collide`,
+    used: reader.found.length > 0 ? 'its other Shapes' : 'nothing',
+    message: reader.waiting
+      ? `${binding.label} has a Shape without a geometry that could collide`
+      : `${binding.label} has no Shape that could collide`,
   });
 }

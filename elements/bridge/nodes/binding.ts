@@ -17,6 +17,12 @@ export interface Report {
   used?: unknown;
 }
 
+/** The Transform that a body stands for, and what `for` says. */
+export interface Place {
+  transform: Element | undefined;
+  name: string | null;
+}
+
 /**
  * What ties one physics element, of either spelling, to its node in the core. An element that only stands for
  * another by USE has none: `bindingOf` gives that of its DEF.
@@ -31,6 +37,8 @@ export class Binding {
   node: PhysicsNode | null = null;
   /** What it moves and takes its Shapes from, by a shortcut or in X3DOM's older dialect. */
   standIn: StandIn | undefined;
+  /** What its node was last placed by. */
+  placed: Place | undefined;
   /** The collidable that a shortcut gives a body. */
   shortcutNode: PhysicsNode | null = null;
   /** The scopes in which it watches names. */
@@ -103,7 +111,7 @@ export class Binding {
     if (known(this.type, attributeName)) this.scope?.scene.dirty(this);
     else if (attribute(this.element, attributeName) === null)
       this.settle('unknown-attribute', attributeName);
-    else this.problem(unknownAttribute(this.type, attributeName));
+    else this.problem(unknownAttribute(this, attributeName));
   }
 
   /** A property was set: the value is in file units; a joint's body may be an element or its name. */
@@ -185,12 +193,14 @@ export class Binding {
   /** A name that nobody bears yet. */
   waitFor(role: string, name: string): void {
     this.#waiting.set(role, name);
+    const what = role === 'for' ? `"${name}"` : `${role} "${name}"`;
     this.problem({
       code: 'unknown-reference',
       severity: 'warning',
       attribute: role,
       value: name,
-      message: `${this.label} waits for ${role} "${name}", which is not there`,
+      used: 'nothing',
+      message: `${this.label} waits for ${what}, which is not there`,
     });
   }
 
@@ -199,12 +209,16 @@ export class Binding {
     return this.#waiting;
   }
 
-  /** Reads anew what its node is to be; what that finds wrong is told by `tellFound`. */
-  plan<T>(read: () => T): T {
+  /** Forgets what it knew of its surroundings, before `plan` reads them anew. */
+  beginPlan(): void {
     this.forgetTies();
     this.#waiting = new Map();
     this.#told = this.#found;
     this.#found = new Map();
+  }
+
+  /** Reads what its node is to be; what that finds wrong is told by `tellFound`. */
+  plan<T>(read: () => T): T {
     this.#planning = true;
     try {
       return read();

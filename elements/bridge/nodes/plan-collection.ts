@@ -1,6 +1,5 @@
 import type { PhysicsNode } from '../../../physics-core/index.js';
 import type { Binding } from './binding.js';
-import { attribute } from '../document/dom.js';
 import { isType } from '../document/markup.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
 import { collidablesIn, meant } from '../document/structure.js';
@@ -22,9 +21,8 @@ export function planSensor(binding: Binding, world: PageWorld): Plan {
 }
 
 export function planColliders(binding: Binding, world: PageWorld): Plan {
-  const all =
-    binding.authored('collidables') === '*' ||
-    attribute(binding.element, 'collidables')?.trim() === '*';
+  const authored = binding.authored('collidables');
+  const all = typeof authored === 'string' && authored.trim() === '*';
   const collidables = all ? '*' : nodesIn(world, members(binding), binding);
   return { world, collection: collectionNode(binding), relations: { collidables } };
 }

@@ -3,7 +3,7 @@ import { drawnPose, moveTo } from './body-state.js';
 import { attribute, isInline, isPhysics, isTransform } from '../document/dom.js';
 import { checkMarkup } from '../document/markup.js';
 import { inOrder } from '../document/order.js';
-import type { Plan } from './plan.js';
+import type { Plan, StartPose } from './plan.js';
 import { planFor } from './plans.js';
 import type { Scene } from '../scene.js';
 import type { Scope } from '../document/scope.js';
@@ -90,6 +90,7 @@ export class Updates {
     } finally {
       this.#running = false;
     }
+    this.#scene.tellUnheard();
   }
 
   // ---- what happened in the document ----------------------------------------------------------------------------
@@ -167,10 +168,15 @@ export class Updates {
       .filter(({ element }) => isTransform(element));
     const target = targets.find(({ element }) => element === edited) ?? targets[0];
     if (!target || !binding.node) return false;
-    moveTo(binding.node, drawnPose(target));
-    this.#jumped.add(binding);
+    this.jump(binding, drawnPose(target));
     this.#queue.add(binding);
     return true;
+  }
+
+  /** Puts a body where its Transform is. */
+  jump(binding: Binding, pose: StartPose): void {
+    moveTo(binding.node!, pose);
+    this.#jumped.add(binding);
   }
 
   // ---- nodes --------------------------------------------------------------------------------------------------
@@ -180,8 +186,11 @@ export class Updates {
       [...this.#queue].filter((binding) => binding.scope?.scene === this.#scene),
     );
     this.#queue = new Set();
-    for (const binding of batch)
-      if (binding.is('RigidBody', 'CollidableShape')) this.#scene.updateStandIn(binding);
+    for (const binding of batch) {
+      binding.beginPlan();
+      if (binding.is('RigidBody', 'CollidableShape'))
+        binding.plan(() => this.#scene.updateStandIn(binding));
+    }
     for (const binding of batch) if (binding.scope) this.#update(binding);
   }
 
@@ -201,6 +210,8 @@ export class Updates {
     const world = worldFor(binding);
     binding.world = world ?? null;
     checkMarkup(binding);
+    // Without what it stands for, nobody knows where it is to start.
+    if (binding.is('RigidBody') && binding.waiting.has('for')) return undefined;
     return world && planFor(binding, world);
   }
 
@@ -221,7 +232,7 @@ export class Updates {
     this.#tellUsers(binding);
     this.#writer.remove(binding);
     this.#scene.stopDriving(binding);
-    binding.plan(() => {});
+    binding.beginPlan();
     binding.tellFound();
     this.#scene.settle(binding);
     binding.world?.collections.delete(binding);

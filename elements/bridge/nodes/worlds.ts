@@ -43,9 +43,28 @@ export class PageWorld extends World {
 
   /** By name, or by an element, also one that only stands for another by USE. */
   override node(nameOrElement: unknown): PhysicsNode | undefined {
+    if (typeof nameOrElement === 'string')
+      return this.#named(nameOrElement) ?? super.node(nameOrElement);
     const element =
       nameOrElement instanceof Element ? this.scene.meant(nameOrElement) : nameOrElement;
-    return super.node(element);
+    if (element instanceof Element) return this.#nodeOf(element);
+    return element == null ? undefined : super.node(element);
+  }
+
+  /** Asked of its host, the core might answer with the collidable that a shortcut gives a body. */
+  #nodeOf(element: Element): PhysicsNode | undefined {
+    const binding = ownBinding(element);
+    return binding?.world === this ? (binding.node ?? undefined) : undefined;
+  }
+
+  /** Its node has one name only, an element may have a DEF and an id. */
+  #named(name: string): PhysicsNode | undefined {
+    for (const scope of this.scene.scopes) {
+      const element = scope.find(name);
+      const node = element && this.#nodeOf(element);
+      if (node) return node;
+    }
+    return undefined;
   }
 
   /** Keeps running while the page is hidden or the scene scrolled away. */

@@ -1,9 +1,10 @@
 import type { PhysicsNode } from '../../../physics-core/index.js';
-import type { Binding } from './binding.js';
+import type { Binding, Place } from './binding.js';
 import { restoreState, stateOf } from './body-state.js';
 import type { Plan } from './plan.js';
 import type { Target } from '../drawing/drawing.js';
 import type { Scene } from '../scene.js';
+import { attribute } from '../document/dom.js';
 import { transformsAbove } from '../geometry/transforms.js';
 import type { PageWorld } from './worlds.js';
 
@@ -24,6 +25,8 @@ export class Writer {
     if (!binding.node) this.#create(binding, plan);
     else this.#patch(binding, binding.node, plan);
     if (carried) restoreState(binding.node!, carried);
+    else if (moves === false) this.#followFor(binding, plan);
+    binding.placed = placeOf(binding);
     binding.node!.name = binding.name;
     if (plan.targets) this.#setTargets(binding, plan.targets);
   }
@@ -66,6 +69,16 @@ export class Writer {
     binding.relations = plan.relations;
   }
 
+  /** `for` names another Transform than before: a body without a pose of its own goes there. */
+  #followFor(binding: Binding, { start }: Plan): void {
+    const { transform, name } = placeOf(binding);
+    const before = binding.placed;
+    // A body moved in the tree comes under another Transform, too, but keeps its pose.
+    const byName = name !== null || before?.name != null;
+    if (!start || !transform || !byName || transform === before?.transform) return;
+    if (!binding.wrote('position', 'orientation')) this.#scene.updates.jump(binding, start);
+  }
+
   #patchShapes(binding: Binding, node: PhysicsNode, plan: Plan): void {
     if (sameRelation(binding.shapes, plan.shapes)) return;
     const before = binding.shortcutNode;
@@ -101,6 +114,12 @@ export class Writer {
     this.#scene.drawing.forget(binding);
   }
 }
+
+/** The Transform that a body stands for, and the name by which it does. */
+const placeOf = ({ element, standIn }: Binding): Place => ({
+  transform: standIn?.transform,
+  name: attribute(element, 'for'),
+});
 
 function sameRelation(a: unknown, b: unknown): boolean {
   if (Array.isArray(a) && Array.isArray(b))

@@ -15,7 +15,7 @@ describe('what is drawn', () => {
       `
       <transform scale="2 1 1" rotation="0 1 0 1"><transform id="t" translation="0 5 0" center="0.3 0.2 0" scale="1 2 3" rotation="1 0 0 1">
         <shape><box></box></shape><x3d-rigid-body id="b" angularvelocity="1 2 3"></x3d-rigid-body></transform></transform>
-      <transform id="u" translation="0 5 0" center="0.3 0.2 0" scale="1 2 3" rotation="1 0 0 1">
+      <transform id="u" translation="20 5 0" center="0.3 0.2 0" scale="1 2 3" rotation="1 0 0 1">
         <shape><box></box></shape><x3d-rigid-body id="v" angularvelocity="1 2 3"></x3d-rigid-body></transform>`,
       '#b',
     );
