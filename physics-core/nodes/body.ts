@@ -263,6 +263,14 @@ export class BodyNode extends PhysicsNode {
 
   // ---- pose and velocity --------------------------------------------------------------------------------------
 
+  /** Before it is built a body is where it will start. */
+  override get(name: string): Value {
+    const value = super.get(name);
+    if (this.built || !this.start) return value;
+    if (name === 'position') return this.startPose().p;
+    return name === 'orientation' ? rotationOf(this.startPose().q) : value;
+  }
+
   startPose(): Pose {
     const { p, q } = this.start ?? identityPose();
     return {

@@ -75,10 +75,9 @@ export class PhysicsNode {
   get(name: string): Value {
     const field = this.#field(name);
     if (!field) return undefined;
-    if (field.read && this.#built) {
-      this.world.flush();
-      return field.read(this as never);
-    }
+    // A node that was just added is built now, so that it does not answer with defaults.
+    if (field.read) this.world.flush();
+    if (field.read && this.#built) return field.read(this as never);
     return codecs[field.type].copy(this.asked(name));
   }
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes, type Field, type World } from '../../physics-core/index.js';
+import { nodeTypes, World, type Field } from '../../physics-core/index.js';
 import {
   addBody,
   close,
@@ -174,4 +174,17 @@ fact('methods act on a body that was only just added', async () => {
   w.advance(1);
   close(position(pushed), [2, 0, 0], 1e-4, 'm');
   close(position(moved), [0, 5, 0], 1e-4, 'm');
+});
+
+fact('a body that was just added is where it starts, not where a default would be', async () => {
+  const start = { p: [1, 2, 3], q: [0, 0, 0, 1] } as const;
+  const w = await world({ gravity: [0, 0, 0] });
+  w.step();
+  const late = w.add('RigidBody', {}, { start: start as never });
+  close(late.get('position') as number[], [1, 2, 3], 1e-6, 'm');
+  w.paused = true;
+  const early = new World();
+  const waiting = early.add('RigidBody', {}, { start: start as never });
+  close(waiting.get('position') as number[], [1, 2, 3], 1e-6, 'm, before the start');
+  early.destroy();
 });
