@@ -47,7 +47,7 @@ export class ContactSurface extends Effect {
 
   /**
    * Bullet solves contacts before bodies touch and pushes overlaps apart by velocity; both falsify a bounce. A body
-   * that bounces asks for neither (numerics 4.5).
+   * that bounces asks for neither (measured).
    */
   #setBouncing(body: BodyNode, bounces: boolean): void {
     if (bounces === this.#bouncing.has(body)) return;

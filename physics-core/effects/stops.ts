@@ -21,7 +21,7 @@ interface Row {
 /**
  * Bullet's own limit rows rebound from a stop by themselves and hardly bounce when asked to. Where the angle would
  * pass a stop in the coming step, this sets its rate at once, solving all six rows of the joint together so that the
- * locked ones stay as they are (numerics 4.8, 4). Bullet's limits stay on behind it as a net.
+ * locked ones stay as they are (measured). Bullet's limits stay on behind it as a net.
  */
 export class Stops extends Effect {
   readonly name = 'stops';

@@ -49,7 +49,7 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
   }
 }
 
-/** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (numerics: Bullet 2.82). */
+/** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (Bullet 2.82). */
 export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
   const heap = ammo.HEAPF32;
   const at = (offset: number): number => heap[(pointer + offset) >> 2]!;

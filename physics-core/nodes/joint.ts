@@ -31,14 +31,14 @@ export type Limit = readonly [number, number];
 export const FREE: Limit = [1, -1];
 /**
  * Not 0: Bullet's 6-DoF drops a locked row whose error is exactly the limit, so a hinge hanging straight would fall
- * for one step and be pulled back in the next, for ever (numerics 4.8, 1).
+ * for one step and be pulled back in the next, for ever (measured).
  */
 export const LOCKED: Limit = [1e-20, 1e-20];
 
 /** From 1 on Bullet lets a joint go altogether (measured: a sag of 500 m). */
 const MOST_SOFTNESS = 0.9;
 
-/** Masses more unlike than this strain a joint visibly at `standard` (numerics 4.3, 4.8). */
+/** Masses more unlike than this strain a joint visibly at `standard` (measured). */
 const HARD_MASS_RATIO = 100;
 
 /** Where a joint sits, world frame, at the moment it is made. Its x axis is the one that `limits` speak of first. */
@@ -201,7 +201,7 @@ export abstract class JointNode extends PhysicsNode {
 
   /**
    * Rows along the lever arm: world axes would couple the rows through a small inertia, and the solver would let the
-   * joint open (numerics 4.8, 2). Without an axis of its own the frame's x runs along the arm; else its z does.
+   * joint open (measured). Without an axis of its own the frame's x runs along the arm; else its z does.
    */
   #orientation(anchor: Vec3, axis: Vec3 | undefined) {
     const arm = this.#longestArm(anchor);

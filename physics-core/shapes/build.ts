@@ -25,7 +25,7 @@ export interface Workshop {
   note(note: ShapeNote): void;
 }
 
-/** Bullet keeps this margin inside boxes and cylinders; a thin part needs a thinner one (numerics 4.8, 11). */
+/** Bullet keeps this margin inside boxes and cylinders; a thin part needs a thinner one (measured). */
 const marginFor = (halfExtent: number): number => Math.min(0.04, 0.1 * halfExtent);
 
 /** A hull, and Bullet's cone, grows by its margin: small enough not to be seen, large enough for a stable contact search. */

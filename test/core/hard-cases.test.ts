@@ -17,7 +17,7 @@ import {
   world,
 } from './helpers.js';
 
-// Cases that break engines (numerics.md 3), and closed forms across nodes (numerics.md 2).
+// Cases that break engines, and closed forms across nodes.
 
 fact(
   'A1: a projectile follows x₀ + v t + ½ g t², and semi-implicit Euler adds exactly ½ g t dt',

@@ -37,7 +37,7 @@ export const STRUCTURE: Record<string, string[]> = {
   CollidableShape: ['for'],
 };
 
-/** Interaction attributes of design.md 1.2, for later rooms. */
+/** Attributes of dragging and debugging, for later rooms. */
 const INTERACTION = ['draggable-body', 'drag-mode', 'debug', 'time-budget'];
 
 export function known(type: NodeType, name: string): boolean {
