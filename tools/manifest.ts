@@ -1,12 +1,8 @@
 // npm run manifest: dist/custom-elements.json, editor data and the types of properties, from the field tables alone.
 import { appendFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { tagOf } from '../elements/bridge/document/dom.js';
+import { attributeOf, holdsNodes } from '../elements/bridge/nodes/fields.js';
 import { codecs, nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
-
-const kebab = (name: string): string =>
-  name.replace(/[A-Z]/g, (letter, at: number) => `${at ? '-' : ''}${letter.toLowerCase()}`);
-const tagOf = (type: NodeType): string => `x3d-${kebab(type.name)}`;
-const holdsNodes = (field: Field): boolean => field.type.endsWith('Node');
-const attributeOf = (name: string, field: Field): string => (field.own ? kebab(name) : name);
 
 const SCRIPT_TYPES: Record<string, string> = {
   SFBool: 'boolean',

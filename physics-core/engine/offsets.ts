@@ -6,16 +6,12 @@ export const BODY = {
   /** Rows of the rotation matrix, 16 bytes apart; the origin follows. */
   basis: 4,
   origin: 52,
-  collisionFlags: 204,
   islandTag: 208,
   activationState: 216,
-  inverseInertiaWorld: 264,
   linearVelocity: 312,
   angularVelocity: 328,
   inverseMass: 344,
   inverseInertiaLocal: 396,
-  totalForce: 412,
-  totalTorque: 428,
 } as const;
 
 export const SOLVER = {
@@ -32,36 +28,23 @@ export const SOLVER = {
 export const SOLVER_MODE = {
   warmstart: 4,
   twoFrictionDirections: 16,
-  cachedFrictionDirections: 32,
   simd: 256,
 } as const;
 
 export const MANIFOLD_POINT = {
   positionB: 32,
-  positionA: 48,
   normalB: 64,
-  distance: 80,
   friction: 84,
   restitution: 92,
   index0: 104,
   index1: 108,
-  frictionInitialized: 116,
-  appliedImpulse: 120,
-  motion1: 132,
-  motion2: 136,
-  cfm1: 140,
-  cfm2: 144,
-  lateral1: 152,
-  lateral2: 168,
 } as const;
 
 /** btCollisionObject::m_activationState1. */
 export const ACTIVATION = {
   active: 1,
   sleeping: 2,
-  wantsSleep: 3,
   alwaysActive: 4,
-  disabled: 5,
 } as const;
 
 /** btCollisionObject::m_collisionFlags. */
