@@ -61,3 +61,12 @@ export const levelNamed = (name: string): Level => levels.find((level) => level.
 /** X3D's errorCorrection is per 1/60 s (the frame it was written for); this is its share per step of `dt`. */
 export const perStep = (errorCorrection: number, dt: number): number =>
   1 - (1 - errorCorrection) ** (60 * dt);
+
+/**
+ * Softness (X3D's constantForceMix, velocity per force) of a row that repairs the share `errorCorrection` per 1/60 s, for
+ * steps of `dt`: under a steady force it gives way as far as X3D's own step of 1/60 s would let it.
+ */
+export const softnessAtStep = (softness: number, errorCorrection: number, dt: number): number =>
+  errorCorrection > 0
+    ? (softness * perStep(errorCorrection, dt)) / (60 * dt * errorCorrection)
+    : softness;

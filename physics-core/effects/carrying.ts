@@ -1,5 +1,5 @@
 import { mix, type Pose } from '../math.js';
-import type { BodyNode } from '../nodes/body.js';
+import type { MovingNode } from '../nodes/body-motion.js';
 import type { World } from '../world/world.js';
 import { Effect } from './effect.js';
 
@@ -27,14 +27,14 @@ interface Move {
 export class Carrying extends Effect {
   readonly name = 'carrying';
   readonly #world: World;
-  readonly #moves = new Map<BodyNode, Move>();
+  readonly #moves = new Map<MovingNode, Move>();
 
   constructor(world: World) {
     super();
     this.#world = world;
   }
 
-  carried(body: BodyNode, from: Pose, to: Pose): void {
+  carried(body: MovingNode, from: Pose, to: Pose): void {
     const since = this.#world.time;
     const last = this.#moves.get(body);
     // Position and orientation come one after the other: together they are one move.
@@ -43,7 +43,7 @@ export class Carrying extends Effect {
     this.need(body, 'position');
   }
 
-  override drop(body: BodyNode): void {
+  override drop(body: MovingNode): void {
     super.drop(body);
     this.#moves.delete(body);
   }

@@ -1,5 +1,5 @@
-/** Solves A x = b for a symmetric positive definite A (row-major n × n); A and b are overwritten, b becomes x. */
-export function solveCholesky(a: Float64Array, b: Float64Array, n: number): boolean {
+/** Factors a symmetric positive definite A (row-major n × n) into L Lᵀ, in place; false where it is none. */
+export function factor(a: Float64Array, n: number): boolean {
   for (let j = 0; j < n; j++) {
     let diagonal = a[j * n + j]!;
     for (let k = 0; k < j; k++) diagonal -= a[j * n + k]! ** 2;
@@ -12,15 +12,23 @@ export function solveCholesky(a: Float64Array, b: Float64Array, n: number): bool
       a[i * n + j] = sum / root;
     }
   }
+  return true;
+}
+
+/** Solves L x = b; b becomes x. */
+export function forward(l: Float64Array, b: Float64Array, n: number): void {
   for (let i = 0; i < n; i++) {
     let sum = b[i]!;
-    for (let k = 0; k < i; k++) sum -= a[i * n + k]! * b[k]!;
-    b[i] = sum / a[i * n + i]!;
+    for (let k = 0; k < i; k++) sum -= l[i * n + k]! * b[k]!;
+    b[i] = sum / l[i * n + i]!;
   }
+}
+
+/** Solves Lᵀ x = b; b becomes x. */
+export function backward(l: Float64Array, b: Float64Array, n: number): void {
   for (let i = n - 1; i >= 0; i--) {
     let sum = b[i]!;
-    for (let k = i + 1; k < n; k++) sum -= a[k * n + i]! * b[k]!;
-    b[i] = sum / a[i * n + i]!;
+    for (let k = i + 1; k < n; k++) sum -= l[k * n + i]! * b[k]!;
+    b[i] = sum / l[i * n + i]!;
   }
-  return true;
 }

@@ -1,59 +1,195 @@
+import { ContactPoint } from '../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
+import type { Vec3 } from '../fields/types.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { CollidableNode } from '../nodes/collidable.js';
-import type { CollisionSensorNode } from '../nodes/collision-sensor.js';
+import type { CollisionCollectionNode } from '../nodes/collision-collection.js';
+import { CollisionSensorNode } from '../nodes/collision-sensor.js';
+import type { ContactNode } from '../nodes/contact.js';
+import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
+import { foundContact } from './found-contact.js';
+import { partAt } from './contact-part.js';
 import { Effect } from './effect.js';
+import { Touches, type TouchPoint } from './touches.js';
 
-/** A resting sphere has a distance of 1.5e-16 in some steps, so touching needs a tolerance, metres. */
+/** A resting sphere has a distance of 1.5e-16 in some steps, so a sensor needs a tolerance, metres. */
 const TOUCHING = 0.0005;
 
-/** Reads what touches after each step, for CollisionSensors. */
+/** What the pair filter has taken back lies at 1e30 m. */
+const FILTERED = 9e29;
+
+type Visit = (pointer: number, a: BodyNode, b: BodyNode) => void;
+
+/** Reads what touches after each step, for CollisionSensors and for listeners to collisions of bodies. */
 export class ContactReader extends Effect {
   readonly name = 'contact reading';
   readonly #world: World;
+  readonly #touches: Touches;
+  readonly #sensors = new Set<CollisionSensorNode>();
+  /** Whether anybody listens to collisions at all. */
+  #listening = false;
+  #readPoint: ContactPoint | undefined;
 
   constructor(world: World) {
     super();
     this.#world = world;
+    this.#touches = new Touches((touch, into) => this.#pointsOf(touch.a, touch.b, into));
   }
 
-  override afterStep(): void {
-    const touching = new Map<CollisionSensorNode, Set<CollidableNode>>();
-    for (const node of this.causes) touching.set(node as CollisionSensorNode, new Set());
-    this.#eachContact((a, b) => {
-      for (const [sensor, found] of touching) if (watches(sensor, a, b)) found.add(a).add(b);
-    });
-    for (const [sensor, found] of touching) sensor.sense([...found]);
+  get #point(): ContactPoint {
+    return (this.#readPoint ??= new ContactPoint(this.#world.engine.ammo));
   }
 
-  #eachContact(visit: (a: CollidableNode, b: CollidableNode) => void): void {
+  // ---- who needs it -----------------------------------------------------------------------------------------------
+
+  /** Somebody began or ceased to listen to a body, or to a collidable without one. */
+  update(node: PhysicsNode): void {
+    const event = ['collisionstart', 'collisionend'].find((name) => node.heard(name));
+    if (event) {
+      this.need(node, event);
+      return;
+    }
+    super.drop(node);
+    this.#sortCauses();
+  }
+
+  override need(node: PhysicsNode, reason: string): void {
+    super.need(node, reason);
+    this.#sortCauses();
+  }
+
+  /** A body that is made anew goes on touching and being listened to. */
+  override drop(node: PhysicsNode): void {
+    if (!(node instanceof CollisionSensorNode) && !node.removed) return;
+    super.drop(node);
+    this.#sortCauses();
+  }
+
+  #sortCauses(): void {
+    this.#listening = false;
+    this.#sensors.clear();
+    for (const node of this.causes)
+      if (node instanceof CollisionSensorNode) this.#sensors.add(node);
+      else this.#listening = true;
+    if (!this.#listening) this.#touches.forget();
+  }
+
+  #listensTo(body: BodyNode): boolean {
+    const node = body.standsFor;
+    return node.heard('collisionstart') || node.heard('collisionend');
+  }
+
+  /** Whether the body touches another; known while somebody listens to its collisions. */
+  colliding(body: BodyNode): boolean {
+    return this.#touches.touching(body);
+  }
+
+  /** The body is no longer in the world. */
+  part(body: BodyNode, reason: 'removed' | 'disabled'): void {
+    this.#touches.part(body, reason, this.#world.time);
+  }
+
+  /** The world begins anew. */
+  reset(): void {
+    this.#world.registry.given.forget();
+    this.#touches.endAll('reset', this.#world.time);
+  }
+
+  // ---- after each step --------------------------------------------------------------------------------------------
+
+  override afterStep(dt: number): void {
+    if (!this.#world.engine.heapTrusted) return;
+    this.#world.registry.given.forget();
+    this.#touches.begin();
+    for (const sensor of this.#sensors) sensor.beginSensing();
+    this.#eachPoint(this.#read);
+    for (const sensor of [...this.#sensors]) sensor.finishSensing();
+    this.#touches.finish(this.#world.time + dt);
+  }
+
+  readonly #read: Visit = (pointer, a, b) => {
+    const point = this.#point.at(pointer, a.pointer, b.pointer);
+    const { distance } = point;
+    if (this.#listening && (this.#listensTo(a) || this.#listensTo(b)))
+      this.#touches.note(a, b, distance, point.get(POINT.impulse));
+    if (distance > TOUCHING) return;
+    for (const sensor of this.#sensors) this.#sense(sensor, pointer, a, b);
+  };
+
+  #sense(sensor: CollisionSensorNode, pointer: number, a: BodyNode, b: BodyNode): void {
+    const [first, second] = this.#collidablesAt(pointer, a, b);
+    if (first && second && this.#watches(sensor.collider!, first, second))
+      sensor.noteTouch(first, second);
+  }
+
+  #collidablesAt(
+    pointer: number,
+    a: BodyNode,
+    b: BodyNode,
+  ): [CollidableNode | undefined, CollidableNode | undefined] {
+    const { ammo } = this.#world.engine;
+    return [partAt(ammo, a, pointer, 0), partAt(ammo, b, pointer, 1)];
+  }
+
+  #watches(collider: CollisionCollectionNode, a: CollidableNode, b: CollidableNode): boolean {
+    return collider.asked<boolean>('enabled') && this.#world.pairs.speaksFor(collider, a, b);
+  }
+
+  /** Every contact point that the pair filter left in. */
+  #eachPoint(visit: Visit): void {
     const { ammo } = this.#world.engine;
     this.#world.bullet.eachManifold((manifold, pointerA, pointerB) => {
       const count = manifold.getNumContacts();
-      if (count === 0) return;
-      const bodyA = this.#world.bodyAt(pointerA);
-      const bodyB = this.#world.bodyAt(pointerB);
-      if (!bodyA || !bodyB) return;
+      const a = count > 0 && this.#world.bodyAt(pointerA);
+      const b = a && this.#world.bodyAt(pointerB);
+      if (!a || !b) return;
+      const first = ammo.getPointer(manifold.getContactPoint(0));
       for (let i = 0; i < count; i++) {
-        const point = manifold.getContactPoint(i);
-        if (point.getDistance() > TOUCHING) continue;
-        const at = ammo.getPointer(point);
-        const a = collidableAt(bodyA, ammo.HEAP32[(at + POINT.index0) >> 2]!);
-        const b = collidableAt(bodyB, ammo.HEAP32[(at + POINT.index1) >> 2]!);
-        if (a && b) visit(a, b);
+        const pointer = first + i * POINT.size;
+        if (ammo.HEAPF32[(pointer + POINT.distance) >> 2]! < FILTERED) visit(pointer, a, b);
       }
     });
   }
-}
 
-/** `index`: the child of a compound that touches; -1 or a triangle's number where the body has one part. */
-function collidableAt(body: BodyNode, index: number): CollidableNode | undefined {
-  const { parts } = body;
-  return (parts.length > 1 ? parts[index] : parts[0])?.collidable;
-}
+  // ---- what touches, in full --------------------------------------------------------------------------------------
 
-function watches(sensor: CollisionSensorNode, a: CollidableNode, b: CollidableNode): boolean {
-  const collider = sensor.collider!;
-  return collider.asked<boolean>('enabled') && collider.lists(a) && collider.lists(b);
+  /** The contacts of the last step that a sensor watches, each a new node of its own. */
+  contactsOf(sensor: CollisionSensorNode): ContactNode[] {
+    const contacts: ContactNode[] = [];
+    const { collider } = sensor;
+    if (!collider || !this.#world.engine.heapTrusted) return contacts;
+    this.#eachPoint((pointer, a, b) => {
+      if (this.#point.at(pointer, a.pointer, b.pointer).distance > TOUCHING) return;
+      const [first, second] = this.#collidablesAt(pointer, a, b);
+      if (!first || !second || !this.#watches(collider, first, second)) return;
+      contacts.push(
+        foundContact(this.#point.at(pointer, a.pointer, b.pointer), a, b, first, second),
+      );
+    });
+    this.#world.registry.given.report(contacts);
+    return contacts;
+  }
+
+  /** Where two bodies touch, for the event of one of them. */
+  #pointsOf(a: BodyNode, b: BodyNode, into: BodyNode): TouchPoint[] {
+    const points: TouchPoint[] = [];
+    this.#eachPoint((pointer, first, second) => {
+      if ((first !== a || second !== b) && (first !== b || second !== a)) return;
+      const point = this.#point.at(pointer, first.pointer, second.pointer);
+      const sign = first === into ? 1 : -1;
+      const three = (offset: number, scale: number): Vec3 => [
+        point.get(offset, 0) * scale,
+        point.get(offset, 1) * scale,
+        point.get(offset, 2) * scale,
+      ];
+      points.push({
+        position: three(POINT.positionB, 1),
+        normal: three(POINT.normalB, sign),
+        depth: -point.distance,
+        impulse: point.get(POINT.impulse),
+      });
+    });
+    return points;
+  }
 }

@@ -1,12 +1,20 @@
-import { MANIFOLD_POINT as POINT, BODY } from '../engine/offsets.js';
+import { ContactPoint } from '../engine/contact-point.js';
+import { BODY, MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
-import type { ContactParameters } from '../nodes/collision-collection.js';
+import { isPlain, isSoft, PLAIN, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { PhysicsNode } from '../nodes/node.js';
+import { carriedBy } from '../world/contact-order.js';
 import type { World } from '../world/world.js';
+import { partAt } from './contact-part.js';
+import { leaveOut, writeDepth, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect } from './effect.js';
+import { demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
-/** Bullet's own contact processing threshold: no contact is left out. */
-const UNLIMITED = 1e18;
+/** Numbers of a linear velocity. */
+const VELOCITY = 3;
+
+/** Contact points know their parts by numbers; beyond this many parts a pair is not remembered. */
+const MOST_PARTS = 4096;
 
 /**
  * Writes a CollisionCollection's parameters into every contact of its pairs, between Bullet's contact search and its
@@ -15,101 +23,218 @@ const UNLIMITED = 1e18;
 export class ContactSurface extends Effect {
   readonly name = 'contact surface';
   readonly #world: World;
-  /** By pointer of the first body, then of the second. Null: the pair has no parameters of its own. */
-  #pairs = new Map<number, Map<number, ContactParameters | null>>();
-  readonly #bouncing = new Set<BodyNode>();
+  readonly #demands = new Map<PhysicsNode, SolverDemands>();
+  /** Of the contacts that set_contacts gave for the step that runs. */
+  #given = NO_DEMANDS;
+  /** Of all that need it. */
+  demands = NO_DEMANDS;
+  #limiting: PhysicsNode | undefined;
+  /** Bodies that need it for one step more: points keep what was written into them. */
+  readonly #leaving = new Set<BodyNode>();
+  /** By pointer of the first body, then of the second. */
+  #pairs = new Map<number, Map<number, Pair>>();
+  #point!: ContactPoint;
+  #steps = 0;
+  #before = new Float64Array(VELOCITY * 16);
+  readonly #step: StepState = {
+    dt: 0,
+    slop: 0,
+    maxCorrectionSpeed: Infinity,
+    changes: new Float64Array(VELOCITY * 16),
+  };
 
   constructor(world: World) {
     super();
     this.#world = world;
   }
 
-  /** Some other collection speaks for the body now. */
+  // ---- who needs it -----------------------------------------------------------------------------------------------
+
+  override get active(): boolean {
+    return super.active || this.#world.registry.given.active;
+  }
+
+  /** Some other collection speaks for the body now, or says something else. */
   update(body: BodyNode): void {
-    this.#pairs = new Map();
+    this.#pairs.clear();
+    this.#step.changes.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
     const collections = this.#world.pairs.collectionsOf(body);
-    if (collections.length === 0) {
-      this.drop(body);
-      return;
+    const speaking = collections.filter(({ parameters }) => !isPlain(parameters));
+    this.#leaving.delete(body);
+    if (speaking.length > 0)
+      this.#demand(
+        body,
+        `collidable of ${speaking[0]!.label}`,
+        speaking.map(({ parameters }) => demandsOf(parameters)),
+      );
+    else if (this.#demands.has(body)) {
+      this.#demand(body, 'contacts of a former collection', []);
+      this.#leaving.add(body);
     }
-    this.need(body, `collidable of ${collections[0]!.label}`);
-    this.#setBouncing(
-      body,
-      collections.some(({ parameters }) => parameters.bounce > 0),
-    );
+  }
+
+  /** maxCorrectionSpeed of the world; Infinity: no limit. */
+  limit(collection: PhysicsNode, speed: number): void {
+    if (this.#limiting) this.drop(this.#limiting);
+    this.#limiting = collection;
+    this.#step.maxCorrectionSpeed = speed;
+    if (speed < Infinity)
+      this.#demand(collection, 'maxCorrectionSpeed', [{ ...NO_DEMANDS, pushing: true }]);
+  }
+
+  #demand(node: PhysicsNode, reason: string, demands: SolverDemands[]): void {
+    this.need(node, reason);
+    this.#demands.set(node, union(demands));
+    this.#sumUp();
+  }
+
+  demandGiven(demands: SolverDemands): void {
+    this.#given = demands;
+    this.#sumUp();
   }
 
   override drop(node: PhysicsNode): void {
     super.drop(node);
-    this.#pairs = new Map();
-    this.#bouncing.delete(node as BodyNode);
+    this.#pairs.clear();
+    this.#leaving.delete(node as BodyNode);
+    if (this.#demands.delete(node)) this.#sumUp();
   }
 
-  /**
-   * Bullet solves contacts before bodies touch and pushes overlaps apart by velocity; both falsify a bounce. A body
-   * that bounces asks for neither (measured).
-   */
-  #setBouncing(body: BodyNode, bounces: boolean): void {
-    if (bounces === this.#bouncing.has(body)) return;
-    const before = this.anyBounce;
-    if (bounces) this.#bouncing.add(body);
-    else this.#bouncing.delete(body);
-    body.body.setContactProcessingThreshold(bounces ? 0 : UNLIMITED);
-    if (this.anyBounce !== before) this.#world.configureSolver();
+  #sumUp(): void {
+    const before = this.demands;
+    this.demands = union([this.#given, ...this.#demands.values()]);
+    const { pushing, directed } = this.demands;
+    if (pushing !== before.pushing || directed !== before.directed) this.#world.configureSolver();
   }
 
-  get anyBounce(): boolean {
-    return this.#bouncing.size > 0;
+  // ---- around a step ----------------------------------------------------------------------------------------------
+
+  override beforeStep(dt: number): void {
+    this.#point ??= new ContactPoint(this.#world.engine.ammo);
+    this.#step.dt = dt;
+    this.#step.slop = this.#world.bullet.settings.linearSlop;
+    if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
   }
+
+  override afterStep(): void {
+    if (this.demands.changes) {
+      this.#eachVelocity(this.#noteChange);
+      this.#sumImpulses();
+    }
+    for (const body of this.#leaving) if (!body.sleeping) this.drop(body);
+  }
+
+  readonly #noteBefore = (value: number, at: number): void => {
+    this.#before[at] = value;
+  };
+
+  readonly #noteChange = (value: number, at: number): void => {
+    this.#step.changes[at] = value - this.#before[at]!;
+  };
+
+  /** Of all points of a pair. */
+  #sumImpulses(): void {
+    const { bullet, engine } = this.#world;
+    const step = ++this.#steps;
+    bullet.eachManifold((manifold, a, b) => {
+      const count = manifold.getNumContacts();
+      const pair = count > 0 ? this.#pairs.get(a)?.get(b) : undefined;
+      if (!pair) return;
+      if (pair.summed !== step) pair.impulse.fill(0);
+      pair.summed = step;
+      const first = engine.ammo.getPointer(manifold.getContactPoint(0));
+      for (let i = 0; i < count; i++)
+        this.#point.at(first + i * POINT.size, a, b).addImpulse(pair.impulse);
+    });
+  }
+
+  #eachVelocity(visit: (value: number, at: number) => void): void {
+    const heap = this.#world.engine.ammo.HEAPF32;
+    for (const { slot, pointer } of this.#world.bodies) {
+      if ((slot + 1) * VELOCITY > this.#before.length) this.#grow(slot);
+      const from = (pointer + BODY.linearVelocity) >> 2;
+      for (let i = 0; i < VELOCITY; i++) visit(heap[from + i]!, slot * VELOCITY + i);
+    }
+  }
+
+  #grow(slot: number): void {
+    const room = VELOCITY * 2 ** Math.ceil(Math.log2(slot + 2));
+    const { changes } = this.#step;
+    const before = this.#before;
+    this.#before = new Float64Array(room);
+    this.#before.set(before);
+    this.#step.changes = new Float64Array(room);
+    this.#step.changes.set(changes);
+  }
+
+  // ---- at a contact point -----------------------------------------------------------------------------------------
 
   /** Called by Bullet for every contact point of every step: no allocation here. */
-  process(point: number, a: number, b: number): void {
-    const parameters = this.#parametersOf(a, b);
-    if (!parameters) return;
-    const heap = this.#world.engine.ammo.HEAPF32;
-    const p = point >> 2;
-    heap[p + (POINT.friction >> 2)] = parameters.friction;
-    const fast = parameters.bounce > 0 && approachSpeed(heap, p, a, b) >= parameters.minBounceSpeed;
-    heap[p + (POINT.restitution >> 2)] = fast ? parameters.bounce : 0;
+  process(pointer: number, a: number, b: number): void {
+    const pair = this.#pairOf(a, b);
+    if (!pair) return;
+    const point = this.#point.at(pointer, a, b);
+    const { given } = this.#world.registry;
+    const said = given.active ? given.at(point, pair) : undefined;
+    if (said === null) {
+      leaveOut(point);
+      return;
+    }
+    const parameters = said ?? this.#parametersAt(point, pair);
+    writeSurface(point, pair, parameters, this.#step);
+    if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters))
+      writeDepth(point, pair, parameters, this.#step);
   }
 
-  #parametersOf(a: number, b: number): ContactParameters | null {
+  #pairOf(a: number, b: number): Pair | undefined {
     let byB = this.#pairs.get(a);
     if (!byB) this.#pairs.set(a, (byB = new Map()));
-    let parameters = byB.get(b);
-    if (parameters === undefined) byB.set(b, (parameters = this.#find(a, b)));
-    return parameters;
+    let pair = byB.get(b);
+    if (!pair && (pair = this.#find(a, b))) byB.set(b, pair);
+    if (pair && pair.summed !== this.#steps) pair.impulse.fill(0);
+    return pair;
   }
 
-  #find(a: number, b: number): ContactParameters | null {
-    const first = this.#world.bodyAt(a);
-    const second = this.#world.bodyAt(b);
-    return (first && second && this.#world.pairs.of(first, second)?.parameters) ?? null;
+  #find(pointerA: number, pointerB: number): Pair | undefined {
+    const [a, b] = [this.#world.bodyAt(pointerA), this.#world.bodyAt(pointerB)];
+    if (!a || !b) return undefined;
+    return {
+      a,
+      b,
+      parameters: this.#common(a, b),
+      byPart: new Map(),
+      atA: a.slot * VELOCITY,
+      atB: b.slot * VELOCITY,
+      impulse: new Float64Array(3),
+      summed: -1,
+      carried: carriedBy(a, b) === a ? 1 : -1,
+    };
   }
-}
 
-/** Speed at which the two surfaces near each other at a contact point, m/s. All indices are in 4-byte words. */
-function approachSpeed(heap: Float32Array, p: number, a: number, b: number): number {
-  let speed = 0;
-  for (let i = 0; i < 3; i++) {
-    speed +=
-      heap[p + (POINT.normalB >> 2) + i]! *
-      (pointVelocity(heap, p, b >> 2, i) - pointVelocity(heap, p, a >> 2, i));
+  /** The parameters of a pair of bodies; undefined where their collidables differ in them. */
+  #common(a: BodyNode, b: BodyNode): ContactParameters | undefined {
+    const { pairs } = this.#world;
+    const found = new Set<ContactParameters>();
+    for (const { collidable: first } of a.parts)
+      for (const { collidable: second } of b.parts)
+        found.add(pairs.between(first, second)?.parameters ?? PLAIN);
+    return found.size > 1 ? undefined : ([...found][0] ?? PLAIN);
   }
-  return speed;
-}
 
-/** Component `i` of the velocity of a body's material at the contact point. */
-function pointVelocity(heap: Float32Array, p: number, body: number, i: number): number {
-  const j = (i + 1) % 3;
-  const k = (i + 2) % 3;
-  const at = p + (POINT.positionB >> 2);
-  const origin = body + (BODY.origin >> 2);
-  const w = body + (BODY.angularVelocity >> 2);
-  const v = heap[body + (BODY.linearVelocity >> 2) + i]!;
-  return (
-    v +
-    heap[w + j]! * (heap[at + k]! - heap[origin + k]!) -
-    heap[w + k]! * (heap[at + j]! - heap[origin + j]!)
-  );
+  #parametersAt(point: ContactPoint, pair: Pair): ContactParameters {
+    if (pair.parameters) return pair.parameters;
+    const i = point.int(POINT.index0);
+    const j = point.int(POINT.index1);
+    const key = i < MOST_PARTS && j < MOST_PARTS ? (i + 1) * MOST_PARTS + j + 1 : -1;
+    let found = key < 0 ? undefined : pair.byPart.get(key);
+    if (!found) pair.byPart.set(key, (found = this.#ofParts(point, pair)));
+    return found;
+  }
+
+  #ofParts(point: ContactPoint, { a, b }: Pair): ContactParameters {
+    const { ammo } = this.#world.engine;
+    const first = partAt(ammo, a, point.pointer, 0);
+    const second = partAt(ammo, b, point.pointer, 1);
+    return (first && second && this.#world.pairs.between(first, second)?.parameters) ?? PLAIN;
+  }
 }

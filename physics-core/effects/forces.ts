@@ -1,11 +1,11 @@
 import type { Vec3 } from '../fields/types.js';
 import { add } from '../math.js';
-import type { BodyNode } from '../nodes/body.js';
+import type { MovingNode } from '../nodes/body-motion.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
 import { Effect } from './effect.js';
 
-interface Load {
+export interface Load {
   force: Vec3;
   torque: Vec3;
 }
@@ -16,15 +16,15 @@ const isZero = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
 export class AuthoredForces extends Effect {
   readonly name = 'forces';
   readonly #world: World;
-  readonly #constant = new Map<BodyNode, Load>();
-  readonly #once = new Map<BodyNode, Load>();
+  readonly #constant = new Map<MovingNode, Load>();
+  readonly #once = new Map<MovingNode, Load>();
 
   constructor(world: World) {
     super();
     this.#world = world;
   }
 
-  set(body: BodyNode, force: Vec3, torque: Vec3): void {
+  set(body: MovingNode, force: Vec3, torque: Vec3): void {
     if (isZero(force) && isZero(torque)) {
       this.#constant.delete(body);
       if (!this.#once.has(body)) super.drop(body);
@@ -34,15 +34,20 @@ export class AuthoredForces extends Effect {
     this.need(body, isZero(force) ? 'torques' : 'forces');
   }
 
-  push(body: BodyNode, force: Vec3, torque: Vec3): void {
+  push(body: MovingNode, force: Vec3, torque: Vec3): void {
     const before = this.#once.get(body) ?? { force: [0, 0, 0], torque: [0, 0, 0] };
     this.#once.set(body, { force: add(before.force, force), torque: add(before.torque, torque) });
     if (!this.#constant.has(body)) this.need(body, 'applyForce');
   }
 
+  /** What waits for the next step. */
+  pending(body: MovingNode): Load | undefined {
+    return this.#once.get(body);
+  }
+
   override drop(node: PhysicsNode): void {
-    this.#constant.delete(node as BodyNode);
-    this.#once.delete(node as BodyNode);
+    this.#constant.delete(node as MovingNode);
+    this.#once.delete(node as MovingNode);
     super.drop(node);
   }
 
@@ -51,7 +56,7 @@ export class AuthoredForces extends Effect {
     for (const [body, load] of this.#once) this.#apply(body, load);
   }
 
-  #apply(body: BodyNode, { force, torque }: Load): void {
+  #apply(body: MovingNode, { force, torque }: Load): void {
     if (!body.active || !body.movable || body.sleeping) return;
     const { scratch } = this.#world.engine;
     body.body.applyCentralForce(scratch.vector(...force));

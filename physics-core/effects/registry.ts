@@ -1,15 +1,20 @@
+import type { ContactProcessor } from '../engine/contact-hook.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
 import { AuthoredForces } from './forces.js';
 import { AxisDamping } from './damping.js';
 import { Carrying } from './carrying.js';
 import { ContactReader } from './contact-reader.js';
+import { GivenContacts } from './given-contacts.js';
 import { ContactSurface } from './contact-surface.js';
 import type { Effect } from './effect.js';
 import { MeshShapes } from './mesh-shapes.js';
+import { JointRows } from './joint-rows.js';
 import { Motors } from './motors.js';
+import { PairFilter } from './pair-filter.js';
 import { Resting } from './resting.js';
 import { Stops } from './stops.js';
+import { Suspension } from './suspension.js';
 
 /** What `world.effects` shows. */
 export interface EffectReport {
@@ -28,9 +33,14 @@ const NEWEST = 0.05;
 export class EffectRegistry {
   readonly forces: AuthoredForces;
   readonly damping: AxisDamping;
+  /** Shared by all that work on joints, one joint at a time. */
+  readonly rows: JointRows;
+  readonly suspension: Suspension;
   readonly motors: Motors;
   readonly carrying: Carrying;
+  readonly given: GivenContacts;
   readonly surface: ContactSurface;
+  readonly filter: PairFilter;
   readonly contacts: ContactReader;
   readonly stops: Stops;
   readonly meshes = new MeshShapes();
@@ -40,8 +50,12 @@ export class EffectRegistry {
   constructor(world: World) {
     this.forces = new AuthoredForces(world);
     this.damping = new AxisDamping(world);
+    this.rows = new JointRows(world);
+    this.suspension = new Suspension(world);
     this.motors = new Motors(world);
+    this.given = new GivenContacts(world);
     this.surface = new ContactSurface(world);
+    this.filter = new PairFilter(world);
     this.carrying = new Carrying(world);
     this.contacts = new ContactReader(world);
     this.stops = new Stops(world);
@@ -49,9 +63,12 @@ export class EffectRegistry {
     this.all = [
       this.forces,
       this.damping,
+      this.suspension,
       this.motors,
       this.stops,
       this.surface,
+      this.given,
+      this.filter,
       this.carrying,
       this.contacts,
       this.meshes,
@@ -75,6 +92,14 @@ export class EffectRegistry {
       effect.afterStep(dt);
       note(effect, start);
     }
+  }
+
+  /** What sees every contact point, if anything does. */
+  get processor(): ContactProcessor | null {
+    const surface = this.surface.active ? this.surface : null;
+    if (!this.filter.active) return surface;
+    this.filter.next = surface;
+    return this.filter;
   }
 
   dropAll(node: PhysicsNode): void {

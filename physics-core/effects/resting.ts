@@ -19,7 +19,8 @@ export class Resting extends Effect {
   /** Seconds each body was slow, and the pose it was slow at, by slot. */
   #quiet = new Float64Array(16);
   #anchor = new Float64Array(16 * POSE);
-  #sinceLook = 0;
+  /** Seconds since islands were looked at. */
+  sinceLook = 0;
 
   constructor(world: World) {
     super();
@@ -43,6 +44,18 @@ export class Resting extends Effect {
     this.#anchor = anchor;
   }
 
+  /** Seconds a body has been slow, and the pose it was slow at. */
+  save(slot: number): { quiet: number; anchor: number[] } {
+    const anchor = [...this.#anchor.subarray(slot * POSE, (slot + 1) * POSE)];
+    return { quiet: this.#quiet[slot] ?? 0, anchor };
+  }
+
+  load(slot: number, { quiet, anchor }: { quiet: number; anchor: number[] }): void {
+    if (slot >= this.#quiet.length) this.#grow(slot);
+    this.#quiet[slot] = quiet;
+    this.#anchor.set(anchor.slice(0, POSE), slot * POSE);
+  }
+
   restart(slot: number): void {
     if (slot < this.#quiet.length) this.#quiet[slot] = 0;
   }
@@ -53,9 +66,9 @@ export class Resting extends Effect {
       const body = node as BodyNode;
       if (body.active && body.movable && !body.sleeping) ready = this.#watch(body, dt) || ready;
     }
-    this.#sinceLook += dt;
-    if (!ready || this.#sinceLook < LOOK) return;
-    this.#sinceLook = 0;
+    this.sinceLook += dt;
+    if (!ready || this.sinceLook < LOOK) return;
+    this.sinceLook = 0;
     this.#sleepReadyIslands();
   }
 

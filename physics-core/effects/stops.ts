@@ -1,33 +1,50 @@
-import type { Vec3 } from '../fields/types.js';
-import { add, compose, conjugate, cross, dot, rotate, scale, subtract } from '../math.js';
-import type { BodyNode } from '../nodes/body.js';
-import type { SingleAxisHingeJointNode } from '../nodes/single-axis-hinge-joint.js';
+import { perStep, softnessAtStep } from '../accuracy/levels.js';
+import type { JointNode } from '../nodes/joint.js';
 import type { World } from '../world/world.js';
-import { solveCholesky } from './cholesky.js';
 import { Effect } from './effect.js';
 
-/** Below this rate (rad/s) a stop holds instead of bouncing. */
+/** Below this rate (rad/s, m/s) a stop holds instead of bouncing. */
 const LEAST_BOUNCE = 0.01;
 
-const ROWS = 6;
+/** Distance from a stop (rad, m) at which it counts as left. */
+const LEFT = 1e-3;
 
-/** One row of a joint's velocity: linear direction or axis, as seen by each body. */
-interface Row {
-  linear: Vec3;
-  angular1: Vec3;
-  angular2: Vec3;
+/** A row of a joint that may not go past `low` and `high`; one of them may be infinite. */
+export interface Stop {
+  /** As the 6-DoF numbers them, body1 against body2. */
+  row: number;
+  low: number;
+  high: number;
+  /** Share of the rate that comes back. */
+  bounce: number;
+  /** Share of an overshoot repaired per 1/60 s. */
+  correction: number;
+  /** X3D's constantForceMix: how far it gives way. */
+  softness: number;
+  /** What `jointlimit` says of it: its field counts the other way round, and which axis it is, where there are more. */
+  mirrored?: boolean;
+  axis?: 1 | 2;
+  /** Where it stands: at its upper end (1), at its lower one, or between; undefined before its first step. */
+  at: -1 | 0 | 1 | undefined;
+  /** Rate given by the last step to repair an overshoot past the lower and the upper end. */
+  lent: [number, number];
+}
+
+/** Joints that have stops. */
+interface Stopped extends JointNode {
+  readonly stops: readonly Stop[];
 }
 
 /**
- * Bullet's own limit rows rebound from a stop by themselves and hardly bounce when asked to. Where the angle would
- * pass a stop in the coming step, this sets its rate at once, solving all six rows of the joint together so that the
- * locked ones stay as they are (measured). Bullet's limits stay on behind it as a net.
+ * Bullet's own limit rows rebound from a stop by themselves and hardly bounce when asked to. Where a joint would pass a
+ * stop in the coming step, this gives it the rate that it shall have after it, through all rows of the joint at once
+ * and with the forces of the step counted in, so that it stops where it should (measured). Bullet's limits stay on
+ * behind hard stops as a net.
  */
 export class Stops extends Effect {
   readonly name = 'stops';
   readonly #world: World;
-  readonly #matrix = new Float64Array(ROWS * ROWS);
-  readonly #wanted = new Float64Array(ROWS);
+  readonly #reached: [Stopped, Stop][] = [];
 
   constructor(world: World) {
     super();
@@ -35,101 +52,78 @@ export class Stops extends Effect {
   }
 
   override beforeStep(dt: number): void {
+    const { rows } = this.#world.registry;
     for (const node of this.causes) {
-      const joint = node as SingleAxisHingeJointNode;
-      if (!joint.attached || asleep(joint.body1, joint.body2)) continue;
-      const rate = joint.angleRate;
-      const target = stopRate(joint, rate, dt);
-      if (target !== undefined) this.#setRate(joint, target - rate);
+      const joint = node as Stopped;
+      if (!rows.read(joint, dt)) continue;
+      for (const stop of joint.stops) {
+        const value = rows.values[stop.row]!;
+        const side = this.#hold(stop, value, 1, dt) || this.#hold(stop, value, -1, dt);
+        this.#note(joint, stop, value, side);
+      }
     }
   }
 
-  /** Changes the hinge's rate by `change` rad/s through impulses on both bodies. */
-  #setRate(joint: SingleAxisHingeJointNode, change: number): void {
-    const rows = rowsOf(joint);
-    for (let i = 0; i < ROWS; i++) {
-      for (let j = 0; j < ROWS; j++)
-        this.#matrix[i * ROWS + j] = coupling(joint, rows[i]!, rows[j]!);
-      this.#wanted[i] = 0;
-    }
-    this.#wanted[ROWS - 1] = change;
-    if (!solveCholesky(this.#matrix, this.#wanted, ROWS)) return;
-    this.#push(joint.body1, rows, 1);
-    this.#push(joint.body2, rows, -1);
+  /** Keeps a row from going past its upper (`side` 1) or lower end; the side where it was in the way, else 0. */
+  #hold(stop: Stop, value: number, side: 1 | -1, dt: number): -1 | 0 | 1 {
+    const { rows } = this.#world.registry;
+    rows.look(stop.row);
+    const beyond = side * (value - (side > 0 ? stop.high : stop.low));
+    const closing = side * rows.rate;
+    const lent = Math.min(stop.lent[side > 0 ? 1 : 0]!, Math.max(0, -closing));
+    stop.lent[side > 0 ? 1 : 0] = 0;
+    // What was lent to repair an overshoot is no motion of its own: it is taken back.
+    const coming = side * rows.coming + lent;
+    const inTheWay = beyond + coming * dt >= 0;
+    if (!inTheWay && lent === 0) return 0;
+    const share = beyond > 0 ? perStep(stop.correction, dt) : 1;
+    const wanted =
+      stop.bounce > 0 && closing > LEAST_BOUNCE ? -stop.bounce * closing : (-share * beyond) / dt;
+    if (inTheWay && beyond > 0 && coming > wanted && closing <= LEAST_BOUNCE)
+      stop.lent[side > 0 ? 1 : 0] = -wanted;
+    this.#push(stop, side, (inTheWay ? Math.min(coming, wanted) : coming) - side * rows.coming, dt);
+    return inTheWay ? side : 0;
   }
 
-  #push(body: BodyNode | undefined, rows: Row[], sign: 1 | -1): void {
-    if (!body?.movable) return;
-    let linear: Vec3 = [0, 0, 0];
-    let angular: Vec3 = [0, 0, 0];
-    rows.forEach((row, i) => {
-      linear = add(linear, scale(row.linear, sign * this.#wanted[i]!));
-      angular = add(
-        angular,
-        scale(sign > 0 ? row.angular1 : row.angular2, sign * this.#wanted[i]!),
-      );
+  /** Changes the rate of the row looked at. */
+  #push(stop: Stop, side: 1 | -1, change: number, dt: number): void {
+    if (change === 0) return;
+    const { rows } = this.#world.registry;
+    const give = change < 0 ? softnessAtStep(stop.softness, stop.correction, dt) / dt : 0;
+    rows.push(stop.row, (side * change) / (rows.ease + give));
+  }
+
+  #note(joint: Stopped, stop: Stop, value: number, side: -1 | 0 | 1): void {
+    // Who starts at a stop does not reach it.
+    if (side !== 0 && side !== (stop.at ?? side)) this.#reached.push([joint, stop]);
+    if (side !== 0) stop.at = side;
+    else if (value < stop.high - LEFT && value > stop.low + LEFT) stop.at = 0;
+  }
+
+  override afterStep(): void {
+    for (const [joint, stop] of this.#reached)
+      if (joint.heard('jointlimit')) this.#tell(joint, stop);
+    this.#reached.length = 0;
+  }
+
+  #tell(joint: Stopped, { at, mirrored, low, high, axis }: Stop): void {
+    const upper = at === 1;
+    const value = (mirrored ? -1 : 1) * (upper ? high : low);
+    joint.emit('jointlimit', {
+      limit: upper === !mirrored ? 'max' : 'min',
+      value,
+      ...(axis && { axis }),
+      time: this.#world.time,
     });
-    const { scratch } = this.#world.engine;
-    body.body.applyCentralImpulse(scratch.vector(...linear));
-    body.body.applyTorqueImpulse(scratch.vector(...angular));
-    this.#world.bodies.readVelocity(body);
   }
 }
 
-const asleep = (a: BodyNode | undefined, b: BodyNode | undefined): boolean =>
-  (!a?.movable || a.sleeping) && (!b?.movable || b.sleeping);
+/** What a node asks of a stop, from its fields. */
+export type StopFields = Omit<Stop, 'at' | 'lent'>;
 
-/** The rate the hinge shall have now; undefined where no stop is in its way. */
-function stopRate(joint: SingleAxisHingeJointNode, rate: number, dt: number): number | undefined {
-  const [low, high] = joint.stops;
-  const angle = joint.angle;
-  const stop =
-    rate > 0 && angle + rate * dt > high
-      ? high
-      : rate < 0 && angle + rate * dt < low
-        ? low
-        : undefined;
-  if (stop === undefined) return undefined;
-  const bounce = joint.asked<number>('stopBounce');
-  if (bounce > 0 && Math.abs(rate) > LEAST_BOUNCE) return -bounce * rate;
-  const beyond = (stop - angle) * Math.sign(rate) < 0;
-  return beyond ? 0 : (stop - angle) / dt;
-}
-
-/** Three rows that hold the anchor, two that hold the axis, and last the one about the axis. */
-function rowsOf(joint: SingleAxisHingeJointNode): Row[] {
-  const { p, q } = joint.worldFrame(1);
-  const arm = (body: BodyNode | undefined): Vec3 =>
-    body ? subtract(p, body.centerOfMassWorld()) : [0, 0, 0];
-  const [arm1, arm2] = [arm(joint.body1), arm(joint.body2)];
-  const axes: Vec3[] = [rotate(q, [1, 0, 0]), rotate(q, [0, 1, 0]), rotate(q, [0, 0, 1])];
-  const held = axes.map((axis) => ({
-    linear: axis,
-    angular1: cross(arm1, axis),
-    angular2: cross(arm2, axis),
-  }));
-  const turning = [axes[1]!, axes[2]!, axes[0]!].map((axis): Row => ({
-    linear: [0, 0, 0],
-    angular1: axis,
-    angular2: axis,
-  }));
-  return [...held, ...turning];
-}
-
-/** J M⁻¹ Jᵀ of two rows. */
-function coupling(joint: SingleAxisHingeJointNode, a: Row, b: Row): number {
-  return (
-    share(joint.body1, a.linear, a.angular1, b.linear, b.angular1) +
-    share(joint.body2, a.linear, a.angular2, b.linear, b.angular2)
-  );
-}
-
-function share(body: BodyNode | undefined, la: Vec3, wa: Vec3, lb: Vec3, wb: Vec3): number {
-  if (!body?.movable) return 0;
-  const { q } = compose(body.pose(), body.centerOfMass);
-  const [x, y] = [rotate(conjugate(q), wa), rotate(conjugate(q), wb)];
-  const [ix, iy, iz] = body.mass.moments;
-  return (
-    dot(la, lb) / body.mass.mass + (x[0] * y[0]) / ix + (x[1] * y[1]) / iy + (x[2] * y[2]) / iz
-  );
-}
+/** The stop with its new fields, where it stood before. */
+export const restopped = (before: Stop | undefined, fields: StopFields): Stop => ({
+  ...fields,
+  at: before?.at,
+  lent: before?.lent ?? [0, 0],
+});

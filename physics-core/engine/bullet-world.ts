@@ -2,7 +2,7 @@ import type { Ammo } from './ammo.js';
 import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
-import { SOLVER } from './offsets.js';
+import { SIX_DOF, SOLVER } from './offsets.js';
 import { Owner } from './owner.js';
 
 export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
@@ -29,6 +29,8 @@ export class BulletWorld {
   readonly #dispatcher: Ammo['btCollisionDispatcher']['prototype'];
   readonly #solver: number;
   readonly #solverTrusted: boolean;
+  #meshesMove = false;
+  settings!: SolverSettings;
 
   constructor(engine: Engine) {
     const { ammo } = engine;
@@ -58,6 +60,7 @@ export class BulletWorld {
   }
 
   configure(settings: SolverSettings): void {
+    this.settings = settings;
     this.bullet.getSolverInfo().set_m_numIterations(settings.iterations);
     if (!this.#solverTrusted) return;
     const { ammo } = this.engine;
@@ -66,6 +69,18 @@ export class BulletWorld {
       settings.splitImpulseThreshold;
     ammo.HEAPF32[(this.#solver + SOLVER.errorReduction) >> 2] = settings.contactErrorReduction;
     ammo.HEAPF32[(this.#solver + SOLVER.linearSlop) >> 2] = settings.linearSlop;
+  }
+
+  /** Bullet has no answer to two meshes meeting until its algorithm for moving ones is registered. */
+  allowMovingMeshes(): void {
+    if (this.#meshesMove) return;
+    this.#meshesMove = true;
+    const { ammo } = this.engine;
+    const { btGImpactCollisionAlgorithm: algorithm } = ammo;
+    // A static function in C++, which Ammo offers as a method: whose it is does not matter.
+    ammo
+      .wrapPointer(ammo.getPointer(this.#dispatcher), algorithm)
+      .registerAlgorithm(this.#dispatcher);
   }
 
   /** One exact step: `maxSubSteps` 0 makes Bullet take the given time as it is. */
@@ -84,6 +99,13 @@ export class BulletWorld {
     }
   }
 
+  /** Contact points of all pairs. */
+  get contactCount(): number {
+    let count = 0;
+    this.eachManifold((manifold) => (count += manifold.getNumContacts()));
+    return count;
+  }
+
   get manifoldCount(): number {
     return this.#dispatcher.getNumManifolds();
   }
@@ -94,6 +116,16 @@ export class BulletWorld {
 
   removeBody(body: BtBody): void {
     this.bullet.removeRigidBody(body);
+  }
+
+  /**
+   * Makes a 6-DoF push both bodies at one point. It would push each at its own frame, and two forces that are not on one
+   * line turn a pair that has slid apart faster and faster (measured).
+   */
+  pushAtOnePoint(constraint: Ammo['btGeneric6DofConstraint']['prototype']): void {
+    if (!this.engine.heapTrusted) return;
+    const { ammo } = this.engine;
+    ammo.HEAPU8[ammo.getPointer(constraint) + SIX_DOF.useOffsetForConstraintFrame] = 0;
   }
 
   addConstraint(constraint: BtConstraint): void {

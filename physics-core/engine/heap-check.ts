@@ -1,7 +1,7 @@
 import type { Ammo } from './ammo.js';
 import { HeapReader, ApiReader } from './heap.js';
 import { Owner } from './owner.js';
-import { BODY, SOLVER } from './offsets.js';
+import { BODY, SIX_DOF, SOLVER } from './offsets.js';
 
 const close = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * Math.max(1, Math.abs(b));
 
@@ -36,10 +36,26 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
     reader.velocity(body, pointer, fast, 7);
     api.pose(body, pointer, sure, 0);
     api.velocity(body, pointer, sure, 7);
+    vector.setValue(7, -8, 9);
+    body.applyCentralForce(vector);
+    vector.setValue(10, 11, -12);
+    body.applyTorque(vector);
+    const load = new Float64Array(6);
+    reader.load(body, pointer, load, 0);
+    const flags = [true, false].map((flag) => {
+      transform.setIdentity();
+      const joint = owner.own(
+        new ammo.btGeneric6DofConstraint(body, body, transform, transform, flag),
+      );
+      const at = ammo.getPointer(joint) + SIX_DOF.useLinearReferenceFrameA;
+      return ammo.HEAPU8[at]! + 2 * ammo.HEAPU8[at + 1]!;
+    });
     body.forceActivationState(5);
     const heap = ammo.HEAPF32;
     return (
       fast.every((value, i) => close(value, sure[i]!)) &&
+      flags.join() === '3,2' &&
+      [7, -8, 9, 10, 11, -12].every((value, i) => load[i] === value) &&
       ammo.HEAP32[(pointer + BODY.activationState) >> 2] === 5 &&
       close(heap[(pointer + BODY.inverseMass) >> 2]!, 0.25) &&
       close(heap[(pointer + BODY.inverseInertiaLocal) >> 2]!, 0.5)

@@ -10,6 +10,8 @@ export interface BodyReader {
   pose(body: BtBody, pointer: number, out: Float64Array, at: number): void;
   /** Linear then angular velocity, six numbers, world frame. */
   velocity(body: BtBody, pointer: number, out: Float64Array, at: number): void;
+  /** Force then torque that the next step applies beside gravity, six numbers; zeros where they can't be known. */
+  load(body: BtBody, pointer: number, out: Float64Array, at: number): void;
   activation(body: BtBody, pointer: number): number;
   /** Bullet's island number of the last step, or -1 where it can't be known. */
   island(body: BtBody, pointer: number): number;
@@ -55,6 +57,16 @@ export class HeapReader implements BodyReader {
     }
   }
 
+  load(_: BtBody, pointer: number, out: Float64Array, at: number): void {
+    const heap = this.#ammo.HEAPF32;
+    const f = (pointer + BODY.totalForce) >> 2;
+    const t = (pointer + BODY.totalTorque) >> 2;
+    for (let i = 0; i < 3; i++) {
+      out[at + i] = heap[f + i]!;
+      out[at + 3 + i] = heap[t + i]!;
+    }
+  }
+
   activation(_: BtBody, pointer: number): number {
     return this.#ammo.HEAP32[(pointer + BODY.activationState) >> 2]!;
   }
@@ -88,6 +100,10 @@ export class ApiReader implements BodyReader {
     out[at + 3] = angular.x();
     out[at + 4] = angular.y();
     out[at + 5] = angular.z();
+  }
+
+  load(_body: BtBody, _pointer: number, out: Float64Array, at: number): void {
+    out.fill(0, at, at + 6);
   }
 
   activation(body: BtBody): number {

@@ -12,6 +12,15 @@ export const BODY = {
   angularVelocity: 328,
   inverseMass: 344,
   inverseInertiaLocal: 396,
+  totalForce: 412,
+  totalTorque: 428,
+} as const;
+
+/** Bytes of btGeneric6DofConstraint. */
+export const SIX_DOF = {
+  useLinearReferenceFrameA: 1300,
+  /** Whether each body is pushed at its own frame's origin. */
+  useOffsetForConstraintFrame: 1301,
 } as const;
 
 export const SOLVER = {
@@ -28,16 +37,31 @@ export const SOLVER = {
 export const SOLVER_MODE = {
   warmstart: 4,
   twoFrictionDirections: 16,
+  /** Friction acts along the directions that stand in the contact point, where its flag says so. */
+  cachedFrictionDirections: 32,
   simd: 256,
 } as const;
 
 export const MANIFOLD_POINT = {
   positionB: 32,
+  positionA: 48,
   normalB: 64,
+  distance: 80,
   friction: 84,
   restitution: 92,
+  part0: 96,
+  part1: 100,
   index0: 104,
   index1: 108,
+  directionsGiven: 116,
+  impulse: 120,
+  lateralImpulse1: 124,
+  lateralImpulse2: 128,
+  motion1: 132,
+  motion2: 136,
+  direction1: 152,
+  direction2: 168,
+  size: 184,
 } as const;
 
 /** btCollisionObject::m_activationState1. */

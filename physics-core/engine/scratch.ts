@@ -22,6 +22,12 @@ export class Scratch {
     return vector;
   }
 
+  /** x, y, z, w. */
+  quaternion(q: ArrayLike<number>): Ammo['btQuaternion']['prototype'] {
+    this.#quaternion.setValue(q[0]!, q[1]!, q[2]!, q[3]!);
+    return this.#quaternion;
+  }
+
   /** Position `p` and quaternion `q` (x, y, z, w). `slot` 0 or 1. */
   transform(
     p: ArrayLike<number>,
@@ -29,10 +35,9 @@ export class Scratch {
     slot = 0,
   ): Ammo['btTransform']['prototype'] {
     const transform = this.#transforms[slot]!;
-    this.#quaternion.setValue(q[0]!, q[1]!, q[2]!, q[3]!);
     transform.setIdentity();
     transform.setOrigin(this.vector(p[0]!, p[1]!, p[2]!));
-    transform.setRotation(this.#quaternion);
+    transform.setRotation(this.quaternion(q));
     return transform;
   }
 }

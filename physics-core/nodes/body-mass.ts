@@ -64,6 +64,18 @@ function authoredMoments(body: BodyNode): ReturnType<typeof principal> | undefin
   return undefined;
 }
 
+export function reportZeroMass(body: BodyNode): void {
+  if (body.asked<number>('mass') > 0) return;
+  body.report({
+    code: 'zero-mass',
+    severity: 'info',
+    attribute: 'mass',
+    value: 0,
+    used: 'fixed',
+    message: `${body.label}: mass="0" makes it fixed`,
+  });
+}
+
 export function massOf(body: BodyNode): MassProperties {
   const mass = body.asked<number>('mass') || 1;
   const center = [...body.asked<Vec3>('centerOfMass')] as Vec3;

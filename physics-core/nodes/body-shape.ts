@@ -1,6 +1,7 @@
 import type { Owner } from '../engine/owner.js';
 import { compose, invert } from '../math.js';
 import type { ProblemReport } from '../problems.js';
+import type { CollidablePart } from './collidable.js';
 import { buildShape, type BtShape, type ShapeNote } from '../shapes/build.js';
 import type { BodyNode } from './body.js';
 
@@ -23,25 +24,28 @@ const REPORTS: readonly (Omit<ProblemReport, 'message'> & { code: ShapeNote; say
 ];
 
 /** The shape of a body, in the frame of its centre of mass. What it is made of goes to `owner`. */
-export function shapeOf(body: BodyNode, owner: Owner): BtShape {
+export function shapeOf(body: BodyNode, owner: Owner): { shape: BtShape; parts: CollidablePart[] } {
   const { engine, registry } = body.world;
   const toCenter = invert(body.centerOfMass);
-  const parts = body.parts.map(({ geometry, pose }) => ({
-    geometry,
-    pose: compose(toCenter, pose),
+  const placed = body.parts.map((part) => ({
+    ...part,
+    pose: compose(toCenter, part.pose),
+    exact: body.world.pairs.wantsTriangles(part.collidable),
   }));
   const notes = new Set<ShapeNote>();
-  const shape = buildShape(parts, {
+  const { shape, made } = buildShape(placed, {
     ammo: engine.ammo,
     scratch: engine.scratch,
     owner,
     moving: body.movable,
     note: (note) => notes.add(note),
+    allowMovingMeshes: () => body.world.bullet.allowMovingMeshes(),
   });
   if (notes.has('mesh')) registry.meshes.need(body, 'geometry');
   else registry.meshes.drop(body);
   tell(body, notes);
-  return shape;
+  const parts = body.parts;
+  return { shape, parts: made.map(({ at, mesh }) => ({ ...parts[at]!, mesh })) };
 }
 
 function tell(body: BodyNode, notes: Set<ShapeNote>): void {

@@ -8,6 +8,7 @@ export const collidableOffset = defineNode<CollidableOffsetNode>({
   clause: '37.4.2',
   doc: 'Places one collidable away from the origin of its body: the way to build compound bodies.',
   rank: 1,
+  bounded: true,
   make: (context) => new CollidableOffsetNode(context),
   fields: {
     ...collidableFields,

@@ -40,6 +40,7 @@ export const collidableShape = defineNode<CollidableShapeNode>({
   clause: '37.4.3',
   doc: 'The shape that collides, and that is drawn where it stands in the scene.',
   rank: 1,
+  bounded: true,
   make: (context) => new CollidableShapeNode(context),
   fields: {
     ...collidableFields,

@@ -10,6 +10,8 @@ export interface CollidablePart {
   geometry: Geometry;
   pose: Pose;
   collidable: CollidableNode;
+  /** Made as triangles; Bullet numbers those, not the part. */
+  mesh?: boolean;
 }
 
 /** What CollidableShape and CollidableOffset share: they make a body's shape, and belong to one body. */
@@ -17,16 +19,38 @@ export abstract class CollidableNode extends PhysicsNode {
   /** Those that name it, in order; the first owns it. */
   readonly #claims: (BodyNode | CollidableNode)[] = [];
 
+  /** The body that the world made for it while no other owns it. */
+  obstacle: BodyNode | undefined;
+
   /** The body whose shape it makes. */
   get owner(): BodyNode | undefined {
     const [first] = this.#claims;
-    return first instanceof CollidableNode ? first.owner : first;
+    return first instanceof CollidableNode ? first.owner : (first ?? this.obstacle);
+  }
+
+  /** Whether neither a body nor an offset names it. */
+  get unclaimed(): boolean {
+    return this.#claims.length === 0;
+  }
+
+  /** Itself and the offsets around it. */
+  get withOffsets(): CollidableNode[] {
+    const [first] = this.#claims;
+    return first instanceof CollidableNode ? [this, ...first.withOffsets] : [this];
+  }
+
+  /** Itself and the collidables inside it. */
+  get withChildren(): CollidableNode[] {
+    return [this];
   }
 
   abstract parts(): CollidablePart[];
 
+  /** Its parts in its own frame. */
+  abstract partsInside(): CollidablePart[];
+
   /** Its own pose where it stands free; inside an offset, its place there. */
-  protected get place(): Pose {
+  get place(): Pose {
     return {
       p: [...this.asked<Vec3>('translation')],
       q: quaternionOf(this.asked<Rotation>('rotation')),
@@ -41,6 +65,7 @@ export abstract class CollidableNode extends PhysicsNode {
   claim(by: BodyNode | CollidableNode): void {
     if (this.#claims.includes(by)) return;
     this.#claims.push(by);
+    this.world.obstacles.due();
     if (this.#claims[0] === by) return;
     by.report({
       code: 'already-owned',
@@ -56,6 +81,7 @@ export abstract class CollidableNode extends PhysicsNode {
     const at = this.#claims.indexOf(by);
     if (at < 0) return;
     this.#claims.splice(at, 1);
+    this.world.obstacles.due();
     this.world.settle(by, 'geometry', 'already-owned');
     const [next] = this.#claims;
     if (at > 0 || !next) return;
@@ -68,7 +94,13 @@ export abstract class CollidableNode extends PhysicsNode {
     this.owner?.touch('geometry');
   }
 
+  protected override create(): boolean {
+    this.world.obstacles.due();
+    return true;
+  }
+
   protected override released(): void {
+    this.world.obstacles.due();
     this.owner?.touch('geometry');
   }
 }
@@ -103,6 +135,10 @@ export class CollidableShapeNode extends CollidableNode {
     });
   }
 
+  partsInside(): CollidablePart[] {
+    return this.parts();
+  }
+
   /** Directly in a body it sits at the body's pose; inside an offset its own place counts. */
   parts(displaced = false): CollidablePart[] {
     if (!this.asked<boolean>('enabled')) return [];
@@ -122,10 +158,18 @@ export class CollidableOffsetNode extends CollidableNode {
   #child: CollidableNode | undefined;
 
   parts(): CollidablePart[] {
+    const { place } = this;
+    return this.partsInside().map((part) => ({ ...part, pose: compose(place, part.pose) }));
+  }
+
+  partsInside(): CollidablePart[] {
     const child = this.#child;
     if (!child || child.owner !== this.owner || !this.asked<boolean>('enabled')) return [];
-    const inner = child instanceof CollidableShapeNode ? child.parts(true) : child.parts();
-    return inner.map((part) => ({ ...part, pose: compose(this.place, part.pose) }));
+    return child instanceof CollidableShapeNode ? child.parts(true) : child.parts();
+  }
+
+  override get withChildren(): CollidableNode[] {
+    return this.#child ? [this, ...this.#child.withChildren] : [this];
   }
 
   override get startPose(): undefined {

@@ -1,15 +1,28 @@
 import type { CollidableNode } from './collidable.js';
 import type { CollisionCollectionNode } from './collision-collection.js';
+import type { ContactNode } from './contact.js';
+import { description } from './common-fields.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
 
 /** Tells whether members of a CollisionCollection touch, and which. */
 export class CollisionSensorNode extends PhysicsNode {
   isActive = false;
-  intersections: CollidableNode[] = [];
+  readonly #touching = new Set<CollidableNode>();
+  /** Of the last step, made when somebody asks. */
+  #contacts: ContactNode[] | undefined;
 
   get collider(): CollisionCollectionNode | undefined {
     return this.asked<CollisionCollectionNode | null>('collider') ?? undefined;
+  }
+
+  get intersections(): CollidableNode[] {
+    return [...this.#touching];
+  }
+
+  get contacts(): ContactNode[] {
+    if (!this.isActive) return [];
+    return (this.#contacts ??= this.world.registry.contacts.contactsOf(this));
   }
 
   /** Reads contacts only while it has something to watch. */
@@ -20,25 +33,44 @@ export class CollisionSensorNode extends PhysicsNode {
       return;
     }
     contacts.drop(this);
-    this.sense([]);
+    this.beginSensing();
+    if (this.asked<boolean>('enabled')) this.finishSensing();
+    else this.#silence();
   }
 
-  /** What touches after this step. Changes are sent; the end of contact sends the empty list once. */
-  sense(touching: CollidableNode[]): void {
-    const active = touching.length > 0;
-    if (active || this.isActive) {
-      this.intersections = touching;
-      this.emit('intersections', touching);
-    }
-    if (active === this.isActive) return;
+  /** Disabled it sends nothing, not even an end. */
+  #silence(): void {
+    this.isActive = false;
+    this.#contacts = undefined;
+  }
+
+  // ---- after each step --------------------------------------------------------------------------------------------
+
+  beginSensing(): void {
+    this.#touching.clear();
+  }
+
+  noteTouch(a: CollidableNode, b: CollidableNode): void {
+    this.#touching.add(a).add(b);
+  }
+
+  /** While something touches both lists are sent with every step; the end of contact sends them empty, once. */
+  finishSensing(): void {
+    const active = this.#touching.size > 0;
+    const changed = active !== this.isActive;
+    this.#contacts = undefined;
     this.isActive = active;
-    this.emit('isActive', active);
+    if (active || changed) {
+      if (this.heard('intersections')) this.emit('intersections', this.intersections);
+      if (this.heard('contacts')) this.emit('contacts', this.contacts);
+    }
+    if (changed) this.emit('isActive', active);
   }
 
   protected override destroy(): void {
     this.world.registry.dropAll(this);
-    this.isActive = false;
-    this.intersections = [];
+    this.#touching.clear();
+    this.#silence();
   }
 }
 
@@ -52,6 +84,7 @@ export const collisionSensor = defineNode<CollisionSensorNode>({
   rank: 5,
   make: (context) => new CollisionSensorNode(context),
   fields: {
+    ...description,
     collider: {
       type: 'SFNode',
       access: 'inputOutput',
@@ -82,8 +115,17 @@ export const collisionSensor = defineNode<CollisionSensorNode>({
       access: 'outputOnly',
       default: [],
       edit: 'passive',
-      read: (sensor) => [...sensor.intersections],
+      read: (sensor) => sensor.intersections,
       doc: 'The collidables that touch, each once.',
+    },
+    contacts: {
+      type: 'MFNode',
+      access: 'outputOnly',
+      default: [],
+      nodes: ['Contact'],
+      edit: 'passive',
+      read: (sensor) => sensor.contacts,
+      doc: 'One Contact for each point where members touch, new with every step; made only where it is read or ROUTEd.',
     },
   },
 });

@@ -1,3 +1,5 @@
+import type { Vec3 } from '../fields/types.js';
+import { cross, length, normalize, perpendicular } from '../math.js';
 import type { JointNode } from './joint.js';
 import type { Field } from './table.js';
 
@@ -28,11 +30,14 @@ export const jointFields: Record<string, Field<JointNode>> = {
     access: 'inputOutput',
     default: ['NONE'],
     edit: 'passive',
-    doc: 'Which outputs are computed and sent: NONE, ALL, or their names.',
+    doc: 'Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case.',
   },
 };
 
 const rezero = (joint: JointNode): void => joint.rezero();
+
+/** For tables that list it beside their own fields. */
+export const rezeroPatch = rezero;
 
 /** Fields of joints that have a place. */
 export const anchorFields: Record<string, Field<JointNode>> = {
@@ -65,5 +70,79 @@ export const anchorFields: Record<string, Field<JointNode>> = {
   },
 };
 
-/** For tables that list it beside their own fields. */
-export const rezeroPatch = rezero;
+/** A direction given in the world when the joint is made; X3D 3.x has no direction as its default. */
+export const axisField = (value: Vec3, doc: string): Field<JointNode> => ({
+  type: 'SFVec3f',
+  access: 'inputOutput',
+  default: value,
+  default3: [0, 0, 0],
+  edit: 'live',
+  patch: rezero,
+  doc,
+});
+
+/** Where an axis of a joint with two of them points now. */
+export const axisOutput = (which: 1 | 2, column: 0 | 2): Field<JointNode> => ({
+  type: 'SFVec3f',
+  access: 'outputOnly',
+  default: [0, 0, 0],
+  edit: 'passive',
+  read: (joint) =>
+    joint.placed ? joint.axisOn(which, column) : normalize(joint.asked<Vec3>(`axis${which}`)),
+  doc: `Where axis${which} points now, as body${which} carries it: a unit vector, world frame.`,
+});
+
+/** A number that the simulation answers with. */
+export function output<N extends JointNode>(
+  read: (joint: N) => number,
+  doc: string,
+  dimension?: Field['dimension'],
+): Field<N> {
+  return {
+    type: 'SFFloat',
+    access: 'outputOnly',
+    default: 0,
+    ...(dimension && { dimension }),
+    edit: 'passive',
+    read,
+    doc,
+  };
+}
+
+/** The authored axis, or X3D 4.0's default after a report where it has no direction. */
+export function direction(joint: JointNode, attribute: string): Vec3 {
+  const axis = joint.asked<Vec3>(attribute);
+  if (length(axis) > 1e-9) {
+    joint.world.settle(joint, attribute, 'bad-value');
+    return normalize(axis);
+  }
+  const used = joint.type.fields[attribute]!.default as Vec3;
+  joint.report({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute,
+    value: axis,
+    used,
+    message: `${joint.label}: ${attribute}="0 0 0" has no direction; ${used.join(' ')} is used`,
+  });
+  return [...used];
+}
+
+/** Sine of the angle between two axes below which they count as one. */
+const PARALLEL = 0.05;
+
+/** The second axis, or one at right angles to the first after a report where both are nearly one. */
+export function notAlong(joint: JointNode, axis1: Vec3, attribute: string): Vec3 {
+  const axis2 = direction(joint, attribute);
+  if (length(cross(axis1, axis2)) > PARALLEL) return axis2;
+  const used = perpendicular(axis1);
+  joint.report({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute,
+    value: joint.asked(attribute),
+    used,
+    message: `${joint.label}: ${attribute} runs along the first axis; ${used.map((n) => Number(n.toFixed(4))).join(' ')}, at right angles to it, is used`,
+  });
+  return used;
+}

@@ -1,54 +1,26 @@
-import type { BtConstraint } from '../engine/bullet-world.js';
-import type { Ammo } from '../engine/ammo.js';
-import { CONSTRAINT_PARAM } from '../engine/offsets.js';
-import { Owner } from '../engine/owner.js';
-import { perStep } from '../accuracy/levels.js';
+import { perStep, softnessAtStep } from '../accuracy/levels.js';
 import type { Vec3 } from '../fields/types.js';
 import { guards } from '../guards.js';
-import {
-  compose,
-  identityPose,
-  invert,
-  length,
-  normalize,
-  perpendicular,
-  quaternionOfAxes,
-  cross,
-  dot,
-  rotate,
-  scale,
-  subtract,
-  type Pose,
-} from '../math.js';
+import { compose, identityPose, invert, length, rotate, subtract, type Pose } from '../math.js';
 import type { BodyNode } from './body.js';
+import { JointConstraint, type Limit, type Side } from './joint-constraint.js';
+import { aboutTwoAxes, alongArm, leverRatio, type JointFrame } from './joint-frames.js';
+import { reportMassRatio, reportNobody } from './joint-reports.js';
 import { PhysicsNode } from './node.js';
 
-type SixDof = Ammo['btGeneric6DofConstraint']['prototype'];
-
-/** Lower and upper bound of one degree of freedom, body1 relative to body2. Lower above upper: free. */
-export type Limit = readonly [number, number];
-
-export const FREE: Limit = [1, -1];
-/**
- * Not 0: Bullet's 6-DoF drops a locked row whose error is exactly the limit, so a hinge hanging straight would fall
- * for one step and be pulled back in the next, for ever (measured).
- */
-export const LOCKED: Limit = [1e-20, 1e-20];
+export { between, FREE, LOCKED, type Limit } from './joint-constraint.js';
+export type { JointFrame } from './joint-frames.js';
 
 /** From 1 on Bullet lets a joint go altogether (measured: a sag of 500 m). */
 const MOST_SOFTNESS = 0.9;
 
-/** Masses more unlike than this strain a joint visibly at `standard` (measured). */
-const HARD_MASS_RATIO = 100;
+const ROWS = 6;
 
-/** Where a joint sits, world frame, at the moment it is made. Its x axis is the one that `limits` speak of first. */
-export interface JointFrame {
-  anchor: Vec3;
-  axis?: Vec3;
+/** Error correction per 1/60 s, and softness (X3D's constantForceMix) where it is the joint's own. */
+export interface RowCorrection {
+  share: number;
+  softness?: number;
 }
-
-const flipped = ([low, high]: Limit): Limit =>
-  low > high || low === high ? [low, high] : [-high, -low];
 
 /**
  * A joint as one btGeneric6DofConstraint, the one constraint of Bullet 2.82 whose every row takes an error
@@ -60,17 +32,26 @@ export abstract class JointNode extends PhysicsNode {
   /** The joint's frame in each body (or the world), fixed when the joint is made. */
   frame1: Pose = identityPose();
   frame2: Pose = identityPose();
+  /** The same from each centre of mass, along its principal axes. */
+  centred1: Pose = identityPose();
+  centred2: Pose = identityPose();
+  /** The rows that hold, as the 6-DoF numbers them: 0 to 2 along x, y, z; 3 to 5 about them. */
+  lockedRows: readonly number[] = [];
+  /** While a snapshot is restored: the frames of its zero. */
+  kept: { frame1: Pose; frame2: Pose } | undefined;
   #zeroed = false;
-  #constraint: SixDof | undefined;
-  #owner: Owner | undefined;
-  /** Whether body2 is Bullet's A. */
-  #swapped = false;
+  #constraint: JointConstraint | undefined;
 
-  /** Where the joint is wanted; undefined where it has no place. */
+  /** Where the joint is wanted. */
   protected abstract wantedFrame(): JointFrame;
   /** Linear then angular limits along the joint frame's axes. */
   protected abstract linearLimits(): [Limit, Limit, Limit];
   protected abstract angularLimits(): [Limit, Limit, Limit];
+
+  /** Whether its bodies may move apart along an axis. */
+  protected get slides(): boolean {
+    return false;
+  }
 
   // ---- life -----------------------------------------------------------------------------------------------------
 
@@ -96,21 +77,8 @@ export abstract class JointNode extends PhysicsNode {
     this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
     for (const body of [this.body1, this.body2]) body?.joints.add(this);
     this.#zeroed = false;
-    this.#reportNobody();
+    reportNobody(this);
     this.attach();
-  }
-
-  #reportNobody(): void {
-    if (this.body1 || this.body2) {
-      this.world.settle(this, undefined, 'no-body');
-      return;
-    }
-    this.report({
-      code: 'no-body',
-      severity: 'warning',
-      used: 'nothing',
-      message: `${this.label} names no body and holds nothing until body1 or body2 does`,
-    });
   }
 
   bodyReady(): void {
@@ -129,7 +97,8 @@ export abstract class JointNode extends PhysicsNode {
   }
 
   massChanged(): void {
-    if (this.#constraint && this.#shouldSwap() !== this.#swapped) this.reattach();
+    if (this.#constraint && this.shouldSwap() !== this.#constraint.swapped) this.reattach();
+    else this.updateCorrection();
   }
 
   /** Anchor or axis was edited: the joint is made again and its zero is now. */
@@ -138,6 +107,11 @@ export abstract class JointNode extends PhysicsNode {
     this.detach();
     this.#zeroed = false;
     this.attach();
+  }
+
+  /** Whether its zero is known: what it answers before is what its author asked for. */
+  get placed(): boolean {
+    return this.#zeroed;
   }
 
   get attached(): boolean {
@@ -150,37 +124,18 @@ export abstract class JointNode extends PhysicsNode {
     if (bodies.length === 0 || bodies[0] === bodies[1] || bodies.some((body) => !body.active))
       return;
     if (!this.#zeroed) this.#zero();
-    this.#swapped = this.#shouldSwap();
-    this.#owner = new Owner(this.world.engine.ammo);
-    this.#constraint = this.#owner.own(this.#make());
+    this.#constraint = this.#make();
     this.updateLimits();
     this.updateCorrection();
-    this.world.bullet.addConstraint(this.#constraint as BtConstraint);
+    this.#constraint.add(this.slides);
     for (const body of bodies) body.wake();
-    this.#reportMassRatio();
+    reportMassRatio(this);
     this.attachedChanged();
-  }
-
-  #reportMassRatio(): void {
-    const masses = [this.body1, this.body2].map((body) => (body?.movable ? body.mass.mass : 0));
-    const ratio = Math.max(...masses) / Math.min(...masses);
-    if (!Number.isFinite(ratio) || ratio <= HARD_MASS_RATIO) {
-      this.world.settle(this, undefined, 'mass-ratio');
-      return;
-    }
-    this.report({
-      code: 'mass-ratio',
-      severity: 'warning',
-      value: ratio,
-      used: 'the present accuracy',
-      message: `${this.label} holds ${this.body1!.label} (${masses[0]} kg) to ${this.body2!.label} (${masses[1]} kg): so unlike masses need accuracy="fine" or better to hold together`,
-    });
   }
 
   detach(): void {
     if (!this.#constraint) return;
-    this.world.bullet.removeConstraint(this.#constraint as BtConstraint);
-    this.#owner!.dispose();
+    this.#constraint.dispose();
     this.#constraint = undefined;
     for (const body of [this.body1, this.body2]) body?.wake();
     this.attachedChanged();
@@ -189,31 +144,23 @@ export abstract class JointNode extends PhysicsNode {
   /** The constraint came or went. */
   protected attachedChanged(): void {}
 
+  /** The frames are new: of the present poses, or of a snapshot's. */
+  protected zeroed(): void {}
+
   // ---- frames -----------------------------------------------------------------------------------------------------
 
   #zero(): void {
-    const { anchor, axis } = this.wantedFrame();
-    const frame: Pose = { p: anchor, q: this.#orientation(anchor, axis) };
-    this.frame1 = compose(invert(this.body1?.pose() ?? identityPose()), frame);
-    this.frame2 = compose(invert(this.body2?.pose() ?? identityPose()), frame);
+    ({ frame1: this.frame1, frame2: this.frame2 } = this.kept ?? this.#framesNow());
     this.#zeroed = true;
+    this.zeroed();
   }
 
-  /**
-   * Rows along the lever arm: world axes would couple the rows through a small inertia, and the solver would let the
-   * joint open (measured). Without an axis of its own the frame's x runs along the arm; else its z does.
-   */
-  #orientation(anchor: Vec3, axis: Vec3 | undefined) {
-    const arm = this.#longestArm(anchor);
-    if (!axis) {
-      const x = normalize(arm, [1, 0, 0]);
-      const y = perpendicular(x);
-      return quaternionOfAxes(x, y, cross(x, y));
-    }
-    const x = normalize(axis);
-    const across = subtract(arm, scale(x, dot(arm, x)));
-    const z = length(across) > 1e-6 ? normalize(across) : perpendicular(x);
-    return quaternionOfAxes(x, cross(z, x), z);
+  #framesNow(): { frame1: Pose; frame2: Pose } {
+    const { anchor, axis, axes } = this.wantedFrame();
+    const [q1, q2] = axes ? aboutTwoAxes(axes) : alongArm(this.#longestArm(anchor), axis);
+    const seen = (body: BodyNode | undefined, q: Pose['q']): Pose =>
+      compose(invert(body?.pose() ?? identityPose()), { p: anchor, q });
+    return { frame1: seen(this.body1, q1), frame2: seen(this.body2, q2) };
   }
 
   #longestArm(anchor: Vec3): Vec3 {
@@ -224,84 +171,66 @@ export abstract class JointNode extends PhysicsNode {
   }
 
   /** Bullet's rows lie along body A's frame: A is the body whose lever arm asks for it. */
-  #shouldSwap(): boolean {
+  protected shouldSwap(): boolean {
     const anchor = (body: BodyNode | undefined, frame: Pose): number =>
       body ? leverRatio(body, compose(body.pose(), frame).p) : -1;
     return anchor(this.body2, this.frame2) > anchor(this.body1, this.frame1);
   }
 
-  #make(): SixDof {
-    const { engine } = this.world;
-    const ends = [
-      { body: this.body1, frame: this.frame1 },
-      { body: this.body2, frame: this.frame2 },
-    ];
-    const [a, b] = (this.#swapped ? ends.reverse() : ends) as [(typeof ends)[0], (typeof ends)[0]];
-    const inCentre = ({ body, frame }: (typeof ends)[0]): Pose =>
-      body ? compose(invert(body.centerOfMass), frame) : frame;
-    const [frameA, frameB] = [inCentre(a), inCentre(b)];
-    const bullet = (body: BodyNode | undefined) => body?.body ?? this.world.bullet.ground;
-    return new engine.ammo.btGeneric6DofConstraint(
-      bullet(a.body),
-      bullet(b.body),
-      engine.scratch.transform(frameA.p, frameA.q, 0),
-      engine.scratch.transform(frameB.p, frameB.q, 1),
-      true,
-    );
+  #make(): JointConstraint {
+    const side = (body: BodyNode | undefined, frame: Pose): Side =>
+      body
+        ? { body: body.body, frame: compose(invert(body.centerOfMass), frame) }
+        : { body: this.world.bullet.ground, frame };
+    const sides = [side(this.body1, this.frame1), side(this.body2, this.frame2)] as const;
+    [this.centred1, this.centred2] = [sides[0].frame, sides[1].frame];
+    return new JointConstraint(this.world, ...sides, this.shouldSwap());
   }
 
   // ---- limits and softness ------------------------------------------------------------------------------------------
 
   updateLimits(): void {
-    const constraint = this.#constraint;
-    if (!constraint) return;
-    const { scratch } = this.world.engine;
-    const along = (limits: Limit[], end: 0 | 1) => {
-      const [x, y, z] = limits.map((limit) => (this.#swapped ? flipped(limit) : limit)[end]);
-      return scratch.vector(x!, y!, z!);
-    };
-    const linear = this.linearLimits();
-    const angular = this.angularLimits();
-    constraint.setLinearLowerLimit(along(linear, 0));
-    constraint.setLinearUpperLimit(along(linear, 1));
-    constraint.setAngularLowerLimit(along(angular, 0));
-    constraint.setAngularUpperLimit(along(angular, 1));
+    if (!this.#constraint) return;
+    const limits = [...this.linearLimits(), ...this.angularLimits()];
+    this.lockedRows = limits.flatMap(([low, high], row) => (low === high ? [row] : []));
+    this.#constraint.setLimits(limits);
     for (const body of [this.body1, this.body2]) body?.wake();
   }
 
-  /** Error correction of stops, per 1/60 s, where the joint has any. */
-  protected stopCorrection(): number | undefined {
+  /** Where a row has its own; undefined: the collection's. */
+  protected correctionOf(_row: number): RowCorrection | undefined {
     return undefined;
   }
 
-  /** Error correction and softness of every row, from the collection or the level. */
+  /** Error correction and softness of every row. */
   updateCorrection(): void {
     const constraint = this.#constraint;
     if (!constraint) return;
     const { errorCorrection, constantForceMix, stepSeconds } = this.world.solver;
-    const stop = this.stopCorrection();
-    const limits = [...this.linearLimits(), ...this.angularLimits()];
-    limits.forEach((limit, axis) => {
-      const isStop = limit[0] < limit[1];
-      const erp = isStop && stop !== undefined ? perStep(stop, stepSeconds) : errorCorrection;
-      constraint.setParam(CONSTRAINT_PARAM.stopErp, erp, axis);
-      constraint.setParam(
-        CONSTRAINT_PARAM.stopCfm,
-        this.#softness(constantForceMix, stepSeconds),
-        axis,
-      );
-    });
+    const { rows } = this.world.registry;
+    rows.fill(this, stepSeconds);
+    for (let row = 0; row < ROWS; row++) {
+      const own = this.correctionOf(row);
+      const share = own ? perStep(own.share, stepSeconds) : errorCorrection;
+      const softness =
+        own?.softness === undefined
+          ? constantForceMix
+          : softnessAtStep(own.softness, own.share, stepSeconds);
+      constraint.setCorrection(row, share, this.#softness(softness, row));
+    }
   }
 
   /**
    * X3D's constantForceMix is velocity per force; Bullet 2.82 scales it by the row's own response, so it is divided by
-   * dt · (1/m1 + 1/m2).
+   * dt · J M⁻¹ Jᵀ.
    */
-  #softness(constantForceMix: number, dt: number): number {
-    const inverse = (body: BodyNode | undefined): number =>
-      body?.movable ? 1 / body.mass.mass : 0;
-    const response = inverse(this.body1) + inverse(this.body2);
-    return guards.jointSoftness(constantForceMix / (dt * response || Infinity), MOST_SOFTNESS);
+  #softness(constantForceMix: number, row: number): number {
+    const { stepSeconds } = this.world.solver;
+    const response = this.world.registry.rows.between(row, row);
+    return guards.jointSoftness(
+      constantForceMix / (stepSeconds * response || Infinity),
+      MOST_SOFTNESS,
+    );
   }
 
   // ---- outputs ------------------------------------------------------------------------------------------------------
@@ -321,24 +250,39 @@ export abstract class JointNode extends PhysicsNode {
     return length(subtract(this.anchorOn(1), this.anchorOn(2)));
   }
 
-  /** Whether forceOutput asks for an output. */
+  /** Whether forceOutput asks for an output: only then is it sent along ROUTEs. Who reads one has asked. */
   outputs(name: string): boolean {
     const wanted = this.asked<string[]>('forceOutput');
     return wanted.includes('ALL') || wanted.includes(name);
   }
 
-  angularVelocityOf(body: BodyNode | undefined): Vec3 {
-    return body ? body.velocityAtOrigin().angular : [0, 0, 0];
+  /** ω1 - ω2, rad/s. */
+  relativeSpin(): Vec3 {
+    const spin = (body: BodyNode | undefined): Vec3 =>
+      body ? body.velocityAtOrigin().angular : [0, 0, 0];
+    return subtract(spin(this.body1), spin(this.body2));
   }
 
-  axisWorld(): Vec3 {
-    return rotate(this.worldFrame(1).q, [1, 0, 0]);
+  /** Column 0 to 2 (x to z) of the frame as each body carries it, world frame. */
+  axisOn(which: 1 | 2, column: 0 | 1 | 2): Vec3 {
+    const axis: Vec3 = [0, 0, 0];
+    axis[column] = 1;
+    return rotate(this.worldFrame(which).q, axis);
   }
-}
 
-/** m r² / I: how badly a point at the end of the lever arm couples to the body's rotation. */
-function leverRatio(body: BodyNode | undefined, anchor: Vec3): number {
-  if (!body?.movable) return -1;
-  const arm = length(subtract(body.centerOfMassWorld(), anchor));
-  return (body.mass.mass * arm * arm) / Math.min(...body.mass.moments);
+  /** Where a row stands now, metres or radians; 0 at the poses the joint was made at. */
+  valueOf(row: number): number {
+    return this.#measure() ? this.world.registry.rows.values[row]! : 0;
+  }
+
+  /** Its rate, per second. */
+  rateOf(row: number): number {
+    return this.#measure() ? this.world.registry.rows.rateNow(row) : 0;
+  }
+
+  #measure(): boolean {
+    if (!this.#zeroed || [this.body1, this.body2].some((body) => body && !body.built)) return false;
+    this.world.registry.rows.fill(this, 0);
+    return true;
+  }
 }

@@ -1,16 +1,69 @@
 import type { Vec3 } from '../fields/types.js';
-import { add, normalize, rotate, scale, type Pose } from '../math.js';
+import { add, cross, dot, normalize, rotate, scale, subtract } from '../math.js';
 import { FREE, JointNode, type JointFrame, type Limit } from './joint.js';
-import { jointFields } from './joint-fields.js';
-import { defineNode, type Field } from './table.js';
+import { motorFields } from './motor-fields.js';
+import { defineNode } from './table.js';
 
-/** Turns bodies against each other about up to three axes. It holds nothing together: that takes another joint. */
+/** Row of the angle about each axis in Euler mode, and whether it counts the other way round. */
+const EULER = [
+  { row: 5, sign: 1 },
+  { row: 4, sign: -1 },
+  { row: 3, sign: 1 },
+] as const;
+
+export type AxisNumber = 1 | 2 | 3;
+const AXES: readonly AxisNumber[] = [1, 2, 3];
+const NOWHERE: Vec3 = [0, 0, 0];
+
+/** z and x of frames along the world's axes. */
+const WORLD_AXES = [
+  [0, 0, 1],
+  [1, 0, 0],
+] as const satisfies readonly [Vec3, Vec3];
+
+/**
+ * Turns bodies against each other about up to three axes. It holds nothing together: that takes another joint. In user
+ * mode body1 carries all axes; in Euler mode (`autoCalc`) it carries the first, body2 the third, and the second is at
+ * right angles to both.
+ */
 export class MotorJointNode extends JointNode {
-  /** The motor's axes as body1 (or the world, without it) carries them. */
-  #axes: Vec3[] = [];
+  get #euler(): boolean {
+    return this.asked<boolean>('autoCalc');
+  }
+
+  #asked(n: AxisNumber): Vec3 {
+    return normalize(this.asked<Vec3>(`motor${n}Axis`), NOWHERE);
+  }
 
   protected override wantedFrame(): JointFrame {
-    return { anchor: (this.body1 ?? this.body2)!.pose().p };
+    const anchor = (this.body1 ?? this.body2)!.pose().p;
+    return { anchor, axes: this.#euler ? [this.#asked(1), this.#across()] : WORLD_AXES };
+  }
+
+  /** The third axis, made to stand at right angles to the first. */
+  #across(): Vec3 {
+    const [first, third] = [this.#asked(1), this.#asked(3)];
+    const along = dot(first, third);
+    if (Math.abs(along) < 1e-4) return third;
+    const used = normalize(subtract(third, scale(first, along)), NOWHERE);
+    this.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'motor3Axis',
+      value: this.asked('motor3Axis'),
+      used,
+      message: `${this.label}: with autoCalc motor3Axis stands at right angles to motor1Axis; ${used.map((n) => Number(n.toFixed(4))).join(' ')} is used`,
+    });
+    return used;
+  }
+
+  /** Axes 1 and 3 have directions of their own, which Euler angles need. */
+  get #turns(): boolean {
+    return [1, 3].every((n) => this.#asked(n as AxisNumber) !== NOWHERE);
+  }
+
+  protected override shouldSwap(): boolean {
+    return false;
   }
 
   protected override linearLimits(): [Limit, Limit, Limit] {
@@ -21,65 +74,67 @@ export class MotorJointNode extends JointNode {
     return [FREE, FREE, FREE];
   }
 
-  protected override attachedChanged(): void {
-    if (this.attached) this.updateAxes();
-    else this.world.registry.motors.drop(this);
+  // ---- axes ---------------------------------------------------------------------------------------------------------
+
+  /** Where an axis points now, world frame. */
+  #axis(n: AxisNumber): Vec3 {
+    if (!this.#euler) return rotate(this.worldFrame(1).q, this.#asked(n));
+    if (!this.#turns) return NOWHERE;
+    const [first, third] = [this.axisOn(1, 2), this.axisOn(2, 0)];
+    return n === 1 ? first : n === 3 ? third : normalize(cross(third, first), NOWHERE);
   }
 
-  /** Axes are world directions when they are set, and turn with body1 from then on (X3D 37.4.10, user mode). */
-  updateAxes(): void {
-    const carrier = this.body1?.built ? this.body1.pose().q : undefined;
-    this.#axes = [1, 2, 3].map((n) => {
-      const axis = normalize(this.asked<Vec3>(`motor${n}Axis`), [0, 0, 0]);
-      return carrier ? rotate([-carrier[0], -carrier[1], -carrier[2], carrier[3]], axis) : axis;
-    });
+  // ---- torque -------------------------------------------------------------------------------------------------------
+
+  protected override attachedChanged(): void {
     this.updateTorque();
   }
 
   updateTorque(): void {
     const { motors } = this.world.registry;
-    const driven = this.#torques().findIndex((torque) => torque !== 0);
-    if (!this.attached || driven < 0) motors.drop(this);
-    else motors.need(this, `axis${driven + 1}Torque`);
+    const driven = AXES.find((n) => this.#torque(n) !== 0);
+    if (!this.attached || !driven) motors.drop(this);
+    else motors.need(this, `axis${driven}Torque`);
     for (const body of [this.body1, this.body2]) body?.wake();
   }
 
-  /** Torques about the axes that `enabledAxes` (a count) covers. */
-  #torques(): number[] {
-    const enabled = this.asked<number>('enabledAxes');
-    return [1, 2, 3].map((n) => (n <= enabled ? this.asked<number>(`axis${n}Torque`) : 0));
+  /** About an axis that `enabledAxes` (a count) covers. */
+  #torque(n: AxisNumber): number {
+    return n <= this.asked<number>('enabledAxes') ? this.asked<number>(`axis${n}Torque`) : 0;
   }
 
-  /** Newton metres on body1, world frame. */
-  torque(): Vec3 {
-    const carrier: Pose['q'] = this.body1 ? this.body1.pose().q : [0, 0, 0, 1];
-    return this.#torques().reduce<Vec3>(
-      (sum, torque, i) => (torque ? add(sum, scale(rotate(carrier, this.#axes[i]!), torque)) : sum),
-      [0, 0, 0],
+  /** Plus on body1, minus on body2. */
+  push(): void {
+    const { scratch } = this.world.engine;
+    const torque = AXES.reduce<Vec3>(
+      (sum, n) => (this.#torque(n) ? add(sum, scale(this.#axis(n), this.#torque(n))) : sum),
+      NOWHERE,
     );
+    for (const [body, sign] of [
+      [this.body1, 1],
+      [this.body2, -1],
+    ] as const)
+      if (body?.active && body.movable && !body.sleeping)
+        body.body.applyTorque(scratch.vector(...scale(torque, sign)));
+  }
+
+  // ---- outputs ------------------------------------------------------------------------------------------------------
+
+  /** Radians: measured in Euler mode, what the author told in user mode. */
+  motorAngle(n: AxisNumber): number {
+    if (!this.#euler) return this.asked(`axis${n}Angle`);
+    const { row, sign } = EULER[n - 1]!;
+    return this.#turns ? sign * this.valueOf(row) : 0;
+  }
+
+  /** rad/s. */
+  motorAngleRate(n: AxisNumber): number {
+    if (!this.placed) return 0;
+    if (!this.#euler) return dot(this.relativeSpin(), this.#axis(n));
+    const { row, sign } = EULER[n - 1]!;
+    return this.#turns ? sign * this.rateOf(row) : 0;
   }
 }
-
-const axes = (joint: MotorJointNode): void => joint.updateAxes();
-const torque = (joint: MotorJointNode): void => joint.updateTorque();
-
-const axis = (n: number, value: Vec3): Field<MotorJointNode> => ({
-  type: 'SFVec3f',
-  access: 'inputOutput',
-  default: value,
-  edit: 'live',
-  patch: axes,
-  doc: `Direction of axis ${n}, world frame when it is set; it turns with body1.`,
-});
-const torqueAbout = (n: number): Field<MotorJointNode> => ({
-  type: 'SFFloat',
-  access: 'inputOutput',
-  default: 0,
-  dimension: { force: 1, length: 1 },
-  edit: 'live',
-  patch: torque,
-  doc: `Torque about axis ${n}, newton metres: plus on body1, minus on body2.`,
-});
 
 export const motorJoint = defineNode<MotorJointNode>({
   name: 'MotorJoint',
@@ -88,22 +143,5 @@ export const motorJoint = defineNode<MotorJointNode>({
   doc: 'Turns two bodies against each other by torques about up to three axes.',
   rank: 3,
   make: (context) => new MotorJointNode(context),
-  fields: {
-    ...jointFields,
-    enabledAxes: {
-      type: 'SFInt32',
-      access: 'inputOutput',
-      default: 1,
-      range: [0, 3],
-      edit: 'live',
-      patch: torque,
-      doc: 'How many axes are driven: 0 to 3.',
-    },
-    motor1Axis: axis(1, [1, 0, 0]),
-    motor2Axis: axis(2, [0, 1, 0]),
-    motor3Axis: axis(3, [0, 0, 1]),
-    axis1Torque: torqueAbout(1),
-    axis2Torque: torqueAbout(2),
-    axis3Torque: torqueAbout(3),
-  },
+  fields: motorFields,
 });

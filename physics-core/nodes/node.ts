@@ -1,11 +1,13 @@
 import { Emitter, type Listener } from '../emitter.js';
 import { codecs } from '../fields/values.js';
 import type { Value } from '../fields/types.js';
-import { guards } from '../guards.js';
 import type { ProblemReport } from '../problems.js';
 import type { World } from '../world/world.js';
+import { accept, fieldOf, takesEvents, writable } from './accept.js';
+import { Children } from './children.js';
+import { Said } from './said.js';
 import type { CollectionNode } from './rigid-body-collection.js';
-import type { Field, NodeType } from './table.js';
+import { defaultOf, fieldName, type NodeType } from './table.js';
 
 export interface NodeContext {
   world: World;
@@ -15,6 +17,8 @@ export interface NodeContext {
   host: unknown;
   name: string | undefined;
   collection: CollectionNode | undefined;
+  /** X3D version of the file it stands in, which says its defaults. */
+  version?: number | undefined;
 }
 
 /** A plain-data value with a `type`, from which a node is made. */
@@ -22,6 +26,8 @@ export interface NodeData {
   type: string;
   [field: string]: unknown;
 }
+
+const COLLISION_EVENTS = ['collisionstart', 'collisionend'];
 
 /**
  * One X3D physics node: what its author asked for, and the Bullet object behind it. The tables say what each field
@@ -34,13 +40,11 @@ export class PhysicsNode {
   readonly host: unknown;
   name: string | undefined;
   collection: CollectionNode | undefined;
+  readonly version: number;
   removed = false;
-  /** Nodes made from plain data given to a field; they live and die with this one. */
-  readonly #children = new Map<string, PhysicsNode[]>();
-  readonly #asked = new Map<string, Value>();
-  readonly #authored = new Set<string>();
-  /** What the author had asked for where an event has come since; undefined: nothing. */
-  readonly #beforeEvent = new Map<string, Value | undefined>();
+  readonly children = new Children(this);
+  /** What its author said and events said since. */
+  readonly said = new Said();
   readonly #emitter = new Emitter();
   #changed = new Set<string>();
   #built = false;
@@ -52,6 +56,12 @@ export class PhysicsNode {
     this.host = context.host ?? this;
     this.name = context.name;
     this.collection = context.collection;
+    this.version = context.version ?? 4;
+  }
+
+  /** Whether it is an author's node, and so shows in `stats`. */
+  protected get counted(): boolean {
+    return true;
   }
 
   /** Whether its object stands in the running world. */
@@ -63,17 +73,22 @@ export class PhysicsNode {
 
   /** The author's own value, or X3D's default. */
   asked<T = Value>(name: string): T {
-    return (this.#asked.has(name) ? this.#asked.get(name) : this.type.fields[name]!.default) as T;
+    return (this.said.asked.has(name) ? this.said.asked.get(name) : this.defaultOf(name)) as T;
+  }
+
+  defaultOf(name: string): Value {
+    return defaultOf(this.type.fields[name]!, this.version);
   }
 
   /** Whether the author wrote this field, in markup or since. */
   authored(name: string): boolean {
-    return this.#authored.has(name);
+    return this.said.authored.has(name);
   }
 
   /** The live value where the simulation changes it, else what was asked for; always a fresh copy, in SI units. */
-  get(name: string): Value {
-    const field = this.#field(name);
+  get(spelling: string): Value {
+    const name = fieldName(this.type, spelling);
+    const field = fieldOf(this, name);
     if (!field) return undefined;
     // A node that was just added is built now, so that it does not answer with defaults.
     if (field.read) this.world.flush();
@@ -82,178 +97,80 @@ export class PhysicsNode {
   }
 
   /** Asks for a value. Equal to the one last asked for: nothing happens. `text`: how the author wrote it. */
-  set(name: string, value: unknown, text: unknown = value): void {
-    const field = this.#writable(name);
+  set(spelling: string, value: unknown, text: unknown = value): void {
+    const name = fieldName(this.type, spelling);
+    const field = writable(this, name);
     if (!field) return;
-    const accepted = this.#accept(name, field, value, text);
-    if (accepted === undefined) return;
-    const same = codecs[field.type].equal(accepted, this.#lastAsked(name, field));
-    if (same && (this.#authored.has(name) || field.read)) {
-      this.#authored.add(name);
+    if (field.access === 'inputOnly') {
+      this.event(name, value);
       return;
     }
-    this.#beforeEvent.delete(name);
+    const accepted = accept(this, name, field, value, text);
+    if (accepted === undefined) return;
+    const same = codecs[field.type].equal(accepted, this.#lastAsked(name));
+    if (same && (this.said.authored.has(name) || field.read)) {
+      this.said.authored.add(name);
+      return;
+    }
+    this.said.beforeEvent.delete(name);
     this.#take(name, accepted);
   }
 
   /** The author's last word: what events did since does not make the same word an edit. */
-  #lastAsked(name: string, field: Field): Value {
-    if (!this.#beforeEvent.has(name)) return this.asked(name);
-    const said = this.#beforeEvent.get(name);
-    return said === undefined ? field.default : said;
+  #lastAsked(name: string): Value {
+    if (!this.said.beforeEvent.has(name)) return this.asked(name);
+    const said = this.said.beforeEvent.get(name);
+    return said === undefined ? this.defaultOf(name) : said;
   }
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
-  event(name: string, value: unknown): void {
-    const field = this.#writable(name);
+  event(spelling: string, value: unknown): void {
+    const name = fieldName(this.type, spelling);
+    const field = writable(this, name);
     if (!field) return;
-    if (field.access === 'initializeOnly') {
-      this.report({
-        code: 'bad-access',
-        severity: 'warning',
-        attribute: name,
-        value,
-        used: this.asked(name),
-        message: `${this.label}: ${name} is initializeOnly and takes no events; edit the attribute instead`,
-      });
-      return;
-    }
-    const accepted = this.#accept(name, field, value, value);
+    if (!takesEvents(this, name, field)) return;
+    const accepted = accept(this, name, field, value, value);
     if (accepted === undefined) return;
-    if (!this.#beforeEvent.has(name))
-      this.#beforeEvent.set(name, this.#authored.has(name) ? this.asked(name) : undefined);
+    if (!this.said.beforeEvent.has(name))
+      this.said.beforeEvent.set(name, this.said.authored.has(name) ? this.asked(name) : undefined);
     this.#take(name, accepted);
   }
 
   /** The attribute was removed: X3D's default again. */
-  unset(name: string): void {
+  unset(spelling: string): void {
+    const name = fieldName(this.type, spelling);
     const field = this.type.fields[name];
     if (!field) return;
     this.world.settle(this, name);
-    this.#beforeEvent.delete(name);
-    if (!this.#authored.delete(name)) return;
-    this.#asked.delete(name);
-    this.#adopt(name, field, field.default);
+    this.said.beforeEvent.delete(name);
+    if (!this.said.authored.delete(name)) return;
+    this.said.asked.delete(name);
+    this.children.adopt(name, field, this.defaultOf(name));
     this.touch(name);
+  }
+
+  /** Takes over what a snapshot holds. */
+  load(said: Said): void {
+    for (const [name, value] of said.asked) {
+      const field = this.type.fields[name]!;
+      if (field.nodes) said.asked.set(name, this.children.adopt(name, field, value));
+    }
+    this.said.take(said);
   }
 
   /** Back to the author's own values: what events did is undone. */
   forgetEvents(): void {
-    for (const [name, said] of this.#beforeEvent) {
+    for (const [name, said] of this.said.beforeEvent) {
       if (said === undefined) this.unset(name);
       else this.#take(name, said);
     }
-    this.#beforeEvent.clear();
-  }
-
-  #field(name: string): Field | undefined {
-    const field = this.type.fields[name] as Field | undefined;
-    if (!field) {
-      this.report({
-        code: 'unknown-attribute',
-        severity: 'warning',
-        attribute: name,
-        message: `${this.label} has no field ${name}`,
-      });
-    }
-    return field;
-  }
-
-  #writable(name: string): Field | undefined {
-    const field = this.#field(name);
-    if (field?.access !== 'outputOnly') return field;
-    this.report({
-      code: 'bad-access',
-      severity: 'warning',
-      attribute: name,
-      message: `${this.label}: ${name} is an output and can't be set`,
-    });
-    return undefined;
+    this.said.beforeEvent.clear();
   }
 
   #take(name: string, value: Value): void {
-    this.#asked.set(name, this.#adopt(name, this.type.fields[name]!, value));
-    this.#authored.add(name);
-    if (this.type.fields[name]!.unsimulated) this.#reportUnsimulated(name, value);
+    this.said.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
+    this.said.authored.add(name);
     this.touch(name);
-  }
-
-  #reportUnsimulated(name: string, value: Value): void {
-    this.report({
-      code: 'approximated-field',
-      severity: 'warning',
-      attribute: name,
-      value,
-      used: 'nothing',
-      message: `${this.label}: ${name} is kept but not simulated yet`,
-    });
-  }
-
-  /** The valid value, or undefined after a report: a value that can't be used never reaches Bullet. */
-  #accept(name: string, field: Field, value: unknown, text: unknown): Value | undefined {
-    const used = this.asked(name);
-    const codec = codecs[field.type];
-    const accepted = guards.wellFormed(codec, value);
-    const named = field.values?.includes(accepted as string) ?? true;
-    if (accepted === undefined || !named) {
-      const expected = field.values ? field.values.join(', ') : field.type;
-      this.report({
-        code: 'bad-value',
-        severity: 'warning',
-        attribute: name,
-        value: text,
-        used,
-        message: `${this.label}: ${name}="${show(text)}" is not ${expected}; ${show(used)} is used`,
-      });
-      return undefined;
-    }
-    return this.#inRange(name, field, accepted, text, used);
-  }
-
-  #inRange(
-    name: string,
-    field: Field,
-    value: Value,
-    text: unknown,
-    used: Value,
-  ): Value | undefined {
-    if (guards.inRange(field, value)) {
-      this.world.settle(this, name);
-      return value;
-    }
-    const [low, high] = field.range!;
-    const clamps = Number.isFinite(low) && Number.isFinite(high);
-    const clamp = (number: number): number => Math.min(high, Math.max(low, number));
-    const kept = clamps
-      ? Array.isArray(value)
-        ? value.map(clamp)
-        : clamp(value as number)
-      : undefined;
-    this.report({
-      code: 'out-of-range',
-      severity: 'warning',
-      attribute: name,
-      value: text,
-      used: kept ?? used,
-      message: `${this.label}: ${name}="${show(text)}" is outside ${field.open ? '(' : '['}${low}, ${high}]; ${show(kept ?? used)} is used`,
-    });
-    return kept;
-  }
-
-  /** Plain data in a node field becomes nodes of our own. */
-  #adopt(name: string, field: Field, value: Value): Value {
-    if (!field.nodes) return value;
-    for (const child of this.#children.get(name) ?? []) child.remove();
-    const made: PhysicsNode[] = [];
-    const node = (item: unknown): unknown => {
-      if (item instanceof PhysicsNode || item === null || typeof item !== 'object') return item;
-      const child = this.world.addData(item as NodeData, this, field.nodes!);
-      if (child instanceof PhysicsNode) made.push(child);
-      return child;
-    };
-    const adopted = Array.isArray(value) ? value.map(node).filter(Boolean) : node(value);
-    this.#children.set(name, made);
-    return adopted;
   }
 
   // ---- life ---------------------------------------------------------------------------------------------------
@@ -285,13 +202,13 @@ export class PhysicsNode {
       fields.map((field) => field.patch).filter((patch) => patch !== undefined),
     );
     for (const patch of patches) patch(this as never);
-    this.world.counts.patched += fields.length;
+    if (this.counted) this.world.counts.patched += fields.length;
   }
 
   #make(): void {
     if (!this.create()) return;
     this.#built = true;
-    this.world.counts.created++;
+    if (this.counted) this.world.counts.created++;
     const patches = new Set(Object.values(this.type.fields).map((field) => field.patch));
     for (const patch of patches) patch?.(this as never);
     this.created();
@@ -301,7 +218,7 @@ export class PhysicsNode {
   unmake(): void {
     if (!this.#built) return;
     this.#built = false;
-    this.world.counts.destroyed++;
+    if (this.counted) this.world.counts.destroyed++;
     this.destroy();
   }
 
@@ -320,7 +237,7 @@ export class PhysicsNode {
     if (this.removed) return;
     this.removed = true;
     this.unmake();
-    for (const children of this.#children.values()) for (const child of children) child.remove();
+    this.children.remove();
     this.released();
     this.world.forget(this);
   }
@@ -332,7 +249,17 @@ export class PhysicsNode {
 
   /** Calls `listener` with the event's detail; returns how to stop it. */
   on(event: string, listener: Listener): () => void {
-    return this.#emitter.on(event, listener);
+    const stop = this.#emitter.on(event, listener);
+    this.listenersChanged(event);
+    return () => {
+      stop();
+      this.listenersChanged(event);
+    };
+  }
+
+  /** Nothing is computed for an event that nobody listens to. */
+  protected listenersChanged(event: string): void {
+    if (COLLISION_EVENTS.includes(event)) this.world.registry.contacts.update(this);
   }
 
   heard(event: string): boolean {
@@ -351,10 +278,4 @@ export class PhysicsNode {
   get label(): string {
     return this.name ? `${this.type.name} "${this.name}"` : this.type.name;
   }
-}
-
-/** A value in a message: short. */
-function show(value: unknown): string {
-  const text = Array.isArray(value) ? value.flat().join(' ') : String(value);
-  return text.length > 60 ? `${text.slice(0, 57)}…` : text;
 }

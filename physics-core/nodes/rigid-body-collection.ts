@@ -1,10 +1,13 @@
 import type { Vec3 } from '../fields/types.js';
 import { DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
+import type { ContactNode } from './contact.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
 
 /** Settings of a world and defaults of the bodies under it. The first collection of a world gives the settings. */
 export class CollectionNode extends PhysicsNode {
+  #taken: ContactNode[] | undefined;
+
   get gravity(): Vec3 {
     return this.asked('gravity');
   }
@@ -42,6 +45,14 @@ export class CollectionNode extends PhysicsNode {
     this.world.pairs.refresh();
   }
 
+  /** A list acts once, and not again when the collection is made anew. */
+  takeContacts(): void {
+    const list = this.asked<ContactNode[]>('set_contacts');
+    if (!this.authored('set_contacts') || list === this.#taken) return;
+    this.#taken = list;
+    this.world.registry.given.give(this, list);
+  }
+
   protected override created(): void {
     this.world.configure();
   }
@@ -61,6 +72,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
   clause: '37.4.12',
   doc: 'A world of bodies and joints: its gravity, its solver settings and the defaults of its bodies.',
   rank: 0,
+  bounded: true,
   make: (context) => new CollectionNode(context),
   fields: {
     bodies: {
@@ -85,6 +97,15 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       edit: 'live',
       patch: (collection) => collection.updateColliders(),
       doc: 'Set: exactly the pairs inside that CollisionCollection collide. Not set: every pair of the world.',
+    },
+    set_contacts: {
+      type: 'MFNode',
+      access: 'inputOnly',
+      default: [],
+      nodes: ['Contact'],
+      edit: 'live',
+      patch: (collection) => collection.takeContacts(),
+      doc: 'Contacts for the next step, as page code changed those of a CollisionSensor: what the list leaves out does not push, what page code added does. With a collider it only changes parameters.',
     },
     enabled: {
       type: 'SFBool',
@@ -160,10 +181,10 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       default: -1,
       range: [-1, Infinity],
       dimension: { length: 1 },
-      edit: 'passive',
-      unsimulated: true,
+      edit: 'live',
+      patch: configure,
       worldWide: true,
-      doc: 'Greatest speed at which overlaps are pushed apart, m/s; -1 is unlimited.',
+      doc: 'Greatest speed at which overlaps are pushed apart, m/s; -1 is unlimited. The push adds no velocity.',
     },
     autoDisable: {
       type: 'SFBool',

@@ -23,17 +23,20 @@ class RigidBodyNode extends BodyNode {
 
   /** The body owns what it names; what it no longer names is free for the next. */
   updateGeometry(): void {
-    const named = this.collidables;
-    for (const old of this.#named) if (!named.includes(old)) old.release(this);
-    this.#named = [...named];
-    for (const collidable of named) collidable.claim(this);
+    this.#claim();
     if (this.built) this.updateShape();
     this.world.pairs.refreshBody(this);
   }
 
+  #claim(): void {
+    const named = this.collidables;
+    for (const old of this.#named) if (!named.includes(old)) old.release(this);
+    this.#named = [...named];
+    for (const collidable of named) collidable.claim(this);
+  }
+
   protected override create(): boolean {
-    for (const collidable of this.collidables) collidable.claim(this);
-    this.#named = [...this.collidables];
+    this.#claim();
     this.start ??= this.collidables.find((collidable) => collidable.startPose)?.startPose;
     return super.create();
   }
@@ -45,6 +48,7 @@ export const rigidBody = defineNode<RigidBodyNode>({
   clause: '37.4.11',
   doc: 'A body that moves by its mass, velocity and the forces on it.',
   rank: 2,
+  bounded: true,
   make: (context) => new RigidBodyNode(context),
   fields: {
     enabled: {

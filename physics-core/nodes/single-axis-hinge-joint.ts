@@ -1,43 +1,31 @@
-import { conjugate, dot, multiply, subtract, length } from '../math.js';
-import type { Vec3 } from '../fields/types.js';
-import { FREE, JointNode, LOCKED, type JointFrame, type Limit } from './joint.js';
-import { anchorFields, jointFields, rezeroPatch } from './joint-fields.js';
+import { restopped, type Stop } from '../effects/stops.js';
+import {
+  between,
+  FREE,
+  JointNode,
+  LOCKED,
+  type JointFrame,
+  type Limit,
+  type RowCorrection,
+} from './joint.js';
+import { anchorFields, axisField, direction, jointFields, output } from './joint-fields.js';
+import { angleStop, bounceField, correctionField, nearlyWhole } from './stop-fields.js';
 import { defineNode } from './table.js';
 
-/** Stops this near to a full turn count as none: the angle itself jumps there from one end to the other. */
-const NEARLY_PI = Math.PI - 1e-4;
+/** The row about the frame's x. */
+const ANGLE = 3;
 
 export class SingleAxisHingeJointNode extends JointNode {
-  protected override wantedFrame(): JointFrame {
-    return { anchor: this.asked('anchorPoint'), axis: this.axis() };
-  }
+  stops: readonly Stop[] = [];
 
-  /** A zero axis (the default before X3D 4.0) means the default of X3D 4.0. */
-  private axis(): Vec3 {
-    const axis = this.asked<Vec3>('axis');
-    if (length(axis) > 1e-9) {
-      this.world.settle(this, 'axis', 'bad-value');
-      return axis;
-    }
-    this.report({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: 'axis',
-      value: axis,
-      used: [0, 1, 0],
-      message: `${this.label}: axis="0 0 0" has no direction; 0 1 0 is used`,
-    });
-    return [0, 1, 0];
+  protected override wantedFrame(): JointFrame {
+    return { anchor: this.asked('anchorPoint'), axis: direction(this, 'axis') };
   }
 
   /** Stops of the angle; none where min is above max or both lie a full turn apart. */
-  get stops(): Limit {
+  get #limit(): Limit {
     const [low, high] = [this.asked<number>('minAngle'), this.asked<number>('maxAngle')];
-    return low > high || (low <= -NEARLY_PI && high >= NEARLY_PI)
-      ? FREE
-      : low === high
-        ? [low, low + 1e-6]
-        : [low, high];
+    return nearlyWhole(low, high) ? FREE : between(low, high);
   }
 
   protected override linearLimits(): [Limit, Limit, Limit] {
@@ -45,11 +33,11 @@ export class SingleAxisHingeJointNode extends JointNode {
   }
 
   protected override angularLimits(): [Limit, Limit, Limit] {
-    return [this.stops, LOCKED, LOCKED];
+    return [this.#limit, LOCKED, LOCKED];
   }
 
-  protected override stopCorrection(): number {
-    return this.asked('stopErrorCorrection');
+  protected override correctionOf(row: number): RowCorrection | undefined {
+    return row === ANGLE ? { share: this.asked('stopErrorCorrection') } : undefined;
   }
 
   updateStops(): void {
@@ -58,25 +46,37 @@ export class SingleAxisHingeJointNode extends JointNode {
     this.attachedChanged();
   }
 
+  protected override zeroed(): void {
+    this.stops = [];
+  }
+
   protected override attachedChanged(): void {
     const { stops } = this.world.registry;
-    if (this.attached && this.stops[0] <= this.stops[1]) stops.need(this, 'minAngle, maxAngle');
-    else stops.drop(this);
+    const [low, high] = this.#limit;
+    if (!this.attached || low >= high) {
+      stops.drop(this);
+      return;
+    }
+    const fields = {
+      row: ANGLE,
+      low,
+      high,
+      bounce: this.asked<number>('stopBounce'),
+      correction: this.asked<number>('stopErrorCorrection'),
+      softness: 0,
+    };
+    this.stops = [restopped(this.stops[0], fields)];
+    stops.need(this, 'minAngle, maxAngle');
   }
 
   /** Turn of body1 relative to body2 about the axis, radians in (-π, π]. */
   get angle(): number {
-    const relative = multiply(conjugate(this.worldFrame(2).q), this.worldFrame(1).q);
-    const angle = 2 * Math.atan2(relative[0], relative[3]);
-    return angle > Math.PI ? angle - 2 * Math.PI : angle <= -Math.PI ? angle + 2 * Math.PI : angle;
+    return this.valueOf(ANGLE);
   }
 
   /** rad/s. */
   get angleRate(): number {
-    return dot(
-      subtract(this.angularVelocityOf(this.body1), this.angularVelocityOf(this.body2)),
-      this.axisWorld(),
-    );
+    return this.rateOf(ANGLE);
   }
 }
 
@@ -92,69 +92,25 @@ export const singleAxisHingeJoint = defineNode<SingleAxisHingeJointNode>({
   fields: {
     ...jointFields,
     ...anchorFields,
-    axis: {
-      type: 'SFVec3f',
-      access: 'inputOutput',
-      default: [0, 1, 0],
-      edit: 'live',
-      patch: rezeroPatch,
-      doc: 'Direction of the axis, world frame, when the joint is made. Editing it makes the joint anew.',
-    },
-    minAngle: {
-      type: 'SFFloat',
-      access: 'inputOutput',
-      default: -Math.PI,
-      range: [-Math.PI, Math.PI],
-      dimension: { angle: 1 },
-      edit: 'live',
-      patch: stops,
-      doc: 'Lower stop, radians from the pose the joint was made at. Above maxAngle: no stops.',
-    },
-    maxAngle: {
-      type: 'SFFloat',
-      access: 'inputOutput',
-      default: Math.PI,
-      range: [-Math.PI, Math.PI],
-      dimension: { angle: 1 },
-      edit: 'live',
-      patch: stops,
-      doc: 'Upper stop, radians.',
-    },
-    stopBounce: {
-      type: 'SFFloat',
-      access: 'inputOutput',
-      default: 0,
-      range: [0, 1],
-      edit: 'live',
-      patch: stops,
-      doc: 'Share of the turning speed that comes back from a stop.',
-    },
-    stopErrorCorrection: {
-      type: 'SFFloat',
-      access: 'inputOutput',
-      default: 0.8,
-      range: [0, 1],
-      edit: 'live',
-      patch: stops,
-      doc: 'Share of an overshoot past a stop repaired per 1/60 s.',
-    },
-    angle: {
-      type: 'SFFloat',
-      access: 'outputOnly',
-      default: 0,
-      dimension: { angle: 1 },
-      edit: 'passive',
-      read: (joint) => joint.angle,
-      doc: 'Angle of body1 relative to body2, radians.',
-    },
-    angleRate: {
-      type: 'SFFloat',
-      access: 'outputOnly',
-      default: 0,
-      dimension: { angle: 1 },
-      edit: 'passive',
-      read: (joint) => joint.angleRate,
-      doc: 'Its rate, rad/s.',
-    },
+    axis: axisField(
+      [0, 1, 0],
+      'Direction of the axis, world frame, when the joint is made. Editing it makes the joint anew.',
+    ),
+    minAngle: angleStop(
+      -Math.PI,
+      stops,
+      'Lower stop, radians from the pose the joint was made at. Above maxAngle: no stops.',
+    ),
+    maxAngle: angleStop(Math.PI, stops, 'Upper stop, radians.'),
+    stopBounce: bounceField(stops, 'Share of the turning speed that comes back from a stop.'),
+    stopErrorCorrection: correctionField(
+      0.8,
+      stops,
+      'Share of an overshoot past a stop repaired per 1/60 s.',
+    ),
+    angle: output((joint) => joint.angle, 'Angle of body1 relative to body2, radians in (-π, π].', {
+      angle: 1,
+    }),
+    angleRate: output((joint) => joint.angleRate, 'Its rate, rad/s.', { angle: 1 }),
   },
 });

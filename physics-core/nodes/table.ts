@@ -1,4 +1,5 @@
 import type { Access, Dimension, FieldType, Value } from '../fields/types.js';
+import { boundedFields, nodeFields } from './common-fields.js';
 import type { PhysicsNode } from './node.js';
 
 /**
@@ -9,6 +10,10 @@ export interface Field<N extends PhysicsNode = never> {
   type: FieldType;
   access: Access;
   default: Value;
+  /** The default in X3D 3.x, where that was another. */
+  default3?: Value;
+  /** Other spellings, of X3D 3.x: what is set or read by them is this field. */
+  aliases?: readonly string[];
   /** Closed at finite ends. Both ends finite: out of range clamps; else the last valid value stays. */
   range?: readonly [number, number];
   /** The lower end of `range` itself is not allowed (mass must be above zero). */
@@ -18,6 +23,8 @@ export interface Field<N extends PhysicsNode = never> {
   dimension?: Dimension;
   /** The node types that an SFNode or MFNode takes. */
   nodes?: readonly string[];
+  /** Of every node, or of every X3DBoundedObject. */
+  common?: true;
   /** An addition of ours, not an X3D field: its attribute is the kebab-case of its name. */
   own?: true;
   /**
@@ -28,8 +35,6 @@ export interface Field<N extends PhysicsNode = never> {
   patch?: (node: N) => void;
   /** Of a RigidBodyCollection: one value for all collections that share a world. */
   worldWide?: true;
-  /** The simulation leaves it out so far; an author who writes it is told. */
-  unsimulated?: true;
   /** Reads the live value; without it a field reads as it was last asked for. */
   read?: (node: N) => Value;
   /** One sentence for people: meaning, unit, clause where it surprises. */
@@ -47,13 +52,30 @@ export interface NodeType<N extends PhysicsNode = never> {
   /** Creation order: collections, collidables, bodies, joints, collision collections, sensors. */
   rank: number;
   fields: Record<string, Field<N>>;
+  /** An X3DBoundedObject. */
+  bounded?: true;
   make: (context: MakeContext) => N;
 }
 
 /** What a node is born with. Opaque here so that the tables don't depend on the world. */
 export type MakeContext = ConstructorParameters<typeof PhysicsNode>[0];
 
-/** Lets a table name its node class once; the registry holds all types under one signature. */
+/**
+ * Lets a table name its node class once; the registry holds all types under one signature. Adds the fields that all
+ * nodes, or all bounded ones, have.
+ */
 export function defineNode<N extends PhysicsNode>(type: NodeType<N>): NodeType {
-  return type as unknown as NodeType;
+  const common = { ...(type.bounded ? boundedFields : {}), ...nodeFields };
+  return { ...type, fields: { ...type.fields, ...common } } as unknown as NodeType;
+}
+
+/** A field's default in a file of an X3D version. */
+export const defaultOf = (field: Field, version: number): Value =>
+  version < 4 && field.default3 !== undefined ? field.default3 : field.default;
+
+/** A field's own name, from any of its spellings. */
+export function fieldName({ fields }: NodeType, spelling: string): string {
+  if (fields[spelling]) return spelling;
+  const named = ([, field]: [string, Field]) => field.aliases?.includes(spelling);
+  return Object.entries(fields as Record<string, Field>).find(named)?.[0] ?? spelling;
 }

@@ -11,6 +11,7 @@ import { axisScale } from './scale.js';
 import { tessellate } from './tessellate.js';
 
 export type BtShape = Ammo['btCollisionShape']['prototype'];
+type BtMesh = Ammo['btTriangleMesh']['prototype'];
 
 /** What the body should know of its shape: what came out different from the markup, and whether it took a mesh. */
 export type ShapeNote = 'concave-dynamic' | 'zero-volume' | 'mesh';
@@ -23,6 +24,8 @@ export interface Workshop {
   /** Bullet's triangle meshes only work on bodies that don't move. */
   moving: boolean;
   note(note: ShapeNote): void;
+  /** Lets moving meshes meet other meshes. */
+  allowMovingMeshes(): void;
 }
 
 /** Bullet keeps this margin inside boxes and cylinders; a thin part needs a thinner one (measured). */
@@ -30,6 +33,9 @@ const marginFor = (halfExtent: number): number => Math.min(0.04, 0.1 * halfExten
 
 /** A hull, and Bullet's cone, grows by its margin: small enough not to be seen, large enough for a stable contact search. */
 const hullMarginFor = (halfExtent: number): number => Math.min(0.005, 0.02 * halfExtent);
+
+/** A moving mesh rests this far above the ground, metres. */
+const MOVING_MESH_MARGIN = 0.001;
 
 /** Parts thinner than this (metres) are made this thick: Bullet's contact search needs a volume. */
 const THINNEST = 1e-4;
@@ -61,7 +67,7 @@ function primitive(g: Geometry, scale: Vec3, workshop: Workshop): BtShape | unde
       return shape;
     }
     case 'Cone': {
-      if (x !== z || g.side === false || g.bottom === false) return undefined;
+      if (x !== z || g.topRadius || g.side === false || g.bottom === false) return undefined;
       const [r, h] = [extent((g.bottomRadius ?? 1) * x), extent((g.height ?? 2) * y)];
       const shape = owner.own(new ammo.btConeShape(r, h));
       shape.setMargin(hullMarginFor(Math.min(r, h / 2)));
@@ -87,25 +93,42 @@ function hull(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtShape {
   return shape;
 }
 
-function triangles(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtShape {
-  const triangleMesh = owner.own(new ammo.btTriangleMesh(true, false));
+function triangleMesh(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtMesh {
+  const made = owner.own(new ammo.btTriangleMesh(true, false));
   const corner = (at: number, slot: number) =>
     scratch.vector(mesh.points[at * 3]!, mesh.points[at * 3 + 1]!, mesh.points[at * 3 + 2]!, slot);
   for (let i = 0; i < mesh.index.length; i += 3) {
-    triangleMesh.addTriangle(
+    made.addTriangle(
       corner(mesh.index[i]!, 0),
       corner(mesh.index[i + 1]!, 1),
       corner(mesh.index[i + 2]!, 2),
       false,
     );
   }
-  const shape = owner.own(new ammo.btBvhTriangleMeshShape(triangleMesh, true, true));
+  return made;
+}
+
+function triangles(mesh: Mesh, workshop: Workshop): BtShape {
+  const { ammo, owner } = workshop;
+  const shape = owner.own(
+    new ammo.btBvhTriangleMeshShape(triangleMesh(mesh, workshop), true, true),
+  );
   (shape as unknown as { setMargin(margin: number): void }).setMargin(0);
   return shape;
 }
 
+/** Triangles that may move: hollow, and slower by far than a hull. */
+function movingTriangles(mesh: Mesh, workshop: Workshop): BtShape {
+  const { ammo, owner } = workshop;
+  workshop.allowMovingMeshes();
+  const shape = owner.own(new ammo.btGImpactMeshShape(triangleMesh(mesh, workshop)));
+  shape.setMargin(MOVING_MESH_MARGIN);
+  shape.updateBound();
+  return shape;
+}
+
 /** One geometry as a Bullet shape; undefined where nothing is there that could collide. */
-function shapeOf(g: Geometry, workshop: Workshop): BtShape | undefined {
+function shapeOf(g: Geometry, exact: boolean, workshop: Workshop): BtShape | undefined {
   const scale = axisScale(g.linear);
   const simple = scale && primitive(g, scale, workshop);
   if (simple) return simple;
@@ -116,7 +139,9 @@ function shapeOf(g: Geometry, workshop: Workshop): BtShape | undefined {
   }
   workshop.note('mesh');
   if (!workshop.moving) return triangles(mesh, workshop);
-  if (!isConvex(mesh)) workshop.note('concave-dynamic');
+  if (isConvex(mesh)) return hull(mesh, workshop);
+  if (exact) return movingTriangles(mesh, workshop);
+  workshop.note('concave-dynamic');
   return hull(mesh, workshop);
 }
 
@@ -124,20 +149,33 @@ function shapeOf(g: Geometry, workshop: Workshop): BtShape | undefined {
 export interface PlacedGeometry {
   geometry: Geometry;
   pose: Pose;
+  /** Its triangles are wanted where its hull would be fuller. */
+  exact: boolean;
 }
 
 const isIdentity = ({ p, q }: Pose): boolean => p.every((value) => value === 0) && q[3] === 1;
 
+/** A shape and, for each of its children in Bullet's order, the part it stands for and whether it is triangles. */
+export interface Built {
+  shape: BtShape;
+  made: { at: number; mesh: boolean }[];
+}
+
 /** The whole shape of a body: one shape where it sits at the centre of mass, else a compound. */
-export function buildShape(parts: PlacedGeometry[], workshop: Workshop): BtShape {
+export function buildShape(parts: PlacedGeometry[], workshop: Workshop): Built {
   const { ammo, owner, scratch } = workshop;
-  const shapes = parts
-    .map(({ geometry, pose }) => ({ shape: shapeOf(geometry, workshop), pose }))
-    .filter((part): part is { shape: BtShape; pose: Pose } => part.shape !== undefined);
-  if (shapes.length === 1 && isIdentity(shapes[0]!.pose)) return shapes[0]!.shape;
+  const shapes: { at: number; shape: BtShape; pose: Pose; mesh: boolean }[] = [];
+  parts.forEach(({ geometry, pose, exact }, at) => {
+    const shape = shapeOf(geometry, exact, workshop);
+    const mesh =
+      shape instanceof ammo.btBvhTriangleMeshShape || shape instanceof ammo.btGImpactMeshShape;
+    if (shape) shapes.push({ at, shape, pose, mesh });
+  });
+  if (shapes.length === 1 && isIdentity(shapes[0]!.pose))
+    return { shape: shapes[0]!.shape, made: shapes };
   // With its tree of boxes: Bullet lets two compounds without one pass through each other.
   const compound = owner.own(new ammo.btCompoundShape(true));
   for (const { shape, pose } of shapes)
     compound.addChildShape(scratch.transform(pose.p, pose.q), shape);
-  return compound;
+  return { shape: compound, made: shapes };
 }

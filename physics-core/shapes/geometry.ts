@@ -26,7 +26,25 @@ export type Geometry = Placement &
         top?: boolean;
         bottom?: boolean;
       }
-    | { type: 'Cone'; bottomRadius?: number; height?: number; side?: boolean; bottom?: boolean }
+    | {
+        type: 'Cone';
+        bottomRadius?: number;
+        /** X3DOM's: above 0 the cone is cut off. */
+        topRadius?: number;
+        height?: number;
+        side?: boolean;
+        bottom?: boolean;
+        top?: boolean;
+      }
+    | { type: 'Rectangle2D'; size?: [number, number] }
+    | { type: 'Disk2D'; innerRadius?: number; outerRadius?: number }
+    | { type: 'Torus'; innerRadius?: number; outerRadius?: number }
+    | ({ type: 'TriangleStripSet'; stripCount?: number[] } & Faces)
+    | ({ type: 'TriangleFanSet'; fanCount?: number[] } & Faces)
+    | ({ type: 'QuadSet' } & Faces)
+    | ({ type: 'IndexedTriangleStripSet'; index?: number[] } & Faces)
+    | ({ type: 'IndexedTriangleFanSet'; index?: number[] } & Faces)
+    | ({ type: 'IndexedQuadSet'; index?: number[] } & Faces)
     | ({ type: 'IndexedFaceSet'; coordIndex?: number[] } & Faces)
     | ({ type: 'IndexedTriangleSet'; index?: number[] } & Faces)
     | ({ type: 'TriangleSet' } & Faces)
@@ -55,6 +73,15 @@ export const geometryTypes = [
   'IndexedFaceSet',
   'IndexedTriangleSet',
   'TriangleSet',
+  'TriangleStripSet',
+  'TriangleFanSet',
+  'QuadSet',
+  'IndexedTriangleStripSet',
+  'IndexedTriangleFanSet',
+  'IndexedQuadSet',
+  'Rectangle2D',
+  'Disk2D',
+  'Torus',
   'ElevationGrid',
   'Mesh',
 ] as const;

@@ -112,7 +112,7 @@ export function solidOf(g: Geometry): Solid {
     }
     if (g.type === 'Cylinder' && x === z)
       return cylinderSolid((g.radius ?? 1) * x, (g.height ?? 2) * y);
-    if (g.type === 'Cone' && x === z)
+    if (g.type === 'Cone' && x === z && !g.topRadius)
       return coneSolid((g.bottomRadius ?? 1) * x, (g.height ?? 2) * y);
   }
   const mesh = tessellate(g);

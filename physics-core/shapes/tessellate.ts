@@ -1,5 +1,6 @@
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
+import { fan, listsOf, trianglesOf } from './strips.js';
 
 /** Sides of a ring: the radius of the polygon is then within 0.5 % of the circle's. */
 const SIDES = 32;
@@ -8,19 +9,7 @@ const pointsOf = (coord: number[] | { point: number[] } | undefined): number[] =
   Array.isArray(coord) ? coord : (coord?.point ?? []);
 
 /** Faces as fans; X3D's faces are convex polygons unless `convex` is FALSE, which a fan still closes. */
-function fans(coordIndex: number[]): number[] {
-  const index: number[] = [];
-  let face: number[] = [];
-  for (const i of [...coordIndex, -1]) {
-    if (i >= 0) {
-      face.push(i);
-      continue;
-    }
-    for (let k = 2; k < face.length; k++) index.push(face[0]!, face[k - 1]!, face[k]!);
-    face = [];
-  }
-  return index;
-}
+const fans = (coordIndex: number[]): number[] => listsOf(coordIndex).flatMap(fan);
 
 /** Only triangles whose three points exist. */
 function sound(mesh: Mesh): Mesh {
@@ -115,7 +104,7 @@ function cylinder(g: Extract<Geometry, { type: 'Cylinder' }>): Mesh {
 }
 
 function cone(g: Extract<Geometry, { type: 'Cone' }>): Mesh {
-  const [r, h] = [g.bottomRadius ?? 1, (g.height ?? 2) / 2];
+  const [r, tip, h] = [g.bottomRadius ?? 1, g.topRadius ?? 0, (g.height ?? 2) / 2];
   const parts: [number, number][][] = [];
   if (g.bottom !== false)
     parts.push([
@@ -125,10 +114,32 @@ function cone(g: Extract<Geometry, { type: 'Cone' }>): Mesh {
   if (g.side !== false)
     parts.push([
       [r, -h],
+      [tip, h],
+    ]);
+  if (tip > 0 && g.top !== false)
+    parts.push([
+      [tip, h],
       [0, h],
     ]);
   return merged(parts.map(turned));
 }
+
+/** X3DOM's: the ring of radius `outer` about Z, its tube of radius `inner`. */
+function torus(inner: number, outer: number): Mesh {
+  const profile = Array.from({ length: SIDES + 1 }, (_, i): [number, number] => {
+    const angle = (2 * Math.PI * i) / SIDES;
+    return [outer + inner * Math.cos(angle), inner * Math.sin(angle)];
+  });
+  return turned(profile);
+}
+
+/** Turned so that its Y axis lies along Z. */
+const upright = ({ points, index }: Mesh): Mesh => ({
+  points: points.map((_, i) =>
+    i % 3 === 1 ? -points[i + 1]! : i % 3 === 2 ? points[i - 1]! : points[i]!,
+  ),
+  index,
+});
 
 function merged(meshes: Mesh[]): Mesh {
   const points: number[] = [];
@@ -170,10 +181,40 @@ function plain(g: Geometry): Mesh {
       return { points: pointsOf(g.coord), index: fans(g.coordIndex ?? []) };
     case 'IndexedTriangleSet':
       return { points: pointsOf(g.coord), index: g.index ?? [] };
-    case 'TriangleSet': {
+    case 'TriangleSet':
+    case 'TriangleStripSet':
+    case 'TriangleFanSet':
+    case 'QuadSet':
+    case 'IndexedTriangleStripSet':
+    case 'IndexedTriangleFanSet':
+    case 'IndexedQuadSet': {
       const points = pointsOf(g.coord);
-      return { points, index: Array.from({ length: points.length / 3 }, (_, i) => i) };
+      const lists =
+        'index' in g
+          ? g.index
+          : 'stripCount' in g
+            ? g.stripCount
+            : 'fanCount' in g
+              ? g.fanCount
+              : [];
+      return { points, index: trianglesOf(g.type, lists ?? [], points.length / 3) };
     }
+    case 'Rectangle2D': {
+      const [x, y] = (g.size ?? [2, 2]).map((value) => value / 2);
+      return {
+        points: [-x!, -y!, 0, x!, -y!, 0, x!, y!, 0, -x!, y!, 0],
+        index: [0, 1, 2, 0, 2, 3],
+      };
+    }
+    case 'Disk2D':
+      return upright(
+        turned([
+          [g.outerRadius ?? 1, 0],
+          [g.innerRadius ?? 0, 0],
+        ]),
+      );
+    case 'Torus':
+      return upright(torus(g.innerRadius ?? 0.5, g.outerRadius ?? 1));
     case 'ElevationGrid':
       return grid(
         g.xDimension ?? 0,

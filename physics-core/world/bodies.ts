@@ -1,6 +1,7 @@
 import { ACTIVATION } from '../engine/offsets.js';
 import { guards } from '../guards.js';
 import { compose, invert, type Pose } from '../math.js';
+import type { MovingNode } from '../nodes/body-motion.js';
 import type { BodyNode } from '../nodes/body.js';
 import { POSE, type Poses } from './poses.js';
 import type { World } from './world.js';
@@ -34,7 +35,7 @@ export class Bodies {
 
   get count(): number {
     let count = 0;
-    for (const body of this.#bySlot) if (body) count++;
+    for (const body of this.#bySlot) if (body && !body.isObstacle) count++;
     return count;
   }
 
@@ -54,8 +55,10 @@ export class Bodies {
     return awake;
   }
 
+  /** The author's body in a slot. */
   at(slot: number): BodyNode | undefined {
-    return this.#bySlot[slot];
+    const body = this.#bySlot[slot];
+    return body?.isObstacle ? undefined : body;
   }
 
   take(body: BodyNode): number {
@@ -82,7 +85,7 @@ export class Bodies {
     this.#asleep = asleep;
   }
 
-  velocityOf(body: BodyNode): Float64Array {
+  velocityOf(body: MovingNode): Float64Array {
     return this.#velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
   }
 
@@ -95,7 +98,7 @@ export class Bodies {
     return speed < linear * linear && spin < angular * angular;
   }
 
-  readVelocity(body: BodyNode): void {
+  readVelocity(body: MovingNode): void {
     this.#world.engine.reader.velocity(
       body.body,
       body.pointer,
@@ -122,6 +125,12 @@ export class Bodies {
   sleep(body: BodyNode): void {
     body.body.forceActivationState(ACTIVATION.sleeping);
     if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
+  }
+
+  /** Falls asleep without a word, if it was asleep before the world was restored. */
+  restoreSleep(body: BodyNode): void {
+    body.body.forceActivationState(ACTIVATION.sleeping);
+    this.#asleep[body.slot] = 1;
   }
 
   #setAsleep(body: BodyNode, asleep: boolean): void {

@@ -1,27 +1,30 @@
 import type { BodyNode } from '../nodes/body.js';
 import type { CollidableNode } from '../nodes/collidable.js';
 import type { CollisionCollectionNode } from '../nodes/collision-collection.js';
+import type { CollisionSpaceNode } from '../nodes/collision-space.js';
+import { Kinds } from './kinds.js';
+import { isOneSided, reportOneSided } from './one-sided.js';
 import type { World } from './world.js';
 
 /** Friction of a pair that no CollisionCollection speaks for. */
 export const DEFAULT_FRICTION = 0.5;
 
-/** Bullet 2.82 keeps 16 signed bits per body; the first is for bodies that no collider restricts. */
-const FREE = 1;
-const FIRST_BIT = 1;
-const LAST_BIT = 14;
-const EVERYTHING = -1;
+/** What of a body decides whom it collides with, beside its collidables. */
+export type Side = Pick<BodyNode, 'movable' | 'isObstacle' | 'settings'>;
 
-/**
- * Who collides with whom, and with which parameters. CollisionCollections become bits of Bullet's collision groups:
- * `collider` lets only its own members meet; a disabled collection keeps its members apart.
- */
+/** Who collides with whom, and which CollisionCollection gives a pair its parameters. */
 export class Pairs {
   readonly #world: World;
   readonly #collections: CollisionCollectionNode[] = [];
+  readonly #oneSided = new Set<CollisionCollectionNode>();
+  /** The collections that list a collidable, enabled or not. */
+  readonly #listing = new Map<CollidableNode, CollisionCollectionNode[]>();
+  readonly spaces = new Set<CollisionSpaceNode>();
+  readonly kinds: Kinds;
 
   constructor(world: World) {
     this.#world = world;
+    this.kinds = new Kinds(world, this);
   }
 
   get collections(): readonly CollisionCollectionNode[] {
@@ -42,51 +45,119 @@ export class Pairs {
   /** Something about membership changed: every body goes to its groups again. */
   refresh(): void {
     if (!this.#world.started) return;
-    for (const body of this.#world.bodies) this.refreshBody(body);
+    this.#world.obstacles.due();
+    this.#updateOneSided();
+    this.#listing.clear();
+    this.kinds.clear();
+    for (const body of this.#world.bodies) this.#regroup(body);
+  }
+
+  /** A collider that lists one body only is read by whether it has parameters. */
+  parametersChanged(): void {
+    if (this.#updateOneSided()) this.refresh();
   }
 
   refreshBody(body: BodyNode): void {
+    this.#listing.clear();
+    if (!body.built) return;
+    if (this.#updateOneSided()) this.refresh();
+    else this.#regroup(body);
+  }
+
+  #regroup(body: BodyNode): void {
     if (!body.built) return;
     body.updateMembership();
     this.#world.contactParametersChanged(body);
   }
 
+  // ---- membership -------------------------------------------------------------------------------------------------
+
+  /** The collections that list a collidable, itself or an offset around it, enabled or not. */
+  listing(collidable: CollidableNode): readonly CollisionCollectionNode[] {
+    let found = this.#listing.get(collidable);
+    if (!found) {
+      const around = collidable.withOffsets;
+      found = this.#collections.filter((c) => around.some((member) => c.lists(member)));
+      this.#listing.set(collidable, found);
+    }
+    return found;
+  }
+
   /** The CollisionCollections that list one of the body's collidables. */
   collectionsOf(body: BodyNode): CollisionCollectionNode[] {
     if (this.#collections.length === 0) return [];
-    const members = body.collidables.flatMap(withChildren);
+    const members = body.collidables.flatMap((collidable) => collidable.withChildren);
     return this.#collections.filter((collection) =>
-      members.some((member) => collection.lists(member)),
+      members.some((member) => this.listing(member).includes(collection)),
     );
   }
 
-  #bit(collection: CollisionCollectionNode): number {
-    const at = this.#collections.indexOf(collection);
-    return 1 << Math.min(FIRST_BIT + at, LAST_BIT);
+  /** Whether a collection speaks for a pair of collidables: it lists both, or one where it is one-sided. */
+  speaksFor(collection: CollisionCollectionNode, a: CollidableNode, b: CollidableNode): boolean {
+    const [first, second] = [a, b].map((one) => this.listing(one).includes(collection));
+    return this.#oneSided.has(collection) ? first! || second! : first! && second!;
+  }
+
+  /** A CollisionSpace around it wants its own triangles where a hull would do otherwise. */
+  wantsTriangles(collidable: CollidableNode): boolean {
+    for (const space of this.spaces)
+      if (collidable.withOffsets.some((one) => space.exact.has(one))) return true;
+    return false;
+  }
+
+  // ---- who collides -----------------------------------------------------------------------------------------------
+
+  /** Whether two collidables of two bodies collide, joints aside. */
+  meet(sideA: Side, a: CollidableNode, sideB: Side, b: CollidableNode): boolean {
+    if (!sideA.movable && !sideB.movable) return false;
+    return this.#allows(sideA, a, b) && this.#allows(sideB, b, a) && !this.#switchedOff(a, b);
+  }
+
+  /** Whether the rules of a body's own collection let its collidable meet the other. */
+  #allows(side: Side, own: CollidableNode, other: CollidableNode): boolean {
+    // An obstacle belongs to no collection: what meets it decides.
+    if (side.isObstacle) return true;
+    const collider = side.settings.asked<CollisionCollectionNode | null>('collider');
+    if (collider) return collider.asked<boolean>('enabled') && this.speaksFor(collider, own, other);
+    return side.settings.asked('collisionRules') !== 'strict';
+  }
+
+  /** All collections that speak for the pair are disabled. */
+  #switchedOff(a: CollidableNode, b: CollidableNode): boolean {
+    const speaking = this.#collections.filter((collection) => this.speaksFor(collection, a, b));
+    return speaking.length > 0 && !speaking.some((c) => c.asked<boolean>('enabled'));
+  }
+
+  /** The collection that gives a pair of collidables its parameters: the first enabled one that speaks for it. */
+  between(a: CollidableNode, b: CollidableNode): CollisionCollectionNode | undefined {
+    return this.#collections.find(
+      (collection) => collection.asked<boolean>('enabled') && this.speaksFor(collection, a, b),
+    );
+  }
+
+  /** The same for two bodies: of the first of their collidables that have one. */
+  of(a: BodyNode, b: BodyNode): CollisionCollectionNode | undefined {
+    for (const { collidable: first } of a.parts)
+      for (const { collidable: second } of b.parts) {
+        const found = this.between(first, second);
+        if (found) return found;
+      }
+    return undefined;
   }
 
   /** Bullet's collision group and mask of a body. */
   groupsOf(body: BodyNode): [group: number, mask: number] {
-    const mine = this.collectionsOf(body);
-    const enabled = mine.filter((collection) => collection.asked<boolean>('enabled'));
-    const bits = enabled.reduce((all, collection) => all | this.#bit(collection), 0);
-    const collider = body.settings.asked<CollisionCollectionNode | null>('collider');
-    if (collider) {
-      const inside = enabled.includes(collider);
-      this.#reportLeftOut(body, collider, mine.includes(collider));
-      return [bits, inside ? this.#bit(collider) : 0];
-    }
-    if (body.settings.asked('collisionRules') === 'strict') return [bits, 0];
-    if (mine.length > 0 && enabled.length === 0) {
-      const off = mine.reduce((all, collection) => all | this.#bit(collection), 0);
-      return [off, EVERYTHING & ~off];
-    }
-    return [FREE | bits, EVERYTHING];
+    this.#reportLeftOut(body);
+    return this.kinds.groupsOf(body);
   }
 
-  #reportLeftOut(body: BodyNode, collider: CollisionCollectionNode, listed: boolean): void {
+  // ---- reports ----------------------------------------------------------------------------------------------------
+
+  #reportLeftOut(body: BodyNode): void {
+    const collider = body.settings.asked<CollisionCollectionNode | null>('collider');
     // Before the collider itself is built nobody can be in it yet.
-    if (listed || !collider.built || body.collidables.length === 0) {
+    const waits = !collider?.built || body.collidables.length === 0 || body.isObstacle;
+    if (waits || this.#oneSided.has(collider) || this.collectionsOf(body).includes(collider)) {
       this.#world.settle(body, undefined, 'not-in-collider');
       return;
     }
@@ -98,19 +169,17 @@ export class Pairs {
     });
   }
 
-  /** The collection that gives a pair its parameters: the first enabled one that lists both. */
-  of(a: BodyNode, b: BodyNode): CollisionCollectionNode | undefined {
-    const others = this.collectionsOf(b);
-    return this.collectionsOf(a).find(
-      (collection) => collection.asked<boolean>('enabled') && others.includes(collection),
-    );
+  /** True where a collider became one-sided or is so no longer. */
+  #updateOneSided(): boolean {
+    let changed = false;
+    for (const collection of this.#collections) {
+      const now = isOneSided(this.#world, collection);
+      if (now === this.#oneSided.has(collection)) continue;
+      changed = true;
+      if (now) this.#oneSided.add(collection);
+      else this.#oneSided.delete(collection);
+      reportOneSided(collection, now);
+    }
+    return changed;
   }
-}
-
-function withChildren(collidable: CollidableNode): CollidableNode[] {
-  const child =
-    'collidable' in collidable.type.fields
-      ? collidable.asked<CollidableNode | null>('collidable')
-      : null;
-  return child ? [collidable, ...withChildren(child)] : [collidable];
 }

@@ -6,6 +6,7 @@ import {
   type Level,
   type LevelName,
 } from '../accuracy/levels.js';
+import type { SolverDemands } from '../effects/solver-demands.js';
 import type { SolverSettings } from '../engine/bullet-world.js';
 import { SOLVER_MODE } from '../engine/offsets.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
@@ -48,19 +49,20 @@ export function jointSettings(settings: CollectionNode, level: Level): JointSett
   };
 }
 
-/** `bouncing`: something in the world bounces, and pushing overlaps apart by velocity would falsify that. */
+/** `demands`: what the contact parameters of the world need. Pushing overlaps apart by velocity falsifies a bounce. */
 export function solverSettings(
   settings: CollectionNode,
   level: Level,
-  bouncing: boolean,
+  { pushing, directed }: SolverDemands,
 ): SolverSettings {
   return {
     iterations: Math.max(1, authored(settings, 'iterations', level.iterations)),
     solverMode:
       SOLVER_MODE.warmstart |
       SOLVER_MODE.simd |
-      (level.twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0),
-    splitImpulseThreshold: bouncing ? 0 : SPLIT_THRESHOLD,
+      (directed ? SOLVER_MODE.cachedFrictionDirections : 0) |
+      (directed || level.twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0),
+    splitImpulseThreshold: pushing ? 0 : SPLIT_THRESHOLD,
     contactErrorReduction: perStep(CONTACT_CORRECTION, level.timeStep),
     linearSlop: Math.max(CONTACT_DEPTH, settings.asked<number>('contactSurfaceThickness')),
   };

@@ -15,6 +15,8 @@ export interface AddOptions {
   name?: string | undefined;
   /** The RigidBodyCollection it belongs to, where the world has several. */
   collection?: PhysicsNode | undefined;
+  /** X3D version of its file, 4 by default: some defaults were others in X3D 3. */
+  version?: number | undefined;
   /** Where a body starts whose author gave no position or orientation. */
   start?: Pose | undefined;
 }

@@ -112,7 +112,9 @@ for (const [type, { fields }] of Object.entries(nodeTypes)) {
         // Plain data becomes a node of its own: another object, not this one made again.
         const data = field.type === 'MFNode' && name === 'shape';
         at('a value', 0, 1, () => node.set(name, first));
-        if (!data) at('the equal value', 0, 0, () => node.set(name, copied(first)));
+        // What only takes events is an event each time.
+        const always = data || field.access === 'inputOnly';
+        if (!always) at('the equal value', 0, 0, () => node.set(name, copied(first)));
         at('another', 0, 1, () => node.set(name, second));
         at('an event of the same value', 0, field.access === 'initializeOnly' ? 0 : 1, () =>
           node.event(name, second),

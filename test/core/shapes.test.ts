@@ -37,6 +37,11 @@ const triangulated = (x: number, y: number, z: number): number[] => {
   return index;
 };
 
+const quads = (x: number, y: number, z: number): number[] => {
+  const { coord, coordIndex } = faces(x, y, z);
+  return coordIndex.flatMap((i) => (i < 0 ? [] : coord.slice(i * 3, i * 3 + 3)));
+};
+
 const indexedTriangles = (x: number, y: number, z: number) => ({
   type: 'IndexedTriangleSet',
   coord: faces(x, y, z).coord,
@@ -94,6 +99,23 @@ const HEIGHTS: [what: string, geometry: object, height: number, tolerance: numbe
   ['an IndexedFaceSet as its hull, 5 mm thicker at most', faces(1, 2, 3), 1, 6e-3],
   ['an IndexedTriangleSet as its hull', indexedTriangles(1, 2, 3), 1, 6e-3],
   ['a TriangleSet as its hull', triangles(1, 2, 3), 1, 6e-3],
+  [
+    'a cone cut off at the top as its hull',
+    { type: 'Cone', bottomRadius: 1, topRadius: 0.5, height: 1 },
+    0.5,
+    6e-3,
+  ],
+  ['a QuadSet as its hull', { type: 'QuadSet', coord: quads(1, 2, 3) }, 1, 6e-3],
+  [
+    'an IndexedQuadSet as its hull',
+    {
+      type: 'IndexedQuadSet',
+      coord: quads(1, 2, 3),
+      index: Array.from({ length: 24 }, (_, i) => i),
+    },
+    1,
+    6e-3,
+  ],
   ['a flat thin box at half its thickness', box(1, 0.002, 1), 0.001, 1e-3],
   ['a scaled box', { ...box(1), linear: [3, 0, 0, 0, 2, 0, 0, 0, 3] }, 1, 1e-3],
   ['an evenly scaled sphere', { ...sphere(0.5), linear: [2, 0, 0, 0, 2, 0, 0, 0, 2] }, 1, 1e-3],
@@ -151,6 +173,42 @@ fact('rests: a body on a fixed mesh as on the true surface', async () => {
     const stone = addBody(w, { position: [0, 1, 0], geometry: [box(1)] });
     w.advance(2);
     close(height(stone), 0.5, 2e-3, `m on ${name}`);
+  }
+});
+
+fact('flat geometry, strips and fans carry bodies where they are fixed', async () => {
+  const lying = { rotation: [1, 0, 0, -Math.PI / 2] };
+  const corners = [-5, 0, 5, 5, 0, 5, -5, 0, -5, 5, 0, -5];
+  const round = [-5, 0, 5, 5, 0, 5, 5, 0, -5, -5, 0, -5];
+  for (const ground of [
+    { type: 'Rectangle2D', size: [10, 10], ...lying },
+    { type: 'Disk2D', outerRadius: 5, ...lying },
+    { type: 'TriangleStripSet', coord: corners, stripCount: [4] },
+    { type: 'TriangleFanSet', coord: round, fanCount: [4] },
+    { type: 'IndexedTriangleStripSet', coord: corners, index: [0, 1, 2, 3, -1] },
+    { type: 'IndexedTriangleFanSet', coord: round, index: [0, 1, 2, 3, -1] },
+  ]) {
+    const w = await world();
+    addBody(w, { fixed: true, geometry: [ground] });
+    const ball = addBody(w, { position: [1, 1, -1] });
+    w.advance(1);
+    close(height(ball), 0.5, 2e-3, `m on a ${ground.type}`);
+  }
+});
+
+fact('a fixed torus lets a ball through its hole, and a disk with a hole too', async () => {
+  const lying = { rotation: [1, 0, 0, -Math.PI / 2] };
+  for (const ring of [
+    { type: 'Torus', innerRadius: 0.5, outerRadius: 3, ...lying },
+    { type: 'Disk2D', innerRadius: 1, outerRadius: 5, ...lying },
+  ]) {
+    const w = await world();
+    addBody(w, { fixed: true, geometry: [ring] });
+    const through = addBody(w, { position: [0, 2, 0] });
+    const held = addBody(w, { position: [3, 2, 0] });
+    w.advance(0.7);
+    assert.ok(height(through) < 0, `m through a ${ring.type}`);
+    assert.ok(height(held) > 0.4, `m on a ${ring.type}`);
   }
 });
 

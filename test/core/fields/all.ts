@@ -1,22 +1,38 @@
 import { offsetRows, shapeRows } from './collidables.js';
 import { collectionRows, sensorRows } from './collisions.js';
+import { contactRows } from './contacts.js';
+import { setContactsRows } from './set-contacts.js';
+import { commonRows } from './common.js';
 import { guardRows } from './guards.js';
-import { ballRows, hingeRows, motorRows } from './joints.js';
+import { ballRows, hingeRows } from './joints-hinge.js';
+import { motorRows } from './joints-motor.js';
+import { sliderRows } from './joints-slider.js';
+import { doubleHingeRows, universalRows } from './joints-two-axes.js';
 import { rows as rigidBodyRows } from './rigid-body.js';
 import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
 import type { Row } from './rows.js';
+import { spaceRows } from './spaces.js';
 
-/** The rows of each node type, and those that belong to no field. */
-export const rowsOf: Record<string, Row[]> = {
-  RigidBodyCollection: rigidBodyCollectionRows,
+const ownRows: Record<string, Row[]> = {
+  RigidBodyCollection: [...rigidBodyCollectionRows, ...setContactsRows],
   RigidBody: rigidBodyRows,
   CollidableShape: shapeRows,
   CollidableOffset: offsetRows,
   CollisionCollection: collectionRows,
+  CollisionSpace: spaceRows,
   CollisionSensor: sensorRows,
+  Contact: contactRows,
   BallJoint: ballRows,
   SingleAxisHingeJoint: hingeRows,
+  DoubleAxisHingeJoint: doubleHingeRows,
+  SliderJoint: sliderRows,
+  UniversalJoint: universalRows,
   MotorJoint: motorRows,
 };
+
+/** The rows of each node type, and those that belong to no field. */
+export const rowsOf: Record<string, Row[]> = Object.fromEntries(
+  Object.entries(ownRows).map(([type, rows]) => [type, [...rows, ...commonRows(type)]]),
+);
 
 export { guardRows };

@@ -13,9 +13,11 @@ import {
   way,
   world,
   type Body,
+  type Node,
   type Sensor,
 } from '../helpers.js';
-import { unsimulated, type Row } from './rows.js';
+import { surfaceRows } from './surfaces.js';
+import type { Row } from './rows.js';
 
 /** A slab and a ball above it, each of one named collidable, and a collection of both. */
 async function pair(fields: Record<string, unknown> = {}, ball: Record<string, unknown> = {}) {
@@ -54,7 +56,7 @@ function slide(w: World, stone: Body, direction: [number, number]): number {
   return Math.hypot(x, z);
 }
 
-export const collectionRows: Row[] = [
+const basicRows: Row[] = [
   {
     field: 'collidables',
     fact: 'a member that leaves the collider falls through; * takes everything in',
@@ -151,13 +153,9 @@ export const collectionRows: Row[] = [
       close(slide(w, body, [1, 0]), expected(0.5), 0.05, 'm, unset');
     },
   },
-  ...unsimulated('CollisionCollection', {
-    surfaceSpeed: [1, 0],
-    slipFactors: [0.1, 0.1],
-    softnessConstantForceMix: 0.01,
-    softnessErrorCorrection: 0.5,
-  }),
 ];
+
+export const collectionRows: Row[] = [...basicRows, ...surfaceRows];
 
 async function watched() {
   const scene = await pair();
@@ -247,6 +245,30 @@ export const sensorRows: Row[] = [
       assert.deepEqual(sensor.get('intersections'), []);
       assert.deepEqual(lists.at(-1), []);
       assert.equal(lists.filter((list) => (list as []).length === 0).length, 1);
+    },
+  },
+  {
+    field: 'contacts',
+    effect: 'contact reading',
+    fact: 'has a Contact for the point where a ball touches, a new one with every step, and none when they part',
+    run: async () => {
+      const { w, slab, round, ground, body, sensor } = await watched();
+      land(w, body);
+      const [first, ...others] = sensor.get('contacts') as Node[];
+      assert.equal(others.length, 0);
+      close(first!.get('position') as number[], [0, 0, 0], 2e-3, 'm');
+      close(first!.get('contactNormal') as number[], [0, 1, 0], 1e-4, 'out of the slab');
+      assert.equal(first!.get('geometry1'), round);
+      assert.equal(first!.get('geometry2'), slab);
+      assert.equal(first!.get('body1'), body);
+      assert.equal(first!.get('body2'), ground);
+      w.step();
+      assert.notEqual((sensor.get('contacts') as Node[])[0], first);
+      const lists: unknown[][] = [];
+      sensor.on('contacts', (list) => lists.push(list as unknown[]));
+      lift(w, body);
+      assert.deepEqual(lists, [[]]);
+      assert.deepEqual(sensor.get('contacts'), []);
     },
   },
 ];

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { guards } from '../../../physics-core/guards.js';
 import { nodeTypes } from '../../../physics-core/index.js';
+import { factsOf } from '../../conformance/all.js';
 import { fact, world } from '../helpers.js';
 import { guardRows, rowsOf } from './all.js';
 
@@ -9,11 +10,15 @@ for (const [type, rows] of Object.entries(rowsOf)) {
   describe(type, () => {
     for (const row of rows) fact(`${row.field ?? row.effect}: ${row.fact}`, row.run);
 
-    fact('every field of its table has at least one row, and every row a field', () => {
-      const fields = Object.keys(nodeTypes[type]!.fields);
-      const covered = new Set(rows.flatMap(({ field }) => field ?? []));
-      assert.deepEqual([...covered].sort(), fields.sort());
-    });
+    fact(
+      'every field of its table has at least one row or conformance fact, and every row a field',
+      () => {
+        const fields = Object.keys(nodeTypes[type]!.fields);
+        const proofs = [...rows, ...(factsOf[type] ?? [])];
+        const covered = new Set(proofs.flatMap(({ field }) => field ?? []));
+        assert.deepEqual([...covered].sort(), fields.sort());
+      },
+    );
   });
 }
 

@@ -17,7 +17,7 @@ import {
   way,
   world,
 } from '../helpers.js';
-import { unsimulated, type Row } from './rows.js';
+import type { Row } from './rows.js';
 
 const QUIET = { disableTime: 0.5, disableLinearSpeed: 0.1, disableAngularSpeed: 0.1 };
 
@@ -254,7 +254,6 @@ export const rows: Row[] = [
       close(height(stone), 0.5, 2e-3, 'm, lifted again');
     },
   },
-  ...unsimulated('RigidBodyCollection', { maxCorrectionSpeed: 1 }),
   {
     field: 'autoDisable',
     fact: 'TRUE is the default of every body that says nothing itself',

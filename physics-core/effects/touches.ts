@@ -1,0 +1,146 @@
+import type { Vec3 } from '../fields/types.js';
+import type { BodyNode } from '../nodes/body.js';
+import type { PhysicsNode } from '../nodes/node.js';
+
+/** A resting sphere has a distance of 1.5e-16 in some steps: bodies touch from the first on, until the second, metres. */
+const BEGIN = 0.001;
+const END = 0.01;
+
+export type CollisionEnd = 'separated' | 'removed' | 'disabled' | 'reset';
+
+/** Where two bodies touch. World frame; the normal points into the body whose event it is. */
+export interface TouchPoint {
+  position: Vec3;
+  normal: Vec3;
+  /** Metres, negative is a gap. */
+  depth: number;
+  /** N s. */
+  impulse: number;
+}
+
+/** Detail of `collisionstart` and `collisionend`. */
+export interface Collision {
+  /** The other body, or the collidable without one. */
+  other: PhysicsNode;
+  /** N s passed on between them from the first push of the hit on; 0 at the end. */
+  impulse: number;
+  contacts: TouchPoint[];
+  time: number;
+  reason?: CollisionEnd;
+}
+
+/** Two bodies near each other. */
+interface Touch {
+  a: BodyNode;
+  b: BodyNode;
+  /** The pass that last saw them. */
+  pass: number;
+  nearest: number;
+  impulse: number;
+  begun: boolean;
+}
+
+/** Node ids of a pair in one number. */
+export const keyOf = (a: BodyNode, b: BodyNode): number =>
+  a.id < b.id ? a.id * 2 ** 26 + b.id : b.id * 2 ** 26 + a.id;
+
+/** What touches what, from step to step: one beginning and one end for each touch. */
+export class Touches {
+  readonly #touches = new Map<number, Touch>();
+  #pass = 0;
+  readonly #pointsOf: (touch: { a: BodyNode; b: BodyNode }, into: BodyNode) => TouchPoint[];
+
+  constructor(pointsOf: (touch: { a: BodyNode; b: BodyNode }, into: BodyNode) => TouchPoint[]) {
+    this.#pointsOf = pointsOf;
+  }
+
+  /** A new pass over what is near. */
+  begin(): void {
+    this.#pass++;
+  }
+
+  /** One contact point of the pass. */
+  note(a: BodyNode, b: BodyNode, distance: number, impulse: number): void {
+    const key = keyOf(a, b);
+    let touch = this.#touches.get(key);
+    if (!touch) {
+      touch = { a, b, pass: 0, nearest: Infinity, impulse: 0, begun: false };
+      this.#touches.set(key, touch);
+    }
+    if (touch.pass !== this.#pass) {
+      touch.pass = this.#pass;
+      touch.nearest = Infinity;
+    }
+    touch.nearest = Math.min(touch.nearest, distance);
+    touch.impulse += impulse;
+  }
+
+  /** The pass is over: tells what began and what ended in it. Listeners may remove bodies meanwhile. */
+  finish(time: number): void {
+    let news: Touch[] | undefined;
+    for (const [key, touch] of this.#touches) {
+      const gone = touch.pass !== this.#pass;
+      if (gone || (touch.begun && touch.nearest > END)) this.#touches.delete(key);
+      if (touch.begun ? gone || touch.nearest > END : !gone && touch.nearest <= BEGIN)
+        (news ??= []).push(touch);
+    }
+    if (!news) return;
+    for (const touch of news) {
+      if (touch.begun) this.#end(touch, 'separated', time);
+      else if (this.#touches.get(keyOf(touch.a, touch.b)) === touch) this.#start(touch, time);
+    }
+  }
+
+  touching(body: BodyNode): boolean {
+    for (const { a, b, begun } of this.#touches.values())
+      if (begun && (a === body || b === body)) return true;
+    return false;
+  }
+
+  /** A body is gone from the world: what it touched ends now. */
+  part(body: BodyNode, reason: CollisionEnd, time: number): void {
+    for (const [key, touch] of this.#touches) {
+      if (touch.a !== body && touch.b !== body) continue;
+      this.#touches.delete(key);
+      if (touch.begun) this.#end(touch, reason, time);
+    }
+  }
+
+  /** Nobody listens any more. */
+  forget(): void {
+    this.#touches.clear();
+  }
+
+  endAll(reason: CollisionEnd, time: number): void {
+    const all = [...this.#touches.values()];
+    this.#touches.clear();
+    for (const touch of all) if (touch.begun) this.#end(touch, reason, time);
+  }
+
+  #start(touch: Touch, time: number): void {
+    touch.begun = true;
+    const { impulse } = touch;
+    this.#tell('collisionstart', touch, (contacts) => ({ impulse, contacts, time }));
+  }
+
+  #end(touch: Touch, reason: CollisionEnd, time: number): void {
+    this.#tell('collisionend', touch, () => ({ impulse: 0, contacts: [], time, reason }));
+  }
+
+  #tell(
+    event: 'collisionstart' | 'collisionend',
+    touch: Touch,
+    detail: (contacts: TouchPoint[]) => Omit<Collision, 'other'>,
+  ): void {
+    const { a, b } = touch;
+    for (const [body, other] of [
+      [a, b],
+      [b, a],
+    ] as const) {
+      if (!body.standsFor.heard(event)) continue;
+      const contacts = event === 'collisionstart' ? this.#pointsOf(touch, body) : [];
+      const told: Collision = { other: other.standsFor, ...detail(contacts) };
+      body.standsFor.emit(event, told);
+    }
+  }
+}

@@ -1,0 +1,121 @@
+import type { Ammo } from './ammo.js';
+import { BODY, MANIFOLD_POINT as POINT } from './offsets.js';
+
+/**
+ * One contact point on the heap, between Bullet's contact search and its solver. One object is moved from point to
+ * point, so that a step allocates nothing. A and B are the manifold's bodies; speeds are of A against B.
+ */
+export class ContactPoint {
+  readonly #ammo: Ammo;
+  /** Pointers. */
+  #point = 0;
+  #a = 0;
+  #b = 0;
+  #floats!: Float32Array;
+
+  constructor(ammo: Ammo) {
+    this.#ammo = ammo;
+  }
+
+  at(point: number, a: number, b: number): this {
+    this.#floats = this.#ammo.HEAPF32;
+    this.#point = point;
+    this.#a = a;
+    this.#b = b;
+    return this;
+  }
+
+  get pointer(): number {
+    return this.#point;
+  }
+
+  /** The float at an offset of the point; `i` counts on in floats. */
+  get(offset: number, i = 0): number {
+    return this.#floats[((this.#point + offset) >> 2) + i]!;
+  }
+
+  put(offset: number, value: number, i = 0): void {
+    this.#floats[((this.#point + offset) >> 2) + i] = value;
+  }
+
+  int(offset: number): number {
+    return this.#ammo.HEAP32[(this.#point + offset) >> 2]!;
+  }
+
+  putInt(offset: number, value: number): void {
+    this.#ammo.HEAP32[(this.#point + offset) >> 2] = value;
+  }
+
+  /** Unit vector from B into A. */
+  normal(i: number): number {
+    return this.get(POINT.normalB, i);
+  }
+
+  /**
+   * Distance of the surfaces, metres, negative where they overlap; worked out from both points as Bullet does, since
+   * what stands in the point may have been written by us.
+   */
+  get distance(): number {
+    let distance = 0;
+    for (let i = 0; i < 3; i++)
+      distance += (this.get(POINT.positionA, i) - this.get(POINT.positionB, i)) * this.normal(i);
+    return distance;
+  }
+
+  distanceTo(position: readonly number[]): number {
+    return Math.hypot(
+      this.get(POINT.positionB, 0) - position[0]!,
+      this.get(POINT.positionB, 1) - position[1]!,
+      this.get(POINT.positionB, 2) - position[2]!,
+    );
+  }
+
+  /** How far the point may have moved in `dt` seconds, metres. */
+  reach(dt: number): number {
+    return dt * (this.#pace(this.#a) + this.#pace(this.#b));
+  }
+
+  #pace(body: number): number {
+    const v = (body + BODY.linearVelocity) >> 2;
+    return Math.hypot(this.#floats[v]!, this.#floats[v + 1]!, this.#floats[v + 2]!);
+  }
+
+  /** Speed along (x, y, z), m/s. */
+  speed(x: number, y: number, z: number): number {
+    return this.#along(this.#a, x, y, z) - this.#along(this.#b, x, y, z);
+  }
+
+  /** Component of the velocity that a body's material has at the point. */
+  #along(body: number, x: number, y: number, z: number): number {
+    const floats = this.#floats;
+    const v = (body + BODY.linearVelocity) >> 2;
+    const w = (body + BODY.angularVelocity) >> 2;
+    const o = (body + BODY.origin) >> 2;
+    const rx = this.get(POINT.positionB, 0) - floats[o]!;
+    const ry = this.get(POINT.positionB, 1) - floats[o + 1]!;
+    const rz = this.get(POINT.positionB, 2) - floats[o + 2]!;
+    return (
+      x * (floats[v]! + floats[w + 1]! * rz - floats[w + 2]! * ry) +
+      y * (floats[v + 1]! + floats[w + 2]! * rx - floats[w]! * rz) +
+      z * (floats[v + 2]! + floats[w]! * ry - floats[w + 1]! * rx)
+    );
+  }
+
+  /** Of both bodies together, 1/kg. */
+  get inverseMass(): number {
+    const at = BODY.inverseMass;
+    return this.#floats[(this.#a + at) >> 2]! + this.#floats[(this.#b + at) >> 2]!;
+  }
+
+  /** Adds the impulse that A got from B here, N s. */
+  addImpulse(to: Float64Array): void {
+    const push = this.get(POINT.impulse);
+    const rub1 = this.get(POINT.lateralImpulse1);
+    const rub2 = this.get(POINT.lateralImpulse2);
+    for (let i = 0; i < 3; i++)
+      to[i]! +=
+        push * this.normal(i) +
+        rub1 * this.get(POINT.direction1, i) +
+        rub2 * this.get(POINT.direction2, i);
+  }
+}

@@ -1,0 +1,24 @@
+import type { Value } from '../fields/types.js';
+import type { BodyNode } from './body.js';
+
+/** How a body comes to rest: never, unnoticed by the library, or by the X3D fields. */
+export interface RestRule {
+  mode: 'never' | 'library' | 'authored';
+  time: number;
+  linearSpeed: number;
+  angularSpeed: number;
+}
+
+/** A body's own fields where they are authored, else its collection's. */
+export function restRuleOf(body: BodyNode): RestRule {
+  const from = (name: string): Value =>
+    body.authored(name) ? body.asked(name) : body.settings.asked(name);
+  const authored = body.authored('autoDisable') || body.settings.authored('autoDisable');
+  const never = authored ? !from('autoDisable') : body.settings.asked('rest') === 'never';
+  return {
+    mode: never ? 'never' : authored ? 'authored' : 'library',
+    time: from('disableTime') as number,
+    linearSpeed: from('disableLinearSpeed') as number,
+    angularSpeed: from('disableAngularSpeed') as number,
+  };
+}

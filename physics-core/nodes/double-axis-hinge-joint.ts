@@ -1,0 +1,211 @@
+import type { Motor } from '../effects/motors.js';
+import { restopped, type Stop } from '../effects/stops.js';
+import type { Spring } from '../effects/suspension.js';
+import { softnessAtStep } from '../accuracy/levels.js';
+import type { Vec3 } from '../fields/types.js';
+import { dot } from '../math.js';
+import {
+  between,
+  FREE,
+  JointNode,
+  LOCKED,
+  type JointFrame,
+  type Limit,
+  type RowCorrection,
+} from './joint.js';
+import { doubleAxisHingeFields } from './double-axis-hinge-fields.js';
+import { direction, notAlong } from './joint-fields.js';
+import { nearlyWhole } from './stop-fields.js';
+import { defineNode } from './table.js';
+
+/** Rows: along axis1 (z of body1's frame), about axis2 (x of body2's), and about axis1. */
+const ALONG = 2;
+const SPIN = 3;
+const STEER = 5;
+
+/** X3D's parameters are those of a step this long, seconds. */
+const FRAME = 1 / 60;
+
+/** Bullet's solver comes to a row this soft (in its own terms) within its iterations; softer ones it overshoots. */
+const SOFTEST_ROW = 0.5;
+
+/** The wheel of a car: body1 steers about axis1, which is also the strut of its suspension; body2 spins about axis2. */
+export class DoubleAxisHingeJointNode extends JointNode {
+  stops: readonly Stop[] = [];
+  motors: readonly Motor[] = [];
+  spring: Spring | undefined;
+  /** Angle between the axes beyond a right one, which they keep. */
+  #skew = 0;
+
+  protected override wantedFrame(): JointFrame {
+    return { anchor: this.asked('anchorPoint'), axes: this.#axes() };
+  }
+
+  protected override get slides(): boolean {
+    return true;
+  }
+
+  #axes(): readonly [Vec3, Vec3] {
+    const axis1 = direction(this, 'axis1');
+    return [axis1, notAlong(this, axis1, 'axis2')];
+  }
+
+  protected override zeroed(): void {
+    this.#skew = Math.asin(dot(...this.#axes()));
+    this.stops = [];
+  }
+
+  /** axis1 is z of body1's frame, so body1 is Bullet's A. */
+  protected override shouldSwap(): boolean {
+    return false;
+  }
+
+  // ---- rows ---------------------------------------------------------------------------------------------------------
+
+  /** None where min is above max or both lie a full turn apart. */
+  get #steering(): Limit {
+    const [low, high] = [this.asked<number>('minAngle1'), this.asked<number>('maxAngle1')];
+    return nearlyWhole(low, high) ? FREE : between(low, high);
+  }
+
+  /** Stops that give way are left to the effect: Bullet's own would add to them. */
+  get #softStops(): boolean {
+    const [low, high] = this.#steering;
+    return low < high && this.asked<number>('stop1ConstantForceMix') > 0;
+  }
+
+  protected override linearLimits(): [Limit, Limit, Limit] {
+    return [LOCKED, LOCKED, this.spring ? FREE : LOCKED];
+  }
+
+  protected override angularLimits(): [Limit, Limit, Limit] {
+    return [FREE, between(this.#skew, this.#skew), this.#softStops ? FREE : this.#steering];
+  }
+
+  protected override correctionOf(row: number): RowCorrection | undefined {
+    const give = this.asked<number>('suspensionForce');
+    if (row === ALONG && give > 0)
+      return { share: this.asked('suspensionErrorCorrection'), softness: give };
+    if (row !== STEER) return undefined;
+    return {
+      share: this.asked('stop1ErrorCorrection'),
+      softness: this.asked('stop1ConstantForceMix'),
+    };
+  }
+
+  override updateLimits(): void {
+    this.#chooseSpring();
+    super.updateLimits();
+  }
+
+  /** The level or a mass changed: what was a spring may now be a row. */
+  override updateCorrection(): void {
+    const before = this.spring;
+    if (this.attached) this.#chooseSpring();
+    if (!before !== !this.spring) super.updateLimits();
+    super.updateCorrection();
+  }
+
+  // ---- suspension ---------------------------------------------------------------------------------------------------
+
+  /**
+   * X3D gives the strut as the softness and error correction of a constraint solved every 1/60 s; that is a spring and
+   * a damper. A stiff one stays a row of Bullet's solver, which is stable however stiff; one that is too soft for the
+   * solver's iterations becomes a force.
+   */
+  #chooseSpring(): void {
+    const give = this.asked<number>('suspensionForce');
+    const share = this.asked<number>('suspensionErrorCorrection');
+    const { rows, suspension } = this.world.registry;
+    const { stepSeconds } = this.world.solver;
+    rows.fill(this, stepSeconds);
+    const softness =
+      softnessAtStep(give, share, stepSeconds) / (stepSeconds * rows.between(ALONG, ALONG));
+    const springs = give > 0 && softness > SOFTEST_ROW;
+    this.spring = springs
+      ? { row: ALONG, stiffness: share / (FRAME * give), damping: (1 - share) / give }
+      : undefined;
+    if (springs) suspension.need(this, 'suspensionForce');
+    else suspension.drop(this);
+  }
+
+  updateSuspension(): void {
+    this.updateLimits();
+    this.updateCorrection();
+  }
+
+  // ---- stops and motors ---------------------------------------------------------------------------------------------
+
+  updateStops(): void {
+    this.updateLimits();
+    this.updateCorrection();
+    this.#needStops();
+  }
+
+  #needStops(): void {
+    const { stops } = this.world.registry;
+    const [low, high] = this.#steering;
+    if (!this.attached || low >= high) {
+      stops.drop(this);
+      return;
+    }
+    const fields = {
+      row: STEER,
+      low,
+      high,
+      bounce: this.asked<number>('stop1Bounce'),
+      correction: this.asked<number>('stop1ErrorCorrection'),
+      softness: this.asked<number>('stop1ConstantForceMix'),
+      axis: 1 as const,
+    };
+    this.stops = [restopped(this.stops[0], fields)];
+    stops.need(this, 'minAngle1, maxAngle1');
+  }
+
+  updateMotors(): void {
+    this.#needMotors();
+    for (const body of [this.body1, this.body2]) body?.wake();
+  }
+
+  /** A motor about an axis that is held turns nothing. */
+  #needMotors(): void {
+    const { motors } = this.world.registry;
+    this.motors = ([1, 2] as const)
+      .map((n) => ({
+        row: n === 1 ? STEER : SPIN,
+        target: this.asked<number>(`desiredAngularVelocity${n}`),
+        most: this.asked<number>(`maxTorque${n}`),
+      }))
+      .filter(({ row, most }) => most > 0 && !this.lockedRows.includes(row));
+    if (this.attached && this.motors.length > 0) motors.need(this, 'maxTorque1, maxTorque2');
+    else motors.drop(this);
+  }
+
+  protected override attachedChanged(): void {
+    this.#needStops();
+    this.#needMotors();
+    if (!this.attached) this.world.registry.suspension.drop(this);
+  }
+
+  // ---- outputs ------------------------------------------------------------------------------------------------------
+
+  /** Turn of body1 against body2 about axis 1 or 2, radians in (-π, π]. */
+  hingeAngle(n: 1 | 2): number {
+    return this.valueOf(n === 1 ? STEER : SPIN);
+  }
+
+  /** rad/s. */
+  hingeAngleRate(n: 1 | 2): number {
+    return this.rateOf(n === 1 ? STEER : SPIN);
+  }
+}
+
+export const doubleAxisHingeJoint = defineNode<DoubleAxisHingeJointNode>({
+  name: 'DoubleAxisHingeJoint',
+  containerField: 'joints',
+  clause: '37.4.9',
+  doc: 'The wheel of a car: steering and suspension about and along one axis, spin about another.',
+  rank: 3,
+  make: (context) => new DoubleAxisHingeJointNode(context),
+  fields: doubleAxisHingeFields,
+});

@@ -1,0 +1,33 @@
+import type { JointNode } from './joint.js';
+
+/** Masses more unlike than this strain a joint visibly at `standard` (measured). */
+const HARD_MASS_RATIO = 100;
+
+export function reportNobody(joint: JointNode): void {
+  if (joint.body1 || joint.body2) {
+    joint.world.settle(joint, undefined, 'no-body');
+    return;
+  }
+  joint.report({
+    code: 'no-body',
+    severity: 'warning',
+    used: 'nothing',
+    message: `${joint.label} names no body and holds nothing until body1 or body2 does`,
+  });
+}
+
+export function reportMassRatio(joint: JointNode): void {
+  const masses = [joint.body1, joint.body2].map((body) => (body?.movable ? body.mass.mass : 0));
+  const ratio = Math.max(...masses) / Math.min(...masses);
+  if (!Number.isFinite(ratio) || ratio <= HARD_MASS_RATIO) {
+    joint.world.settle(joint, undefined, 'mass-ratio');
+    return;
+  }
+  joint.report({
+    code: 'mass-ratio',
+    severity: 'warning',
+    value: ratio,
+    used: 'the present accuracy',
+    message: `${joint.label} holds ${joint.body1!.label} (${masses[0]} kg) to ${joint.body2!.label} (${masses[1]} kg): so unlike masses need accuracy="fine" or better to hold together`,
+  });
+}

@@ -1,0 +1,56 @@
+import type { PhysicsNode } from '../nodes/node.js';
+import type { World } from './world.js';
+
+/** Share of the heap limit from which an author is warned. */
+const HEAP_LOW = 0.9;
+
+const DEFAULT_HEAP = 512 * 2 ** 20;
+
+const megabytes = (bytes: number): number => Math.round(bytes / 2 ** 20);
+
+/** How large the wasm heap may grow. Past the limit nothing is made any more; shortly before it authors are warned. */
+export class HeapLimit {
+  readonly #world: World;
+  readonly #most: number;
+
+  constructor(world: World, maxHeapBytes = DEFAULT_HEAP) {
+    this.#world = world;
+    this.#most = maxHeapBytes;
+  }
+
+  get #bytes(): number {
+    const { settings } = this.#world;
+    return settings.authored('heapLimit')
+      ? settings.asked<number>('heapLimit') * 2 ** 20
+      : this.#most;
+  }
+
+  get reached(): boolean {
+    return this.#world.engine.heapBytes > this.#bytes;
+  }
+
+  /** The heap is full, or Bullet gave up: the addition is undone and the world pauses; the page lives. */
+  exhausted(node: PhysicsNode, error: unknown): void {
+    this.#world.paused = true;
+    this.#world.report(
+      {
+        code: 'heap-exhausted',
+        severity: 'error',
+        used: 'paused world',
+        message: `${node.label} could not be made (${String(error)}); the world pauses`,
+      },
+      node,
+    );
+  }
+
+  watch(): void {
+    const { heapBytes } = this.#world.engine;
+    if (heapBytes < this.#bytes * HEAP_LOW) return;
+    this.#world.report({
+      code: 'heap-low',
+      severity: 'warning',
+      value: heapBytes,
+      message: `the wasm heap has taken ${megabytes(heapBytes)} MB of the ${megabytes(this.#bytes)} MB it may`,
+    });
+  }
+}

@@ -1,0 +1,98 @@
+import { near } from '../checks.js';
+import type { Fact, NodeData } from '../fact.js';
+import { nodesIn, renamed } from '../markup.js';
+
+// The fields that say nothing about motion: of every node, of those with a bounding box, and descriptions.
+
+const metadata = (value: string): NodeData => ({
+  type: 'MetadataString',
+  name: 'note',
+  value: [value],
+});
+
+/** What each is written as, and the event that follows; an initializeOnly field takes none. */
+const VALUES: Record<string, { written: unknown; event?: unknown }> = {
+  metadata: { written: metadata('first'), event: metadata('second') },
+  bboxCenter: { written: [1, 2, 3] },
+  bboxSize: { written: [0.1, 0.2, 0.3] },
+  bboxDisplay: { written: true, event: false },
+  visible: { written: false, event: true },
+  description: { written: 'some words', event: 'other words' },
+};
+
+const BOUNDED = ['metadata', 'bboxCenter', 'bboxSize', 'bboxDisplay', 'visible'];
+
+const FIELDS: Record<string, string[]> = {
+  RigidBodyCollection: BOUNDED,
+  RigidBody: BOUNDED,
+  CollidableShape: BOUNDED,
+  CollidableOffset: BOUNDED,
+  CollisionSpace: BOUNDED,
+  CollisionCollection: [...BOUNDED, 'description'],
+  CollisionSensor: ['metadata', 'description'],
+};
+
+function namesOf(type: string, scene: NodeData[]): string[] {
+  return scene.flatMap((node) => [
+    ...(node.type === type && node.DEF ? [node.DEF] : []),
+    ...Object.values(node).flatMap((value) => namesOf(type, nodesIn(value) ?? [])),
+  ]);
+}
+
+/** The scene with a name for every node of a type, and with `fields` written on them. */
+function written(type: string, fields: Record<string, unknown>, scene: NodeData[]): NodeData[] {
+  let count = 0;
+  const change = (node: NodeData): NodeData => {
+    const entries = Object.entries(node).map(([field, value]) => {
+      const nodes = nodesIn(value)?.map(change);
+      return [field, nodes ? (Array.isArray(value) ? nodes : nodes[0]) : value];
+    });
+    const same = Object.fromEntries(entries) as NodeData;
+    return node.type === type ? { DEF: `common${count++}`, ...same, ...fields } : same;
+  };
+  return scene.map(change);
+}
+
+/** Two equal worlds, one of them with the field: every body moves in the same way, to the last bit. */
+function inert(type: string, field: string, scene: NodeData[]): Fact {
+  const value = VALUES[field]!;
+  const plain = written(type, {}, scene);
+  const other = written(type, { [field]: value.written }, scene);
+  const bodies = namesOf('RigidBody', plain);
+  return {
+    field,
+    says: 'changes nothing in the motion',
+    inert: true,
+    scene: [
+      ...renamed(plain, (name) => `plain_${name}`),
+      ...renamed(other, (name) => `other_${name}`),
+    ],
+    run: async (x) => {
+      await x.advance(0.25);
+      if (value.event !== undefined)
+        for (const name of namesOf(type, other)) await x.set(`other_${name}`, field, value.event);
+      await x.advance(0.25);
+      const checks = [];
+      for (const name of bodies) {
+        const [expected, actual] = [
+          await x.get(`plain_${name}`, 'position'),
+          await x.get(`other_${name}`, 'position'),
+        ];
+        checks.push(near(`${name} after 0.5 s`, actual, expected, 0, 'm'));
+      }
+      return checks;
+    },
+  };
+}
+
+/** The facts of a node's common fields, in the first of its scenes of which nothing is told. */
+export function commonFacts(type: string, facts: Fact[]): Fact[] {
+  const found = facts.find(
+    ({ scene, tells }) => !tells && JSON.stringify(scene).includes(`"type":"${type}"`),
+  );
+  if (!found) return [];
+  const proved = new Set(facts.map(({ field }) => field));
+  return (FIELDS[type] ?? ['metadata'])
+    .filter((field) => !proved.has(field))
+    .map((field) => inert(type, field, found.scene));
+}
