@@ -4,10 +4,15 @@ import { X3DCollidableOffsetElement } from './x3d-collidable-offset.js';
 import { X3DCollidableShapeElement } from './x3d-collidable-shape.js';
 import { X3DCollisionCollectionElement } from './x3d-collision-collection.js';
 import { X3DCollisionSensorElement } from './x3d-collision-sensor.js';
+import { X3DCollisionSpaceElement } from './x3d-collision-space.js';
+import { X3DContactElement } from './x3d-contact.js';
+import { X3DDoubleAxisHingeJointElement } from './x3d-double-axis-hinge-joint.js';
 import { X3DMotorJointElement } from './x3d-motor-joint.js';
 import { X3DRigidBodyCollectionElement } from './x3d-rigid-body-collection.js';
 import { X3DRigidBodyElement } from './x3d-rigid-body.js';
 import { X3DSingleAxisHingeJointElement } from './x3d-single-axis-hinge-joint.js';
+import { X3DSliderJointElement } from './x3d-slider-joint.js';
+import { X3DUniversalJointElement } from './x3d-universal-joint.js';
 
 export const elementClasses: readonly X3DNodeElementClass[] = [
   X3DRigidBodyCollectionElement,
@@ -15,9 +20,14 @@ export const elementClasses: readonly X3DNodeElementClass[] = [
   X3DCollidableShapeElement,
   X3DCollidableOffsetElement,
   X3DCollisionCollectionElement,
+  X3DCollisionSpaceElement,
   X3DCollisionSensorElement,
+  X3DContactElement,
   X3DBallJointElement,
   X3DSingleAxisHingeJointElement,
+  X3DDoubleAxisHingeJointElement,
+  X3DSliderJointElement,
+  X3DUniversalJointElement,
   X3DMotorJointElement,
 ];
 

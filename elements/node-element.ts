@@ -1,12 +1,11 @@
 import { nodeTypes } from '../physics-core/index.js';
 import {
   attachListener,
-  attributeOf,
+  attributeNames,
   checkPlace,
   detachListener,
   explain,
   camel,
-  holdsNodes,
   keepInternals,
   ownBinding,
   page,
@@ -99,12 +98,9 @@ function takeEarlyProperties(element: X3DNodeElement): void {
 function attributesOf(type: NodeType): string[] {
   const names = Object.entries(type.fields)
     .filter(([, field]) => field.access !== 'outputOnly')
-    .map(([name, field]) => attributeOf(name, field));
+    .flatMap(([name, field]) => attributeNames(name, field));
   return [...new Set(names.flatMap((name) => [name.toLowerCase(), name]))];
 }
-
-/** Fields that hold nodes and may be written as text: names, or `*`. */
-const NAMED_NODES = /^(body[12]|collidables)$/;
 
 /** Additions of ours that are no fields. */
 const additions = (type: NodeType): string[] => STRUCTURE[type.name] ?? [];
@@ -127,8 +123,7 @@ function defineReflection(prototype: X3DNodeElement, name: string): void {
 }
 
 function defineProperties(prototype: X3DNodeElement, type: NodeType): void {
-  for (const [name, field] of Object.entries(type.fields)) {
-    if (holdsNodes(field) && !NAMED_NODES.test(name)) continue;
+  for (const name of Object.keys(type.fields)) {
     Object.defineProperty(prototype, name, {
       configurable: true,
       enumerable: true,

@@ -1,33 +1,20 @@
 // npm run manifest: dist/custom-elements.json, editor data and the types of properties, from the field tables alone.
 import { appendFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { tagOf } from '../elements/bridge/document/dom.js';
-import { attributeOf, holdsNodes } from '../elements/bridge/nodes/fields.js';
-import { codecs, nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
-
-const SCRIPT_TYPES: Record<string, string> = {
-  SFBool: 'boolean',
-  SFFloat: 'number',
-  SFInt32: 'number',
-  SFTime: 'number',
-  SFString: 'string',
-  MFString: 'string[]',
-};
-const scriptType = (field: Field): string => SCRIPT_TYPES[field.type] ?? 'number[]';
-
-const rangeOf = ({ range, open }: Field): string =>
-  range ? ` Range ${open ? '(' : '['}${range[0]}, ${range[1]}].` : '';
-const describe = (field: Field): string => `${field.doc}${rangeOf(field)} (${field.type})`;
-const defaultOf = (field: Field): string => codecs[field.type].format(field.default);
-
-const settable = (type: NodeType): [string, Field][] =>
-  Object.entries(type.fields as Record<string, Field>).filter(
-    ([, field]) => !holdsNodes(field) && field.access !== 'outputOnly',
-  );
+import { eventsAt, eventTypes } from '../elements/bridge/event-types.js';
+import { nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
+import {
+  additionsOf,
+  attributesOf,
+  defaultText,
+  describe,
+  fieldsOf,
+  propertyType,
+  settableType,
+} from './manifest-fields.js';
+import { frameworkTypes } from './framework-types.js';
 
 function declaration(type: NodeType) {
-  const fields = Object.entries(type.fields as Record<string, Field>).filter(
-    ([, f]) => !holdsNodes(f),
-  );
   return {
     kind: 'class',
     customElement: true,
@@ -36,28 +23,42 @@ function declaration(type: NodeType) {
     summary: type.doc,
     description: `${type.doc} ISO/IEC 19775-1, ${type.clause}.`,
     superclass: { name: 'HTMLElement' },
-    attributes: settable(type).map(([name, field]) => ({
-      name: attributeOf(name, field).toLowerCase(),
-      fieldName: name,
-      type: { text: field.values?.map((value) => `"${value}"`).join(' | ') ?? field.type },
-      default: defaultOf(field),
-      description: describe(field),
-    })),
-    members: fields.map(([name, field]) => ({
-      kind: 'field',
-      name,
-      type: { text: scriptType(field) },
-      default: defaultOf(field),
-      description: describe(field),
-      ...(field.access === 'outputOnly' ? { readonly: true } : {}),
-    })),
-    events: [
-      {
-        name: 'physicsproblem',
-        type: { text: 'CustomEvent' },
-        description: 'Something the author should know.',
-      },
+    attributes: [
+      ...attributesOf(type).map(({ attribute, name, field }) => ({
+        name: attribute,
+        fieldName: name,
+        type: { text: field.values?.map((value) => `"${value}"`).join(' | ') ?? field.type },
+        default: defaultText(field),
+        description: describe(field),
+      })),
+      ...additionsOf(type).map(({ attribute, property, type: text, doc }) => ({
+        name: attribute,
+        fieldName: property,
+        type: { text },
+        description: doc,
+      })),
     ],
+    members: [
+      ...fieldsOf(type).map(([name, field]) => ({
+        kind: 'field',
+        name,
+        type: { text: propertyType(field) },
+        default: defaultText(field),
+        description: describe(field),
+        ...(field.access === 'outputOnly' ? { readonly: true } : {}),
+      })),
+      ...additionsOf(type).map(({ property, type: text, doc }) => ({
+        kind: 'field',
+        name: property,
+        type: { text },
+        description: doc,
+      })),
+    ],
+    events: eventsAt(type.name).map((name) => ({
+      name,
+      type: { text: `CustomEvent<${eventTypes[name]!.detail}>` },
+      description: eventTypes[name]!.doc,
+    })),
   };
 }
 
@@ -84,35 +85,33 @@ const editorData = {
   tags: types.map((type) => ({
     name: tagOf(type),
     description: type.doc,
-    attributes: settable(type).map(([name, field]) => ({
-      name: attributeOf(name, field).toLowerCase(),
-      description: describe(field),
-      ...(field.values
-        ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) }
-        : {}),
-    })),
+    attributes: [
+      ...attributesOf(type).map(({ attribute, field }) => ({
+        name: attribute,
+        description: describe(field),
+        ...(field.values
+          ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) }
+          : {}),
+      })),
+      ...additionsOf(type).map(({ attribute, doc }) => ({ name: attribute, description: doc })),
+    ],
   })),
 };
 
-/** What a property takes: its value, the X3D text, and for numbers any list of them. */
-const settableType = (field: Field): string => {
-  const type = scriptType(field);
-  if (type === 'string') return 'string';
-  return `${type === 'number[]' ? 'ArrayLike<number> | readonly ArrayLike<number>[]' : type} | string`;
-};
-
 function property(name: string, field: Field): string {
-  const comment = `    /** ${describe(field)} Default ${defaultOf(field) || 'none'}. */`;
-  const type = field.type === 'MFVec3f' ? 'number[][]' : scriptType(field);
+  const comment = `    /** ${describe(field)} Default ${defaultText(field) || 'none'}. */`;
+  const type = propertyType(field);
   if (field.access === 'outputOnly') return `${comment}\n    readonly ${name}: ${type};`;
+  if (field.access === 'inputOnly')
+    return `${comment}\n    set ${name}(value: ${settableType(field)});`;
   return `${comment}\n    get ${name}(): ${type};\n    set ${name}(value: ${settableType(field)});`;
 }
 
-/** The properties that the element classes get from the tables at run time. */
+/** The properties that the element classes get from the tables at run time, but those that a class declares. */
 const propertyTypes = types
   .map((type) => {
-    const properties = Object.entries(type.fields as Record<string, Field>)
-      .filter(([, field]) => !holdsNodes(field))
+    const properties = fieldsOf(type)
+      .filter(([name]) => !(type.name === 'CollisionCollection' && name === 'collidables'))
       .map(([name, field]) => property(name, field));
     return `declare module './${tagOf(type)}.js' {\n  interface X3D${type.name}Element {\n${properties.join('\n')}\n  }\n}`;
   })
@@ -125,5 +124,7 @@ const INDEX = 'dist/types/elements/index.d.ts';
 if (existsSync(INDEX)) {
   writeFileSync('dist/types/elements/properties.d.ts', `export {};\n\n${propertyTypes}\n`);
   appendFileSync(INDEX, "import './properties.js';\n");
+  for (const [name, text] of Object.entries(frameworkTypes(types)))
+    writeFileSync(`dist/types/${name}.d.ts`, text);
 }
 console.log(`${types.length} elements in dist/custom-elements.json`);

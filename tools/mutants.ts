@@ -1,9 +1,14 @@
 // npm run test:mutants: breaks one field's patch, one effect or one guard at a time and expects a test row that
 // concerns it to throw. What survives is a promise that no test keeps.
 //   --only <word>   only mutants whose name contains it
+//   --facts         judged by the conformance facts alone
+import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../physics-core/guards.js';
 import { nodeTypes } from '../physics-core/index.js';
+import { factsOf } from '../test/conformance/all.js';
+import { wrongInCore } from '../test/conformance/core-driver.js';
+import type { Fact } from '../test/conformance/fact.js';
 import { guardRows, rowsOf } from '../test/core/fields/all.js';
 import type { Row } from '../test/core/fields/rows.js';
 import { closeWorlds, world } from '../test/core/helpers.js';
@@ -15,9 +20,25 @@ interface Mutant {
   apply(): () => void;
 }
 
-const { values: options } = parseArgs({ options: { only: { type: 'string' } } });
+const { values: options } = parseArgs({
+  options: { only: { type: 'string' }, facts: { type: 'boolean', default: false } },
+});
 
-const allRows = [...Object.values(rowsOf).flat(), ...guardRows];
+/** A conformance fact is one more row of its field. */
+const asRow = (fact: Fact): Row => ({
+  field: fact.field,
+  fact: fact.says,
+  run: async () => assert.deepEqual(await wrongInCore(fact), []),
+});
+
+const rowsAndFacts: Record<string, Row[]> = Object.fromEntries(
+  Object.keys(nodeTypes).map((type) => [
+    type,
+    [...((!options.facts && rowsOf[type]) || []), ...(factsOf[type] ?? []).map(asRow)],
+  ]),
+);
+
+const allRows = [...Object.values(rowsAndFacts).flat(), ...guardRows];
 
 /** Puts another function in the place of `object[key]`. */
 function replacing(object: object, key: string, broken: unknown): () => () => void {
@@ -35,18 +56,18 @@ const fieldMutants = (): Mutant[] =>
       .filter(([, field]) => field.patch)
       .map(([name, field]) => ({
         name: `${type.name}.${name} is not patched`,
-        rows: (rowsOf[type.name] ?? []).filter((row) => row.field === name),
+        rows: rowsAndFacts[type.name]!.filter((row) => row.field === name),
         apply: replacing(field, 'patch', () => {}),
       })),
   );
 
-/** An effect that does nothing before a step, after it, or at a contact. */
+/** An effect that does nothing before a step, right after it, at its end, or at a contact. */
 async function effectMutants(): Promise<Mutant[]> {
   const { registry } = await world();
   closeWorlds(false);
   return registry.all.flatMap((effect) => {
     const prototype = Object.getPrototypeOf(effect) as object;
-    return ['beforeStep', 'afterStep', 'process']
+    return ['beforeStep', 'settle', 'afterStep', 'process']
       .filter((method) => Object.hasOwn(prototype, method))
       .map((method) => ({
         name: `effect "${effect.name}" without ${method}`,

@@ -4,7 +4,7 @@ export { keepInternals } from './states.js';
 export { STRUCTURE } from './document/markup.js';
 export { camel, kebab, tagOf, type Field, type NodeType } from './document/dom.js';
 export { explain, type Explanation } from './nodes/explain.js';
-export { attributeOf, holdsNodes } from './nodes/fields.js';
+export { attributeNames } from './nodes/fields.js';
 export { checkPlace } from './document/misplaced.js';
 export { page } from './page.js';
 export { attachListener, detachListener } from './x3dom/listeners.js';

@@ -1,6 +1,7 @@
 import { ownBinding, type Binding } from './nodes/binding.js';
 import { attribute, isInline, isPhysics, isScene, isX3D } from './document/dom.js';
 import { makeUnread, setUpDropped, wasLetGo, wasRead } from './x3dom/late.js';
+import { listening } from './listening.js';
 import { registerNodeTypes, type Listener, type PhysicsX3DNode } from './x3dom/node-types.js';
 import { Scene } from './scene.js';
 import { hasPhysics, prefetchEngine, Start } from './start.js';
@@ -22,6 +23,8 @@ class Page implements Listener {
     if (this.#begun) return;
     this.#begun = true;
     hideSceneTags();
+    listening.begin();
+    listening.onchange = (target, name) => this.#listenersChanged(target, name);
     new MutationObserver((records) => this.#changed(records)).observe(document, {
       childList: true,
       subtree: true,
@@ -50,7 +53,10 @@ class Page implements Listener {
     this.#registered = true;
     this.#otherPhysics = x.nodeTypes.RigidBody !== undefined;
     registerNodeTypes(x, this);
-    for (const x3d of document.querySelectorAll(X3D)) if (documentOf(x3d)) setUpDropped(x3d);
+    for (const x3d of document.querySelectorAll(X3D)) {
+      listening.adopt(x3d);
+      if (documentOf(x3d)) setUpDropped(x3d);
+    }
     return true;
   }
 
@@ -145,6 +151,10 @@ class Page implements Listener {
     if (x3d?.isConnected && x3d.ownerDocument === document) return this.sceneAt(x3d);
     for (const { scene } of this.#scenes.values()) if (scene.scopeOf(element)) return scene;
     return undefined;
+  }
+
+  #listenersChanged(target: EventTarget, name: string): void {
+    for (const { scene } of this.#scenes.values()) scene.listenersChanged(target, name);
   }
 
   // ---- what x3dom tells -------------------------------------------------------------------------------------------

@@ -1,19 +1,19 @@
-import { Binding, ownBinding, type Report } from './nodes/binding.js';
+import { type Binding, ownBinding } from './nodes/binding.js';
 import { attribute, isPhysics, isScene, subtree } from './document/dom.js';
 import { Drawing } from './drawing/drawing.js';
+import { Drivers } from './drawing/drivers.js';
 import { Events } from './events.js';
 import { loop, type Driven } from './drawing/loop.js';
 import { Readers } from './document/readers.js';
+import { Reports } from './reports.js';
 import { Routes } from './drawing/routes.js';
 import { Scope } from './document/scope.js';
 import { placeAsWritten } from './drawing/place.js';
 import { Observed } from './document/observed.js';
-import { standInOf } from './document/shortcuts.js';
 import { isCollidable, worldFor } from './document/structure.js';
 import { Updates } from './nodes/updates.js';
 import { Worlds, type PageWorld } from './nodes/worlds.js';
 import type { PhysicsX3DNode } from './x3dom/node-types.js';
-import { tellPage } from './document/misplaced.js';
 import { documentOf, nodeOf, type X3DDocument } from './x3dom/x3dom.js';
 
 /** The physics of one `<x3d>`: its scopes, its worlds, and the nodes that wait to be brought up to date. */
@@ -27,15 +27,14 @@ export class Scene implements Driven {
   readonly events = new Events(this);
   readonly updates = new Updates(this);
   readonly observed = new Observed(this);
+  readonly drivers = new Drivers(this);
+  readonly reports = new Reports(this);
   /** Scopes by the element they stand under. */
   readonly #scopes = new Map<Element, Scope>();
-  /** By Transform: the body, or the collidable of one, that moves it. */
-  readonly #drivers = new Map<Element, Binding>();
   /** Whether its nodes stand in the core; before that the document is still being read. */
   live = false;
   /** Scrolled away or not shown: worlds pause. */
   inView = true;
-  readonly #unheard: { report: Report; binding: Binding }[] = [];
   #view: IntersectionObserver | undefined;
 
   constructor(x3d: Element) {
@@ -149,7 +148,11 @@ export class Scene implements Driven {
 
   addPrototype(instance: Element, body: Element): void {
     const parent = this.scopeOf(instance);
-    if (parent && !this.#scopes.has(body)) this.addScope(body, instance, parent);
+    if (!parent || this.#scopes.has(body)) return;
+    this.addScope(body, instance, parent);
+    const holder = instance.parentElement;
+    const binding = holder && isPhysics(holder) ? ownBinding(holder) : undefined;
+    if (binding?.scope) this.dirty(binding);
   }
 
   // ---- upkeep -------------------------------------------------------------------------------------------------
@@ -170,6 +173,11 @@ export class Scene implements Driven {
     this.requeue(scope);
     for (const { host, parent } of this.scopes)
       if (host && parent === scope) this.requeueInline(host);
+  }
+
+  /** All nodes of all scopes. */
+  *bindings(): Generator<Binding> {
+    for (const scope of this.scopes) yield* bindingsIn(scope);
   }
 
   /** Everything seen so far, brought to the core. */
@@ -195,31 +203,7 @@ export class Scene implements Driven {
     loop.delete(this);
   }
 
-  // ---- what moves what ------------------------------------------------------------------------------------------
-
-  /** Finds out what a body or collidable stands for; other nodes that read the same Transform hear of it. */
-  updateStandIn(binding: Binding): void {
-    const before = binding.standIn?.transform;
-    binding.standIn = standInOf(binding);
-    const after = binding.standIn?.transform;
-    if (before === after) return;
-    if (before && this.#drivers.get(before) === binding) this.#drivers.delete(before);
-    if (after) this.#drivers.set(after, binding);
-    for (const element of [before, after]) {
-      if (element)
-        for (const reader of this.readers.of(element)) if (reader !== binding) this.dirty(reader);
-    }
-  }
-
-  stopDriving(binding: Binding): void {
-    const transform = binding.standIn?.transform;
-    if (transform && this.#drivers.get(transform) === binding) this.#drivers.delete(transform);
-    binding.standIn = undefined;
-  }
-
-  bodyDriving(transform: Element): Binding | undefined {
-    return this.#drivers.get(transform);
-  }
+  // ---- worlds ---------------------------------------------------------------------------------------------------
 
   /** For an Inline: the world of its first collection, else of its first physics element. */
   worldIn(host: Element): PageWorld | undefined {
@@ -238,34 +222,20 @@ export class Scene implements Driven {
     return undefined;
   }
 
-  // ---- problems and drawing -------------------------------------------------------------------------------------
-
-  /** Of a node that lives in no world, the first world hears; a report makes no world. */
-  report(report: Report, binding: Binding): void {
-    const [first] = this.worlds.all;
-    const world = binding.world ?? first;
-    if (world) world.report(report, binding.element);
-    else this.#unheard.push({ report, binding });
-  }
-
-  /** Where there still is no world, the console and the page hear. */
-  tellUnheard(): void {
-    const [first] = this.worlds.all;
-    for (const { report, binding } of this.#unheard.splice(0)) {
-      if (first) this.report(report, binding);
-      else if (binding.scope) tellPage(report, binding.element);
-    }
-  }
-
-  settle(binding: Binding, attributeName?: string, code?: string): void {
-    for (const world of this.worlds.all) world.settle(binding.element, attributeName, code);
-  }
+  // ---- drawing ----------- -------------------------------------------------------------------------------------
 
   /** A collidable that no body moves is drawn where its fields say. */
   valueChanged(binding: Binding): void {
     if (!isCollidable(binding) || this.drawing.bodyMoving(binding.element)) return;
     placeAsWritten(binding, nodeOf(binding.element));
     this.requestRender();
+  }
+
+  /** Somebody began or ceased to listen; x3dom's own event tells of the outputs of one node. */
+  listenersChanged(target: EventTarget, name: string): void {
+    if (name !== 'outputchange') return this.events.listenersChanged(target, name);
+    const node = target instanceof Element && isPhysics(target) ? nodeOf(target) : undefined;
+    if (node && this.scopeOf(target as Element)) this.routed(node as PhysicsX3DNode);
   }
 
   routed(node: PhysicsX3DNode): void {

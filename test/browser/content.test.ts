@@ -1,6 +1,7 @@
 import { expect } from 'chai';
 import type { World } from '../../physics-core/index.js';
 import { worldOf } from '../../elements/index.js';
+import { claim } from './console.js';
 import { place } from './bridge/scene.js';
 
 /**
@@ -48,6 +49,44 @@ const speed = (world: World, name: string): number =>
   Math.hypot(...(world.node(name)!.get('linearVelocity') as Numbers));
 const joints = (world: World, type: string): Joint[] =>
   [...world.nodes].filter((node) => node.type.name === type) as unknown as Joint[];
+
+/** rad/s about the hinges' axis. */
+const turned = (world: World, name: string): number =>
+  Math.abs((world.node(name)!.get('angularVelocity') as Numbers)[2]!);
+
+/**
+ * For each half swing after the first hit: the fastest that the ball at the far end was, as a share of the speed of
+ * that hit. The way down to it is half of a half swing.
+ */
+function swings(world: World, count: number): number[] {
+  let hit = 0;
+  while (turned(world, '_38') >= 0.8 * hit) {
+    hit = Math.max(hit, turned(world, '_38'));
+    world.step(1);
+  }
+  const half = Math.round((2 * world.time) / world.timeStep);
+  return Array.from({ length: count }, (_, swing) => {
+    let fastest = turned(world, swing % 2 ? '_38' : '_46');
+    for (let i = 0; i < half; i++) {
+      world.step(1);
+      fastest = Math.max(fastest, turned(world, swing % 2 ? '_38' : '_46'));
+    }
+    return fastest / hit;
+  });
+}
+
+const tell = (shares: number[]): void =>
+  console.log(
+    `far ball's share of the speed: ${shares.map((share) => share.toFixed(2)).join(' ')}`,
+  );
+
+/** Attributes of the first such element of the Inline's file, at run time. */
+function write(inline: Element, tag: string, attributes: Record<string, string>): void {
+  const root = (inline as unknown as { _x3domNode: { _childNodes: { _xmlNode: Element }[] } })
+    ._x3domNode._childNodes[0]!._xmlNode;
+  const element = root.getElementsByTagName(tag)[0]!;
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+}
 
 describe('X3D content written for other browsers', () => {
   it('BallBounceSimple: the ball falls on the floor and comes to rest without bouncing', async function () {
@@ -99,5 +138,55 @@ describe('X3D content written for other browsers', () => {
     ).to.deep.equal(['FallColl', 'FloorColl']);
     expect(heard[0]).to.equal(true);
     expect(inline.isConnected).to.equal(true);
+  });
+
+  it('KineticPendulum: hinges hold, balls stay in their plane, the hit sets the row moving', async function () {
+    const { world } = await load.call(this, 'KineticPendulum.x3d');
+    const row = ['_40', '_42', '_44', '_46'];
+    const before = row.map((name) => position(world, name));
+    let moved = 0;
+    for (let i = 0; i < 30; i++) {
+      world.advance(0.1);
+      for (const joint of joints(world, 'SingleAxisHingeJoint'))
+        expect(joint.gap).to.be.below(0.02);
+      for (const [k, name] of ['_38', ...row].entries()) {
+        expect(Math.abs(position(world, name)[2]!)).to.be.below(0.01);
+        if (k > 0) moved = Math.max(moved, turned(world, name));
+      }
+    }
+    expect(before.length).to.equal(4);
+    expect(moved).to.be.above(0.05);
+  });
+
+  it('KineticPendulum: with bounce 1, set at run time, the far ball takes over what friction leaves', async function () {
+    const { world, inline } = await load.call(this, 'KineticPendulum.x3d');
+    write(inline, 'CollisionCollection', { bounce: '1' });
+    const shares = swings(world, 10);
+    tell(shares);
+    // The file says nothing of friction, so that it is 0.5: the balls slide on each other, half a metre beside their
+    // hinges, 4 m up, and 1 - 0.5 · 0.5 / 4 of the speed goes on with each of four hits.
+    expect(shares[0]).to.be.closeTo((15 / 16) ** 4, 0.02);
+    for (const share of shares) expect(share).to.be.within(0.1, 0.79);
+  });
+
+  it('KineticPendulum: without friction the far ball takes over the swing, ten times over', async function () {
+    const { world, inline } = await load.call(this, 'KineticPendulum.x3d');
+    write(inline, 'CollisionCollection', { bounce: '1', frictionCoefficients: '0 0' });
+    const shares = swings(world, 10);
+    tell(shares);
+    for (const share of shares) expect(share).to.be.closeTo(1, 0.03);
+  });
+
+  it('sim-vehicle: the torque on its rear wheels drives it forward', async function () {
+    claim('one-sided-collider');
+    const { world } = await load.call(this, 'sim-vehicle.x3d');
+    world.advance(3);
+    const [x, y, z] = position(world, 'Chassis');
+    // 6 N m on wheels of 0.4 m push 9 kg and the wheels' inertia, 2 kg at the rim: 15 N / 11 kg for 3 s.
+    const way = (0.5 * (6 / 0.4) * 9) / 11;
+    expect(z).to.be.within(0.7 * way, 1.1 * way);
+    expect(Math.abs(x!)).to.be.below(0.2);
+    expect(y).to.be.closeTo(0.5, 0.1);
+    for (const joint of joints(world, 'SingleAxisHingeJoint')) expect(joint.gap).to.be.below(0.02);
   });
 });

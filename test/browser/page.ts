@@ -27,6 +27,9 @@ export function openText(html: string): Promise<PageWindow> {
   return load(Object.assign(frame(), { srcdoc: html }));
 }
 
+/** Opens a page at any address. */
+export const openUrl = (src: string): Promise<PageWindow> => load(Object.assign(frame(), { src }));
+
 /** By DEF, in the page itself. */
 export const named = (page: Window, name: string): Element =>
   [...page.document.querySelectorAll('*')].find(

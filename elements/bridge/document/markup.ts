@@ -1,6 +1,7 @@
 import { attribute, isHTML, isPhysics, lowerName, typeOf, type NodeType } from './dom.js';
 import { attributeOf, fieldsByAttribute } from '../nodes/fields.js';
-import type { Binding, Report } from '../nodes/binding.js';
+import type { Binding } from '../nodes/binding.js';
+import type { Report } from '../nodes/findings.js';
 
 /** Attributes that any element of a page or any X3D node may have. */
 const COMMON = new Set([
@@ -106,6 +107,7 @@ export function checkMarkup(binding: Binding): void {
   for (const { name } of element.attributes) {
     if (!known(type, name)) binding.problem(unknownAttribute(binding, name));
   }
+  for (const report of binding.refused) binding.problem(report);
   const impossible =
     IMPOSSIBLE[type.name] ?? (type.name.endsWith('Joint') ? JOINT_CHILD : undefined);
   const child =

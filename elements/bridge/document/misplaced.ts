@@ -1,4 +1,4 @@
-import type { Report } from '../nodes/binding.js';
+import type { Report } from '../nodes/findings.js';
 import { setState } from '../states.js';
 
 const misplaced = new WeakSet<Element>();

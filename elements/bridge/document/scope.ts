@@ -17,6 +17,8 @@ export class Scope {
   readonly host: Element | null;
   readonly parent: Scope | null;
   readonly units: Units;
+  /** X3D version of its file. */
+  readonly version: number;
   readonly names = new Names();
   readonly #statements = new Set<Element>();
   #foreign: Binding | undefined;
@@ -33,6 +35,11 @@ export class Scope {
       : isInlineRoot(root)
         ? unitsOf(root.ownerDocument)
         : parent.units;
+    this.version = !parent
+      ? versionOf(scene.x3d)
+      : isInlineRoot(root)
+        ? versionOf(root.ownerDocument.documentElement)
+        : parent.version;
   }
 
   /** Whether a node is the one that is to say that hyphenated tags here are no custom elements: once per scope. */
@@ -46,6 +53,11 @@ export class Scope {
   /** Where events of its nodes fire: the outermost host stands in the page. */
   get pageHost(): Element | null {
     return this.parent?.pageHost ?? this.host;
+  }
+
+  /** The body of a prototype's instance. */
+  get isPrototype(): boolean {
+    return this.host !== null && !isInline(this.host);
   }
 
   noteStatement(element: Element, present: boolean): void {
@@ -107,6 +119,9 @@ export class Scope {
     return own ?? this.parent?.sharedWorld ?? null;
   }
 }
+
+/** HTML has no version of X3D, and then the newest holds. */
+const versionOf = (x3d: Element): number => parseFloat(attribute(x3d, 'version') ?? '') || 4;
 
 const isInlineRoot = (root: Element): boolean =>
   root.ownerDocument !== document && root.isConnected;

@@ -1,8 +1,11 @@
 import type { Binding } from '../nodes/binding.js';
 import { attribute, lowerName, precedes } from './dom.js';
 import { ownBinding } from '../nodes/binding.js';
+import { nodeElement, parentIn } from './instances.js';
 import { containerField, isType } from './markup.js';
+import { namersOf } from '../nodes/named.js';
 import type { PageWorld } from '../nodes/worlds.js';
+import type { Scope } from './scope.js';
 
 // Who belongs to whom, read off the document: pure questions, asked anew whenever something near changed.
 
@@ -21,17 +24,25 @@ function inMetadata(element: Element): boolean {
   return false;
 }
 
-function collectionAbove(element: Element): Binding | undefined {
-  for (let at = element.parentElement; at; at = at.parentElement) {
+function collectionAbove(element: Element, scope: Scope): Binding | undefined {
+  const [namer] = namersOf(element, 'RigidBodyCollection');
+  if (namer) return namer;
+  for (let at = parentIn(element, scope); at; at = above(at, scope)) {
     if (isType(at, 'RigidBodyCollection')) return ownBinding(at);
   }
   return undefined;
 }
 
+/** What stands above may be in the file around an instance. */
+const above = (element: Element, { scene }: Scope): Element | null => {
+  const scope = scene.scopeOf(element);
+  return scope ? parentIn(element, scope) : element.parentElement;
+};
+
 /** The collection that a body, joint or CollisionCollection belongs to: the first in document order owns it. */
 export function collectionOf(binding: Binding): Binding | undefined {
   const collections = placesOf(binding)
-    .map(collectionAbove)
+    .map((place) => collectionAbove(place, binding.scope!))
     .filter((found) => found !== undefined);
   const [first] = collections;
   const second = collections.find((other) => other !== first);
@@ -52,7 +63,9 @@ export function collectionOf(binding: Binding): Binding | undefined {
 export function meant(user: Binding, element: Element, role: string): Binding | undefined {
   const use = attribute(element, 'USE');
   if (!use) return ownBinding(element);
-  const found = user.scope!.find(use, user);
+  // What a prototype's field names stands in the file around it.
+  const scope = user.scope!.scene.scopeOf(element) ?? user.scope!;
+  const found = scope.find(use, user);
   if (!found) {
     user.waitFor(role, use);
     return undefined;
@@ -64,44 +77,69 @@ export function meant(user: Binding, element: Element, role: string): Binding | 
 export function ownerOf(collidable: Binding): Binding | undefined {
   const uses = collidable.scope!.names.usesOf(collidable.element);
   for (const place of [collidable.element, ...uses].sort(precedes)) {
-    const parent = place.parentElement;
-    if (!parent) continue;
-    if (isType(parent, 'RigidBody')) return ownBinding(parent);
-    const offset = isType(parent, 'CollidableOffset') ? ownBinding(parent) : undefined;
-    const owner = offset && offset !== collidable ? ownerOf(offset) : undefined;
-    if (owner) return owner;
+    for (const holder of holdersOf(place, collidable, 'RigidBody', 'CollidableOffset')) {
+      if (holder.is('RigidBody')) return holder;
+      const owner = holder !== collidable ? ownerOf(holder) : undefined;
+      if (owner) return owner;
+    }
   }
   return undefined;
 }
 
-/** The CollisionCollection that lists a collidable which no body owns. */
-function listing(collidable: Binding): Binding | undefined {
-  const parents = placesOf(collidable).map((place) => place.parentElement);
-  const parent = parents.find((each) => each && isType(each, 'CollisionCollection'));
-  return parent ? ownBinding(parent) : undefined;
+/** The nodes of these types in which an element stands as a child, or that name it. */
+function holdersOf(place: Element, { scope }: Binding, ...types: string[]): Binding[] {
+  const parent = parentIn(place, scope!);
+  const holder = parent && isType(parent, ...types) ? ownBinding(parent) : undefined;
+  return [...(holder ? [holder] : []), ...namersOf(place, ...types)];
+}
+
+/**
+ * The CollisionCollection that lists a collidable or a CollisionSpace, through any spaces and offsets. Nodes may stand
+ * in each other in a circle: none is asked twice.
+ */
+export function listing(binding: Binding, asked = new Set<Binding>()): Binding | undefined {
+  if (asked.has(binding) || !binding.scope) return undefined;
+  asked.add(binding);
+  for (const place of placesOf(binding)) {
+    const types = ['CollisionCollection', 'CollisionSpace', 'CollidableOffset'];
+    for (const holder of holdersOf(place, binding, ...types)) {
+      if (holder.is('CollisionCollection')) return holder;
+      const found = listing(holder, asked);
+      if (found) return found;
+    }
+  }
+  return undefined;
 }
 
 export const isCollidable = (binding: Binding): boolean =>
   binding.is('CollidableShape', 'CollidableOffset');
 
-/** The children that are collidables, by their own tag or by USE. */
-export function collidablesIn(binding: Binding, role: string): Binding[] {
-  const children = [...binding.element.children].filter((child) =>
-    isType(child, 'CollidableShape', 'CollidableOffset'),
-  );
-  return children
-    .map((child) => meant(binding, child, role))
+/** The nodes of these types that a field names; where it names none, those among the children. */
+export function nodesOf(binding: Binding, role: string, ...types: string[]): Binding[] {
+  const elements = binding.named(role) ?? [...binding.element.children];
+  return elements
+    .map((element) => nodeElement(element, binding.scope!.scene))
+    .filter((element) => isType(element, ...types))
+    .map((element) => meant(binding, element, role))
     .filter((found) => found !== undefined);
 }
+
+export const collidablesIn = (binding: Binding, role: string): Binding[] =>
+  nodesOf(binding, role, 'CollidableShape', 'CollidableOffset');
+
+/** What a CollisionCollection or CollisionSpace lists itself. */
+export const membersOf = (binding: Binding): Binding[] =>
+  nodesOf(binding, 'collidables', 'CollidableShape', 'CollidableOffset', 'CollisionSpace');
 
 export type Side = 'body1' | 'body2';
 
 /** A joint's body: named by an attribute or property, else by a child. */
 export function jointBody(joint: Binding, side: Side): Binding | 'missing' | undefined {
+  const elements = joint.named(side);
+  if (elements) return elements[0] && bodyOf(meant(joint, elements[0], side));
   const named = joint.authored(side);
-  if (named instanceof Element) return bodyOf(ownBinding(named));
   if (typeof named === 'string' && named.trim()) return namedBody(joint, side, named.trim());
-  const child = jointChild(joint.element, side);
+  const child = jointChild(joint, side);
   if (!child) return undefined;
   return bodyOf(meant(joint, child, side)) ?? 'missing';
 }
@@ -109,23 +147,25 @@ export function jointBody(joint: Binding, side: Side): Binding | 'missing' | und
 function namedBody(joint: Binding, side: Side, name: string): Binding | 'missing' {
   const scope = joint.scope!;
   const element = scope.find(name, joint);
-  const body = element && (bodyOf(ownBinding(element)) ?? scope.scene.bodyDriving(element));
+  const body = element && (bodyOf(ownBinding(element)) ?? scope.scene.drivers.of(element));
   if (body) return body;
   joint.waitFor(side, name);
   return 'missing';
 }
 
 /** By containerField; children without one fill the sides that are left, in order. */
-function jointChild(joint: Element, side: Side): Element | undefined {
-  const children = [...joint.children].filter((child) =>
-    isType(child, 'RigidBody', 'CollidableShape', 'CollidableOffset'),
+function jointChild({ element, scope }: Binding, side: Side): Element | undefined {
+  const node = (child: Element): Element => nodeElement(child, scope!.scene);
+  const children = [...element.children].filter((child) =>
+    isType(node(child), 'RigidBody', 'CollidableShape', 'CollidableOffset'),
   );
   const role = (child: Element): string | undefined => containerField(child)?.toLowerCase();
   const explicit = children.find((child) => role(child) === side);
-  if (explicit) return explicit;
+  if (explicit) return node(explicit);
   const taken = new Set(children.map(role));
   const loose = children.filter((child) => role(child) !== 'body1' && role(child) !== 'body2');
-  return loose[side === 'body1' || taken.has('body1') ? 0 : 1];
+  const left = loose[side === 'body1' || taken.has('body1') ? 0 : 1];
+  return left && node(left);
 }
 
 /** In X3DOM's older dialect joints name their bodies by a collidable. */
@@ -139,7 +179,7 @@ export function bodyOf(binding: Binding | undefined): Binding | undefined {
 export function worldFor(binding: Binding): PageWorld | undefined {
   const { worlds } = binding.scope!.scene;
   if (binding.is('RigidBodyCollection')) return worlds.of(binding);
-  if (isCollidable(binding)) {
+  if (isCollidable(binding) || binding.is('CollisionSpace')) {
     const user = ownerOf(binding) ?? listing(binding);
     return user?.scope ? worldFor(user) : undefined;
   }
@@ -150,22 +190,25 @@ export function worldFor(binding: Binding): PageWorld | undefined {
   if (binding.is('CollisionCollection'))
     return worldOfMembers(binding) ?? worlds.only ?? worlds.default;
   if (binding.is('CollisionSensor')) return worldOfCollider(binding);
+  if (binding.is('Contact')) return undefined;
   return worldOfBodies(binding);
 }
 
 /** A CollisionCollection outside any collection speaks for the world of what it lists. */
-function worldOfMembers(binding: Binding): PageWorld | undefined {
-  for (const member of collidablesIn(binding, 'collidables')) {
-    const owner = ownerOf(member);
-    if (owner) return worldFor(owner);
+function worldOfMembers(binding: Binding, asked = new Set<Binding>()): PageWorld | undefined {
+  if (asked.has(binding) || !binding.scope) return undefined;
+  asked.add(binding);
+  for (const member of membersOf(binding)) {
+    const owner = isCollidable(member) ? ownerOf(member) : undefined;
+    const world = owner ? worldFor(owner) : worldOfMembers(member, asked);
+    if (world) return world;
   }
   return undefined;
 }
 
 function worldOfCollider(sensor: Binding): PageWorld | undefined {
-  const child = [...sensor.element.children].find((each) => isType(each, 'CollisionCollection'));
-  const collider = child && meant(sensor, child, 'collider');
-  return collider && worldFor(collider);
+  const [collider] = nodesOf(sensor, 'collider', 'CollisionCollection');
+  return collider?.scope ? worldFor(collider) : undefined;
 }
 
 function worldOfBodies(joint: Binding): PageWorld | undefined {

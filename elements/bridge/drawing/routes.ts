@@ -1,34 +1,89 @@
-import { codecs } from '../../../physics-core/index.js';
-import type { PhysicsX3DNode } from '../x3dom/node-types.js';
+import { codecs, type PhysicsNode } from '../../../physics-core/index.js';
+import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/worlds.js';
+import type { PhysicsX3DNode } from '../x3dom/node-types.js';
+import { nodeOf } from '../x3dom/x3dom.js';
 
-/** Sends what the simulation changed to where it is ROUTEd, once per drawn frame. */
+/** Sent by the core in the very step, since what begins and ends within a frame would be lost. */
+const SENT_BY_STEP: Record<string, readonly string[]> = {
+  CollisionSensor: ['isActive', 'intersections', 'contacts'],
+};
+const byStep = (binding: Binding, field: string): boolean =>
+  SENT_BY_STEP[binding.type.name]?.includes(field) ?? false;
+
+/** What a node has sent, and the core's events it listens to. */
+interface Sender {
+  sent: Map<string, unknown>;
+  heard: Map<string, { node: PhysicsNode; stop: () => void }>;
+}
+
+/** Joints compute and send what their forceOutput asks for. */
+interface Selective extends PhysicsNode {
+  outputs?(field: string): boolean;
+}
+
+/** Sends what the simulation changed to where it is ROUTEd: once per drawn frame, contacts with each step. */
 export class Routes {
-  /** Nodes with outgoing ROUTEs, and the values they sent last. */
-  readonly #routed = new Map<PhysicsX3DNode, Map<string, unknown>>();
+  readonly #senders = new Map<PhysicsX3DNode, Sender>();
 
   add(node: PhysicsX3DNode): void {
-    if (!this.#routed.has(node)) this.#routed.set(node, new Map());
+    if (!this.#senders.has(node)) this.#senders.set(node, { sent: new Map(), heard: new Map() });
+    this.#listen(node, this.#senders.get(node)!);
+  }
+
+  /** The core's node of an element was made or went. */
+  update({ element }: Binding): void {
+    const node = nodeOf(element) as PhysicsX3DNode | undefined;
+    const sender = node && this.#senders.get(node);
+    if (sender) this.#listen(node, sender);
   }
 
   send(world: PageWorld): void {
-    for (const [node, sent] of this.#routed) {
+    for (const [node, sender] of this.#senders) {
       // x3dom makes a new node when an element moves or comes back.
-      if (!node._xmlNode) this.#routed.delete(node);
-      else if (node.binding.world === world && node.binding.node) this.#sendFrom(node, sent);
+      if (!node._xmlNode) this.#forget(node, sender);
+      else if (node.binding.world === world && node.binding.node) this.#sendFrom(node, sender);
     }
   }
 
-  #sendFrom(node: PhysicsX3DNode, sent: Map<string, unknown>): void {
+  #sendFrom(node: PhysicsX3DNode, { sent }: Sender): void {
     const { binding } = node;
     for (const name of node.routedFields) {
-      const { type } = binding.type.fields[name];
+      const field = binding.type.fields[name];
+      if (byStep(binding, name) || !field) continue;
+      const selective = binding.node as Selective;
+      if (field.access === 'outputOnly' && selective.outputs?.(name) === false) continue;
       const value = binding.get(name);
       if (value === undefined) continue;
       const last = sent.get(name);
-      if (last !== undefined && codecs[type].equal(last, value)) continue;
+      if (last !== undefined && codecs[field.type].equal(last, value)) continue;
       sent.set(name, value);
       node.emit(name, value);
     }
+  }
+
+  #listen(node: PhysicsX3DNode, { heard }: Sender): void {
+    const { binding } = node;
+    const fields = node.routedFields.filter((name) => byStep(binding, name));
+    for (const [name, { node: known, stop }] of heard) {
+      if (known === binding.node && fields.includes(name)) continue;
+      stop();
+      heard.delete(name);
+    }
+    const source = binding.node;
+    if (!source) return;
+    for (const name of fields) {
+      if (heard.has(name)) continue;
+      const stop = source.on(name, () => node.emit(name, binding.get(name)));
+      heard.set(name, { node: source, stop });
+      // What it began before.
+      const value = binding.get(name);
+      if (value === true || (Array.isArray(value) && value.length > 0)) node.emit(name, value);
+    }
+  }
+
+  #forget(node: PhysicsX3DNode, { heard }: Sender): void {
+    for (const { stop } of heard.values()) stop();
+    this.#senders.delete(node);
   }
 }

@@ -10,10 +10,13 @@ import { matrixAbove } from './transforms.js';
 /** A collidable that stands in the scene has the Transforms above it; one inside a body has none. */
 export function above(collidable: Binding): Affine {
   const parent = collidable.element.parentElement;
-  return !parent || isType(parent, 'RigidBody', 'CollidableOffset')
+  return !parent || isType(parent, ...UNDRAWN)
     ? identity()
     : matrixAbove(collidable.element, collidable.scope!);
 }
+
+/** What a collidable is a part of without standing in the scene there. */
+const UNDRAWN = ['RigidBody', 'CollidableOffset', 'CollisionCollection', 'CollisionSpace'];
 
 /** Its own translation and rotation, in file lengths and radians. */
 export function localPose(collidable: Binding): Affine {

@@ -17,7 +17,7 @@ export interface GeometryData {
 export class GeometryReader {
   readonly #user: Binding;
   readonly found: GeometryData[] = [];
-  /** A Shape was there, but no geometry that could be used. */
+  /** One of the Shapes has no geometry that could be used. */
   waiting = false;
 
   constructor(user: Binding) {
@@ -48,21 +48,21 @@ export class GeometryReader {
     if (!element) return;
     if (!isTransform(element)) return this.collect(child, scope, matrix);
     // A Transform with a body of its own moves by itself.
-    if (this.#user.scope!.scene.bodyDriving(element)) return;
+    if (this.#user.scope!.scene.drivers.of(element)) return;
     this.collect(child, scope, multiply(matrix, localMatrix(element)));
   }
 
   #shape(shape: Element, scope: Scope, matrix: Affine): void {
     this.#watch(shape);
-    this.waiting = true;
+    const before = this.found.length;
     for (const child of shape.children) {
       const use = attribute(child, 'USE');
       const element = (use ? scope.find(use, this.#user) : child) ?? child;
       const data = this.#geometry(element, scope);
       if (!data) continue;
       this.found.push(placed(data, matrix, scope.units.length));
-      this.waiting = false;
     }
+    if (this.found.length === before) this.waiting = true;
   }
 
   #geometry(element: Element, scope: Scope): GeometryData | undefined {

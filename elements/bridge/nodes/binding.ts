@@ -1,21 +1,14 @@
-import { codecs, SI, type PhysicsNode } from '../../../physics-core/index.js';
-import { attribute, typeOf, type NodeType } from '../document/dom.js';
-import { attributeOf, fieldsByAttribute, holdsNodes, inFileUnits, inSI } from './fields.js';
+import { codecs, defaultOf, SI, type PhysicsNode } from '../../../physics-core/index.js';
+import { attribute, typeOf, type Field } from '../document/dom.js';
+import { Findings } from './findings.js';
+import { authoredText, fieldsByAttribute, holdsNodes, inFileUnits, inSI } from './fields.js';
+import { inCore, inPage } from './in-page.js';
+import { elementsAmong, nodesGiven, noteNamed } from './named.js';
 import type { Names } from '../document/names.js';
 import type { GeometryData } from '../geometry/reader.js';
 import { known, unknownAttribute } from '../document/markup.js';
-import type { Scope } from '../document/scope.js';
 import type { StandIn } from '../document/shortcuts.js';
 import type { PageWorld } from './worlds.js';
-
-export interface Report {
-  code: string;
-  severity: 'error' | 'warning' | 'info';
-  message: string;
-  attribute?: string;
-  value?: unknown;
-  used?: unknown;
-}
 
 /** The Transform that a body stands for, and what `for` says. */
 export interface Place {
@@ -27,11 +20,11 @@ export interface Place {
  * What ties one physics element, of either spelling, to its node in the core. An element that only stands for
  * another by USE has none: `bindingOf` gives that of its DEF.
  */
-export class Binding {
-  readonly element: Element;
-  readonly type: NodeType;
-  /** Null while the element is in no `<x3d>`. */
-  scope: Scope | null = null;
+export class Binding extends Findings {
+  protected override get self(): Binding {
+    return this;
+  }
+
   world: PageWorld | null = null;
   /** Null while something it needs is missing. */
   node: PhysicsNode | null = null;
@@ -52,16 +45,6 @@ export class Binding {
   shapes: GeometryData[] | undefined;
   /** What script set since the attribute was last written; in file units. */
   readonly #properties = new Map<string, unknown>();
-  #waiting = new Map<string, string>();
-  /** What was reported while its node was planned: taken back when the next plan does not find it again. */
-  #found = new Map<string, Report>();
-  #told = this.#found;
-  #planning = false;
-
-  constructor(element: Element, type: NodeType) {
-    this.element = element;
-    this.type = type;
-  }
 
   is(...names: string[]): boolean {
     return names.includes(this.type.name);
@@ -71,16 +54,12 @@ export class Binding {
     return this.scope?.units ?? SI;
   }
 
-  get name(): string | undefined {
-    return attribute(this.element, 'DEF') ?? attribute(this.element, 'id') ?? undefined;
-  }
-
   // ---- values -------------------------------------------------------------------------------------------------
 
   /** What the author wrote for a field: by script since, else in the attribute; undefined when nothing. */
   authored(name: string): unknown {
     if (this.#properties.has(name)) return this.#properties.get(name);
-    return attribute(this.element, attributeOf(name, this.type.fields[name])) ?? undefined;
+    return authoredText(this.element, name, this.type);
   }
 
   /** All that the author wrote, in SI. */
@@ -99,10 +78,11 @@ export class Binding {
     const name = fieldsByAttribute(this.type).get(attributeName.toLowerCase());
     if (name === undefined) return this.#otherAttribute(attributeName);
     const field = this.type.fields[name];
+    if (holdsNodes(field)) return this.#setNodes(name, null);
     this.#properties.delete(name);
-    if (holdsNodes(field)) return this.scope?.scene.dirty(this);
-    const text = attribute(this.element, attributeName);
-    if (text === null) this.node?.unset(name);
+    const text = authoredText(this.element, name, this.type);
+    if (this.#decides(name)) this.scope?.scene.dirty(this);
+    else if (text === undefined) this.node?.unset(name);
     else this.node?.set(name, inSI(field, text, this.units), text);
     this.scope?.scene.valueChanged(this);
   }
@@ -117,22 +97,48 @@ export class Binding {
   /** A property was set: the value is in file units; a joint's body may be an element or its name. */
   set(name: string, value: unknown): void {
     const field = this.type.fields[name];
-    if (holdsNodes(field)) {
-      this.#properties.set(name, value);
-      this.scope?.scene.dirty(this);
-      return;
-    }
+    if (field.access === 'inputOnly') return this.event(name, value);
+    if (holdsNodes(field)) return this.#setNodes(name, value);
     const accepted = codecs[field.type].accept(value);
     if (accepted !== undefined || !this.node) this.#properties.set(name, accepted ?? value);
-    this.node?.set(name, inSI(field, value, this.units), value);
+    if (this.#decides(name)) this.scope?.scene.dirty(this);
+    else this.node?.set(name, inSI(field, value, this.units), value);
     this.scope?.scene.valueChanged(this);
+  }
+
+  /** Whether the node's value is not the field's own but what the plan makes of it: a place in another frame. */
+  #decides(name: string): boolean {
+    return this.node !== null && name in this.relations;
+  }
+
+  #setNodes(name: string, value: unknown): void {
+    const before = this.named(name) ?? [];
+    const given = nodesGiven(value);
+    if (given === undefined) this.#properties.delete(name);
+    else this.#properties.set(name, given);
+    const after = this.named(name) ?? [];
+    noteNamed(this, before, after);
+    this.scope?.scene.dirty(this);
+    for (const element of [...before, ...after]) {
+      const other = ownBinding(element);
+      other?.scope?.scene.dirty(other);
+    }
+  }
+
+  /** Elements named for a field that holds nodes; undefined: its children stand for it. */
+  named(name: string): Element[] | undefined {
+    return elementsAmong(this.#properties.get(name));
   }
 
   /** An X3D event: a ROUTE, setFieldValue. */
   event(name: string, value: unknown): void {
     const field = this.type.fields[name];
-    if (this.node) this.node.event(name, inSI(field, value, this.units));
-    else this.#properties.set(name, value);
+    if (field.access === 'inputOnly') return this.node?.event(name, inCore(value, this.units));
+    if (holdsNodes(field)) return this.#setNodes(name, value);
+    const accepted = codecs[field.type].accept(value);
+    if (this.node && !this.#decides(name)) this.node.event(name, inSI(field, value, this.units));
+    else if (accepted !== undefined || !this.node) this.#properties.set(name, accepted ?? value);
+    if (this.#decides(name)) this.scope?.scene.dirty(this);
     this.scope?.scene.valueChanged(this);
   }
 
@@ -141,11 +147,19 @@ export class Binding {
     const field = this.type.fields[name];
     const body = PLACE[name] && this.#movedBy();
     if (body) return body.get(PLACE[name]);
-    if (holdsNodes(field)) return elementsOf(this.node?.get(name) ?? field.default);
-    if (this.node) return inFileUnits(field, this.node.get(name), this.units);
+    if (holdsNodes(field)) return inPage(this.node?.get(name) ?? field.default, this.units);
+    if (this.node && !(name in this.relations))
+      return inFileUnits(field, this.node.get(name), this.units);
     const codec = codecs[field.type];
     const asked = this.authored(name);
-    return codec.copy((asked === undefined ? undefined : codec.accept(asked)) ?? field.default);
+    return codec.copy(
+      (asked === undefined ? undefined : codec.accept(asked)) ?? this.#defaultOf(field),
+    );
+  }
+
+  /** X3D 3 had some other defaults. */
+  #defaultOf(field: Field): unknown {
+    return defaultOf(field, this.scope?.version ?? 4);
   }
 
   /** A collidable of a body is where that is. */
@@ -170,6 +184,12 @@ export class Binding {
     return other;
   }
 
+  /** Forgets what it knew of its surroundings, before `plan` reads them anew. */
+  override beginPlan(): void {
+    this.forgetTies();
+    super.beginPlan();
+  }
+
   /** Lets go of all that was noted, before it is noted anew. */
   forgetTies(): void {
     for (const other of this.uses) other.users.delete(this);
@@ -178,82 +198,10 @@ export class Binding {
     this.watching.clear();
     this.scope?.scene.readers.forget(this);
   }
-
-  // ---- problems -----------------------------------------------------------------------------------------------
-
-  problem(report: Report): void {
-    if (this.#planning) this.#found.set(`${report.code} ${report.attribute}`, report);
-    else this.scope?.scene.report(report, this);
-  }
-
-  settle(code: string, attributeName?: string): void {
-    this.scope?.scene.settle(this, attributeName, code);
-  }
-
-  /** A name that nobody bears yet. */
-  waitFor(role: string, name: string): void {
-    this.#waiting.set(role, name);
-    const what = role === 'for' ? `"${name}"` : `${role} "${name}"`;
-    this.problem({
-      code: 'unknown-reference',
-      severity: 'warning',
-      attribute: role,
-      value: name,
-      used: 'nothing',
-      message: `${this.label} waits for ${what}, which is not there`,
-    });
-  }
-
-  /** What it waits for, by role. */
-  get waiting(): ReadonlyMap<string, string> {
-    return this.#waiting;
-  }
-
-  /** Forgets what it knew of its surroundings, before `plan` reads them anew. */
-  beginPlan(): void {
-    this.forgetTies();
-    this.#waiting = new Map();
-    this.#told = this.#found;
-    this.#found = new Map();
-  }
-
-  /** Reads what its node is to be; what that finds wrong is told by `tellFound`. */
-  plan<T>(read: () => T): T {
-    this.#planning = true;
-    try {
-      return read();
-    } finally {
-      this.#planning = false;
-    }
-  }
-
-  /** Reports what the plan found and takes back what it no longer found, once its node is as planned. */
-  tellFound(): void {
-    for (const report of this.#found.values()) this.problem(report);
-    for (const [key, { code, attribute: name }] of this.#told)
-      if (!this.#found.has(key)) this.settle(code, name);
-    this.#told = this.#found;
-  }
-
-  /** Whether the markup as last read has this problem, whatever its node says of the field. */
-  found(code: string, attributeName: string | undefined): boolean {
-    return this.#found.has(`${code} ${attributeName}`);
-  }
-
-  get label(): string {
-    return this.name ? `${this.type.name} "${this.name}"` : this.type.name;
-  }
 }
 
 /** Fields of a collidable that its body decides, by the body's own. */
 const PLACE: Record<string, string> = { translation: 'position', rotation: 'orientation' };
-
-/** Nodes as a page sees them: their elements. */
-function elementsOf(value: unknown): unknown {
-  if (Array.isArray(value)) return value.map(elementsOf);
-  const host = (value as PhysicsNode | null)?.host;
-  return host instanceof Element ? host : value;
-}
 
 const bindings = new WeakMap<Element, Binding>();
 

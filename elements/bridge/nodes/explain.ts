@@ -1,3 +1,4 @@
+import type { PhysicsNode, Problem } from '../../../physics-core/index.js';
 import type { Binding } from './binding.js';
 import { holdsNodes } from './fields.js';
 import { page } from '../page.js';
@@ -14,12 +15,19 @@ export interface Explanation {
   waits: string[];
   /** Live values in the units of its file. */
   fields: Record<string, unknown>;
-  problems: unknown[];
+  /** Elements of what it touches; known while somebody listens to its collision events. */
+  touches: Element[] | undefined;
+  /** Why it sleeps; undefined while it is awake. */
+  sleeps: string | undefined;
+  /** What Bullet can only come near to. */
+  approximations: string[];
+  problems: Problem[];
 }
 
 /** Of a physics element, or of the body that moves any other one. */
 export function explain(element: Element): Explanation {
   const binding = page.bindingOf(element) ?? page.bodyOf(element);
+  const problems = binding?.world?.problemsOf(binding.element) ?? [];
   return {
     type: binding?.type.name,
     name: binding?.name,
@@ -27,8 +35,23 @@ export function explain(element: Element): Explanation {
     running: !!binding?.node && !!binding.world?.started,
     waits: binding ? waitsOf(binding) : [],
     fields: binding ? fieldsOf(binding) : {},
-    problems: binding?.world?.problemsOf(binding.element) ?? [],
+    touches: binding?.scope?.scene.events.touching(binding),
+    sleeps: binding && whyAsleep(binding),
+    approximations: problems
+      .filter(({ code }) => code === 'approximated-field')
+      .map(({ message }) => message),
+    problems,
   };
+}
+
+function whyAsleep({ node }: Binding): string | undefined {
+  const body = node as (PhysicsNode & { sleeping?: boolean }) | null;
+  if (!body?.sleeping) return undefined;
+  const asks = (each: PhysicsNode): boolean => each.authored('autoDisable');
+  const asked = [body, ...(body.collection ? [body.collection] : [])].find(asks);
+  return asked?.get('autoDisable')
+    ? 'autoDisable: its speeds stayed below its limits for disableTime'
+    : 'it and all that it touches had come to rest, or it was put to sleep';
 }
 
 function waitsOf(binding: Binding): string[] {

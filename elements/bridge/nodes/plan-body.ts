@@ -1,4 +1,5 @@
-import type { Binding } from './binding.js';
+import type { Binding, Place } from './binding.js';
+import { attribute } from '../document/dom.js';
 import { drawn } from '../drawing/targets.js';
 import { GeometryReader, noteWaiting, type GeometryData } from '../geometry/reader.js';
 import { decompose, identity, isIdentity, withLinear } from '../geometry/matrix.js';
@@ -15,6 +16,7 @@ export function planBody(binding: Binding, world: PageWorld): Plan {
     collection: collectionNode(binding),
     relations: { geometry: nodesIn(world, collidables, binding) },
     targets: [],
+    place: placeOf(binding.standIn ? binding : collidables.find(({ standIn }) => standIn)),
   };
   const model = massModel(binding);
   if (model) plan.relations.massDensityModel = model;
@@ -23,6 +25,12 @@ export function planBody(binding: Binding, world: PageWorld): Plan {
   for (const collidable of collidables) plan.targets!.push(...drawn(collidable, binding));
   return plan;
 }
+
+/** The Transform that a body stands for, and the name by which it does. */
+const placeOf = (by: Binding | undefined): Place => ({
+  transform: by?.standIn?.transform,
+  name: by ? attribute(by.element, 'for') : null,
+});
 
 /** The collidables under a body that no earlier body owns. */
 function ownCollidables(binding: Binding): Binding[] {
@@ -44,7 +52,8 @@ function ownCollidables(binding: Binding): Binding[] {
 
 function massModel(binding: Binding): GeometryData | undefined {
   const reader = new GeometryReader(binding);
-  return reader.single([...binding.element.children], binding.scope!);
+  const elements = binding.named('massDensityModel') ?? [...binding.element.children];
+  return reader.single(elements, binding.scope!);
 }
 
 function standFor(binding: Binding, standIn: StandIn, plan: Plan, takeShapes: boolean): void {

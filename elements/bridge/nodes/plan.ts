@@ -1,5 +1,5 @@
 import type { PhysicsNode } from '../../../physics-core/index.js';
-import type { Binding } from './binding.js';
+import type { Binding, Place } from './binding.js';
 import type { GeometryData } from '../geometry/reader.js';
 import type { Pose } from '../geometry/matrix.js';
 import type { Target } from '../drawing/drawing.js';
@@ -24,6 +24,8 @@ export interface Plan {
   /** Fields that hold nodes, and those that the bridge reads otherwise than their attribute says. */
   relations: Record<string, unknown>;
   start?: StartPose | undefined;
+  /** Of a body: what `for`, at it or at its collidable, makes it stand for. */
+  place?: Place;
   targets?: Target[];
   /** Geometry of a body that stands for its Transform's Shapes. */
   shapes?: GeometryData[] | undefined;

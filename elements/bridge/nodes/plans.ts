@@ -1,7 +1,7 @@
 import type { Binding } from './binding.js';
 import { planBody } from './plan-body.js';
 import { planOffset, planShape } from './plan-collidable.js';
-import { planColliders, planCollection, planSensor } from './plan-collection.js';
+import { planColliders, planCollection, planSensor, planSpace } from './plan-collection.js';
 import { planJoint } from './plan-joint.js';
 import type { Plan } from './plan.js';
 import type { PageWorld } from './worlds.js';
@@ -14,6 +14,7 @@ const planners: Record<string, Planner> = {
   CollidableShape: planShape,
   CollidableOffset: planOffset,
   CollisionCollection: planColliders,
+  CollisionSpace: planSpace,
   CollisionSensor: planSensor,
 };
 

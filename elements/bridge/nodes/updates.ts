@@ -9,6 +9,7 @@ import type { Scene } from '../scene.js';
 import type { Scope } from '../document/scope.js';
 import { worldFor } from '../document/structure.js';
 import { Writer } from './writer.js';
+import type { PhysicsX3DNode } from '../x3dom/node-types.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** More rounds than any chain of nodes that name each other needs. */
@@ -90,7 +91,7 @@ export class Updates {
     } finally {
       this.#running = false;
     }
-    this.#scene.tellUnheard();
+    this.#scene.reports.tellUnheard();
   }
 
   // ---- what happened in the document ----------------------------------------------------------------------------
@@ -106,6 +107,7 @@ export class Updates {
       if (moving) this.#redraw.add(moving);
       this.#reviveUses(element, scope);
       if (isPhysics(element)) this.#reviveRoutes(element, scope);
+      if (scope.isPrototype) this.#listenIn(element);
       // Only now the units of its file are known. What stands for another by USE has that one's x3dom node.
       const binding =
         isPhysics(element) && !attribute(element, 'USE') ? ownBinding(element) : undefined;
@@ -134,6 +136,12 @@ export class Updates {
       const [field, toField] = [attribute(route, 'fromField'), attribute(route, 'toField')];
       if (to && field && toField) node.setupRoute(field, to, toField);
     }
+  }
+
+  /** What a prototype's fields are is ROUTEd at its instance, which knows nothing of us. */
+  #listenIn(element: Element): void {
+    const node = isPhysics(element) ? nodeOf(element) : undefined;
+    if (node) this.#scene.routed(node as PhysicsX3DNode);
   }
 
   /** What is in the document again was moved: its node stays. */
@@ -189,7 +197,7 @@ export class Updates {
     for (const binding of batch) {
       binding.beginPlan();
       if (binding.is('RigidBody', 'CollidableShape'))
-        binding.plan(() => this.#scene.updateStandIn(binding));
+        binding.plan(() => this.#scene.drivers.update(binding));
     }
     for (const binding of batch) if (binding.scope) this.#update(binding);
   }
@@ -223,6 +231,7 @@ export class Updates {
   #movedWorld(collection: Binding, from: Binding['world']): void {
     from?.collections.delete(collection);
     collection.world?.collections.add(collection);
+    for (const world of [from, collection.world]) if (world) this.#scene.events.updateWorld(world);
     if (from) for (const scope of this.#scene.scopes) this.#scene.requeue(scope);
   }
 
@@ -231,11 +240,12 @@ export class Updates {
     this.#queue.delete(binding);
     this.#tellUsers(binding);
     this.#writer.remove(binding);
-    this.#scene.stopDriving(binding);
+    this.#scene.drivers.stop(binding);
     binding.beginPlan();
     binding.tellFound();
-    this.#scene.settle(binding);
-    binding.world?.collections.delete(binding);
+    this.#scene.reports.settle(binding);
+    const { world } = binding;
+    if (world?.collections.delete(binding)) this.#scene.events.updateWorld(world);
     binding.scope = null;
     binding.world = null;
   }

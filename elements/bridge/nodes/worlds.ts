@@ -1,8 +1,13 @@
-import { World, type PhysicsNode } from '../../../physics-core/index.js';
+import { World, type PhysicsNode, type RayHit } from '../../../physics-core/index.js';
 import { ownBinding, type Binding } from './binding.js';
 import { attribute, precedes } from '../document/dom.js';
 import type { Scene } from '../scene.js';
 import { setState } from '../states.js';
+
+/** What a ray hits in a page. */
+export interface PageHit extends RayHit {
+  element: Element;
+}
 
 /** A world whose nodes stand in an `<x3d>`. */
 export class PageWorld extends World {
@@ -32,13 +37,31 @@ export class PageWorld extends World {
   /** A field with a value that the core can use may still have a problem in the markup: that stands. */
   override settle(about: unknown, attributeName?: string, code?: string): void {
     const element = about instanceof Element ? about : (about as { host?: unknown }).host;
-    if (!(element instanceof Element)) return super.settle(about, attributeName, code);
+    if (!(element instanceof Element)) {
+      super.settle(about, attributeName, code);
+      for (const collection of this.collections) this.#showProblems(collection.element);
+      return;
+    }
     for (const problem of this.problemsOf(element)) {
       if (attributeName && problem.attribute !== attributeName) continue;
       if (!code && ownBinding(element)?.found(problem.code, problem.attribute)) continue;
       if (!code || problem.code === code) super.settle(element, problem.attribute, problem.code);
     }
-    if (this.problemsOf(element).length === 0) setState(element, 'problem', false);
+    this.#showProblems(element);
+  }
+
+  /** A collection shows those of the world itself, too. */
+  #showProblems(element: Element): void {
+    const binding = ownBinding(element);
+    const own = this.problemsOf(element).length > 0;
+    const worlds = !!binding && this.collections.has(binding) && this.problemsOf(this).length > 0;
+    setState(element, 'problem', own || worlds);
+  }
+
+  /** The element beside the node: that of the body, or of the collidable without one. */
+  override raycast(...way: Parameters<World['raycast']>): PageHit | null {
+    const hit = super.raycast(...way);
+    return hit && { ...hit, element: hit.node.host as Element };
   }
 
   /** By name, or by an element, also one that only stands for another by USE. */

@@ -1,10 +1,9 @@
 import type { PhysicsNode } from '../../../physics-core/index.js';
-import type { Binding, Place } from './binding.js';
+import type { Binding } from './binding.js';
 import { restoreState, stateOf } from './body-state.js';
 import type { Plan } from './plan.js';
 import type { Target } from '../drawing/drawing.js';
 import type { Scene } from '../scene.js';
-import { attribute } from '../document/dom.js';
 import { transformsAbove } from '../geometry/transforms.js';
 import type { PageWorld } from './worlds.js';
 
@@ -26,9 +25,16 @@ export class Writer {
     else this.#patch(binding, binding.node, plan);
     if (carried) restoreState(binding.node!, carried);
     else if (moves === false) this.#followFor(binding, plan);
-    binding.placed = placeOf(binding);
+    binding.placed = plan.place;
     binding.node!.name = binding.name;
     if (plan.targets) this.#setTargets(binding, plan.targets);
+    this.#tell(binding);
+  }
+
+  /** Its node was made, changed its place, or went. */
+  #tell(binding: Binding): void {
+    this.#scene.events.update(binding);
+    this.#scene.routes.update(binding);
   }
 
   #create(binding: Binding, plan: Plan): void {
@@ -45,6 +51,7 @@ export class Writer {
       host: binding.element,
       name: binding.name,
       collection: plan.collection,
+      version: binding.scope?.version,
       start: plan.start,
     };
     const fields = { ...binding.authoredFields(), ...relations };
@@ -70,8 +77,8 @@ export class Writer {
   }
 
   /** `for` names another Transform than before: a body without a pose of its own goes there. */
-  #followFor(binding: Binding, { start }: Plan): void {
-    const { transform, name } = placeOf(binding);
+  #followFor(binding: Binding, { start, place }: Plan): void {
+    const { transform, name } = place ?? { transform: undefined, name: null };
     const before = binding.placed;
     // A body moved in the tree comes under another Transform, too, but keeps its pose.
     const byName = name !== null || before?.name != null;
@@ -112,14 +119,9 @@ export class Writer {
     binding.relations = {};
     binding.shapes = undefined;
     this.#scene.drawing.forget(binding);
+    this.#tell(binding);
   }
 }
-
-/** The Transform that a body stands for, and the name by which it does. */
-const placeOf = ({ element, standIn }: Binding): Place => ({
-  transform: standIn?.transform,
-  name: attribute(element, 'for'),
-});
 
 function sameRelation(a: unknown, b: unknown): boolean {
   if (Array.isArray(a) && Array.isArray(b))

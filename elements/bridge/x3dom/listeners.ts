@@ -7,17 +7,17 @@ export function attachListener(
   element: Element,
   ...args: Parameters<EventTarget['addEventListener']>
 ): void {
-  EventTarget.prototype.addEventListener.apply(element, args);
   const listeners = nodeOf(element)?._listeners;
   if (listeners && args[1]) (listeners[args[0]] ??= []).push(args[1]);
+  EventTarget.prototype.addEventListener.apply(element, args);
 }
 
 export function detachListener(
   element: Element,
   ...args: Parameters<EventTarget['removeEventListener']>
 ): void {
-  EventTarget.prototype.removeEventListener.apply(element, args);
   const listeners = nodeOf(element)?._listeners;
   if (listeners?.[args[0]])
     listeners[args[0]] = listeners[args[0]].filter((each) => each !== args[1]);
+  EventTarget.prototype.removeEventListener.apply(element, args);
 }

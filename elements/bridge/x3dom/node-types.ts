@@ -4,15 +4,17 @@ import { ownBinding } from '../nodes/binding.js';
 import { isTransform, tagOf, type NodeType } from '../document/dom.js';
 import { holdsNodes } from '../nodes/fields.js';
 import { placeAsWritten } from '../drawing/place.js';
+import { watchRoutes } from './route-ends.js';
 import { fromX3DOM, toX3DOM } from './values.js';
-import type { NodeContext, X3DNode, X3DNodeClass, X3DOM } from './x3dom.js';
+import { nodeOf, type NodeContext, type X3DNode, type X3DNodeClass, type X3DOM } from './x3dom.js';
 
 /** What our x3dom nodes have beside x3dom's own. */
 export interface PhysicsX3DNode extends X3DNode {
   readonly binding: Binding;
+  readonly element: Element | null;
   /** Sends an output to whatever is ROUTEd from it. */
   emit(field: string, value: unknown): void;
-  /** The fields that something is ROUTEd from. */
+  /** The fields that something is ROUTEd from, or that somebody listens to. */
   readonly routedFields: readonly string[];
 }
 
@@ -24,7 +26,6 @@ function liveFields(
   written: Map<string, unknown>,
 ): void {
   for (const [name, field] of Object.entries(type.fields)) {
-    if (holdsNodes(field) && field.access !== 'inputOnly') continue;
     Object.defineProperty(node._vf, name, {
       enumerable: true,
       configurable: true,
@@ -38,6 +39,22 @@ function liveFields(
 function fieldsOfRoutes(routes: Record<string, unknown>, type: NodeType): string[] {
   const fields = Object.keys(routes).map((key) => key.split('&')[1]);
   return [...new Set(fields)].filter((field) => field in type.fields);
+}
+
+/** What the simulation changes. */
+const outputsOf = (type: NodeType): string[] =>
+  Object.entries(type.fields)
+    .filter(([, { access, read }]) => access === 'outputOnly' || (read && access === 'inputOutput'))
+    .map(([name]) => name);
+
+/** For the page's own listeners x3dom has one event, sent from the node that changed. */
+const OUTPUT_EVENT = 'outputchange';
+
+function isListenedTo({ _listeners, element }: PhysicsX3DNode): boolean {
+  return (
+    (_listeners[OUTPUT_EVENT]?.length ?? 0) > 0 ||
+    element?.hasAttribute(`on${OUTPUT_EVENT}`) === true
+  );
 }
 
 /**
@@ -80,6 +97,8 @@ function makeType(base: X3DNodeClass, type: NodeType, x: X3DOM, listener: Listen
       super({ ...context, xmlNode: null });
       this.element = context.xmlNode;
       liveFields(this, type, x, this.#written);
+      for (const [name, field] of Object.entries(type.fields))
+        if (holdsNodes(field)) this._cfFieldTypes[name] = field.type;
       if (this.element) {
         placeAsWritten(this.binding, this);
         cureListeners(this.element);
@@ -99,6 +118,14 @@ function makeType(base: X3DNodeClass, type: NodeType, x: X3DOM, listener: Listen
       const value = this.#written.get(name);
       this.#written.delete(name);
       this.binding.event(name, fromX3DOM(type.fields[name], value));
+    }
+
+    /** A prototype hands over the nodes of a field by x3dom's list of them. */
+    override nodeChanged(name?: string): void {
+      super.nodeChanged(name);
+      if (name === undefined || !type.fields[name] || !holdsNodes(type.fields[name])) return;
+      const { nodes, node } = this._cf[name] ?? {};
+      this.binding.set(name, fromX3DOM(type.fields[name], nodes ?? (node ? [node] : [])));
     }
 
     /** A circle of ROUTEs ends here: one event per field and time stamp. */
@@ -123,7 +150,16 @@ function makeType(base: X3DNodeClass, type: NodeType, x: X3DOM, listener: Listen
     }
 
     get routedFields(): readonly string[] {
+      if (isListenedTo(this)) return outputsOf(type);
+      // What a prototype's field IS has no ROUTE of its own.
+      if (this.inPrototype)
+        return Object.keys(this._fieldWatchers).filter((name) => name in type.fields);
       return (this.#routed ??= fieldsOfRoutes(this._routes, type));
+    }
+
+    get inPrototype(): boolean {
+      const host = this.element && ownBinding(this.element)?.scope?.host;
+      return !!host && nodeOf(host)?.protoBodyClone !== undefined;
     }
 
     override setupRoute(field: string, to: X3DNode, toField: string): void {
@@ -172,16 +208,6 @@ function drawnAsTransform(base: X3DNodeClass, x: X3DOM): X3DNodeClass {
 
 const isCollidable = (type: NodeType): boolean => type.name.startsWith('Collidable');
 
-/** Physics nodes that no table describes yet: x3dom is to go through them all the same. */
-const UNDESCRIBED = [
-  'CollisionSpace',
-  'CollisionSensor',
-  'Contact',
-  'DoubleAxisHingeJoint',
-  'SliderJoint',
-  'UniversalJoint',
-];
-
 /** Tells x3dom of both spellings of every physics node. */
 export function registerNodeTypes(x: X3DOM, listener: Listener): void {
   for (const type of Object.values(nodeTypes)) {
@@ -190,15 +216,7 @@ export function registerNodeTypes(x: X3DOM, listener: Listener): void {
       : undrawn(x.nodeTypes.X3DChildNode);
     register(x, type.name, tagOf(type), makeType(base, type, x, listener));
   }
-  for (const name of UNDESCRIBED) {
-    if (name in nodeTypes) continue;
-    const type = class extends undrawn(x.nodeTypes.X3DChildNode) {
-      constructor(context: NodeContext) {
-        super({ ...context, xmlNode: null });
-      }
-    };
-    register(x, name, tagOf({ name } as NodeType), type);
-  }
+  watchRoutes(x);
   watchTransforms(x, listener);
   watchInlines(x, listener);
 }

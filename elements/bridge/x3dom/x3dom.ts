@@ -41,6 +41,8 @@ export interface X3DNode {
   _nameSpace: NameSpace | null;
   _vf: Record<string, unknown>;
   _cf: Record<string, { node?: X3DNode | null; nodes?: X3DNode[] }>;
+  _cfFieldTypes: Record<string, string>;
+  _fieldWatchers: Record<string, unknown[]>;
   _routes: Record<string, unknown>;
   _listeners: Record<string, unknown[]>;
   _parentNodes: X3DNode[];
@@ -54,7 +56,7 @@ export interface X3DNode {
   addChild(child: X3DNode, containerField?: string | null): boolean | undefined;
   postMessage(field: string, value: unknown): void;
   fieldChanged(field: string): void;
-  nodeChanged(): void;
+  nodeChanged(field?: string): void;
   updateField(attribute: string, text: string): void;
   setupRoute(field: string, to: X3DNode, toField: string): void;
   removeRoute(field: string, to: X3DNode, toField: string): void;

@@ -254,6 +254,24 @@ describe('what has nothing to collide with yet', () => {
       });
     }
 
+  it('one Shape of two without a geometry is told of, whichever it is', async () => {
+    const shapes = ['<shape id="at"></shape>', '<shape><sphere></sphere></shape>'];
+    for (const markup of [shapes.join(''), shapes.toReversed().join('')]) {
+      claim('waiting-for-geometry');
+      const { x3d, world } = await show(
+        `<transform>${markup}<x3d-rigid-body id="b"></x3d-rigid-body></transform>`,
+        '#b',
+      );
+      world.paused = true;
+      expect(world.problems.map(({ code, used }) => [code, used])).to.eql([
+        ['waiting-for-geometry', 'its other Shapes'],
+      ]);
+      x3d.querySelector('#at')!.insertAdjacentHTML('beforeend', '<box></box>');
+      world.step(0);
+      expect(world.problems).to.eql([]);
+    }
+  });
+
   it('a body without any collidable is legal', async () => {
     const { world } = await show(
       '<x3d-rigid-body-collection id="c"><x3d-rigid-body></x3d-rigid-body></x3d-rigid-body-collection>',

@@ -150,8 +150,8 @@ describe('Inline', () => {
     SingleAxisHingeJoint: [],
     KineticPendulum: [],
     'sim-collision': [],
-    // Only its joints are written out: chassis and wheels collide with nothing.
-    'sim-vehicle': Array(5).fill('not-in-collider'),
+    // Its collider lists the chassis only, with friction for the wheels: it is taken as it is meant.
+    'sim-vehicle': ['one-sided-collider'],
   };
   for (const [file, expected] of Object.entries(messages)) {
     it(`${file}.x3d starts and moves`, async () => {
@@ -166,7 +166,8 @@ describe('Inline', () => {
       world.paused = true;
       world.advance(1);
       expect(world.stats.bodies).to.be.greaterThan(1);
-      expect(world.problems.filter((problem) => problem.severity !== 'info')).to.eql([]);
+      const told = world.problems.filter(({ severity }) => severity !== 'info');
+      expect(told.map(({ code }) => code)).to.eql(expected);
     });
   }
 });

@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { addScript, named, open, worldIn, type PageWindow } from '../page.js';
+import { addScript, named, open, openText, worldIn, type PageWindow } from '../page.js';
 import { until, wait } from './scene.js';
 
 /** The world of the file that a page's Inline brings. */
@@ -125,5 +125,30 @@ describe('pages', () => {
     world.reset();
     world.advance(1);
     expect(height(world, 'ball')).to.be.closeTo(3 - 4.9, 0.05);
+  });
+
+  const early = (script: string): string => `<!DOCTYPE html>
+    <script src="/node_modules/x3dom/x3dom.js"></script>
+    <x3d width="300px" height="200px"><scene>
+      <transform id="t"><shape><box></box></shape><x3d-rigid-body id="b" useglobalgravity="false"></x3d-rigid-body></transform>
+    </scene></x3d>
+    <script>${script}</script>
+    <script src="/dist/x3d-physics.classic.js"></script>`;
+  const listened = `var heard = 0;
+    document.addEventListener('afterstep', function () { heard++; });`;
+
+  it('a listener that was there before the library hears, whoever added it', async () => {
+    const page = (await openText(early(listened))) as PageWindow & { heard: number };
+    const world = await worldIn(page);
+    world.paused = true;
+    const before = page.heard;
+    world.step(3);
+    expect(page.heard).to.equal(before + 3);
+  });
+
+  it('a page whose scripts say nothing of our events pays for none', async () => {
+    const world = await worldIn(await openText(early('var nothing = 0;')));
+    expect(['beforestep', 'afterstep'].map((name) => world.heard(name))).to.eql([false, false]);
+    expect(world.effects.filter(({ name, active }) => active && /contact/.test(name))).to.eql([]);
   });
 });

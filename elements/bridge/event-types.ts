@@ -1,0 +1,53 @@
+/** A DOM event that elements of ours fire: bubbling, composed, and one lowercase word that every framework can bind. */
+export interface EventType {
+  doc: string;
+  /** TypeScript type of its detail. */
+  detail: string;
+}
+
+const COLLISION =
+  '{ other: Element; impulse: number; contacts: unknown[]; time: number; reason?: string }';
+const STEP = '{ time: number; timeStep: number }';
+
+/** Those of nodes in an Inline fire at the Inline, with `node`, `def` and `element` in their detail. */
+export const eventTypes: Record<string, EventType> = {
+  collisionstart: { doc: 'It has begun to touch another one.', detail: COLLISION },
+  collisionend: {
+    doc: 'It no longer touches the other one; `reason` says why.',
+    detail: COLLISION,
+  },
+  sleep: { doc: 'It has come to rest and is simulated no longer.', detail: '{ time: number }' },
+  wake: { doc: 'It moves again.', detail: '{ time: number }' },
+  jointlimit: {
+    doc: 'It has reached one of its stops.',
+    detail: "{ limit: 'min' | 'max'; value: number; axis?: number; time: number }",
+  },
+  physicsready: { doc: 'Its world has started.', detail: 'Record<string, unknown>' },
+  physicslag: { doc: 'Time was dropped.', detail: '{ dropped: number; time: number }' },
+  beforestep: { doc: 'A step begins; what is done now acts in it.', detail: STEP },
+  afterstep: { doc: 'A step is over.', detail: STEP },
+  physicsproblem: {
+    doc: 'Something that the author should know.',
+    detail: '{ code: string; severity: string; message: string; element: Element }',
+  },
+};
+
+export const COLLISIONS = ['collisionstart', 'collisionend'];
+/** Sent with each step. */
+export const STEPS = ['beforestep', 'afterstep'];
+
+const WITH_STOPS = new Set(['SingleAxisHingeJoint', 'DoubleAxisHingeJoint', 'SliderJoint']);
+
+/** The events of one node that its own node in the core sends. */
+export function nodeEvents(type: string): string[] {
+  if (type === 'RigidBody') return [...COLLISIONS, 'sleep', 'wake'];
+  // A collidable without a body collides itself.
+  if (type.startsWith('Collidable')) return COLLISIONS;
+  return WITH_STOPS.has(type) ? ['jointlimit'] : [];
+}
+
+/** All that fire at its element. */
+export function eventsAt(type: string): string[] {
+  const worlds = type === 'RigidBodyCollection' ? ['physicsready', 'physicslag', ...STEPS] : [];
+  return [...nodeEvents(type), ...worlds, 'physicsproblem'];
+}

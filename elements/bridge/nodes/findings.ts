@@ -1,0 +1,113 @@
+import { attribute, type NodeType } from '../document/dom.js';
+import type { Scope } from '../document/scope.js';
+import type { Binding } from './binding.js';
+
+export interface Report {
+  code: string;
+  severity: 'error' | 'warning' | 'info';
+  message: string;
+  attribute?: string;
+  value?: unknown;
+  used?: unknown;
+}
+
+/** What is wrong with an element, and what it waits for: told once its node is as its surroundings say. */
+export abstract class Findings {
+  readonly element: Element;
+  readonly type: NodeType;
+  /** Null while the element is in no `<x3d>`. */
+  scope: Scope | null = null;
+  readonly #refused = new Map<string, Report>();
+  #waiting = new Map<string, string>();
+  /** What was reported while its node was planned: taken back when the next plan does not find it again. */
+  #found = new Map<string, Report>();
+  #told = this.#found;
+  #planning = false;
+
+  protected abstract get self(): Binding;
+
+  constructor(element: Element, type: NodeType) {
+    this.element = element;
+    this.type = type;
+  }
+
+  get name(): string | undefined {
+    return attribute(this.element, 'DEF') ?? attribute(this.element, 'id') ?? undefined;
+  }
+
+  problem(report: Report): void {
+    if (this.#planning) this.#found.set(`${report.code} ${report.attribute}`, report);
+    else this.scope?.scene.reports.report(report, this.self);
+  }
+
+  settle(code: string, attributeName?: string): void {
+    this.scope?.scene.reports.settle(this.self, attributeName, code);
+  }
+
+  /** A ROUTE that may not be: told with what its markup has wrong. */
+  refuse(report: Report): void {
+    this.#refused.set(`${report.code} ${report.attribute}`, report);
+    this.scope?.scene.dirty(this.self);
+  }
+
+  /** That ROUTE went. */
+  permit({ code, attribute: name }: Report): void {
+    if (this.#refused.delete(`${code} ${name}`)) this.scope?.scene.dirty(this.self);
+  }
+
+  get refused(): Iterable<Report> {
+    return this.#refused.values();
+  }
+
+  /** A name that nobody bears yet. */
+  waitFor(role: string, name: string): void {
+    this.#waiting.set(role, name);
+    const what = role === 'for' ? `"${name}"` : `${role} "${name}"`;
+    this.problem({
+      code: 'unknown-reference',
+      severity: 'warning',
+      attribute: role,
+      value: name,
+      used: 'nothing',
+      message: `${this.label} waits for ${what}, which is not there`,
+    });
+  }
+
+  /** What it waits for, by role. */
+  get waiting(): ReadonlyMap<string, string> {
+    return this.#waiting;
+  }
+
+  beginPlan(): void {
+    this.#waiting = new Map();
+    this.#told = this.#found;
+    this.#found = new Map();
+  }
+
+  /** Reads what its node is to be; what that finds wrong is told by `tellFound`. */
+  plan<T>(read: () => T): T {
+    this.#planning = true;
+    try {
+      return read();
+    } finally {
+      this.#planning = false;
+    }
+  }
+
+  /** Reports what the plan found and takes back what it no longer found, once its node is as planned. */
+  tellFound(): void {
+    for (const report of this.#found.values()) this.problem(report);
+    for (const [key, { code, attribute: name }] of this.#told)
+      if (!this.#found.has(key)) this.settle(code, name);
+    this.#told = this.#found;
+  }
+
+  /** Whether the markup as last read has this problem, whatever its node says of the field. */
+  found(code: string, attributeName: string | undefined): boolean {
+    return this.#found.has(`${code} ${attributeName}`);
+  }
+
+  get label(): string {
+    return this.name ? `${this.type.name} "${this.name}"` : this.type.name;
+  }
+}

@@ -1,0 +1,93 @@
+// Types of all tags for the templates of frameworks, from the field tables.
+import { camel, tagOf } from '../elements/bridge/document/dom.js';
+import { eventsAt, eventTypes } from '../elements/bridge/event-types.js';
+import type { NodeType } from '../physics-core/index.js';
+import { additionsOf, attributesOf, describe, settableType } from './manifest-fields.js';
+
+const quote = (name: string): string => (/^\w+$/.test(name) ? name : `'${name}'`);
+
+/** By property name, since frameworks set properties where there are any; and by attribute. */
+function properties(type: NodeType): string[] {
+  const fields = attributesOf(type).flatMap(({ attribute, name, field }) => {
+    const line = (key: string): string =>
+      `  /** ${describe(field)} */\n  ${quote(key)}?: ${settableType(field)};`;
+    return attribute === name ? [line(name)] : [line(name), line(attribute)];
+  });
+  const additions = additionsOf(type).flatMap(({ attribute, type: text, doc }) =>
+    [...new Set([attribute, camel(attribute)])].map(
+      (key) => `  /** ${doc} */\n  ${quote(key)}?: ${text};`,
+    ),
+  );
+  return [...fields, ...additions];
+}
+
+const attributes = (type: NodeType): string =>
+  `export interface ${type.name}Attributes extends PhysicsAttributes {\n${properties(type).join('\n')}\n}`;
+
+type Naming = (event: string) => string;
+
+const events = (type: NodeType, name: Naming): string =>
+  eventsAt(type.name)
+    .map(
+      (each) => `${quote(name(each))}?: (event: CustomEvent<${eventTypes[each]!.detail}>) => void`,
+    )
+    .join('; ');
+
+/** One entry per tag; `name` is how the framework calls the listener of an event. */
+const tags = (types: NodeType[], name: Naming): string =>
+  types
+    .map((type) => `  '${tagOf(type)}': ${type.name}Attributes & { ${events(type, name)} };`)
+    .join('\n');
+
+const HEAD = `/** What every physics tag takes, in templates. */
+export interface PhysicsAttributes {
+  id?: string;
+  class?: string;
+  slot?: string;
+  def?: string;
+  use?: string;
+  containerfield?: string;
+  key?: unknown;
+  ref?: unknown;
+  children?: unknown;
+  [data: \`data-\${string}\`]: unknown;
+}
+`;
+
+const on: Naming = (event) => `on${event}`;
+const onColon: Naming = (event) => `on:${event}`;
+const onCapital: Naming = (event) => `on${event[0]!.toUpperCase()}${event.slice(1)}`;
+
+const augment = (module: string, inside: string): string =>
+  `import type * as Physics from './jsx.js';\nimport '${module}';\n\ndeclare module '${module}' {\n${inside}\n}\n`;
+
+/** `jsx` has the interfaces and registers nothing; each framework's own file makes its templates know the tags. */
+export function frameworkTypes(types: NodeType[]): Record<string, string> {
+  const all = (name: string, naming: Naming): string =>
+    `export interface ${name} {\n${tags(types, naming)}\n}\n`;
+  return {
+    jsx: [
+      HEAD,
+      ...types.map(attributes),
+      all('PhysicsElements', on),
+      all('PhysicsElementsOnColon', onColon),
+      all('PhysicsElementsOnCapital', onCapital),
+    ].join('\n'),
+    react: augment(
+      'react',
+      '  namespace JSX {\n    interface IntrinsicElements extends Physics.PhysicsElements {}\n  }',
+    ),
+    solid: augment(
+      'solid-js',
+      '  namespace JSX {\n    interface IntrinsicElements extends Physics.PhysicsElementsOnColon {}\n  }',
+    ),
+    svelte: augment(
+      'svelte/elements',
+      '  interface SvelteHTMLElements extends Physics.PhysicsElements, Physics.PhysicsElementsOnColon {}',
+    ),
+    vue: augment('vue', '  interface GlobalComponents extends VueTags {}').replace(
+      '\ndeclare module',
+      '\ntype Tags = Physics.PhysicsElementsOnCapital;\ntype VueTags = { [Tag in keyof Tags]: new () => { $props: Tags[Tag] } };\n\ndeclare module',
+    ),
+  };
+}
