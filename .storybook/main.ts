@@ -11,6 +11,7 @@ const staticDirs = ['node_modules/x3dom', 'dist', 'stories/assets', 'styles', 's
 
 const config: StorybookConfig = {
   framework: '@storybook/web-components-vite',
+  addons: ['@storybook/addon-docs'],
   stories: ['../stories/**/*.stories.ts'],
   staticDirs: staticDirs.filter(({ from }) => existsSync(new URL(from, import.meta.url))),
   core: { disableTelemetry: true, disableWhatsNewNotifications: true },

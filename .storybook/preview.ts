@@ -1,9 +1,17 @@
 import type { Preview } from '@storybook/web-components-vite';
+import { describeArgs } from '../stories/reference/describe-args.js';
 
 const preview: Preview = {
+  argTypesEnhancers: [describeArgs],
   parameters: {
     layout: 'fullscreen',
-    options: { storySort: { order: ['Scenes', 'Shortcuts', 'Nodes'] } },
+    // With what each control does.
+    controls: { expanded: true },
+    options: { storySort: { order: ['Scenes', 'Shortcuts', 'Looking in', 'Nodes'] } },
+    docs: {
+      // Fetched with the first reference page; a story needs none of it.
+      renderer: async () => (await import('../stories/reference/renderer.js')).renderer,
+    },
   },
 };
 

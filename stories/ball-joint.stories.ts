@@ -8,6 +8,7 @@ interface Args {
 
 const meta: Meta<Args> = {
   title: 'Nodes/BallJoint',
+  tags: ['autodocs'],
   args: { anchorPoint: '0 4 0' },
   argTypes: {
     anchorPoint: { description: 'The point that both bodies share, metres: try "1.2 4 0"' },

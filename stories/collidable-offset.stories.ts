@@ -10,6 +10,7 @@ interface Args {
 
 const meta: Meta<Args> = {
   title: 'Nodes/CollidableOffset',
+  tags: ['autodocs'],
   args: { translation: '0 0.9 0', rotation: '0 0 1 0', enabled: true },
   argTypes: {
     translation: { description: 'Where the head sits on its handle, metres' },

@@ -16,6 +16,7 @@ const geometries = {
 
 const meta: Meta<Args> = {
   title: 'Nodes/CollidableShape',
+  tags: ['autodocs'],
   args: { geometry: 'cylinder', enabled: true },
   argTypes: { geometry: { control: 'inline-radio', options: Object.keys(geometries) } },
   render: ({ geometry, enabled }) =>

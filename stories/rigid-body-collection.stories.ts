@@ -24,6 +24,7 @@ const planks = Array.from({ length: 16 }, (_, i) => {
 
 const meta: Meta<Args> = {
   title: 'Nodes/RigidBodyCollection',
+  tags: ['autodocs'],
   args: { gravity: '0 -9.8 0', enabled: true, accuracy: 'standard' },
   argTypes: {
     gravity: { control: 'text', description: 'm/s²: try "0 -1.6 0", the moon, or "3 -9.8 0"' },

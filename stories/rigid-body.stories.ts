@@ -17,6 +17,7 @@ interface Args {
 
 const meta: Meta<Args> = {
   title: 'Nodes/RigidBody',
+  tags: ['autodocs'],
   args: {
     mass: 2,
     linearVelocity: '2.5 2 0',

@@ -24,18 +24,23 @@ export const shape = (color: keyof typeof COLORS, geometry: Content, id?: string
   </shape>
 `;
 
+/** The shape of the ground. */
+export const slab = html`
+  <shape>
+    <appearance>
+      <pixeltexture image="2 2 3 0x8A95A1 0x96A1AD 0x96A1AD 0x8A95A1">
+        <textureproperties magnificationFilter="NEAREST_PIXEL"></textureproperties>
+      </pixeltexture>
+      <texturetransform scale="6 6"></texturetransform>
+    </appearance>
+    <box size="12 1 12"></box>
+  </shape>
+`;
+
 /** A fixed floor whose top is at y = 0. */
 export const ground = html`
   <transform translation="0 -0.5 0">
-    <shape>
-      <appearance>
-        <pixeltexture image="2 2 3 0x8A95A1 0x96A1AD 0x96A1AD 0x8A95A1">
-          <textureproperties magnificationFilter="NEAREST_PIXEL"></textureproperties>
-        </pixeltexture>
-        <texturetransform scale="6 6"></texturetransform>
-      </appearance>
-      <box size="12 1 12"></box>
-    </shape>
+    ${slab}
     <x3d-rigid-body fixed></x3d-rigid-body>
   </transform>
 `;
@@ -47,16 +52,34 @@ function startAgain({ currentTarget }: Event): void {
   for (const world of new Set(bodies.map((body) => body.world))) world?.reset();
 }
 
-/** A page with one scene, seen from the front. Lit renders controls into it as edits of the running elements. */
-export const scene = (text: string, content: Content) => html`
+/** Where a scene is seen from: the front, or further off and from above. */
+const VIEWS = {
+  front: { position: '0 3.4 9', orientation: '1 0 0 -0.2', centerOfRotation: '0 1.5 0' },
+  above: { position: '0 6.6 9.6', orientation: '1 0 0 -0.58', centerOfRotation: '0 0.5 0' },
+};
+
+interface Page {
+  view?: keyof typeof VIEWS;
+  /** Beside the one that every page has. */
+  buttons?: Content;
+  /** What comes after the scene: numbers, a log. */
+  beside?: Content;
+}
+
+/** A page with one scene. Lit renders controls into it as edits of the running elements. */
+export const scene = (
+  text: string,
+  content: Content,
+  { view = 'front', buttons = nothing, beside = nothing }: Page = {},
+) => html`
   <main>
     <p>${text}</p>
     <x3d>
       <scene>
         <viewpoint
-          position="0 3.4 9"
-          orientation="1 0 0 -0.2"
-          centerOfRotation="0 1.5 0"
+          position=${VIEWS[view].position}
+          orientation=${VIEWS[view].orientation}
+          centerOfRotation=${VIEWS[view].centerOfRotation}
         ></viewpoint>
         <background transparency="1"></background>
         <navigationinfo headlight="false"></navigationinfo>
@@ -69,6 +92,10 @@ export const scene = (text: string, content: Content) => html`
         ${content}
       </scene>
     </x3d>
-    <button type="button" @click=${startAgain}>Start again</button>
+    <div>
+      <button type="button" @click=${startAgain}>Start again</button>
+      ${buttons}
+    </div>
+    ${beside}
   </main>
 `;

@@ -13,6 +13,7 @@ const angle = { control: { type: 'range', min: -3.14, max: 3.14, step: 0.01 } } 
 
 const meta: Meta<Args> = {
   title: 'Nodes/SingleAxisHingeJoint',
+  tags: ['autodocs'],
   args: { axis: '0 1 0', minAngle: -1.5, maxAngle: 1.5, stopBounce: 0.6 },
   argTypes: {
     axis: { description: 'Try "1 0 0": the door becomes a flap' },

@@ -1,0 +1,46 @@
+// The reference page of one node: what it is, a live example, its markup, its fields.
+import { html, nothing, type TemplateResult } from 'lit';
+import { tagOf } from '../../elements/bridge/document/dom.js';
+import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { fieldTables } from './fields.js';
+import { interfaceOf } from './interface.js';
+import { markupOf } from './markup.js';
+
+/** Tags of physics nodes, in both spellings. */
+const PHYSICS = new RegExp(`(</?(?:x3d-|${Object.keys(nodeTypes).join('\\b|')}\\b)[^>]*>)`);
+
+/** Physics stands out from what only draws. */
+const highlighted = (text: string) =>
+  text.split(PHYSICS).map((part, i) => (i % 2 ? html`<b>${part}</b>` : part));
+
+const code = (summary: string, text: string, open = false) => html`
+  <details ?open=${open}>
+    <summary>${summary}</summary>
+    <pre tabindex="0">${highlighted(text)}</pre>
+  </details>
+`;
+
+/** `title` is `Nodes/RigidBody`; `id` is the example's, as addresses have it; `script` its page code. */
+export function referencePage(
+  title: string,
+  id: string,
+  example: TemplateResult,
+  script: string | undefined,
+) {
+  const type = nodeTypes[title.split('/').at(-1)!]!;
+  const text = markupOf(example);
+  return html`
+    <article class="reference">
+      <h1>${type.name}</h1>
+      <p class="lead">${type.doc}</p>
+      <p>
+        <code>&lt;${tagOf(type)}&gt;</code> or <code>&lt;${type.name}&gt;</code>, ISO/IEC 19775-1,
+        clause ${type.clause}; it stands in its parent's <code>${type.containerField}</code>.
+      </p>
+      <iframe src="iframe.html?id=${id}&viewMode=story" title="${type.name}, live"></iframe>
+      <p><a href="./?path=/story/${id}" target="_top">The example with its controls</a></p>
+      ${code('Its markup, in HTML', text.custom, true)} ${code('The same as plain X3D', text.plain)}
+      ${script ? code('Its script', script) : nothing} ${fieldTables(type)} ${interfaceOf(type)}
+    </article>
+  `;
+}
