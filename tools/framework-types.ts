@@ -58,8 +58,18 @@ const on: Naming = (event) => `on${event}`;
 const onColon: Naming = (event) => `on:${event}`;
 const onCapital: Naming = (event) => `on${event[0]!.toUpperCase()}${event.slice(1)}`;
 
-const augment = (module: string, inside: string): string =>
-  `import type * as Physics from './jsx.js';\nimport '${module}';\n\ndeclare module '${module}' {\n${inside}\n}\n`;
+const augment = (module: string, inside: string, before = ''): string =>
+  `import type * as Physics from './jsx.js';\nimport '${module}';\n${before}\ndeclare module '${module}' {\n${inside}\n}\n`;
+
+/** Svelte 5 listens by `on…`, Svelte 4 by `on:…`. */
+const SVELTE = `
+type On = Physics.PhysicsElements;
+type Tags = { [Tag in keyof On]: On[Tag] & Physics.PhysicsElementsOnColon[Tag] };
+`;
+const VUE = `
+type On = Physics.PhysicsElementsOnCapital;
+type Tags = { [Tag in keyof On]: new () => { $props: On[Tag] } };
+`;
 
 /** `jsx` has the interfaces and registers nothing; each framework's own file makes its templates know the tags. */
 export function frameworkTypes(types: NodeType[]): Record<string, string> {
@@ -81,13 +91,7 @@ export function frameworkTypes(types: NodeType[]): Record<string, string> {
       'solid-js',
       '  namespace JSX {\n    interface IntrinsicElements extends Physics.PhysicsElementsOnColon {}\n  }',
     ),
-    svelte: augment(
-      'svelte/elements',
-      '  interface SvelteHTMLElements extends Physics.PhysicsElements, Physics.PhysicsElementsOnColon {}',
-    ),
-    vue: augment('vue', '  interface GlobalComponents extends VueTags {}').replace(
-      '\ndeclare module',
-      '\ntype Tags = Physics.PhysicsElementsOnCapital;\ntype VueTags = { [Tag in keyof Tags]: new () => { $props: Tags[Tag] } };\n\ndeclare module',
-    ),
+    svelte: augment('svelte/elements', '  interface SvelteHTMLElements extends Tags {}', SVELTE),
+    vue: augment('vue', '  interface GlobalComponents extends Tags {}', VUE),
   };
 }

@@ -28,6 +28,16 @@ export function partAt(
   return meshPartAt(body, [position[0]!, position[1]!, position[2]!]);
 }
 
+/** Whether it is a ball that the point lies on, which touches anything in one point. */
+export function isBallAt(ammo: Ammo, body: BodyNode, point: number, side: 0 | 1): boolean {
+  const parts = body.solidParts;
+  if (parts.length <= 1) return parts[0]?.geometry.type === 'Sphere';
+  const heap = ammo.HEAP32;
+  if (heap[(point + (side === 0 ? POINT.part0 : POINT.part1)) >> 2]! >= 0) return false;
+  const index = heap[(point + (side === 0 ? POINT.index0 : POINT.index1)) >> 2]!;
+  return parts[index]?.geometry.type === 'Sphere';
+}
+
 /** The mesh among the parts of a body that lies nearest to a point, world frame. */
 export function meshPartAt(body: BodyNode, position: Vec3): CollidableNode | undefined {
   const meshes = body.solidParts.filter(({ mesh }) => mesh);
@@ -43,4 +53,14 @@ function distanceTo({ geometry, pose }: CollidablePart, point: Vec3): number {
   const { min, max } = boundsOf(tessellate(geometry).points);
   const local = compose(invert(pose), { p: point, q: [0, 0, 0, 1] }).p;
   return Math.hypot(...local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
+}
+
+/** The least extent of anything solid of a body, metres; Infinity where it is all triangles. */
+export function thicknessOf(body: BodyNode): number {
+  const solid = body.solidParts.filter(({ mesh }) => !mesh);
+  const extents = solid.flatMap(({ geometry }) => {
+    const { min, max } = boundsOf(tessellate(geometry).points);
+    return max.map((value, i) => value - min[i]!);
+  });
+  return Math.min(Infinity, ...extents);
 }

@@ -57,6 +57,7 @@ export class ContactReader extends Effect {
   override need(node: PhysicsNode, reason: string): void {
     super.need(node, reason);
     this.#sortCauses();
+    if (node instanceof CollisionSensorNode) this.#world.pairs.watchChanged();
   }
 
   /** A body that is made anew goes on touching and being listened to. */
@@ -64,6 +65,12 @@ export class ContactReader extends Effect {
     if (!(node instanceof CollisionSensorNode) && !node.removed) return;
     super.drop(node);
     this.#sortCauses();
+    if (node instanceof CollisionSensorNode) this.#world.pairs.watchChanged();
+  }
+
+  /** What sensors look at. */
+  get watched(): CollisionCollectionNode[] {
+    return [...this.#sensors].map((sensor) => sensor.collider!);
   }
 
   #sortCauses(): void {

@@ -1,15 +1,11 @@
-import { perStep } from '../accuracy/levels.js';
 import type { ContactPoint } from '../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { Vec3 } from '../fields/types.js';
 import type { BodyNode } from '../nodes/body.js';
 import { isDirected, type ContactParameters } from '../nodes/contact-parameters.js';
 
-/** A distance at which Bullet leaves a contact point out of its solver; nearer than what the pair filter takes away, metres. */
-const FAR = 1e25;
-
-/** Share of an overlap that Bullet pushes apart per step without adding velocity (its own m_erp2). */
-const PUSH_SHARE = 0.8;
+/** A distance at which Bullet leaves a contact point out of its solver; the pair filter takes points farther away, metres. */
+export const FAR = 1e25;
 
 /** Below this the surfaces stick, and there is no direction of sliding, m/s. */
 const STICKING = 1e-6;
@@ -20,17 +16,14 @@ const ALONG_X = 0.9;
 /** Slip above so many times what one step at most takes from the speed, dt / mass, is a great one. */
 const SLIPPERY = 10;
 
-/** X3D's shares are per 1/60 s, the frame they were written for. */
-const FRAME = 1 / 60;
-
 /** A pair of bodies for Bullet, as manifolds have them. */
 export interface Pair {
   a: BodyNode;
   b: BodyNode;
-  /** Undefined: they differ from collidable to collidable. */
-  parameters: ContactParameters | undefined;
+  /** Undefined: they differ from collidable to collidable. Null: contacts wait for set_contacts. */
+  parameters: ContactParameters | null | undefined;
   /** Those already looked up, by the numbers of both parts. */
-  byPart: Map<number, ContactParameters>;
+  byPart: Map<number, ContactParameters | null>;
   /** Where the changes of the velocities of A and B stand. */
   atA: number;
   atB: number;
@@ -38,6 +31,8 @@ export interface Pair {
   impulse: Float64Array;
   /** The step it was summed up in. */
   summed: number;
+  /** How deep softness may let it overlap, metres; known once it is asked for. */
+  deepest: number | undefined;
   /** 1: A is body1 of a Contact, which is carried along by surface speed; -1: B is. */
   carried: 1 | -1;
 }
@@ -94,54 +89,11 @@ function writeBounce(point: ContactPoint, { bounce, minBounceSpeed }: ContactPar
 }
 
 /**
- * How fast an overlap goes. X3D's contact is a spring and a damper in one: the surfaces part at
- * share · depth / dt - softness · force. Bullet's has no force in it, so the speed is worked out here, from what the
- * point would do without its own force, and goes into the distance that Bullet sees: a positive one lets the surfaces
- * near each other further, a negative one pushes them apart without adding velocity.
- */
-export function writeDepth(
-  point: ContactPoint,
-  pair: Pair,
-  parameters: ContactParameters,
-  step: StepState,
-): void {
-  const depth = -point.distance - step.slop;
-  const { dt } = step;
-  const { errorCorrection, softness } = parameters;
-  if ((depth <= 0 && softness === 0) || point.get(POINT.distance) >= FAR) return;
-  const share = errorCorrection === undefined ? PUSH_SHARE : perStep(errorCorrection, dt);
-  let speed = Math.min((share * Math.max(0, depth)) / dt, step.maxCorrectionSpeed);
-  if (softness > 0) speed = softened(point, pair, parameters, step, speed);
-  const gap = Math.max(0, -depth);
-  const distance = speed > 0 ? (-speed * dt) / PUSH_SHARE : gap - speed * dt;
-  point.put(POINT.distance, distance - step.slop);
-}
-
-/** The speed at which softness lets the surfaces part, where a hard contact would do so at `hard`. */
-function softened(
-  point: ContactPoint,
-  pair: Pair,
-  { softness, errorCorrection }: ContactParameters,
-  { dt, changes }: StepState,
-  hard: number,
-): number {
-  const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-  const e = errorCorrection!;
-  // So that the depth under a load is the same at every level: force · softness / (60 · share).
-  const scale = e > 0 ? (perStep(e, dt) * FRAME) / (dt * e) : 1;
-  const free = freeSpeed(point, pair, changes, x, y, z);
-  const part = (softness * scale) / (softness * scale + point.inverseMass * dt);
-  const speed = (1 - part) * hard + part * free;
-  // What parts by itself needs no push.
-  return speed > 0 ? Math.max(0, speed - Math.max(0, free)) : speed;
-}
-
-/**
  * The speed along (x, y, z) that the step would lead to without the force between the two bodies, if all else goes on as
  * in the last step. The force is that of all their points together: among themselves Bullet shares it out by chance.
  * What it did to the spins cancels out, and to count it makes boxes rock (measured).
  */
-function freeSpeed(
+export function freeSpeed(
   point: ContactPoint,
   { impulse, atA, atB }: Pair,
   changes: Float64Array,

@@ -1,12 +1,14 @@
 import { ContactPoint } from '../engine/contact-point.js';
 import { BODY, MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
+import type { CollidableNode } from '../nodes/collidable.js';
 import { isPlain, isSoft, PLAIN, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import { carriedBy } from '../world/contact-order.js';
 import type { World } from '../world/world.js';
 import { partAt } from './contact-part.js';
-import { leaveOut, writeDepth, writeSurface, type Pair, type StepState } from './contact-rows.js';
+import { isJointed, writeDepth } from './contact-depth.js';
+import { leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect } from './effect.js';
 import { demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
@@ -60,8 +62,11 @@ export class ContactSurface extends Effect {
     this.#step.changes.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
     const collections = this.#world.pairs.collectionsOf(body);
     const speaking = collections.filter(({ parameters }) => !isPlain(parameters));
+    const waits = this.#world.pairs.waits(body);
     this.#leaving.delete(body);
-    if (speaking.length > 0)
+    if (waits && speaking.length === 0)
+      this.#demand(body, 'contacts that wait for set_contacts', []);
+    else if (speaking.length > 0)
       this.#demand(
         body,
         `collidable of ${speaking[0]!.label}`,
@@ -176,13 +181,15 @@ export class ContactSurface extends Effect {
     const point = this.#point.at(pointer, a, b);
     const { given } = this.#world.registry;
     const said = given.active ? given.at(point, pair) : undefined;
-    if (said === null) {
+    const parameters = said === undefined ? this.#parametersAt(point, pair) : said;
+    if (!parameters) {
       leaveOut(point);
       return;
     }
-    const parameters = said ?? this.#parametersAt(point, pair);
     writeSurface(point, pair, parameters, this.#step);
-    if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters))
+    this.#world.registry.chains.note(point, pair, parameters);
+    const gently = parameters.bounce > 0 && isJointed(pair);
+    if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
       writeDepth(point, pair, parameters, this.#step);
   }
 
@@ -207,34 +214,46 @@ export class ContactSurface extends Effect {
       atB: b.slot * VELOCITY,
       impulse: new Float64Array(3),
       summed: -1,
+      deepest: undefined,
       carried: carriedBy(a, b) === a ? 1 : -1,
     };
   }
 
   /** The parameters of a pair of bodies; undefined where their collidables differ in them. */
-  #common(a: BodyNode, b: BodyNode): ContactParameters | undefined {
-    const { pairs } = this.#world;
-    const found = new Set<ContactParameters>();
+  #common(a: BodyNode, b: BodyNode): Pair['parameters'] {
+    const found = new Set<ContactParameters | null>();
     for (const { collidable: first } of a.parts)
-      for (const { collidable: second } of b.parts)
-        found.add(pairs.between(first, second)?.parameters ?? PLAIN);
-    return found.size > 1 ? undefined : ([...found][0] ?? PLAIN);
+      for (const { collidable: second } of b.parts) found.add(this.#between(a, first, b, second));
+    if (found.size > 1) return undefined;
+    return found.size === 0 ? PLAIN : [...found][0];
   }
 
-  #parametersAt(point: ContactPoint, pair: Pair): ContactParameters {
-    if (pair.parameters) return pair.parameters;
+  /** Null: their contacts wait for set_contacts. */
+  #between(
+    a: BodyNode,
+    first: CollidableNode,
+    b: BodyNode,
+    second: CollidableNode,
+  ): ContactParameters | null {
+    const { pairs } = this.#world;
+    if (!pairs.collide(a, first, b, second)) return null;
+    return pairs.between(first, second)?.parameters ?? PLAIN;
+  }
+
+  #parametersAt(point: ContactPoint, pair: Pair): ContactParameters | null {
+    if (pair.parameters !== undefined) return pair.parameters;
     const i = point.int(POINT.index0);
     const j = point.int(POINT.index1);
     const key = i < MOST_PARTS && j < MOST_PARTS ? (i + 1) * MOST_PARTS + j + 1 : -1;
     let found = key < 0 ? undefined : pair.byPart.get(key);
-    if (!found) pair.byPart.set(key, (found = this.#ofParts(point, pair)));
+    if (found === undefined) pair.byPart.set(key, (found = this.#ofParts(point, pair)));
     return found;
   }
 
-  #ofParts(point: ContactPoint, { a, b }: Pair): ContactParameters {
+  #ofParts(point: ContactPoint, { a, b }: Pair): ContactParameters | null {
     const { ammo } = this.#world.engine;
     const first = partAt(ammo, a, point.pointer, 0);
     const second = partAt(ammo, b, point.pointer, 1);
-    return (first && second && this.#world.pairs.between(first, second)?.parameters) ?? PLAIN;
+    return first && second ? this.#between(a, first, b, second) : PLAIN;
   }
 }

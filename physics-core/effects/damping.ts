@@ -24,14 +24,14 @@ export class AxisDamping extends Effect {
   update(body: BodyNode): void {
     this.drop(body);
     if (!body.asked<boolean>('autoDamp')) {
-      body.body.setDamping(0, 0);
+      setDamping(body, 0, 0);
       return;
     }
     const linear = 1 - Math.exp(-body.asked<number>('linearDampingFactor') / body.mass.mass);
     const factor = body.asked<number>('angularDampingFactor');
     const [x, y, z] = body.mass.moments;
     const round = Math.abs(x - y) <= SAME * x && Math.abs(x - z) <= SAME * x;
-    body.body.setDamping(linear, round ? 1 - Math.exp(-factor / x) : 0);
+    setDamping(body, linear, round ? 1 - Math.exp(-factor / x) : 0);
     if (!round && factor > 0) this.need(body, 'angularDampingFactor on unequal moments');
   }
 
@@ -51,4 +51,10 @@ export class AxisDamping extends Effect {
     ) as Vec3;
     body.body.setAngularVelocity(this.#world.engine.scratch.vector(...rotate(q, local)));
   }
+}
+
+/** Shares of the velocities that Bullet takes per second. */
+function setDamping(body: BodyNode, linear: number, angular: number): void {
+  body.body.setDamping(linear, angular);
+  body.dampedShare = { linear, angular };
 }

@@ -1,12 +1,16 @@
 import type { PhysicsNode } from '../nodes/node.js';
 
+/** Weight of the newest step in the running mean of an effect's cost. */
+const NEWEST = 0.05;
+
 /** Something a plain scene of falling bodies can do without. It runs while at least one node causes it. */
 export abstract class Effect {
   abstract readonly name: string;
   /** Why it is on: the nodes that need it, and what of them. */
   readonly #causes = new Map<PhysicsNode, string>();
-  /** Milliseconds per step, a running mean. */
+  /** Milliseconds per step, a running mean, and those of the present step. */
   ms = 0;
+  spent = 0;
 
   get active(): boolean {
     return this.#causes.size > 0;
@@ -22,6 +26,12 @@ export abstract class Effect {
     return this.#causes.keys();
   }
 
+  /** The step is over. */
+  noteCost(): void {
+    this.ms += (this.spent - this.ms) * NEWEST;
+    this.spent = 0;
+  }
+
   need(node: PhysicsNode, reason: string): void {
     this.#causes.set(node, reason);
   }
@@ -32,6 +42,8 @@ export abstract class Effect {
 
   /** Before each step of Bullet, `dt` seconds. */
   beforeStep?(dt: number): void;
+  /** Right after each step of Bullet, before anybody reads where it took the bodies. */
+  settle?(dt: number): void;
   /** After each step of Bullet. */
   afterStep?(dt: number): void;
 }

@@ -1,4 +1,4 @@
-import type { Pose, Quaternion } from '../math.js';
+import type { Pose } from '../math.js';
 
 /** Vectors inside flat arrays, three numbers each from an index on: nothing is allocated. */
 type Numbers = Float64Array;
@@ -37,18 +37,31 @@ export function writeAxes(out: Numbers, q: ArrayLike<number>, at: number): void 
   out[8] = 1 - 2 * (x * x + y * y);
 }
 
-const product = new Float64Array(4);
-
-function writeProduct(a: ArrayLike<number>, at: number, b: Quaternion): void {
-  const x = a[at]!;
-  const y = a[at + 1]!;
-  const z = a[at + 2]!;
-  const w = a[at + 3]!;
-  product[0] = w * b[0] + x * b[3] + y * b[2] - z * b[1];
-  product[1] = w * b[1] - x * b[2] + y * b[3] + z * b[0];
-  product[2] = w * b[2] + x * b[1] - y * b[0] + z * b[3];
-  product[3] = w * b[3] - x * b[0] - y * b[1] - z * b[2];
+/** out = a b for quaternions (x, y, z, w); `out` may be either of them. */
+export function multiply4(
+  out: Numbers,
+  a: ArrayLike<number>,
+  i: number,
+  b: ArrayLike<number>,
+  j: number,
+): void {
+  const [ax, ay, az, aw] = [a[i]!, a[i + 1]!, a[i + 2]!, a[i + 3]!];
+  const [bx, by, bz, bw] = [b[j]!, b[j + 1]!, b[j + 2]!, b[j + 3]!];
+  out[0] = aw * bx + ax * bw + ay * bz - az * by;
+  out[1] = aw * by - ax * bz + ay * bw + az * bx;
+  out[2] = aw * bz + ax * by - ay * bx + az * bw;
+  out[3] = aw * bw - ax * bx - ay * by - az * bz;
 }
+
+/** The quaternion of a turn by `time` seconds at `spin`, rad/s about each axis. */
+export function writeTurn(out: Numbers, spin: Numbers, time: number): void {
+  const speed = Math.hypot(spin[0]!, spin[1]!, spin[2]!);
+  const s = speed > 1e-12 ? Math.sin((speed * time) / 2) / speed : time / 2;
+  for (let i = 0; i < 3; i++) out[i] = spin[i]! * s;
+  out[3] = Math.cos((speed * time) / 2);
+}
+
+const product = new Float64Array(4);
 
 /** Origin and axes, in the world, of a frame given in a body: `centre` is the body's pose, `principal` its axes. */
 export function place(
@@ -62,7 +75,7 @@ export function place(
   for (let i = 0; i < 3; i++)
     origin[i] =
       centre[i]! + principal[i]! * p[0] + principal[3 + i]! * p[1] + principal[6 + i]! * p[2];
-  writeProduct(centre, 3, frame.q);
+  multiply4(product, centre, 3, frame.q, 0);
   writeAxes(axes, product, 0);
 }
 
@@ -82,7 +95,23 @@ export function arm(
   cross3(out, o, between, 0, axes, at);
 }
 
-/** out = I⁻¹ v for a body with these principal axes and moments, all in the world. */
+/** out = I v for a body with these principal axes and moments, all in the world. */
+export function carried(
+  out: Numbers,
+  o: number,
+  principal: Numbers,
+  moments: ArrayLike<number>,
+  v: Numbers,
+  at: number,
+): void {
+  const x = dot3(principal, 0, v, at) * moments[0]!;
+  const y = dot3(principal, 3, v, at) * moments[1]!;
+  const z = dot3(principal, 6, v, at) * moments[2]!;
+  for (let i = 0; i < 3; i++)
+    out[o + i] = principal[i]! * x + principal[3 + i]! * y + principal[6 + i]! * z;
+}
+
+/** out = I⁻¹ v. */
 export function turned(
   out: Numbers,
   o: number,

@@ -1,4 +1,5 @@
 import type { JointNode } from '../nodes/joint.js';
+import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
 import { Effect } from './effect.js';
 
@@ -11,13 +12,12 @@ export interface Motor {
   most: number;
 }
 
-/** Joints with motors. `push`: torques and forces that heed no rate. */
+/** Joints that are driven. `push`: torques and forces that heed no rate. */
 interface Driven extends JointNode {
-  readonly motors?: readonly Motor[];
   push?(dt: number): void;
 }
 
-/** What drives joints: torques, forces, and motors that bring a row to a rate with what they can muster. */
+/** Torques and forces between the bodies of joints. Motors that heed a rate are rows of the joint solve. */
 export class Motors extends Effect {
   readonly name = 'motors';
   readonly #world: World;
@@ -27,22 +27,17 @@ export class Motors extends Effect {
     this.#world = world;
   }
 
-  override beforeStep(dt: number): void {
-    for (const node of this.causes) {
-      const joint = node as Driven;
-      joint.push?.(dt);
-      if (joint.motors) this.#drive(joint, joint.motors, dt);
-    }
+  override need(node: PhysicsNode, reason: string): void {
+    super.need(node, reason);
+    this.#world.registry.joints.changed();
   }
 
-  /** The impulse that gives the wanted rate after the step, with the forces of the step counted in. */
-  #drive(joint: Driven, motors: readonly Motor[], dt: number): void {
-    const { rows } = this.#world.registry;
-    if (!rows.read(joint, dt)) return;
-    for (const { row, target, most } of motors) {
-      rows.look(row);
-      const wanted = (target - rows.coming) / rows.ease;
-      rows.push(row, Math.max(-most * dt, Math.min(most * dt, wanted)));
-    }
+  override drop(node: PhysicsNode): void {
+    super.drop(node);
+    this.#world.registry.joints.changed();
+  }
+
+  override beforeStep(dt: number): void {
+    for (const node of this.causes) (node as Driven).push?.(dt);
   }
 }

@@ -6,8 +6,11 @@ import { AxisDamping } from './damping.js';
 import { Carrying } from './carrying.js';
 import { ContactReader } from './contact-reader.js';
 import { GivenContacts } from './given-contacts.js';
+import { ContactChains } from './contact-chains.js';
 import { ContactSurface } from './contact-surface.js';
+import { DirectJoints } from './direct/direct-joints.js';
 import type { Effect } from './effect.js';
+import { Gyroscopic } from './gyroscopic.js';
 import { MeshShapes } from './mesh-shapes.js';
 import { JointRows } from './joint-rows.js';
 import { Motors } from './motors.js';
@@ -26,13 +29,11 @@ export interface EffectReport {
   ms: number;
 }
 
-/** Weight of the newest step in the running mean of an effect's cost. */
-const NEWEST = 0.05;
-
 /** The effects of one world. Those without a cause are never called. */
 export class EffectRegistry {
   readonly forces: AuthoredForces;
   readonly damping: AxisDamping;
+  readonly gyroscopic: Gyroscopic;
   /** Shared by all that work on joints, one joint at a time. */
   readonly rows: JointRows;
   readonly suspension: Suspension;
@@ -40,9 +41,11 @@ export class EffectRegistry {
   readonly carrying: Carrying;
   readonly given: GivenContacts;
   readonly surface: ContactSurface;
+  readonly chains: ContactChains;
   readonly filter: PairFilter;
   readonly contacts: ContactReader;
   readonly stops: Stops;
+  readonly joints: DirectJoints;
   readonly meshes = new MeshShapes();
   readonly resting: Resting;
   readonly all: readonly Effect[];
@@ -50,22 +53,28 @@ export class EffectRegistry {
   constructor(world: World) {
     this.forces = new AuthoredForces(world);
     this.damping = new AxisDamping(world);
+    this.gyroscopic = new Gyroscopic(world);
     this.rows = new JointRows(world);
     this.suspension = new Suspension(world);
     this.motors = new Motors(world);
     this.given = new GivenContacts(world);
     this.surface = new ContactSurface(world);
+    this.chains = new ContactChains(world);
     this.filter = new PairFilter(world);
     this.carrying = new Carrying(world);
     this.contacts = new ContactReader(world);
     this.stops = new Stops(world);
+    this.joints = new DirectJoints(world);
     this.resting = new Resting(world);
     this.all = [
       this.forces,
       this.damping,
+      this.gyroscopic,
       this.suspension,
       this.motors,
       this.stops,
+      this.joints,
+      this.chains,
       this.surface,
       this.given,
       this.filter,
@@ -77,21 +86,16 @@ export class EffectRegistry {
   }
 
   beforeStep(dt: number): void {
-    for (const effect of this.all) {
-      if (!effect.active || !effect.beforeStep) continue;
-      const start = performance.now();
-      effect.beforeStep(dt);
-      note(effect, start);
-    }
+    for (const effect of this.all) run(effect, 'beforeStep', dt);
+  }
+
+  settle(dt: number): void {
+    for (const effect of this.all) run(effect, 'settle', dt);
   }
 
   afterStep(dt: number): void {
-    for (const effect of this.all) {
-      if (!effect.active || !effect.afterStep) continue;
-      const start = performance.now();
-      effect.afterStep(dt);
-      note(effect, start);
-    }
+    for (const effect of this.all) run(effect, 'afterStep', dt);
+    for (const effect of this.all) if (effect.active) effect.noteCost();
   }
 
   /** What sees every contact point, if anything does. */
@@ -118,6 +122,9 @@ export class EffectRegistry {
   }
 }
 
-function note(effect: Effect, start: number): void {
-  effect.ms += (performance.now() - start - effect.ms) * NEWEST;
+function run(effect: Effect, phase: 'beforeStep' | 'settle' | 'afterStep', dt: number): void {
+  if (!effect.active || !effect[phase]) return;
+  const start = performance.now();
+  effect[phase](dt);
+  effect.spent += performance.now() - start;
 }

@@ -128,6 +128,19 @@ export class BulletWorld {
     ammo.HEAPU8[ammo.getPointer(constraint) + SIX_DOF.useOffsetForConstraintFrame] = 0;
   }
 
+  /** Where a locked row of a 6-DoF is to stand. On an unknown Ammo build it stays as it is. */
+  setRowTarget(constraint: number, row: number, value: number): void {
+    if (!this.engine.heapTrusted) return;
+    const heap = this.engine.ammo.HEAPF32;
+    if (row < 3) {
+      heap[((constraint + SIX_DOF.linearLower) >> 2) + row] = value;
+      heap[((constraint + SIX_DOF.linearUpper) >> 2) + row] = value;
+      return;
+    }
+    const at = (constraint + SIX_DOF.angularLower + (row - 3) * SIX_DOF.angularSize) >> 2;
+    heap[at] = heap[at + 1] = value;
+  }
+
   addConstraint(constraint: BtConstraint): void {
     this.bullet.addConstraint(constraint, true);
   }

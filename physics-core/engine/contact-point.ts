@@ -25,6 +25,12 @@ export class ContactPoint {
     return this;
   }
 
+  /** The heap may have grown since. */
+  refresh(): this {
+    this.#floats = this.#ammo.HEAPF32;
+    return this;
+  }
+
   get pointer(): number {
     return this.#point;
   }
@@ -49,6 +55,11 @@ export class ContactPoint {
   /** Unit vector from B into A. */
   normal(i: number): number {
     return this.get(POINT.normalB, i);
+  }
+
+  /** World frame, on the surface of B. */
+  position(i: number): number {
+    return this.get(POINT.positionB, i);
   }
 
   /**

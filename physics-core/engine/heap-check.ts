@@ -42,19 +42,16 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
     body.applyTorque(vector);
     const load = new Float64Array(6);
     reader.load(body, pointer, load, 0);
-    const flags = [true, false].map((flag) => {
-      transform.setIdentity();
-      const joint = owner.own(
-        new ammo.btGeneric6DofConstraint(body, body, transform, transform, flag),
-      );
-      const at = ammo.getPointer(joint) + SIX_DOF.useLinearReferenceFrameA;
-      return ammo.HEAPU8[at]! + 2 * ammo.HEAPU8[at + 1]!;
+    transform.setIdentity();
+    const joints = [true, false].map((flag) => {
+      const joint = new ammo.btGeneric6DofConstraint(body, body, transform, transform, flag);
+      return sixDofOffsetsHold(ammo, owner.own(joint), flag);
     });
     body.forceActivationState(5);
     const heap = ammo.HEAPF32;
     return (
       fast.every((value, i) => close(value, sure[i]!)) &&
-      flags.join() === '3,2' &&
+      joints.every(Boolean) &&
       [7, -8, 9, 10, 11, -12].every((value, i) => load[i] === value) &&
       ammo.HEAP32[(pointer + BODY.activationState) >> 2] === 5 &&
       close(heap[(pointer + BODY.inverseMass) >> 2]!, 0.25) &&
@@ -63,6 +60,34 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
   } finally {
     owner.dispose();
   }
+}
+
+/** Its flags, and its limits as the API writes them. */
+function sixDofOffsetsHold(
+  ammo: Ammo,
+  joint: Ammo['btGeneric6DofConstraint']['prototype'],
+  linearReferenceFrameA: boolean,
+): boolean {
+  const pointer = ammo.getPointer(joint);
+  const flags = pointer + SIX_DOF.useLinearReferenceFrameA;
+  const owner = new Owner(ammo);
+  const limit = (x: number, y: number, z: number) => owner.own(new ammo.btVector3(x, y, z));
+  joint.setLinearLowerLimit(limit(-1, -2, -3));
+  joint.setLinearUpperLimit(limit(1, 2, 3));
+  joint.setAngularLowerLimit(limit(-0.25, -0.5, -0.75));
+  joint.setAngularUpperLimit(limit(0.25, 0.5, 0.75));
+  owner.dispose();
+  const at = (offset: number): number => ammo.HEAPF32[(pointer + offset) >> 2]!;
+  const placed = [0, 1, 2].every((i) => {
+    const angle = SIX_DOF.angularLower + i * SIX_DOF.angularSize;
+    return (
+      at(SIX_DOF.linearLower + 4 * i) === -1 - i &&
+      at(SIX_DOF.linearUpper + 4 * i) === 1 + i &&
+      close(at(angle), -0.25 * (1 + i)) &&
+      close(at(angle + 4), 0.25 * (1 + i))
+    );
+  });
+  return placed && ammo.HEAPU8[flags] === +linearReferenceFrameA && ammo.HEAPU8[flags + 1] === 1;
 }
 
 /** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (Bullet 2.82). */

@@ -18,6 +18,11 @@ export const BODY = {
 
 /** Bytes of btGeneric6DofConstraint. */
 export const SIX_DOF = {
+  linearLower: 680,
+  linearUpper: 696,
+  /** Of the first of three angles, its upper limit behind it; and what lies between two of them. */
+  angularLower: 868,
+  angularSize: 64,
   useLinearReferenceFrameA: 1300,
   /** Whether each body is pushed at its own frame's origin. */
   useOffsetForConstraintFrame: 1301,

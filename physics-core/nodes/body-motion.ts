@@ -162,6 +162,7 @@ export abstract class MovingNode extends PhysicsNode {
     const arm = rotate(this.pose().q, this.centerOfMass.p);
     this.body.setLinearVelocity(scratch.vector(...add(linear, cross(angular, arm))));
     this.body.setAngularVelocity(scratch.vector(...angular));
+    this.world.registry.joints.relaunch(this);
     this.world.bodies.readVelocity(this);
   }
 

@@ -19,6 +19,8 @@ const samePose = (a: Pose, b: Pose): boolean =>
 
 /** A rigid body and its btRigidBody. Bullet's body frame is the centre of mass; X3D's is the body's origin. */
 export class BodyNode extends MovingNode {
+  /** Shares of its velocities that Bullet's damping takes per second. */
+  dampedShare = { linear: 0, angular: 0 };
   readonly joints = new Set<JointNode>();
   rest: RestRule = { mode: 'library', time: 0, linearSpeed: 0, angularSpeed: 0 };
   /** Made NaN by the last step and taken out of the world. */
@@ -65,6 +67,7 @@ export class BodyNode extends MovingNode {
 
   protected override created(): void {
     this.fresh = false;
+    this.world.registry.gyroscopic.update(this);
     for (const joint of this.joints) joint.bodyReady();
   }
 
@@ -160,7 +163,13 @@ export class BodyNode extends MovingNode {
     if (!movable) this.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });
     this.body.updateInertiaTensor();
     this.updateGravity();
+    this.#momentsChanged();
     for (const joint of this.joints) joint.massChanged();
+  }
+
+  #momentsChanged(): void {
+    this.updateDamping();
+    this.world.registry.gyroscopic.update(this);
   }
 
   /** `fixed` switched: Bullet keeps movable and immovable bodies in different lists. */
@@ -196,6 +205,14 @@ export class BodyNode extends MovingNode {
     this.world.contactParametersChanged(this);
     this.wake();
     for (const joint of this.joints) joint.bodyReady();
+  }
+
+  /** Lets go of what it touches: Bullet keeps the contacts of a pair that is no longer to be tested. */
+  partContacts(): void {
+    const { bullet } = this.world;
+    bullet.removeBody(this.body);
+    bullet.addBody(this.body, this.#groups[0]!, this.#groups[1]!);
+    this.updateGravity();
   }
 
   #leaveWorld(): void {

@@ -34,7 +34,12 @@ export class CollisionCollectionNode extends PhysicsNode {
     this.#parameters = undefined;
     this.#reportTokens();
     this.#reportSoftness(this.parameters);
-    for (const body of this.world.bodies) if (body.built) this.world.contactParametersChanged(body);
+    for (const body of this.world.bodies) {
+      if (!body.built) continue;
+      this.world.contactParametersChanged(body);
+      // What lay still may slide now.
+      if (body.parts.some(({ collidable }) => this.lists(collidable))) body.wake();
+    }
     this.world.pairs.parametersChanged();
   }
 
@@ -68,7 +73,7 @@ export class CollisionCollectionNode extends PhysicsNode {
       attribute: field,
       value: softness,
       used: 'a contact that yields and does not spring back',
-      message: `${this.label}: under a resting load soft contacts are as deep as the standard says (within 1 %), but they give back none of the energy of a hit`,
+      message: `${this.label}: under a body at rest soft contacts are as deep as the standard says (within 1 %), though no deeper than a quarter of the thinner body; they give back none of the energy of a hit, and stacked on each other they are as deep as that only roughly`,
     });
   }
 }
@@ -163,7 +168,7 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       range: [0, 1],
       edit: 'live',
       patch: parameters,
-      doc: 'Softness of contacts, (m/s)/N; needs CONSTANT_FORCE. A load F sinks in by F · softness / (60 · error correction). It yields but does not spring back.',
+      doc: 'Softness of contacts, (m/s)/N; needs CONSTANT_FORCE. A load F sinks in by F · softness / (60 · error correction). No more than a quarter of the thinner body, so that nothing falls through. It yields but does not spring back.',
     },
     softnessErrorCorrection: {
       type: 'SFFloat',

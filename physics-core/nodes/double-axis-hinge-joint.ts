@@ -146,6 +146,7 @@ export class DoubleAxisHingeJointNode extends JointNode {
     const { stops } = this.world.registry;
     const [low, high] = this.#steering;
     if (!this.attached || low >= high) {
+      this.stops = [];
       stops.drop(this);
       return;
     }

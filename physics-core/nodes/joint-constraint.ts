@@ -42,10 +42,15 @@ export interface Side {
 export class JointConstraint {
   /** Whether body2 is Bullet's A, along whose frame the rows lie. */
   readonly swapped: boolean;
+  /** Whether both bodies are pushed at one point; else each where its own frame is. */
+  atOnePoint = false;
   readonly #world: World;
   readonly #owner: Owner;
   readonly #bullet: SixDof;
   readonly #frameA: Pose;
+  readonly #pointer: number;
+  /** What Bullet's value of a row lacks of its own. */
+  readonly #shifts = new Float64Array(6);
 
   constructor(world: World, side1: Side, side2: Side, swapped: boolean) {
     const { ammo, scratch } = world.engine;
@@ -63,10 +68,12 @@ export class JointConstraint {
         true,
       ),
     );
+    this.#pointer = ammo.getPointer(this.#bullet);
   }
 
   /** Into the world. `slides`: its bodies may move apart. */
   add(slides: boolean): void {
+    this.atOnePoint = slides;
     if (slides) this.#world.bullet.pushAtOnePoint(this.#bullet);
     this.#world.bullet.addConstraint(this.#bullet as BtConstraint);
   }
@@ -95,9 +102,11 @@ export class JointConstraint {
    */
   #lockAtZero(limits: readonly Limit[]): Limit[] {
     const shift = identityPose();
+    this.#shifts.fill(0);
     const held = limits.map((limit, row) => {
       if (limit[0] !== limit[1] || limit === LOCKED || row === MIDDLE) return limit;
       const by = this.swapped ? limit[0] : -limit[0];
+      this.#shifts[row] = row < 3 ? by : -by;
       if (row < 3) shift.p[row] = by;
       else shift.q = quaternionOf([+(row === 3), 0, +(row === 5), by]);
       return LOCKED;
@@ -108,6 +117,12 @@ export class JointConstraint {
     frame.setOrigin(scratch.vector(...p));
     frame.setRotation(scratch.quaternion(q));
     return held;
+  }
+
+  /** Asks a locked row to stand elsewhere after the step: Bullet's distances are of B against A, its angles of A. */
+  setTarget(row: number, value: number): void {
+    const shifted = row === MIDDLE ? value : value - this.#shifts[row]!;
+    this.#world.bullet.setRowTarget(this.#pointer, row, shifted || LOCKED[0]);
   }
 
   /** Share of a row's error repaired per step, and its softness in Bullet's own terms. */

@@ -37,6 +37,9 @@ export abstract class JointNode extends PhysicsNode {
   centred2: Pose = identityPose();
   /** The rows that hold, as the 6-DoF numbers them: 0 to 2 along x, y, z; 3 to 5 about them. */
   lockedRows: readonly number[] = [];
+  limits: readonly Limit[] = [];
+  /** Per row: share of the error repaired per step, and compliance, velocity per impulse. */
+  readonly corrections: Required<RowCorrection>[] = [];
   /** While a snapshot is restored: the frames of its zero. */
   kept: { frame1: Pose; frame2: Pose } | undefined;
   #zeroed = false;
@@ -114,6 +117,15 @@ export abstract class JointNode extends PhysicsNode {
     return this.#zeroed;
   }
 
+  get constraint(): JointConstraint | undefined {
+    return this.#constraint;
+  }
+
+  /** Bullet's rows are to hold by themselves. */
+  resetTargets(): void {
+    this.#constraint?.setLimits(this.limits);
+  }
+
   get attached(): boolean {
     return this.#constraint !== undefined;
   }
@@ -128,8 +140,10 @@ export abstract class JointNode extends PhysicsNode {
     this.updateLimits();
     this.updateCorrection();
     this.#constraint.add(this.slides);
+    if (bodies.length === 2) this.world.joined(bodies[0]!, bodies[1]!);
     for (const body of bodies) body.wake();
     reportMassRatio(this);
+    this.world.registry.joints.update(this);
     this.attachedChanged();
   }
 
@@ -138,6 +152,7 @@ export abstract class JointNode extends PhysicsNode {
     this.#constraint.dispose();
     this.#constraint = undefined;
     for (const body of [this.body1, this.body2]) body?.wake();
+    this.world.registry.joints.update(this);
     this.attachedChanged();
   }
 
@@ -192,6 +207,7 @@ export abstract class JointNode extends PhysicsNode {
   updateLimits(): void {
     if (!this.#constraint) return;
     const limits = [...this.linearLimits(), ...this.angularLimits()];
+    this.limits = limits;
     this.lockedRows = limits.flatMap(([low, high], row) => (low === high ? [row] : []));
     this.#constraint.setLimits(limits);
     for (const body of [this.body1, this.body2]) body?.wake();
@@ -206,27 +222,38 @@ export abstract class JointNode extends PhysicsNode {
   updateCorrection(): void {
     const constraint = this.#constraint;
     if (!constraint) return;
-    const { errorCorrection, constantForceMix, stepSeconds } = this.world.solver;
+    const { stepSeconds } = this.world.solver;
     const { rows } = this.world.registry;
     rows.fill(this, stepSeconds);
     for (let row = 0; row < ROWS; row++) {
-      const own = this.correctionOf(row);
-      const share = own ? perStep(own.share, stepSeconds) : errorCorrection;
-      const softness =
+      const { share, softness } = this.#correctionAt(row);
+      const response = rows.between(row, row);
+      const soft = this.#softness(softness, response);
+      this.corrections[row] = { share, softness: soft * response };
+      constraint.setCorrection(row, share, soft);
+    }
+    this.world.registry.joints.update(this);
+  }
+
+  /** Share of a row's error repaired per step, and X3D's constantForceMix for steps of this length. */
+  #correctionAt(row: number): Required<RowCorrection> {
+    const { errorCorrection, constantForceMix, stepSeconds } = this.world.solver;
+    const own = this.correctionOf(row);
+    return {
+      share: own ? perStep(own.share, stepSeconds) : errorCorrection,
+      softness:
         own?.softness === undefined
           ? constantForceMix
-          : softnessAtStep(own.softness, own.share, stepSeconds);
-      constraint.setCorrection(row, share, this.#softness(softness, row));
-    }
+          : softnessAtStep(own.softness, own.share, stepSeconds),
+    };
   }
 
   /**
    * X3D's constantForceMix is velocity per force; Bullet 2.82 scales it by the row's own response, so it is divided by
    * dt · J M⁻¹ Jᵀ.
    */
-  #softness(constantForceMix: number, row: number): number {
+  #softness(constantForceMix: number, response: number): number {
     const { stepSeconds } = this.world.solver;
-    const response = this.world.registry.rows.between(row, row);
     return guards.jointSoftness(
       constantForceMix / (stepSeconds * response || Infinity),
       MOST_SOFTNESS,

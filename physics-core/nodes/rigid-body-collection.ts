@@ -252,7 +252,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       own: true,
       edit: 'live',
       patch: (collection) => collection.updateColliders(),
-      doc: '`strict` follows the standard to the letter: without a collider nothing collides, and friction is what frictionCoefficients say.',
+      doc: '`strict` follows the standard to the letter: without a collider nothing collides but the contacts of a CollisionSensor that page code hands to set_contacts, and friction is what frictionCoefficients say.',
     },
     runHidden: {
       type: 'SFBool',

@@ -54,6 +54,7 @@ export class SingleAxisHingeJointNode extends JointNode {
     const { stops } = this.world.registry;
     const [low, high] = this.#limit;
     if (!this.attached || low >= high) {
+      this.stops = [];
       stops.drop(this);
       return;
     }

@@ -95,6 +95,7 @@ export class SliderJointNode extends JointNode {
     const { stops } = this.world.registry;
     const [low, high] = this.#limit;
     if (!this.attached || low >= high) {
+      this.stops = [];
       stops.drop(this);
       return;
     }

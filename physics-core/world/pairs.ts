@@ -12,6 +12,9 @@ export const DEFAULT_FRICTION = 0.5;
 /** What of a body decides whom it collides with, beside its collidables. */
 export type Side = Pick<BodyNode, 'movable' | 'isObstacle' | 'settings'>;
 
+/** Whether contacts act; `where given`: those that set_contacts hands on. */
+type Acting = 'always' | 'where given' | 'never';
+
 /** Who collides with whom, and which CollisionCollection gives a pair its parameters. */
 export class Pairs {
   readonly #world: World;
@@ -19,6 +22,8 @@ export class Pairs {
   readonly #oneSided = new Set<CollisionCollectionNode>();
   /** The collections that list a collidable, enabled or not. */
   readonly #listing = new Map<CollidableNode, CollisionCollectionNode[]>();
+  /** Those that sensors watch where the strict rules leave contacts to page code. */
+  #watched: ReadonlySet<CollisionCollectionNode> = new Set();
   readonly spaces = new Set<CollisionSpaceNode>();
   readonly kinds: Kinds;
 
@@ -47,9 +52,25 @@ export class Pairs {
     if (!this.#world.started) return;
     this.#world.obstacles.due();
     this.#updateOneSided();
+    this.#watched = this.#watchedNow();
     this.#listing.clear();
     this.kinds.clear();
     for (const body of this.#world.bodies) this.#regroup(body);
+  }
+
+  /** A sensor looks at something else. */
+  watchChanged(): void {
+    const now = this.#watchedNow();
+    if (now.size !== this.#watched.size || [...now].some((one) => !this.#watched.has(one)))
+      this.refresh();
+  }
+
+  #watchedNow(): ReadonlySet<CollisionCollectionNode> {
+    const { rigidBodyCollections, registry } = this.#world;
+    const waiting = [...rigidBodyCollections].some(
+      (node) => isWaiting(node) && !node.asked('collider'),
+    );
+    return new Set(waiting ? registry.contacts.watched : []);
   }
 
   /** A collider that lists one body only is read by whether it has parameters. */
@@ -107,19 +128,46 @@ export class Pairs {
 
   // ---- who collides -----------------------------------------------------------------------------------------------
 
-  /** Whether two collidables of two bodies collide, joints aside. */
+  /** Whether Bullet looks for contacts of two collidables of two bodies, joints aside. */
   meet(sideA: Side, a: CollidableNode, sideB: Side, b: CollidableNode): boolean {
-    if (!sideA.movable && !sideB.movable) return false;
-    return this.#allows(sideA, a, b) && this.#allows(sideB, b, a) && !this.#switchedOff(a, b);
+    const acting = this.#acting(sideA, a, sideB, b);
+    return acting === 'always' || (acting === 'where given' && this.#isWatched(a, b));
   }
 
-  /** Whether the rules of a body's own collection let its collidable meet the other. */
-  #allows(side: Side, own: CollidableNode, other: CollidableNode): boolean {
+  /** Whether they collide without being asked to: not where contacts wait for set_contacts. */
+  collide(sideA: Side, a: CollidableNode, sideB: Side, b: CollidableNode): boolean {
+    return this.#acting(sideA, a, sideB, b) === 'always';
+  }
+
+  /** Whether contacts of a body may only act where set_contacts hands them on. */
+  waits(body: BodyNode): boolean {
+    return [...this.#watched].some(
+      (collection) =>
+        collection.asked<boolean>('enabled') && this.collectionsOf(body).includes(collection),
+    );
+  }
+
+  #acting(sideA: Side, a: CollidableNode, sideB: Side, b: CollidableNode): Acting {
+    if (!sideA.movable && !sideB.movable) return 'never';
+    const both = [this.#allowed(sideA, a, b), this.#allowed(sideB, b, a)];
+    if (both.includes('never') || this.#switchedOff(a, b)) return 'never';
+    return both.includes('where given') ? 'where given' : 'always';
+  }
+
+  /** What the rules of a body's own collection say of its collidable and the other. */
+  #allowed(side: Side, own: CollidableNode, other: CollidableNode): Acting {
     // An obstacle belongs to no collection: what meets it decides.
-    if (side.isObstacle) return true;
+    if (side.isObstacle) return 'always';
     const collider = side.settings.asked<CollisionCollectionNode | null>('collider');
-    if (collider) return collider.asked<boolean>('enabled') && this.speaksFor(collider, own, other);
-    return side.settings.asked('collisionRules') !== 'strict';
+    if (!collider) return isWaiting(side.settings) ? 'where given' : 'always';
+    const enabled = collider.asked<boolean>('enabled') && this.speaksFor(collider, own, other);
+    return enabled ? 'always' : 'never';
+  }
+
+  #isWatched(a: CollidableNode, b: CollidableNode): boolean {
+    for (const collection of this.#watched)
+      if (collection.asked<boolean>('enabled') && this.speaksFor(collection, a, b)) return true;
+    return false;
   }
 
   /** All collections that speak for the pair are disabled. */
@@ -183,3 +231,6 @@ export class Pairs {
     return changed;
   }
 }
+
+const isWaiting = (settings: Side['settings']): boolean =>
+  settings.asked('collisionRules') === 'strict';

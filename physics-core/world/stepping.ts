@@ -131,6 +131,7 @@ export class Stepping {
     // It writes into the heap, which only a known layout allows.
     engine.contacts.listen(bullet.bullet, engine.heapTrusted ? registry.processor : null);
     bullet.step(timeStep);
+    registry.settle(timeStep);
     this.#world.rays.moved();
     if (this.#first) reportOverlaps(this.#world);
     this.#first = false;

@@ -273,6 +273,16 @@ export class World extends NodeWorld {
     });
   }
 
+  /** Two bodies that touch are joined: from now on they don't collide. */
+  joined(a: BodyNode, b: BodyNode): void {
+    let touching = false;
+    this.bullet.eachManifold((_, first, second) => {
+      if (first === a.pointer ? second === b.pointer : first === b.pointer && second === a.pointer)
+        touching = true;
+    });
+    if (touching) (a.movable ? a : b).partContacts();
+  }
+
   // ---- looking in -------------------------------------------------------------------------------------------------
 
   /** The first thing on the way between two points (world frame, metres), or null. */

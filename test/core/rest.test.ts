@@ -16,8 +16,8 @@ import {
 } from './helpers.js';
 
 /** A box asleep on the floor after the library's two seconds. */
-async function asleep() {
-  const w = await world({ rest: 'auto' });
+async function asleep(fields: Record<string, unknown> = {}) {
+  const w = await world({ rest: 'auto', ...fields });
   const slab = addFloor(w);
   const stone = addBody(w, { position: [0, 0.5, 0], geometry: [box(1)] });
   w.advance(4);
@@ -153,6 +153,20 @@ fact('a sleeping body wakes when gravity changes', async () => {
   w.set('gravity', [0, 5, 0]);
   w.advance(0.5);
   close(height(stone), 0.5 + way(5, 0.5), 5e-3, 'm');
+});
+
+fact('a sleeping body wakes when the parameters of its contacts change', async () => {
+  const { w, stone } = await asleep({ gravity: [3, -9.8, 0] });
+  const collection = w.add('CollisionCollection', {
+    collidables: '*',
+    frictionCoefficients: [1, 1],
+  });
+  w.advance(4);
+  assert.equal(stone.sleeping, true);
+  const [x] = position(stone);
+  collection.set('frictionCoefficients', [0, 0]);
+  w.advance(0.5);
+  close(position(stone)[0] - x, way(3, 0.5), 5e-3, 'm, it slides');
 });
 
 fact('a sleeping body wakes when a joint takes hold of it, changes or lets go', async () => {

@@ -48,7 +48,6 @@ export const mass: Fact[] = [
   {
     field: 'inertia',
     says: 'a free body of three different moments keeps its angular momentum, so that its axis of spin wanders',
-    unmet: 'Bullet leaves out the gyroscopic torque',
     scene: alone({ inertia: inertia(1, 2, 3), angularVelocity: [2, 2, 0] }),
     run: async (x) => {
       await x.advance(1);

@@ -1,8 +1,10 @@
 import { offsetRows, shapeRows } from './collidables.js';
+import { chainRows } from './chains.js';
 import { collectionRows, sensorRows } from './collisions.js';
 import { contactRows } from './contacts.js';
 import { setContactsRows } from './set-contacts.js';
 import { commonRows } from './common.js';
+import { jointSolveRows } from './joint-solve.js';
 import { guardRows } from './guards.js';
 import { ballRows, hingeRows } from './joints-hinge.js';
 import { motorRows } from './joints-motor.js';
@@ -18,11 +20,11 @@ const ownRows: Record<string, Row[]> = {
   RigidBody: rigidBodyRows,
   CollidableShape: shapeRows,
   CollidableOffset: offsetRows,
-  CollisionCollection: collectionRows,
+  CollisionCollection: [...collectionRows, ...chainRows],
   CollisionSpace: spaceRows,
   CollisionSensor: sensorRows,
   Contact: contactRows,
-  BallJoint: ballRows,
+  BallJoint: [...ballRows, ...jointSolveRows],
   SingleAxisHingeJoint: hingeRows,
   DoubleAxisHingeJoint: doubleHingeRows,
   SliderJoint: sliderRows,

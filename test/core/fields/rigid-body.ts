@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { conjugate, rotate } from '../../../physics-core/math.js';
 import {
   addBody,
   addFloor,
@@ -13,6 +14,7 @@ import {
   velocity,
   way,
   world,
+  type Vec3,
 } from '../helpers.js';
 import type { Row } from './rows.js';
 
@@ -142,6 +144,30 @@ export const rows: Row[] = [
       top.event('angularVelocity', [0, 0, 0]);
       w.step();
       close(spin(top), [3 / MOMENT / 120, 0, 0], 1e-4, "rad/s with the sphere's own");
+    },
+  },
+  {
+    field: 'inertia',
+    effect: 'gyroscopic torque',
+    fact: 'a free top keeps its angular momentum, and turns over when Euler says: 3.845 s, then every 6.7055 s',
+    run: async () => {
+      // Moments 1, 2, 3 and (0.05, 3, 0.02) rad/s: the half period 2 K(k) / p of Jacobi's solution.
+      const w = await world(WEIGHTLESS);
+      const top = addBody(w, { angularVelocity: [0.05, 3, 0.02] });
+      w.step(0);
+      top.set('inertia', [1, 0, 0, 0, 2, 0, 0, 0, 3]);
+      const flips: number[] = [];
+      let before = 3;
+      for (let i = 0; i < 1320; i++) {
+        w.step();
+        const [, y] = rotate(conjugate(top.pose().q), spin(top));
+        if (y * before < 0) flips.push(w.time);
+        before = y;
+      }
+      close(flips, [3.845, 3.845 + 6.7055], 0.01, 's');
+      const inBody = rotate(conjugate(top.pose().q), spin(top)).map((v, i) => v * (i + 1)) as Vec3;
+      // 6 kg·m²/s in single precision.
+      close(rotate(top.pose().q, inBody), [0.05, 6, 0.06], 2e-5, 'kg·m²/s');
     },
   },
   {

@@ -1,3 +1,4 @@
+import assert from 'node:assert/strict';
 import { addBody, box, claim, close, height, position, velocity, world } from '../helpers.js';
 import { scripted } from './contacts.js';
 import type { Row } from './rows.js';
@@ -34,6 +35,53 @@ export const setContactsRows: Row[] = [
       stop();
       w.advance(0.25);
       close(velocity(stone)[1], -9.8 * 0.25, 1e-3, 'm/s, without them');
+    },
+  },
+  {
+    field: 'collisionRules',
+    effect: 'contact surface',
+    fact: 'by the strict rules, without a collider, what a sensor reports acts only where it is handed on',
+    run: async () => {
+      const scene = await scripted();
+      const { w, stone, sensor, collection } = scene;
+      const again = (): void => {
+        stone.event('position', [0, 0.5, 0]);
+        stone.event('linearVelocity', [0, 0, 0]);
+      };
+      const falls = (what: string): void => {
+        again();
+        w.advance(0.25);
+        close(velocity(stone)[1], -9.8 * 0.25, 1e-3, `m/s, ${what}`);
+      };
+      w.set('collisionRules', 'strict');
+      falls('not handed on');
+      assert.equal(sensor.get('isActive'), true);
+      again();
+      scene.edit((contacts) => contacts);
+      w.advance(1);
+      close(height(stone), 0.5, 2e-3, 'm, handed on');
+      close(velocity(stone), [0, 0, 0], 1e-3, 'm/s, handed on');
+      scene.edit(undefined);
+      falls('no longer handed on');
+      // Nothing is found where nobody watches.
+      again();
+      sensor.set('enabled', false);
+      w.advance(0.1);
+      assert.equal(w.bullet.contactCount, 0);
+      again();
+      sensor.set('enabled', true);
+      w.step(2);
+      assert.ok(w.bullet.contactCount > 0);
+      collection.set('enabled', false);
+      again();
+      w.advance(0.1);
+      assert.equal(w.bullet.contactCount, 0);
+      collection.set('enabled', true);
+      // With a collider contacts act by themselves.
+      w.set('collider', collection);
+      again();
+      w.advance(0.5);
+      close(height(stone), 0.5, 1e-3, 'm, with a collider');
     },
   },
   {

@@ -146,6 +146,29 @@ export const surfaceRows: Row[] = [
     },
   },
   {
+    field: 'softnessConstantForceMix',
+    effect: 'contact surface',
+    fact: 'at its upper end a load still sinks in as far, but never deeper than a quarter of the thinner body',
+    run: async () => {
+      for (const level of ['game', 'standard', 'fine']) {
+        const soft = { softnessConstantForceMix: 0.5, appliedParameters: ['CONSTANT_FORCE'] };
+        const { w, stone, collection } = await lying(soft);
+        claim(w, 'approximated-field');
+        w.set('accuracy', level);
+        w.advance(8);
+        close(0.5 - height(stone), sag(9.8, 0.5, 0.8), 1e-3, `m, at ${level}`);
+        collection.set('softnessConstantForceMix', 1);
+        w.advance(8);
+        close(0.5 - height(stone), sag(9.8, 1, 0.8), 2e-3, `m, softest at ${level}`);
+        // 4 kg would lie 0.82 m deep, and a fall of 2 m would take them right through.
+        stone.set('mass', 4);
+        stone.event('position', [0, 2.5, 0]);
+        w.advance(4);
+        close(0.5 - height(stone), 0.25, 1e-3, `m, a quarter at ${level}`);
+      }
+    },
+  },
+  {
     field: 'softnessErrorCorrection',
     effect: 'contact surface',
     fact: 'the share of an overlap that goes in a frame; with softness it sets how deep a load lies',

@@ -1,0 +1,147 @@
+import { perStep, softnessAtStep } from '../../accuracy/levels.js';
+import type { JointNode } from '../../nodes/joint.js';
+import type { Motor } from '../motors.js';
+import type { Stop } from '../stops.js';
+import { ROWS } from './blocks.js';
+import type { JointRows } from './joint-rows.js';
+import type { JointedBodies } from './jointed-bodies.js';
+import type { RowSystem } from './row-system.js';
+
+/** Below this rate (rad/s, m/s) a stop holds instead of bouncing. */
+const LEAST_BOUNCE = 0.01;
+
+/** Joints that may have them. */
+interface Bounded extends JointNode {
+  readonly stops?: readonly Stop[];
+  readonly motors?: readonly Motor[];
+}
+
+/** Told which stops are in the way of a joint. */
+interface StopListener {
+  note(joint: JointNode, stop: Stop, value: number, side: -1 | 0 | 1): void;
+}
+
+/** Stops, which push one way only, and motors, which push as hard as they can: rows behind the locked ones of a joint. */
+export class BoundedRows {
+  readonly #system: RowSystem;
+  readonly #bodies: JointedBodies;
+  readonly #rows: JointRows;
+  #joints: readonly Bounded[] = [];
+  /** Per row: where it stands, and on which side of a stop. */
+  #values = new Float64Array(0);
+  #sides = new Int8Array(0);
+
+  constructor(system: RowSystem, bodies: JointedBodies, rows: JointRows) {
+    this.#system = system;
+    this.#bodies = bodies;
+    this.#rows = rows;
+  }
+
+  take(joints: readonly JointNode[]): void {
+    this.#joints = joints as readonly Bounded[];
+    if (this.#values.length < joints.length * ROWS) {
+      this.#values = new Float64Array(joints.length * 2 * ROWS);
+      this.#sides = new Int8Array(joints.length * 2 * ROWS);
+    }
+    this.#joints.forEach(({ lockedRows, stops = [], motors = [] }, k) => {
+      const first = k * ROWS + lockedRows.length;
+      const count = stops.length + motors.length;
+      this.#system.rowCount[k] = lockedRows.length + count;
+      for (let i = first; i < first + count; i++) this.#system.forget(i);
+    });
+  }
+
+  /** Rows of one joint, after its locked ones; returns the worst overshoot past a stop. */
+  fill(k: number, dt: number): number {
+    const { lockedRows, stops, motors } = this.#joints[k]!;
+    let r = lockedRows.length;
+    let worst = 0;
+    if (stops) for (const stop of stops) worst = Math.max(worst, this.#fillStop(k, r++, stop, dt));
+    if (motors) for (const motor of motors) this.#fillMotor(k, r++, motor, dt);
+    return worst;
+  }
+
+  #fillStop(k: number, r: number, stop: Stop, dt: number): number {
+    const i = k * ROWS + r;
+    const value = (this.#values[i] = this.#rows.fillRow(k, r, stop.row));
+    const side = stop.high - value < value - stop.low ? 1 : -1;
+    this.#sides[i] = side;
+    this.#system.compliance[i] = softnessAtStep(stop.softness, stop.correction, dt) / dt;
+    this.#system.bounded(i, side > 0 ? -Infinity : 0, side > 0 ? 0 : Infinity);
+    return Math.max(0, this.#beyond(i, stop));
+  }
+
+  #beyond(i: number, { low, high }: Stop): number {
+    return this.#sides[i]! > 0 ? this.#values[i]! - high : low - this.#values[i]!;
+  }
+
+  #fillMotor(k: number, r: number, { row, target, most }: Motor, dt: number): void {
+    const i = k * ROWS + r;
+    const strength = most * dt * this.#rows.launchShare(k);
+    this.#rows.fillRow(k, r, row);
+    this.#system.compliance[i] = 0;
+    this.#system.wanted[i] = this.#system.threshold[i] = target;
+    this.#system.bounded(i, -strength, strength);
+  }
+
+  /** Neither stops nor motors act. */
+  rest(k: number): void {
+    const { rowCount, threshold } = this.#system;
+    for (let r = this.#joints[k]!.lockedRows.length; r < rowCount[k]!; r++) {
+      threshold[k * ROWS + r] = -Infinity;
+      this.#system.bounded(k * ROWS + r, 0, 0);
+    }
+  }
+
+  /** The rates that stops are to have: that of a bounce, or one that ends at the stop. */
+  want(k: number, dt: number, repair: 0 | 1): void {
+    const { lockedRows, stops } = this.#joints[k]!;
+    if (!stops) return;
+    let r = lockedRows.length;
+    for (const stop of stops) this.#wantStop(k, r++, stop, dt, repair);
+  }
+
+  #wantStop(k: number, r: number, stop: Stop, dt: number, repair: 0 | 1): void {
+    const i = k * ROWS + r;
+    const side = this.#sides[i]!;
+    const beyond = this.#beyond(i, stop);
+    const share = beyond > 0 ? repair * perStep(stop.correction, dt) : 1;
+    const held = -share * (beyond / dt);
+    const closing = side * this.#bodies.rateNow(k, r);
+    const bounces = stop.bounce > 0 && closing > LEAST_BOUNCE;
+    this.#system.threshold[i] = side * held;
+    this.#system.wanted[i] = side * (bounces ? -stop.bounce * closing : held);
+  }
+
+  /** Once the motion is found: the same, and the share of the overshoot on top that is repaired, however soft the stop. */
+  wantRepair(k: number, dt: number): void {
+    const { lockedRows, stops } = this.#joints[k]!;
+    if (!stops) return;
+    let r = lockedRows.length;
+    for (const stop of stops) this.#wantRepair(k, r++, stop, dt);
+  }
+
+  #wantRepair(k: number, r: number, stop: Stop, dt: number): void {
+    const i = k * ROWS + r;
+    const beyond = this.#beyond(i, stop);
+    if (beyond <= 0) return;
+    const back = (perStep(stop.correction, dt) * beyond) / dt;
+    const { threshold, wanted, compliance } = this.#system;
+    // What comes back by itself faster than that needs no help.
+    const rate = this.#system.holds(i) ? this.#system.rate(k, r) : 0;
+    compliance[i] = 0;
+    threshold[i] = wanted[i] = rate - this.#sides[i]! * back;
+  }
+
+  /** Tells which stops held in this step. */
+  tell(k: number, listener: StopListener): void {
+    const joint = this.#joints[k]!;
+    if (!joint.stops) return;
+    let i = k * ROWS + joint.lockedRows.length;
+    for (const stop of joint.stops) {
+      const side = this.#system.holds(i) ? (this.#sides[i] as -1 | 1) : 0;
+      listener.note(joint, stop, this.#values[i]!, side);
+      i++;
+    }
+  }
+}

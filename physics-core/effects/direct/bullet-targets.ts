@@ -1,0 +1,91 @@
+import type { JointNode } from '../../nodes/joint.js';
+import { cross3, dot3 } from '../flat.js';
+import { SIDE } from './blocks.js';
+import type { End, JointEnds } from './joint-ends.js';
+import type { JointedBodies } from './jointed-bodies.js';
+import type { RowSystem } from './row-system.js';
+
+/**
+ * Tells Bullet's own constraints what was found: each locked row is asked to be, after the step, where the velocities
+ * found take it. Its solver then has nothing to do about joints until a contact interferes, and in that case keeps the
+ * joints to what was found instead of to where they stand now.
+ */
+export class BulletTargets {
+  readonly #system: RowSystem;
+  readonly #bodies: JointedBodies;
+  readonly #ends: JointEnds;
+  /** Of body 1 against body 2: the speed at the joint, and the spin. */
+  readonly #speed = new Float64Array(3);
+  readonly #spin = new Float64Array(3);
+  readonly #axis = new Float64Array(6);
+
+  constructor(system: RowSystem, bodies: JointedBodies, ends: JointEnds) {
+    this.#system = system;
+    this.#bodies = bodies;
+    this.#ends = ends;
+  }
+
+  tell(k: number, joint: JointNode, dt: number): void {
+    const { place, turn } = this.#bodies;
+    const { constraint } = joint;
+    this.#ends.read(k, place, turn);
+    this.#readMotion(k, constraint!.atOnePoint ? this.#ends.two : this.#ends.one);
+    const swapped = constraint!.swapped;
+    const [a, b] = swapped ? [this.#ends.two, this.#ends.one] : [this.#ends.one, this.#ends.two];
+    const sign = swapped ? -1 : 1;
+    for (const row of joint.lockedRows) {
+      const { share } = joint.corrections[row]!;
+      if (share === 0) continue;
+      const per = (sign * dt) / share;
+      if (row < 3) {
+        const at = row * 3;
+        let apart = 0;
+        for (let x = 0; x < 3; x++) apart += a.axes[at + x]! * (b.origin[x]! - a.origin[x]!);
+        constraint!.setTarget(row, apart - per * dot3(a.axes, at, this.#speed, 0));
+      } else {
+        const angle = this.#angle(row, a.axes, b.axes);
+        constraint!.setTarget(row, angle + per * dot3(this.#axis, 0, this.#spin, 0));
+      }
+    }
+  }
+
+  #readMotion(k: number, { origin }: End): void {
+    const { a, b } = this.#ends.edges[k]!;
+    this.#speed.fill(0);
+    this.#spin.fill(0);
+    this.#addMotion(a, origin, 1);
+    this.#addMotion(b, this.#ends.two.origin, -1);
+  }
+
+  #addMotion(body: number, point: Float64Array, sign: 1 | -1): void {
+    if (body < 0) return;
+    const { velocity } = this.#system;
+    const { place } = this.#bodies;
+    const v = body * SIDE;
+    const p = body * 3;
+    const [wx, wy, wz] = [velocity[v + 3]!, velocity[v + 4]!, velocity[v + 5]!];
+    const [x, y, z] = [point[0]! - place[p]!, point[1]! - place[p + 1]!, point[2]! - place[p + 2]!];
+    this.#speed[0]! += sign * (velocity[v]! + wy * z - wz * y);
+    this.#speed[1]! += sign * (velocity[v + 1]! + wz * x - wx * z);
+    this.#speed[2]! += sign * (velocity[v + 2]! + wx * y - wy * x);
+    for (let i = 0; i < 3; i++) this.#spin[i]! += sign * velocity[v + 3 + i]!;
+  }
+
+  /** The angle of a row as Bullet takes it, of A against B; its axis goes to `#axis`. */
+  #angle(row: number, a: Float64Array, b: Float64Array): number {
+    const axis = this.#axis;
+    cross3(axis, 3, a, 6, b, 0);
+    const length = Math.hypot(axis[3]!, axis[4]!, axis[5]!) || 1;
+    for (let x = 3; x < 6; x++) axis[x]! /= length;
+    if (row === 3) {
+      cross3(axis, 0, axis, 3, a, 6);
+      return Math.atan2(-dot3(a, 6, b, 3), dot3(a, 6, b, 6));
+    }
+    if (row === 5) {
+      cross3(axis, 0, b, 0, axis, 3);
+      return Math.atan2(-dot3(b, 0, a, 3), dot3(b, 0, a, 0));
+    }
+    for (let x = 0; x < 3; x++) axis[x] = axis[3 + x]!;
+    return Math.asin(Math.max(-1, Math.min(1, dot3(a, 6, b, 0))));
+  }
+}

@@ -1,0 +1,229 @@
+import type { BodyNode } from '../../nodes/body.js';
+import type { JointNode } from '../../nodes/joint.js';
+import type { PhysicsNode } from '../../nodes/node.js';
+import type { World } from '../../world/world.js';
+import { Effect } from '../effect.js';
+import { BoundedRows } from './bounded-rows.js';
+import { BulletTargets } from './bullet-targets.js';
+import { Forest, type Component, type Edge } from './forest.js';
+import { JointEnds } from './joint-ends.js';
+import { JointRows } from './joint-rows.js';
+import { JointedBodies } from './jointed-bodies.js';
+import { RowSystem } from './row-system.js';
+import { Tension } from './tension.js';
+
+/**
+ * Rounds, at most, in which the rates asked for are corrected by how far the step would miss. Each gains two digits at the
+ * usual speeds, less where a body turns by half a radian in a step.
+ */
+const ROUNDS = 8;
+
+/** A miss (m, rad) below what single precision tells apart a few metres from the origin. */
+const NO_MISS = 2e-7;
+
+/** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
+const TORN = 1e-4;
+
+/**
+ * Solves all joints directly, before each step of Bullet: the velocities it hands over carry the bodies, along their
+ * round ways, to where every joint is whole (SHAKE, with the direct solution of its rows in place of iterations).
+ * Bullet's own constraints are told to want those velocities: they stay on for what contacts do in the step.
+ */
+export class DirectJoints extends Effect {
+  readonly name = 'joint solve';
+  readonly #world: World;
+  readonly #system = new RowSystem();
+  readonly #forest = new Forest();
+  readonly #ends = new JointEnds();
+  readonly #bodies: JointedBodies;
+  readonly #rows: JointRows;
+  readonly #bounded: BoundedRows;
+  readonly #tension: Tension;
+  readonly #targets: BulletTargets;
+  #joints: (JointNode | undefined)[] = [];
+  /** Those of this step: solved, and of them those that an edit had torn. */
+  readonly #solved: Component[] = [];
+  readonly #repaired: Component[] = [];
+  #stale = true;
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+    this.#bodies = new JointedBodies(world, this.#system);
+    this.#rows = new JointRows(this.#system, this.#bodies, this.#ends);
+    this.#bounded = new BoundedRows(this.#system, this.#bodies, this.#rows);
+    this.#tension = new Tension(this.#system, this.#bodies);
+    this.#targets = new BulletTargets(this.#system, this.#bodies, this.#ends);
+  }
+
+  /** Stops or motors of some joint are others. */
+  changed(): void {
+    this.#stale = true;
+  }
+
+  /** A joint came, went, or holds otherwise than before. */
+  update(joint: JointNode): void {
+    this.#stale = true;
+    if (joint.attached && joint.lockedRows.length > 0) this.need(joint, 'joint');
+    else this.#forget(joint);
+  }
+
+  /** What it did is not to be known when it comes again. */
+  #forget(joint: JointNode): void {
+    super.drop(joint);
+    const k = this.#joints.indexOf(joint);
+    if (k >= 0) this.#joints[k] = undefined;
+  }
+
+  override drop(node: PhysicsNode): void {
+    this.#stale = true;
+    if (this.#bodies.relaunch(node)) return;
+    this.#forget(node as JointNode);
+  }
+
+  /** Its velocity is given anew. */
+  relaunch(body: PhysicsNode): void {
+    this.#bodies.relaunch(body);
+  }
+
+  /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
+  on = true;
+
+  override beforeStep(dt: number): void {
+    if (this.#stale) this.#rebuild();
+    this.#repaired.length = 0;
+    this.#solved.length = 0;
+    for (const component of this.#forest.components)
+      if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
+  }
+
+  /** What contacts did to joints in the step, Bullet's iterations did not bring together: that is done here. */
+  override settle(dt: number): void {
+    for (const component of this.#solved)
+      if (this.#bodies.disturbed(component)) this.#close(component, dt);
+  }
+
+  /** Moves the bodies of a component to where its joints are whole. */
+  #close(component: Component, dt: number): void {
+    for (let round = 0; round < ROUNDS; round++) {
+      let worst = 0;
+      this.#bodies.read(component, dt);
+      for (const k of component.joints) {
+        worst = Math.max(worst, this.#rows.fill(k));
+        this.#rows.wantWhole(k);
+        this.#bounded.rest(k);
+      }
+      if (worst < TORN) return;
+      this.#bodies.clearMomentum(component);
+      if (!this.#system.solve(component) || !this.#bodies.sane(component)) return;
+      this.#bodies.move(component);
+    }
+  }
+
+  /** What was moved together again shall not go on moving. */
+  override afterStep(): void {
+    for (const component of this.#repaired) this.#bodies.takeBack(component);
+  }
+
+  #solve(component: Component, dt: number): void {
+    const torn = this.#fill(component, dt) > TORN;
+    this.#want(component, dt, torn ? 0 : 1);
+    if (!this.#find(component, dt, torn ? 0 : 1) || (torn && !this.#repair(component, dt))) {
+      this.#leaveToBullet(component);
+      return;
+    }
+    this.#bodies.write(component, dt);
+    this.#solved.push(component);
+    for (const k of component.joints) {
+      this.#targets.tell(k, this.#joints[k]!, dt);
+      this.#bounded.tell(k, this.#world.registry.stops);
+    }
+  }
+
+  /** Returns the worst error of a joint. */
+  #fill(component: Component, dt: number): number {
+    let worst = 0;
+    this.#bodies.read(component, dt);
+    this.#tension.begin(component);
+    for (const k of component.joints) {
+      const { a, b } = this.#ends.edges[k]!;
+      worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+      this.#tension.stiffen(k, a, this.#ends.two.origin, 1, dt);
+      this.#tension.stiffen(k, b, this.#ends.two.origin, -1, dt);
+    }
+    this.#bodies.writeMomentum(component, dt);
+    this.#tension.damp(component);
+    return worst;
+  }
+
+  #want(component: Component, dt: number, repair: 0 | 1): void {
+    for (const k of component.joints) {
+      this.#rows.want(k, dt, repair);
+      this.#bounded.want(k, dt, repair);
+    }
+  }
+
+  /** False: no solution that makes sense. */
+  #find(component: Component, dt: number, repair: 0 | 1): boolean {
+    if (!this.#system.solve(component)) return false;
+    for (let round = 0; round < ROUNDS; round++) {
+      this.#bodies.predict(component, dt);
+      let worst = 0;
+      for (const k of component.joints) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
+      if (worst < NO_MISS) break;
+      this.#system.again(component);
+    }
+    // The repair of a torn joint is no pull.
+    if (!this.#repaired.includes(component))
+      for (const k of component.joints) this.#tension.note(k);
+    return this.#bodies.sane(component);
+  }
+
+  /** Joints that an edit tore apart come together in the step, but what that takes is no motion of the bodies. */
+  #repair(component: Component, dt: number): boolean {
+    this.#repaired.push(component);
+    this.#bodies.keep(component);
+    for (const k of component.joints) {
+      this.#rows.want(k, dt, 1);
+      this.#bounded.wantRepair(k, dt);
+    }
+    return this.#find(component, dt, 1);
+  }
+
+  /** For this step: Bullet's own rows and velocities stand. */
+  #leaveToBullet(component: Component): void {
+    for (const k of component.joints) this.#joints[k]!.resetTargets();
+    // Who brought numbers that are none is told so by another.
+    if (!this.#bodies.finite) return;
+    const joint = this.#joints[component.joints[0]!]!;
+    joint.report({
+      code: 'joint-solve',
+      severity: 'warning',
+      used: "Bullet's iterations",
+      message: `${joint.label} and the joints it hangs together with have no direct solution; they are held less well`,
+    });
+  }
+
+  #rebuild(): void {
+    this.#stale = false;
+    const joints = [...this.causes] as JointNode[];
+    const numbers = new Map<BodyNode, number>();
+    const number = (body: BodyNode | undefined): number => {
+      if (!body?.movable) return -1;
+      if (!numbers.has(body)) numbers.set(body, numbers.size);
+      return numbers.get(body)!;
+    };
+    const edges: Edge[] = joints.map(({ body1, body2 }) => ({
+      a: number(body1),
+      b: number(body2),
+    }));
+    this.#forest.build(numbers.size, edges);
+    this.#system.resize(numbers.size, edges, this.#forest);
+    this.#bodies.take([...numbers.keys()]);
+    this.#ends.take(joints, edges);
+    this.#rows.take(joints);
+    this.#bounded.take(joints);
+    this.#tension.take(this.#joints, joints);
+    this.#joints = joints;
+  }
+}

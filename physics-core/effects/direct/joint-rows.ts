@@ -1,0 +1,194 @@
+import type { JointNode } from '../../nodes/joint.js';
+import { cross3, dot3 } from '../flat.js';
+import { ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import type { JointEnds } from './joint-ends.js';
+import type { JointedBodies } from './jointed-bodies.js';
+import type { RowSystem } from './row-system.js';
+
+/** The first three rows are along axes, the others about them. */
+const LINEAR = 3;
+
+/**
+ * The rows by which joints hold their bodies, written into the system anew for each step: which way each row pulls, and
+ * the rate at which its error is to shrink. Rows are numbered as Bullet's 6-DoF has them: 0 to 2 along the axes of
+ * frame 1, 3 to 5 about x of frame 2, what is at right angles to both, and z of frame 1.
+ */
+export class JointRows {
+  readonly #system: RowSystem;
+  readonly #bodies: JointedBodies;
+  readonly #ends: JointEnds;
+  /** Per joint: how many of its rows are locked. Per row: its number, where it is locked, and the share of its error repaired per step. */
+  #counts = new Uint8Array(0);
+  #numbers = new Uint8Array(0);
+  #targets = new Float64Array(0);
+  #shares = new Float64Array(0);
+  /** Errors at the start of the step. */
+  #errors = new Float64Array(0);
+  readonly #axes = new Float64Array(9);
+
+  constructor(system: RowSystem, bodies: JointedBodies, ends: JointEnds) {
+    this.#system = system;
+    this.#bodies = bodies;
+    this.#ends = ends;
+  }
+
+  take(joints: readonly JointNode[]): void {
+    if (this.#numbers.length < joints.length * ROWS) this.#grow(joints.length * 2);
+    joints.forEach((joint, k) => this.#takeJoint(joint, k));
+  }
+
+  #grow(room: number): void {
+    this.#counts = new Uint8Array(room);
+    this.#numbers = new Uint8Array(room * ROWS);
+    this.#targets = new Float64Array(room * ROWS);
+    this.#shares = new Float64Array(room * ROWS);
+    this.#errors = new Float64Array(room * ROWS);
+  }
+
+  #takeJoint(joint: JointNode, k: number): void {
+    const { lockedRows } = joint;
+    this.#counts[k] = lockedRows.length;
+    lockedRows.forEach((number, r) => {
+      const i = k * ROWS + r;
+      const { share, softness } = joint.corrections[number]!;
+      this.#numbers[i] = number;
+      this.#targets[i] = joint.limits[number]![0];
+      this.#shares[i] = share;
+      this.#system.compliance[i] = softness;
+      this.#system.unbounded(i);
+    });
+  }
+
+  // ---- a step -------------------------------------------------------------------------------------------------------
+
+  /** Rows of one joint at the poses the step begins with; returns the worst error, metres or radians. */
+  fill(k: number): number {
+    const { place, turn } = this.#bodies;
+    this.#ends.read(k, place, turn);
+    const { compliance } = this.#system;
+    let worst = 0;
+    for (let r = 0; r < this.#counts[k]!; r++) {
+      const i = k * ROWS + r;
+      this.#errors[i] = this.fillRow(k, r, this.#numbers[i]!) - this.#targets[i]!;
+      if (compliance[i] === 0) worst = Math.max(worst, Math.abs(this.#errors[i]!));
+    }
+    return worst;
+  }
+
+  /** One row of the joint that was filled last; returns where it stands, metres or radians. */
+  fillRow(k: number, r: number, number: number): number {
+    if (number < LINEAR) this.#fillLinear(k, r, number);
+    else this.#fillAngular(k, r, number);
+    return this.#value(number);
+  }
+
+  /** Share of the forces of this step that act on the joint: a half in the first step of its bodies. */
+  launchShare(k: number): number {
+    const { a, b } = this.#ends.edges[k]!;
+    return this.#bodies.launching(a) || this.#bodies.launching(b) ? 0.5 : 1;
+  }
+
+  /** The rates at which errors are to shrink; `repair` 0 leaves those of hard rows as they are. */
+  want(k: number, dt: number, repair: 0 | 1): void {
+    const { wanted, compliance } = this.#system;
+    for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++) {
+      const share = compliance[i] === 0 ? repair * this.#shares[i]! : this.#shares[i]!;
+      wanted[i] = (-share * this.#errors[i]!) / dt;
+    }
+  }
+
+  /** For a solution in ways instead of velocities: hard rows lose all their error. */
+  wantWhole(k: number): void {
+    const { wanted, compliance } = this.#system;
+    for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++)
+      wanted[i] = compliance[i] === 0 ? -this.#errors[i]! : 0;
+  }
+
+  /**
+   * By how much the step would miss: the rows are straight, the way of the bodies is round. The rates asked for are
+   * corrected so that what is left of the errors after the step is what shall be left. Soft rows are not held to that.
+   * Returns the worst miss, metres or radians.
+   */
+  correct(k: number, dt: number, repair: 0 | 1): number {
+    const { nextPlace, nextTurn } = this.#bodies;
+    this.#ends.read(k, nextPlace, nextTurn);
+    const { wanted, compliance } = this.#system;
+    let worst = 0;
+    for (let r = 0; r < this.#counts[k]!; r++) {
+      const i = k * ROWS + r;
+      if (compliance[i] !== 0) continue;
+      const left = (1 - repair * this.#shares[i]!) * this.#errors[i]!;
+      const miss = this.#value(this.#numbers[i]!) - this.#targets[i]! - left;
+      wanted[i]! -= miss / dt;
+      worst = Math.max(worst, Math.abs(miss));
+    }
+    return worst;
+  }
+
+  /** Of a row where the ends are now, metres or radians. */
+  #value(number: number): number {
+    const { axes: one, origin: c1 } = this.#ends.one;
+    const { axes: two, origin: c2 } = this.#ends.two;
+    if (number < LINEAR) {
+      const n = number * 3;
+      return (
+        one[n]! * (c1[0]! - c2[0]!) +
+        one[n + 1]! * (c1[1]! - c2[1]!) +
+        one[n + 2]! * (c1[2]! - c2[2]!)
+      );
+    }
+    if (number === 3) return Math.atan2(-dot3(one, 6, two, 3), dot3(one, 6, two, 6));
+    if (number === 5) return Math.atan2(-dot3(two, 0, one, 3), dot3(two, 0, one, 0));
+    return Math.asin(Math.max(-1, Math.min(1, dot3(one, 6, two, 0))));
+  }
+
+  /** Along an axis that body 1 carries, at the point that body 2 carries: what slides is measured there. */
+  #fillLinear(k: number, r: number, number: number): void {
+    const at = k * 2 * ROW_BLOCK + r * SIDE;
+    this.#fillLine(at, this.#ends.edges[k]!.a, number, 1);
+    this.#fillLine(at + ROW_BLOCK, this.#ends.edges[k]!.b, number, -1);
+  }
+
+  #fillLine(at: number, body: number, number: number, sign: 1 | -1): void {
+    const { jacobian } = this.#system;
+    const n = number * 3;
+    const axis = this.#ends.one.axes;
+    for (let x = 0; x < 3; x++) jacobian[at + x] = sign * axis[n + x]!;
+    if (body < 0) return;
+    const { origin } = this.#ends.two;
+    const { place } = this.#bodies;
+    const x = origin[0]! - place[body * 3]!;
+    const y = origin[1]! - place[body * 3 + 1]!;
+    const z = origin[2]! - place[body * 3 + 2]!;
+    jacobian[at + 3] = sign * (y * axis[n + 2]! - z * axis[n + 1]!);
+    jacobian[at + 4] = sign * (z * axis[n]! - x * axis[n + 2]!);
+    jacobian[at + 5] = sign * (x * axis[n + 1]! - y * axis[n]!);
+  }
+
+  /** The rate of one of three angles while the other two stand. */
+  #fillAngular(k: number, r: number, number: number): void {
+    const { jacobian } = this.#system;
+    const g = this.#axes;
+    const at = k * 2 * ROW_BLOCK + r * SIDE;
+    this.#writeAxes(number);
+    for (let x = 0; x < 3; x++) {
+      jacobian[at + x] = jacobian[at + ROW_BLOCK + x] = 0;
+      jacobian[at + 3 + x] = g[x]!;
+      jacobian[at + ROW_BLOCK + 3 + x] = -g[x]!;
+    }
+  }
+
+  /** Of angle `number`, into the first three of `#axes`; the rest is room. */
+  #writeAxes(number: number): void {
+    const one = this.#ends.one.axes;
+    const two = this.#ends.two.axes;
+    const g = this.#axes;
+    cross3(g, 3, one, 6, two, 0);
+    const cosine = Math.hypot(g[3]!, g[4]!, g[5]!) || 1;
+    for (let x = 3; x < 6; x++) g[x]! /= cosine;
+    if (number === 3) cross3(g, 0, g, 3, one, 6);
+    else if (number === 5) cross3(g, 0, two, 0, g, 3);
+    const scale = number === 4 ? 1 : 1 / cosine;
+    for (let x = 0; x < 3; x++) g[x] = (number === 4 ? g[3 + x]! : g[x]!) * scale;
+  }
+}

@@ -1,0 +1,178 @@
+import {
+  add6,
+  backward,
+  BODY_BLOCK,
+  dot6,
+  factorBlock,
+  forward,
+  JOINT_BLOCK,
+  ROW_BLOCK,
+  ROWS,
+  SIDE,
+} from './blocks.js';
+import type { Component } from './forest.js';
+import type { RowSystem } from './row-system.js';
+
+/** Added to each row's response, as a share of it: a motor and a stop on one axis are the same row twice. */
+const LEAST_COMPLIANCE = 1e-12;
+
+/**
+ * Bodies are eliminated from the leaves to the root: each hands its inertia on to its parent through the joint between
+ * them (the articulated-body recursion, in maximal coordinates). Linear time, nothing fills in.
+ */
+export class TreeSolver {
+  readonly #system: RowSystem;
+  /** Cholesky factors of each body's inertia with its subtree's, and of each joint's rows. */
+  #bodies = new Float64Array(0);
+  #joints = new Float64Array(0);
+  /** Velocity of the child per impulse of each row. */
+  #response = new Float64Array(0);
+  /** What each row still has to do, as its child sees it. */
+  #rest = new Float64Array(0);
+  readonly #block = new Float64Array(ROW_BLOCK);
+  readonly #rows = new Float64Array(ROWS);
+
+  constructor(system: RowSystem) {
+    this.#system = system;
+  }
+
+  growBodies(room: number): void {
+    this.#bodies = new Float64Array(room * BODY_BLOCK);
+  }
+
+  growJoints(room: number): void {
+    this.#joints = new Float64Array(room * JOINT_BLOCK);
+    this.#response = new Float64Array(room * ROW_BLOCK);
+    this.#rest = new Float64Array(room * ROWS);
+  }
+
+  /** Start of the rows of a joint as one of its bodies sees them. */
+  #seenBy(joint: number, body: number): number {
+    return (joint * 2 + +(this.#system.edges[joint]!.a !== body)) * ROW_BLOCK;
+  }
+
+  /** False: some block is not positive definite. */
+  factor({ bodies }: Component): boolean {
+    const { inertia, forest } = this.#system;
+    for (const body of bodies) {
+      const at = body * BODY_BLOCK;
+      for (let x = at; x < at + BODY_BLOCK; x++) this.#bodies[x] = inertia[x]!;
+    }
+    for (const body of bodies) {
+      if (!factorBlock(this.#bodies, body * BODY_BLOCK, SIDE, SIDE)) return false;
+      const joint = forest.jointOf[body]!;
+      if (joint >= 0 && !this.#factorJoint(joint, body)) return false;
+    }
+    return true;
+  }
+
+  #factorJoint(joint: number, body: number): boolean {
+    const { jacobian, compliance, held, heldCount } = this.#system;
+    const n = heldCount[joint]!;
+    const first = joint * ROWS;
+    const at = joint * JOINT_BLOCK;
+    const rows = joint * ROW_BLOCK;
+    const child = this.#seenBy(joint, body);
+    const w = this.#response;
+    const k = this.#joints;
+    for (let r = 0; r < n; r++) {
+      const from = child + held[first + r]! * SIDE;
+      const row = rows + r * SIDE;
+      for (let x = 0; x < SIDE; x++) w[row + x] = jacobian[from + x]!;
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, w, row);
+      for (let c = 0; c <= r; c++) k[at + r * ROWS + c] = dot6(w, row, w, rows + c * SIDE);
+    }
+    for (let r = 0; r < n; r++) {
+      const i = at + r * ROWS + r;
+      k[i] = k[i]! * (1 + LEAST_COMPLIANCE) + compliance[first + held[first + r]!]!;
+      backward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, w, rows + r * SIDE);
+    }
+    if (!factorBlock(k, at, n, ROWS)) return false;
+    const parent = this.#system.forest.parentOf[body]!;
+    if (parent >= 0) this.#loadParent(joint, parent, n);
+    return true;
+  }
+
+  /** Inertia of the parent += Jᵀ K⁻¹ J. */
+  #loadParent(joint: number, parent: number, n: number): void {
+    const { jacobian, held } = this.#system;
+    const k = this.#joints;
+    const at = joint * JOINT_BLOCK;
+    const seen = this.#seenBy(joint, parent);
+    const y = this.#block;
+    const inertia = parent * BODY_BLOCK;
+    for (let r = 0; r < n; r++) {
+      const from = seen + held[joint * ROWS + r]! * SIDE;
+      const o = r * SIDE;
+      for (let x = 0; x < SIDE; x++) y[o + x] = jacobian[from + x]!;
+      for (let c = 0; c < r; c++) add6(y, o, y, c * SIDE, -k[at + r * ROWS + c]!);
+      for (let x = 0; x < SIDE; x++) y[o + x]! *= k[at + r * ROWS + r]!;
+      for (let i = 0; i < SIDE; i++) {
+        const factor = y[o + i]!;
+        for (let j = 0; j <= i; j++) this.#bodies[inertia + i * SIDE + j]! += factor * y[o + j]!;
+      }
+    }
+  }
+
+  /**
+   * Velocities and impulses under the momenta of `load`, which are used up. `share` 0 leaves the wanted velocities out:
+   * what the load alone does.
+   */
+  solve({ bodies }: Component, load: Float64Array, share: 0 | 1): void {
+    const { jointOf } = this.#system.forest;
+    for (const body of bodies) {
+      const joint = jointOf[body]!;
+      if (joint >= 0) this.#gather(joint, body, load, share);
+    }
+    for (let i = bodies.length - 1; i >= 0; i--) this.#release(bodies[i]!, load);
+  }
+
+  /** From the leaves: what the joint has to do, handed on to the parent. */
+  #gather(joint: number, body: number, load: Float64Array, share: 0 | 1): void {
+    const { wanted, held, heldCount, jacobian, forest } = this.#system;
+    const n = heldCount[joint]!;
+    const at = joint * JOINT_BLOCK;
+    const s = this.#rows;
+    for (let r = 0; r < n; r++) {
+      const i = joint * ROWS + r;
+      const lacking =
+        share * wanted[joint * ROWS + held[i]!]! -
+        dot6(this.#response, joint * ROW_BLOCK + r * SIDE, load, body * SIDE);
+      s[r] = this.#rest[i] = lacking;
+    }
+    const parent = forest.parentOf[body]!;
+    if (parent < 0) return;
+    forward(this.#joints, at, n, ROWS, s, 0);
+    backward(this.#joints, at, n, ROWS, s, 0);
+    const seen = this.#seenBy(joint, parent);
+    for (let r = 0; r < n; r++)
+      add6(load, parent * SIDE, jacobian, seen + held[joint * ROWS + r]! * SIDE, s[r]!);
+  }
+
+  /** From the root: the parent's velocity is known, then the joint's impulses, then the child's velocity. */
+  #release(body: number, load: Float64Array): void {
+    const { velocity, impulse, held, heldCount, jacobian, forest } = this.#system;
+    const v = body * SIDE;
+    for (let x = v; x < v + SIDE; x++) velocity[x] = load[x]!;
+    forward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, velocity, v);
+    backward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, velocity, v);
+    const joint = forest.jointOf[body]!;
+    if (joint < 0) return;
+    const n = heldCount[joint]!;
+    const at = joint * JOINT_BLOCK;
+    const parent = forest.parentOf[body]!;
+    const seen = parent < 0 ? 0 : this.#seenBy(joint, parent);
+    const s = this.#rows;
+    for (let r = 0; r < n; r++) {
+      const i = joint * ROWS + r;
+      s[r] = this.#rest[i]!;
+      if (parent >= 0) s[r]! -= dot6(jacobian, seen + held[i]! * SIDE, velocity, parent * SIDE);
+    }
+    forward(this.#joints, at, n, ROWS, s, 0);
+    backward(this.#joints, at, n, ROWS, s, 0);
+    for (let r = 0; r < n; r++) {
+      impulse[joint * ROWS + held[joint * ROWS + r]!] = s[r]!;
+      add6(velocity, v, this.#response, joint * ROW_BLOCK + r * SIDE, s[r]!);
+    }
+  }
+}

@@ -1,0 +1,89 @@
+import { addBody, addJoint, close, velocity, world, type Body } from '../helpers.js';
+import type { Row } from './rows.js';
+
+interface Line {
+  w: Awaited<ReturnType<typeof world>>;
+  balls: Body[];
+}
+
+/** Balls of 0.5 m in a row along x without weight; the first one comes at 1 m/s, the others touch. */
+async function line(masses: number[], fields: Record<string, unknown> = {}): Promise<Line> {
+  const w = await world({ gravity: [0, 0, 0] });
+  const balls = masses.map((mass, i) =>
+    addBody(w, {
+      mass,
+      position: [i === 0 ? -0.1 : i, 0, 0],
+      linearVelocity: [i === 0 ? 1 : 0, 0, 0],
+    }),
+  );
+  w.add('CollisionCollection', {
+    collidables: '*',
+    bounce: 1,
+    frictionCoefficients: [0, 0],
+    ...fields,
+  });
+  return { w, balls };
+}
+
+const speeds = (balls: Body[]): number[] => balls.map((ball) => velocity(ball)[0]);
+
+export const chainRows: Row[] = [
+  {
+    effect: 'chains of hits',
+    fact: 'a blow on a touching row goes on as one hit after the other: the far ball leaves',
+    run: async () => {
+      const equal = await line([1, 1, 1, 1]);
+      equal.w.advance(0.5);
+      close(speeds(equal.balls), [0, 0, 0, 1], 1e-4, 'm/s');
+      // 1 on 2: -1/3 and 2/3; 2 on 4: -2/9 and 4/9.
+      const growing = await line([1, 2, 4]);
+      growing.w.advance(0.5);
+      close(speeds(growing.balls), [-1 / 3, -2 / 9, 4 / 9], 1e-4, 'm/s');
+    },
+  },
+  {
+    effect: 'chains of hits',
+    fact: 'with bounce e the last of n balls gets ((1 + e) / 2)ⁿ⁻¹ of the speed, and momentum stays',
+    run: async () => {
+      const { w, balls } = await line([1, 1, 1, 1], { bounce: 0.5 });
+      w.advance(0.5);
+      const after = speeds(balls);
+      close(after[3]!, 0.75 ** 3, 1e-3, 'm/s');
+      close(
+        after.reduce((sum, speed) => sum + speed, 0),
+        1,
+        1e-3,
+        'N s',
+      );
+    },
+  },
+  {
+    effect: 'chains of hits',
+    fact: 'who listens hears how hard a hit was that went on',
+    run: async () => {
+      const { w, balls } = await line([1, 1, 1]);
+      const heard: number[] = [];
+      balls[0]!.on('collisionstart', (told) => heard.push((told as { impulse: number }).impulse));
+      w.advance(0.5);
+      close(heard, [1], 1e-3, 'N s');
+    },
+  },
+  {
+    effect: 'chains of hits',
+    fact: 'a ball that hangs on a rod gives way as its hinge lets it',
+    run: async () => {
+      const { w, balls } = await line([1, 1, 1]);
+      addJoint(w, 'SingleAxisHingeJoint', {
+        body2: balls[1],
+        anchorPoint: [1, 0.5, 0],
+        axis: [0, 0, 1],
+      });
+      w.advance(0.5);
+      // At the hinge's arm r = 0.5 m it weighs I / r² = (0.1 + 0.25) / 0.25 = 1.4 kg.
+      const [m, n] = [1, 1.4];
+      const second = (2 * m) / (m + n);
+      close(speeds(balls)[0]!, (m - n) / (m + n), 0.01, 'm/s, the first');
+      close(speeds(balls)[2]!, (second * 2 * n) / (m + n), 0.01, 'm/s, the last');
+    },
+  },
+];
