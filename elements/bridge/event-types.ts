@@ -9,7 +9,10 @@ const COLLISION =
   '{ other: Element; impulse: number; contacts: unknown[]; time: number; reason?: string }';
 const STEP = '{ time: number; timeStep: number }';
 
-/** Those of nodes in an Inline fire at the Inline, with `node`, `def` and `element` in their detail. */
+/**
+ * Those of nodes in an Inline fire at the Inline, with `node`, `def` and `element` in their detail. The last ones of an
+ * element that was removed fire at it, where only its own listeners hear them, and so at what it was taken out of.
+ */
 export const eventTypes: Record<string, EventType> = {
   collisionstart: { doc: 'It has begun to touch another one.', detail: COLLISION },
   collisionend: {

@@ -84,7 +84,7 @@ export class Events {
     if (type === 'sleep' || type === 'wake')
       setState(binding.element, 'sleeping', type === 'sleep');
     else if (COLLISIONS.includes(type)) this.#noteTouching(binding, type, detail);
-    if (listening.heard(placeOf(binding), type)) this.#fireAt(binding, type, inElements(detail));
+    if (isHeard(binding, type)) this.#fireAt(binding, type, inElements(detail));
   }
 
   #noteTouching(binding: Binding, type: string, detail: { other?: unknown }): void {
@@ -123,15 +123,12 @@ export class Events {
     for (const collection of [...world.collections]) this.#fireAt(collection, type, detail);
   }
 
+  /** What has left the page is heard by its own listeners, and by those around its last place. */
   #fireAt(binding: Binding, type: string, detail: object): void {
-    const host = binding.scope?.pageHost;
-    if (!host) return this.#fire(binding.element, type, detail);
-    this.#fire(host, type, {
-      ...detail,
-      node: binding.node,
-      def: binding.name,
-      element: binding.element,
-    });
+    const { element, leftFrom } = binding;
+    const place = placeOf(binding);
+    this.#fire(place, type, place === element ? detail : withNames(binding, detail));
+    if (leftFrom) this.#fire(leftFrom, type, withNames(binding, detail));
   }
 
   #fire(element: Element, type: string, detail: object): void {
@@ -173,6 +170,23 @@ interface Sleeper {
 
 /** Where events of a node fire. */
 const placeOf = (binding: Binding): Element => binding.scope?.pageHost ?? binding.element;
+
+/** There, or where that was taken out of. */
+function isHeard(binding: Binding, type: string): boolean {
+  const { leftFrom } = binding;
+  return (
+    listening.heard(placeOf(binding), type) ||
+    (leftFrom !== undefined && listening.heard(leftFrom, type))
+  );
+}
+
+/** Where it does not fire at its own element it says whose it is. */
+const withNames = (binding: Binding, detail: object): object => ({
+  ...detail,
+  node: binding.node,
+  def: binding.name,
+  element: binding.element,
+});
 
 /**
  * Sleeping and waking are rare: custom elements always show them. Collisions have to be read, which nobody pays for

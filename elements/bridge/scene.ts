@@ -11,6 +11,7 @@ import { Scope } from './document/scope.js';
 import { placeAsWritten } from './drawing/place.js';
 import { Observed } from './document/observed.js';
 import { isCollidable, worldFor } from './document/structure.js';
+import { Unlisted } from './nodes/unlisted.js';
 import { Updates } from './nodes/updates.js';
 import { Worlds, type PageWorld } from './nodes/worlds.js';
 import type { PhysicsX3DNode } from './x3dom/node-types.js';
@@ -25,6 +26,7 @@ export class Scene implements Driven {
   readonly routes = new Routes();
   readonly readers = new Readers();
   readonly events = new Events(this);
+  readonly unlisted = new Unlisted();
   readonly updates = new Updates(this);
   readonly observed = new Observed(this);
   readonly drivers = new Drivers(this);
@@ -83,10 +85,11 @@ export class Scene implements Driven {
     return scope;
   }
 
-  removeScope(scope: Scope): void {
+  /** `from`: what its host was taken out of. */
+  removeScope(scope: Scope, from?: Element): void {
     this.#scopes.delete(scope.root);
     scope.observer?.disconnect();
-    for (const element of subtree(scope.root)) this.disconnect(element, scope);
+    for (const element of subtree(scope.root)) this.disconnect(element, scope, from);
     this.updates.schedule();
   }
 
@@ -128,12 +131,13 @@ export class Scene implements Driven {
     this.dirty(binding);
   }
 
-  disconnect(element: Element, scope: Scope): void {
+  /** `from`: what it was taken out of, with whatever stood around it. */
+  disconnect(element: Element, scope: Scope, from?: Element): void {
     scope.names.remove(element);
     scope.noteStatement(element, false);
     const inner = this.scopeIn(element);
-    if (inner) this.removeScope(inner);
-    if (isPhysics(element)) this.updates.left(ownBinding(element));
+    if (inner) this.removeScope(inner, from);
+    if (isPhysics(element)) this.updates.left(ownBinding(element), from);
   }
 
   /** An Inline's file stands in the scene: what was there before from the same Inline has gone. */

@@ -24,6 +24,10 @@ export class Observed {
   /** Attributes of Transforms that the author took away, lowercase: x3dom does not hear of them again. */
   readonly #removed = new WeakMap<Element, Set<string>>();
 
+  #early = false;
+  /** Transforms that x3dom was told of early, and that were not edited since. */
+  readonly #ahead = new Set<Element>();
+
   constructor(scene: Scene) {
     this.#scene = scene;
   }
@@ -38,12 +42,14 @@ export class Observed {
     });
   }
 
-  /** What happened so far in this task, now. */
+  /** What happened so far in this task, now: x3dom hears of it later. */
   takeRecords(): void {
+    this.#early = true;
     for (const scope of this.#scene.scopes) {
       const records = scope.observer?.takeRecords();
       if (records?.length) this.#take(records, scope);
     }
+    this.#early = false;
   }
 
   #take(records: MutationRecord[], scope: Scope): void {
@@ -57,7 +63,8 @@ export class Observed {
 
   #children(parent: Element, { addedNodes, removedNodes }: MutationRecord, scope: Scope): void {
     for (const node of removedNodes) {
-      if (node instanceof Element && !scope.root.contains(node)) this.#eachLeft(node, scope);
+      if (node instanceof Element && !scope.root.contains(node))
+        this.#eachLeft(node, scope, parent);
       else if (node instanceof Element) this.#eachMoved(node);
     }
     for (const node of addedNodes) {
@@ -67,8 +74,8 @@ export class Observed {
       this.#touch(parent);
   }
 
-  #eachLeft(root: Element, scope: Scope): void {
-    for (const element of subtree(root)) this.#scene.disconnect(element, scope);
+  #eachLeft(root: Element, scope: Scope, from: Element): void {
+    for (const element of subtree(root)) this.#scene.disconnect(element, scope, from);
   }
 
   /** Taken out and put back within one task. */
@@ -116,12 +123,26 @@ export class Observed {
   /** x3dom follows a Transform's attribute only from one value to another; the rest is done here. */
   #transform(element: Element, name: string, oldValue: string | null, value: string | null): void {
     if (value === oldValue) return this.#scene.updates.rewritten(element);
+    if (!this.#early) this.#ahead.delete(element);
     const lower = name.toLowerCase();
     const removed = this.#removed.get(element);
     if (value === null) {
       this.#removed.set(element, (removed ?? new Set()).add(lower));
       if (DEFAULTS[lower]) nodeOf(element)?.updateField(name, DEFAULTS[lower]);
     } else if (removed?.delete(lower)) nodeOf(element)?.updateField(name, value);
+    else if (this.#early && oldValue !== null && lower in DEFAULTS)
+      this.#tellEarly(element, name, value);
+  }
+
+  /** In the page x3dom will do the same when its observer runs: that is no edit then, unless there was another one. */
+  #tellEarly(element: Element, name: string, value: string): void {
+    if (element.ownerDocument !== document) return;
+    this.#ahead.add(element);
+    // After its observer, and before the updates that follow on that.
+    queueMicrotask(() => {
+      if (this.#ahead.delete(element)) this.#scene.updates.rewritten(element);
+    });
+    nodeOf(element)?.updateField(name, value);
   }
 }
 

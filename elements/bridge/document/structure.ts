@@ -127,6 +127,12 @@ export function nodesOf(binding: Binding, role: string, ...types: string[]): Bin
 export const collidablesIn = (binding: Binding, role: string): Binding[] =>
   nodesOf(binding, role, 'CollidableShape', 'CollidableOffset');
 
+/** Whether a CollisionCollection lists every collidable of its world. */
+export function listsAll(binding: Binding): boolean {
+  const authored = binding.is('CollisionCollection') && binding.authored('collidables');
+  return typeof authored === 'string' && authored.trim() === '*';
+}
+
 /** What a CollisionCollection or CollisionSpace lists itself. */
 export const membersOf = (binding: Binding): Binding[] =>
   nodesOf(binding, 'collidables', 'CollidableShape', 'CollidableOffset', 'CollisionSpace');
@@ -181,7 +187,9 @@ export function worldFor(binding: Binding): PageWorld | undefined {
   if (binding.is('RigidBodyCollection')) return worlds.of(binding);
   if (isCollidable(binding) || binding.is('CollisionSpace')) {
     const user = ownerOf(binding) ?? listing(binding);
-    return user?.scope ? worldFor(user) : undefined;
+    if (user) return user.scope ? worldFor(user) : undefined;
+    const free = isCollidable(binding) && placesOf(binding).length > 0;
+    return free ? binding.scope!.scene.unlisted.worldOf(binding) : undefined;
   }
   if (placesOf(binding).length === 0) return undefined;
   const collection = collectionOf(binding);

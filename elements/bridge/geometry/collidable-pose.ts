@@ -1,7 +1,17 @@
 import { codecs } from '../../../physics-core/index.js';
-import type { Binding } from '../nodes/binding.js';
+import { ownBinding, type Binding } from '../nodes/binding.js';
 import { isType } from '../document/markup.js';
-import { identity, matrixOf, multiply, quaternionOf, type Affine } from './matrix.js';
+import {
+  decompose,
+  identity,
+  isIdentity,
+  matrixOf,
+  multiply,
+  quaternionOf,
+  withLinear,
+  type Affine,
+  type Pose,
+} from './matrix.js';
 import { ownerOf } from '../document/structure.js';
 import { matrixAbove } from './transforms.js';
 
@@ -24,6 +34,36 @@ export function localPose(collidable: Binding): Affine {
   const [ax, ay, az, angle] = valueOf(collidable, 'rotation');
   const quaternion = quaternionOf([ax, ay, az, angle * collidable.units.angle]);
   return matrixOf({ position: [x, y, z], quaternion });
+}
+
+/** Where the document puts a collidable otherwise than its own fields say, and the scale that its shape has there. */
+export interface Placing {
+  pose?: Pose | undefined;
+  linear: number[] | undefined;
+}
+
+/** One without a body is an obstacle that stands where it is drawn; a scaled offset moves what is in it. */
+export function placing(collidable: Binding): Placing {
+  const offset = offsetAround(collidable);
+  const frame = offset ? insideOf(offset) : above(collidable);
+  if (isIdentity(frame)) return { linear: undefined };
+  if (!offset && ownerOf(collidable)) return { linear: decompose(frame).linear };
+  const pose = decompose(multiply(frame, localPose(collidable)));
+  return { pose, linear: pose.linear };
+}
+
+/** The scale inside an offset, seen from where the offset itself is. */
+function insideOf(offset: Binding): Affine {
+  const around = offsetAround(offset);
+  const frame = around ? insideOf(around) : above(offset);
+  // The arm in a body is as it is written.
+  const arm = !around && ownerOf(offset) ? identity() : localPose(offset);
+  return withLinear(identity(), decompose(multiply(frame, arm)).linear);
+}
+
+function offsetAround({ element }: Binding): Binding | undefined {
+  const parent = element.parentElement;
+  return parent && isType(parent, 'CollidableOffset') ? ownBinding(parent) : undefined;
 }
 
 export const collidableMatrix = (collidable: Binding): Affine =>

@@ -73,6 +73,14 @@ export class Binding extends Findings {
     return fields;
   }
 
+  /** What the author wrote for a field holds again, or its default. */
+  restore(name: string): void {
+    const field = this.type.fields[name];
+    const value = holdsNodes(field) ? undefined : this.authored(name);
+    if (value === undefined) this.node?.unset(name);
+    else this.node?.set(name, inSI(field, value, this.units), value);
+  }
+
   /** An attribute was written or removed. */
   attributeChanged(attributeName: string): void {
     const name = fieldsByAttribute(this.type).get(attributeName.toLowerCase());
@@ -80,10 +88,8 @@ export class Binding extends Findings {
     const field = this.type.fields[name];
     if (holdsNodes(field)) return this.#setNodes(name, null);
     this.#properties.delete(name);
-    const text = authoredText(this.element, name, this.type);
     if (this.#decides(name)) this.scope?.scene.dirty(this);
-    else if (text === undefined) this.node?.unset(name);
-    else this.node?.set(name, inSI(field, text, this.units), text);
+    else this.restore(name);
     this.scope?.scene.valueChanged(this);
   }
 

@@ -25,17 +25,17 @@ export function restoreState(node: PhysicsNode, state: Record<string, unknown>):
 
 interface BodyLike extends PhysicsNode {
   start: StartPose | undefined;
-  teleport(position: number[], orientation?: number[]): void;
 }
 
-/** A fixed body is carried along, and carries what stands on it; another one jumps. */
+/**
+ * A fixed body is carried along, and carries what stands on it; another one jumps. An edit like any other: joints that
+ * were edited in the same task are made anew at the new pose, whichever came first.
+ */
 export function moveTo(node: PhysicsNode, { p, q }: StartPose): void {
   // That is also where a reset takes it.
   (node as BodyLike).start = { p, q };
-  const orientation = axisAngleOf(q as Quaternion);
-  if (!node.get('fixed')) return (node as BodyLike).teleport(p, orientation);
   node.event('position', p);
-  node.event('orientation', orientation);
+  node.event('orientation', axisAngleOf(q as Quaternion));
 }
 
 /** Where a body is, going by what it moves. */

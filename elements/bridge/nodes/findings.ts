@@ -17,6 +17,8 @@ export abstract class Findings {
   readonly type: NodeType;
   /** Null while the element is in no `<x3d>`. */
   scope: Scope | null = null;
+  /** What it was taken out of, with whatever stood around it: there its last events are heard. */
+  leftFrom: Element | undefined;
   readonly #refused = new Map<string, Report>();
   #waiting = new Map<string, string>();
   /** What was reported while its node was planned: taken back when the next plan does not find it again. */

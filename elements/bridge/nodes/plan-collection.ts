@@ -1,7 +1,7 @@
 import type { PhysicsNode } from '../../../physics-core/index.js';
 import type { Binding } from './binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
-import { membersOf, nodesOf } from '../document/structure.js';
+import { listsAll, membersOf, nodesOf } from '../document/structure.js';
 import type { PageWorld } from './worlds.js';
 
 /** The one CollisionCollection among the children. */
@@ -19,9 +19,7 @@ export function planSensor(binding: Binding, world: PageWorld): Plan {
 }
 
 export function planColliders(binding: Binding, world: PageWorld): Plan {
-  const authored = binding.authored('collidables');
-  const all = typeof authored === 'string' && authored.trim() === '*';
-  const collidables = all ? '*' : nodesIn(world, membersOf(binding), binding);
+  const collidables = listsAll(binding) ? '*' : nodesIn(world, membersOf(binding), binding);
   return { world, collection: collectionNode(binding), relations: { collidables } };
 }
 

@@ -1,15 +1,8 @@
 import type { Binding } from './binding.js';
-import { above, localPose, repeatsBodyPose } from '../geometry/collidable-pose.js';
+import { placing, repeatsBodyPose, type Placing } from '../geometry/collidable-pose.js';
 import { isShape } from '../document/dom.js';
 import { GeometryReader, noteWaiting } from '../geometry/reader.js';
-import {
-  axisAngleOf,
-  decompose,
-  identity,
-  isIdentity,
-  multiply,
-  withLinear,
-} from '../geometry/matrix.js';
+import { axisAngleOf, decompose, identity, withLinear } from '../geometry/matrix.js';
 import { nodesIn, type Plan } from './plan.js';
 import { standInMatrix } from '../document/shortcuts.js';
 import { collidablesIn, ownerOf } from '../document/structure.js';
@@ -21,6 +14,7 @@ export function planShape(binding: Binding, world: PageWorld): Plan {
   const { standIn } = binding;
   const own = [...binding.element.children].some(isShape);
   const named = binding.named('shape');
+  const placed = placing(binding);
   if (standIn && !own && !named)
     reader.collect(
       standIn.shapes,
@@ -32,32 +26,43 @@ export function planShape(binding: Binding, world: PageWorld): Plan {
       reader.collect(
         element,
         binding.scope!.scene.scopeOf(element) ?? binding.scope!,
-        withLinear(identity(), decompose(above(binding)).linear),
+        withLinear(identity(), placed.linear),
       );
   noteWaiting(binding, reader);
-  return { world, relations: { shape: reader.found, ...freePose(binding) } };
+  return { world, relations: { shape: reader.found, ...poseOf(binding, placed) } };
 }
 
-/** A collidable that no body owns is an obstacle that stands where it is drawn, and moves with what is above it. */
-function freePose(binding: Binding): Record<string, unknown> {
-  if (ownerOf(binding)) return {};
-  const { readers } = binding.scope!.scene;
-  for (const transform of transformsAbove(binding.element, binding.scope!))
-    readers.add(transform, binding);
-  const upon = above(binding);
-  if (isIdentity(upon)) return {};
-  const { position, quaternion } = decompose(multiply(upon, localPose(binding)));
+/** Its place where its own fields do not say it. */
+function poseOf(binding: Binding, { pose }: Placing): Record<string, unknown> {
+  if (!ownerOf(binding)) followAbove(binding);
+  if (!pose) return {};
   return {
-    translation: position.map((value) => value * binding.units.length),
-    rotation: axisAngleOf(quaternion),
+    translation: pose.position.map((value) => value * binding.units.length),
+    rotation: axisAngleOf(pose.quaternion),
   };
+}
+
+/** A collidable that no body owns moves with the edits of what is above it, though not with the simulation. */
+function followAbove(binding: Binding): void {
+  const { readers, drivers } = binding.scope!.scene;
+  const transforms = transformsAbove(binding.element, binding.scope!);
+  for (const transform of transforms) readers.add(transform, binding);
+  const body = transforms.map((transform) => drivers.of(transform)).find((each) => each);
+  if (!body) return;
+  binding.problem({
+    code: 'misplaced',
+    severity: 'warning',
+    value: body.label,
+    used: 'the place where it stands now',
+    message: `${binding.label} stands in a Transform that ${body.label} moves, and does not move with it: name it in the body's geometry`,
+  });
 }
 
 export function planOffset(binding: Binding, world: PageWorld): Plan {
   const child = collidablesIn(binding, 'collidable')[0];
   const collidable = child ? (nodesIn(world, [child], binding)[0] ?? null) : null;
   const relations: Record<string, unknown> = { collidable };
-  Object.assign(relations, freePose(binding));
+  Object.assign(relations, poseOf(binding, placing(binding)));
   if (repeatsBodyPose(binding))
     Object.assign(relations, { translation: [0, 0, 0], rotation: [0, 0, 1, 0] });
   return { world, relations };

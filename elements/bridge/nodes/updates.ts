@@ -7,7 +7,7 @@ import type { Plan, StartPose } from './plan.js';
 import { planFor } from './plans.js';
 import type { Scene } from '../scene.js';
 import type { Scope } from '../document/scope.js';
-import { worldFor } from '../document/structure.js';
+import { listsAll, worldFor } from '../document/structure.js';
 import { Writer } from './writer.js';
 import type { PhysicsX3DNode } from '../x3dom/node-types.js';
 import { nodeOf } from '../x3dom/x3dom.js';
@@ -46,8 +46,9 @@ export class Updates {
     this.schedule();
   }
 
-  left(binding: Binding | undefined): void {
+  left(binding: Binding | undefined, from: Element | undefined): void {
     if (!binding) return;
+    binding.leftFrom = from;
     this.#left.add(binding);
     this.schedule();
   }
@@ -150,6 +151,7 @@ export class Updates {
       if (this.#scene.scopeOf(binding.element) === binding.scope && binding.scope)
         this.#queue.add(binding);
       else this.drop(binding);
+      binding.leftFrom = undefined;
     }
     this.#left.clear();
   }
@@ -210,6 +212,7 @@ export class Updates {
     binding.tellFound();
     if (binding.node !== node || binding.is('CollidableShape', 'CollidableOffset'))
       this.#tellUsers(binding);
+    this.#scene.unlisted.note(binding, listsAll(binding) ? binding.world : null);
     if (world !== binding.world && binding.is('RigidBodyCollection'))
       this.#movedWorld(binding, world);
   }
@@ -241,6 +244,7 @@ export class Updates {
     this.#tellUsers(binding);
     this.#writer.remove(binding);
     this.#scene.drivers.stop(binding);
+    this.#scene.unlisted.forget(binding);
     binding.beginPlan();
     binding.tellFound();
     this.#scene.reports.settle(binding);

@@ -71,7 +71,7 @@ export class Writer {
       if (plan.shapes && name === 'geometry') continue;
       if (sameRelation(binding.relations[name], plan.relations[name])) continue;
       if (name in plan.relations) node.set(name, plan.relations[name]);
-      else node.unset(name);
+      else binding.restore(name);
     }
     binding.relations = plan.relations;
   }

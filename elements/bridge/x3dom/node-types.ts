@@ -4,6 +4,7 @@ import { ownBinding } from '../nodes/binding.js';
 import { isTransform, tagOf, type NodeType } from '../document/dom.js';
 import { holdsNodes } from '../nodes/fields.js';
 import { placeAsWritten } from '../drawing/place.js';
+import { surviveLostContext } from './lost-context.js';
 import { watchRoutes } from './route-ends.js';
 import { fromX3DOM, toX3DOM } from './values.js';
 import { nodeOf, type NodeContext, type X3DNode, type X3DNodeClass, type X3DOM } from './x3dom.js';
@@ -219,6 +220,7 @@ export function registerNodeTypes(x: X3DOM, listener: Listener): void {
   watchRoutes(x);
   watchTransforms(x, listener);
   watchInlines(x, listener);
+  surviveLostContext(x);
 }
 
 function register(x: X3DOM, name: string, tag: string, type: X3DNodeClass): void {

@@ -111,6 +111,8 @@ export interface X3DOM {
     MFString: new (array?: unknown[]) => unknown[];
     MFFloat: new (array?: unknown[]) => unknown[];
   };
+  /** Shaders and textures of one canvas. */
+  Cache: { prototype: { Release(gl: WebGLRenderingContext): void } };
   registerNodeType(name: string, component: string, type: X3DNodeClass): void;
   reload(): void;
 }

@@ -96,9 +96,36 @@ describe('collisionstart and collisionend', () => {
         );
       world.advance(0.5);
       expect(heard.length).to.equal(2);
-      x3d.querySelector('#ball')!.remove();
+      const ball = x3d.querySelector('#ball')!;
+      ball.remove();
       world.step(2);
-      expect(heard.slice(2)).to.include('floor collisionend removed');
+      // The ball itself is no longer under those who listen: it ends where it stood.
+      expect(heard.slice(2)).to.have.members([
+        'c collisionend removed',
+        'floor collisionend removed',
+      ]);
+    });
+
+    it(`${spelling} tags: a body that goes is heard by its own listeners and by those around its last place, each once`, async () => {
+      const { x3d, world } = await paused(markup.replace('position="0 1 0"', 'position="0 0.5 0"'));
+      const ball = x3d.querySelector('#ball')!;
+      const [own, around]: CustomEvent[][] = [[], []];
+      ball.addEventListener('collisionend', (event) => own!.push(event as CustomEvent));
+      const place = x3d.querySelector('#c')!;
+      place.addEventListener('collisionend', (event) => around!.push(event as CustomEvent));
+      world.advance(0.5);
+      ball.remove();
+      world.step(2);
+      expect(own!.map(({ detail }) => detail.reason)).to.eql(['removed']);
+      const its = around!.filter(({ target }) => target === place);
+      expect(its.map(({ detail }) => [detail.element, detail.reason])).to.eql([[ball, 'removed']]);
+      place.append(ball);
+      world.reset();
+      world.advance(0.5);
+      ball.setAttribute('position', '0 9 0');
+      world.step(2);
+      expect(around!.at(-1)!.target).to.not.equal(place);
+      expect(own!.length).to.equal(2);
     });
   }
 

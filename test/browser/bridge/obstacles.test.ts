@@ -88,6 +88,81 @@ describe('a collidable without a body', () => {
     });
   }
 
+  for (const [spelling, markup] of bothSpellings(`${table}
+    <x3d-rigid-body-collection id="c">${ball('3 3 0')}
+      <x3d-collision-collection id="k" collidables="*"></x3d-collision-collection>
+    </x3d-rigid-body-collection>`))
+    it(`${spelling} tags: is among all that a list names by *, as long as it does`, async () => {
+      claim('not-in-collider');
+      const { x3d, world } = await show(markup, '#c');
+      const list = x3d.querySelector('#k')!;
+      world.paused = true;
+      world.reset();
+      world.advance(2);
+      expect(position(world, 'ball')[1]).to.be.closeTo(2, 0.01);
+      expect(worldOf(x3d.querySelector('#table'))).to.equal(world);
+      list.removeAttribute('collidables');
+      world.advance(0.5);
+      expect(world.node('table')).to.equal(undefined);
+      expect(position(world, 'ball')[1]).to.be.below(1.5);
+      x3d.querySelector('#ball')!.setAttribute('position', '3 4 0');
+      list.setAttribute('collidables', '*');
+      world.advance(2);
+      expect(position(world, 'ball')[1]).to.be.closeTo(2, 0.01);
+      list.remove();
+      world.advance(0.5);
+      expect(position(world, 'ball')[1]).to.be.below(1.5);
+    });
+
+  it('in a Transform that a body moves says that it stays', async () => {
+    claim('does not move with it');
+    const { world } = await show(
+      `<x3d-rigid-body-collection id="c"><x3d-collision-collection collidables="*"></x3d-collision-collection>
+        </x3d-rigid-body-collection>
+      <x3d-rigid-body-collection default></x3d-rigid-body-collection>
+      <transform><shape><box></box></shape><x3d-rigid-body id="b"></x3d-rigid-body>
+        <x3d-collidable-shape id="s"><shape><box></box></shape></x3d-collidable-shape></transform>`,
+      '#c',
+    );
+    const [problem] = world.problems;
+    expect([problem!.code, (problem!.element as Element).id]).to.eql(['misplaced', 's']);
+  });
+
+  it('belongs to the world whose list of all stands in its own scope', async () => {
+    const world = (id: string, list: string): string =>
+      `<x3d-rigid-body-collection id="${id}">${list}</x3d-rigid-body-collection>`;
+    const all = '<x3d-collision-collection collidables="*"></x3d-collision-collection>';
+    const { x3d } = await show(table + world('a', '') + world('b', all) + world('d', all), '#b');
+    expect(worldOf(x3d.querySelector('#table'))).to.equal(worldOf(x3d.querySelector('#b')));
+  });
+
+  for (const [spelling, markup] of bothSpellings(`
+    <transform id="scaled" translation="0 1 0" scale="2 0.5 1">
+      <x3d-collidable-offset def="shelf" id="shelf" translation="1 0 0">
+        <x3d-collidable-shape def="board" id="board" translation="1 2 0"><shape><box size="2 1 4"></box></shape></x3d-collidable-shape>
+      </x3d-collidable-offset>
+    </transform>
+    <x3d-rigid-body-collection id="c">${ball('4 4 0')}</x3d-rigid-body-collection>
+    <x3d-collision-collection id="k" collidables="*"></x3d-collision-collection>`))
+    it(`${spelling} tags: in an offset has the scale above that, in its place and its size`, async () => {
+      const { x3d, world } = await show(markup, '#c');
+      world.paused = true;
+      world.reset();
+      await drawn();
+      // Drawn at 2·(1 + 1), 1 + 0.5·2: its upper side is 0.25 m above its middle.
+      expect(drawnAt(x3d.querySelector('#board')!).slice(0, 2)).to.eql([4, 2]);
+      world.advance(2);
+      expect(position(world, 'ball')[1]).to.be.closeTo(2.75, 0.01);
+      const top = (x: number) => world.raycast([x, 5, 0], [x, 0, 0]);
+      expect(top(5.9)?.element).to.equal(x3d.querySelector('#shelf'));
+      expect(top(6.1)).to.equal(null);
+      x3d.querySelector('#scaled')!.setAttribute('scale', '1 1 1');
+      await drawn();
+      world.step(1);
+      expect(top(2.9)?.position[1]).to.be.closeTo(3.5, 1e-5);
+      expect(top(3.1)).to.equal(null);
+    });
+
   it('listed nowhere takes part in nothing', async () => {
     const { world } = await show(
       `${table}<x3d-rigid-body-collection id="c">${ball('3 3 0')}</x3d-rigid-body-collection>`,
