@@ -52,7 +52,7 @@ export function solveAdded(contacts: readonly ContactNode[], world: World, dt: n
 
 /** The velocity that becomes `after` with what the step will add. */
 function kept(body: BodyNode, at: number, after: Vec3, before: Vec3): Vec3 {
-  const now = body.world.bodies.velocityOf(body);
+  const now = velocityNow(body);
   return [0, 1, 2].map((i) => now[at + i]! + after[i]! - before[i]!) as Vec3;
 }
 
@@ -99,9 +99,15 @@ function movingOf(body: BodyNode, moving: Map<BodyNode, Moving>, dt: number): Mo
 
 /** Velocities at the end of the step, without contacts. */
 function predicted(body: BodyNode, dt: number): { linear: Vec3; angular: Vec3 } {
-  const [vx, vy, vz, wx, wy, wz] = body.world.bodies.velocityOf(body);
-  const gravity: Vec3 = body.asked('useGlobalGravity') ? body.settings.gravity : [0, 0, 0];
-  return { linear: add([vx!, vy!, vz!], scale(gravity, dt)), angular: [wx!, wy!, wz!] };
+  const [vx, vy, vz, wx, wy, wz] = velocityNow(body);
+  return { linear: add([vx!, vy!, vz!], scale(body.gravity, dt)), angular: [wx!, wy!, wz!] };
+}
+
+/** As Bullet has it: other effects changed it before this step. */
+function velocityNow({ world, body, pointer }: BodyNode): Float64Array {
+  const velocity = new Float64Array(6);
+  world.engine.reader.velocity(body, pointer, velocity, 0);
+  return velocity;
 }
 
 function rowOf(

@@ -46,7 +46,7 @@ export class ContactReader extends Effect {
   /** Somebody began or ceased to listen to a body, or to a collidable without one. */
   update(node: PhysicsNode): void {
     const event = ['collisionstart', 'collisionend'].find((name) => node.heard(name));
-    if (event) {
+    if (event && !node.removed) {
       this.need(node, event);
       return;
     }
@@ -97,22 +97,22 @@ export class ContactReader extends Effect {
     this.#touches.part(body, reason, this.#world.time);
   }
 
-  /** The world begins anew. */
-  reset(): void {
+  /** The world begins anew, or ends. */
+  reset(reason: 'reset' | 'removed' = 'reset'): void {
     this.#world.registry.given.forget();
-    this.#touches.endAll('reset', this.#world.time);
+    this.#touches.endAll(reason, this.#world.time);
   }
 
   // ---- after each step --------------------------------------------------------------------------------------------
 
-  override afterStep(dt: number): void {
+  override afterStep(): void {
     if (!this.#world.engine.heapTrusted) return;
     this.#world.registry.given.forget();
     this.#touches.begin();
     for (const sensor of this.#sensors) sensor.beginSensing();
     this.#eachPoint(this.#read);
     for (const sensor of [...this.#sensors]) sensor.finishSensing();
-    this.#touches.finish(this.#world.time + dt);
+    this.#touches.finish(this.#world.time);
   }
 
   readonly #read: Visit = (pointer, a, b) => {

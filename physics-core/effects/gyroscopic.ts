@@ -67,6 +67,11 @@ export class Gyroscopic extends Effect {
   override drop(node: PhysicsNode): void {
     super.drop(node);
     this.#tops.delete(node);
+    this.forget(node);
+  }
+
+  /** It jumps and keeps its spin: with another pose that is another momentum. */
+  forget(node: PhysicsNode): void {
     this.#spinning.delete(node as BodyNode);
   }
 

@@ -114,6 +114,7 @@ export abstract class MovingNode extends PhysicsNode {
     this.world.wakeTouching(this);
     const velocity = this.velocityAtOrigin();
     this.place(pose);
+    this.world.registry.gyroscopic.forget(this);
     if (this.centerOfMass.p.some(Boolean)) this.setVelocityAtOrigin(velocity);
     this.wake();
   }

@@ -105,7 +105,7 @@ export class BodyNode extends MovingNode {
   /** The parts that collide, in the body's frame. */
   get parts(): CollidablePart[] {
     return this.collidables.flatMap((collidable) =>
-      collidable.owner === this ? collidable.parts() : [],
+      collidable.owner === this && !collidable.removed ? collidable.parts() : [],
     );
   }
 
@@ -124,7 +124,6 @@ export class BodyNode extends MovingNode {
     if (this.fresh) return;
     const pose = this.pose();
     const velocity = this.velocityAtOrigin();
-    const moved = !samePose(this.centerOfMass, massOf(this).centerOfMass);
     this.mass = massOf(this);
     this.centerOfMass = this.mass.centerOfMass;
     const old = this.#shapeOwner;
@@ -135,7 +134,6 @@ export class BodyNode extends MovingNode {
     this.#applyMass();
     this.place(pose);
     if (this.movable) this.setVelocityAtOrigin(velocity);
-    if (moved) for (const joint of this.joints) joint.reattach();
     this.updateMembership();
   }
 

@@ -164,7 +164,8 @@ export class CollidableOffsetNode extends CollidableNode {
 
   partsInside(): CollidablePart[] {
     const child = this.#child;
-    if (!child || child.owner !== this.owner || !this.asked<boolean>('enabled')) return [];
+    if (!child || child.removed || child.owner !== this.owner) return [];
+    if (!this.asked<boolean>('enabled')) return [];
     return child instanceof CollidableShapeNode ? child.parts(true) : child.parts();
   }
 

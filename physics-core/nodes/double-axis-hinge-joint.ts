@@ -94,7 +94,7 @@ export class DoubleAxisHingeJointNode extends JointNode {
   }
 
   override updateLimits(): void {
-    this.#chooseSpring();
+    if (this.attached) this.#chooseSpring();
     super.updateLimits();
   }
 
@@ -140,6 +140,7 @@ export class DoubleAxisHingeJointNode extends JointNode {
     this.updateLimits();
     this.updateCorrection();
     this.#needStops();
+    this.#needMotors();
   }
 
   #needStops(): void {

@@ -3,7 +3,26 @@ import type { JointNode } from './joint.js';
 /** With masses more unlike than this a chain whips faster than steps of `standard` follow (measured: 5 mm off in 1 s). */
 const HARD_MASS_RATIO = 100;
 
-export function reportNobody(joint: JointNode): void {
+export function reportBodies(joint: JointNode): void {
+  reportNobody(joint);
+  reportSameBody(joint);
+}
+
+function reportSameBody(joint: JointNode): void {
+  if (!joint.body1 || joint.body1 !== joint.body2) {
+    joint.world.settle(joint, 'body2', 'same-body');
+    return;
+  }
+  joint.report({
+    code: 'same-body',
+    severity: 'warning',
+    attribute: 'body2',
+    used: 'nothing',
+    message: `${joint.label} names ${joint.body1.label} as body1 and as body2 and holds nothing until they differ`,
+  });
+}
+
+function reportNobody(joint: JointNode): void {
   if (joint.body1 || joint.body2) {
     joint.world.settle(joint, undefined, 'no-body');
     return;

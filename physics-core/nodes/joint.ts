@@ -5,7 +5,7 @@ import { compose, identityPose, invert, length, rotate, subtract, type Pose } fr
 import type { BodyNode } from './body.js';
 import { JointConstraint, type Limit, type Side } from './joint-constraint.js';
 import { aboutTwoAxes, alongArm, leverRatio, type JointFrame } from './joint-frames.js';
-import { reportMassRatio, reportNobody } from './joint-reports.js';
+import { reportBodies, reportMassRatio } from './joint-reports.js';
 import { PhysicsNode } from './node.js';
 
 export { between, FREE, LOCKED, type Limit } from './joint-constraint.js';
@@ -80,7 +80,7 @@ export abstract class JointNode extends PhysicsNode {
     this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
     for (const body of [this.body1, this.body2]) body?.joints.add(this);
     this.#zeroed = false;
-    reportNobody(this);
+    reportBodies(this);
     this.attach();
   }
 
@@ -112,9 +112,9 @@ export abstract class JointNode extends PhysicsNode {
     this.attach();
   }
 
-  /** Whether its zero is known: what it answers before is what its author asked for. */
+  /** Whether its zero is known and its bodies stand somewhere: what it answers before is what its author asked for. */
   get placed(): boolean {
-    return this.#zeroed;
+    return this.#zeroed && [this.body1, this.body2].every((body) => !body || body.built);
   }
 
   get constraint(): JointConstraint | undefined {
@@ -269,12 +269,12 @@ export abstract class JointNode extends PhysicsNode {
   }
 
   anchorOn(which: 1 | 2): Vec3 {
-    return this.#zeroed ? this.worldFrame(which).p : this.asked<Vec3>('anchorPoint');
+    return this.placed ? this.worldFrame(which).p : this.asked<Vec3>('anchorPoint');
   }
 
   /** Distance between the two anchors, metres: 0 in a joint that holds. */
   get gap(): number {
-    return length(subtract(this.anchorOn(1), this.anchorOn(2)));
+    return this.placed ? length(subtract(this.anchorOn(1), this.anchorOn(2))) : 0;
   }
 
   /** Whether forceOutput asks for an output: only then is it sent along ROUTEs. Who reads one has asked. */
@@ -308,7 +308,7 @@ export abstract class JointNode extends PhysicsNode {
   }
 
   #measure(): boolean {
-    if (!this.#zeroed || [this.body1, this.body2].some((body) => body && !body.built)) return false;
+    if (!this.placed) return false;
     this.world.registry.rows.fill(this, 0);
     return true;
   }

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { add, cross, dot, normalize, rotate, scale, subtract } from '../math.js';
+import { add, cross, dot, length, normalize, rotate, scale, subtract } from '../math.js';
 import { FREE, JointNode, type JointFrame, type Limit } from './joint.js';
 import { motorFields } from './motor-fields.js';
 import { defineNode } from './table.js';
@@ -14,6 +14,9 @@ const EULER = [
 export type AxisNumber = 1 | 2 | 3;
 const AXES: readonly AxisNumber[] = [1, 2, 3];
 const NOWHERE: Vec3 = [0, 0, 0];
+
+/** Cosine, or sine, of the angle between two axes up to which they count as at right angles, or as one. */
+const SKEW = 1e-4;
 
 /** z and x of frames along the world's axes. */
 const WORLD_AXES = [
@@ -44,7 +47,10 @@ export class MotorJointNode extends JointNode {
   #across(): Vec3 {
     const [first, third] = [this.#asked(1), this.#asked(3)];
     const along = dot(first, third);
-    if (Math.abs(along) < 1e-4) return third;
+    if (Math.abs(along) < SKEW) {
+      this.world.settle(this, 'motor3Axis', 'bad-value');
+      return third;
+    }
     const used = normalize(subtract(third, scale(first, along)), NOWHERE);
     this.report({
       code: 'bad-value',
@@ -59,7 +65,7 @@ export class MotorJointNode extends JointNode {
 
   /** Axes 1 and 3 have directions of their own, which Euler angles need. */
   get #turns(): boolean {
-    return [1, 3].every((n) => this.#asked(n as AxisNumber) !== NOWHERE);
+    return length(cross(this.#asked(1), this.#asked(3))) > SKEW;
   }
 
   protected override shouldSwap(): boolean {

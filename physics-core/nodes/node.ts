@@ -238,8 +238,9 @@ export class PhysicsNode {
     this.removed = true;
     this.unmake();
     this.children.remove();
-    this.released();
     this.world.forget(this);
+    this.released();
+    this.world.registry.dropAll(this);
   }
 
   /** Lets go of other nodes. */

@@ -159,7 +159,7 @@ export class Pairs {
     // An obstacle belongs to no collection: what meets it decides.
     if (side.isObstacle) return 'always';
     const collider = side.settings.asked<CollisionCollectionNode | null>('collider');
-    if (!collider) return isWaiting(side.settings) ? 'where given' : 'always';
+    if (!collider || collider.removed) return isWaiting(side.settings) ? 'where given' : 'always';
     const enabled = collider.asked<boolean>('enabled') && this.speaksFor(collider, own, other);
     return enabled ? 'always' : 'never';
   }

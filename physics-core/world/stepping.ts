@@ -91,11 +91,23 @@ export class Stepping {
   step(n: number): number {
     const world = this.#world;
     if (!world.started || this.#stepping) return 0;
-    const steps = Math.max(0, Math.floor(n) || 0);
+    const steps = Number.isFinite(n) ? Math.max(0, Math.floor(n)) : 0;
+    if (n === Infinity) this.#reportSteps(n, steps);
     this.#zeroCosts();
     world.flush();
     for (let i = 0; i < steps && world.started; i++) this.#stepOnce();
     return steps * world.timeStep;
+  }
+
+  #reportSteps(asked: number, used: number): void {
+    this.#world.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'step',
+      value: asked,
+      used,
+      message: `step takes a finite number of steps, not ${asked}; ${used} are taken`,
+    });
   }
 
   #zeroCosts(): void {
@@ -120,8 +132,7 @@ export class Stepping {
     if (bodies.awake > 0 || bodies.countAwake() > 0) {
       poses.shift();
       this.#stepBullet();
-    }
-    this.#steps++;
+    } else this.#steps++;
   }
 
   #stepBullet(): void {
@@ -131,6 +142,8 @@ export class Stepping {
     // It writes into the heap, which only a known layout allows.
     engine.contacts.listen(bullet.bullet, engine.heapTrusted ? registry.processor : null);
     bullet.step(timeStep);
+    // What is told of the step is told with the time at its end; a listener may reset it.
+    this.#steps++;
     registry.settle(timeStep);
     this.#world.rays.moved();
     if (this.#first) reportOverlaps(this.#world);

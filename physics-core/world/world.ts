@@ -115,6 +115,7 @@ export class World extends NodeWorld {
     this.flush();
     this.rebuild(() => {
       this.stepping.setTime(0);
+      this.registry.resting.sinceLook = 0;
       for (const node of this.nodes) node.forgetEvents();
     });
     this.emit('reset', this);
@@ -156,7 +157,10 @@ export class World extends NodeWorld {
   }
 
   destroy(): void {
-    if (this.started) this.#unbuild();
+    if (this.started) {
+      this.registry.contacts.reset('removed');
+      this.#unbuild();
+    }
     for (const node of [...this.nodes]) node.remove();
   }
 

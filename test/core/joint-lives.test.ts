@@ -41,7 +41,7 @@ function worst(w: World, bodies: Body[], joints: Joint[], seconds: number): [num
 
 describe('bodies that come and go', () => {
   fact('a chain that hangs still falls asleep, and a push wakes it whole', async () => {
-    const w = await world({ rest: 'quick' });
+    const w = await world({ rest: 'auto' });
     const bodies = [1, 2, 3, 4].map((i) =>
       addBody(w, { position: [0, -i, 0], geometry: [sphere(0.2)] }),
     );

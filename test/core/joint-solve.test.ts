@@ -16,6 +16,7 @@ import {
   distance,
   fact,
   sphere,
+  velocity,
   world,
 } from './helpers.js';
 import type { World } from '../../physics-core/index.js';
@@ -123,6 +124,24 @@ fact(
     const w = await world({ accuracy: 'standard', gravity: EARTH });
     const { joints } = addBoxChain(w, boxChain(100));
     below(worstSum(w, joints, 10, 5), 0.01, 'of the length');
+  },
+);
+
+fact(
+  'links that whip faster than steps can follow neither part nor take energy from nowhere',
+  async () => {
+    const w = await world({ accuracy: 'standard', gravity: EARTH });
+    const { bodies, joints } = addBallChain(w, ballChain(20));
+    let [gap, fastest] = [0, 0];
+    for (let i = 0; i < 20 * 120; i++) {
+      w.step();
+      for (const joint of joints) gap = Math.max(gap, joint.gap);
+      for (const body of bodies) fastest = Math.max(fastest, distance(velocity(body), [0, 0, 0]));
+    }
+    below(gap, 0.05, 'm, of a link of 1 m');
+    // The energy of the whole fall in one of the light balls.
+    const fall = 9.81 * (2 * 8 + 0.1 * 28);
+    below(fastest, Math.sqrt((2 * fall) / 0.1), 'm/s');
   },
 );
 
