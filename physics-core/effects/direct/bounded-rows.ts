@@ -3,7 +3,7 @@ import type { JointNode } from '../../nodes/joint.js';
 import type { Motor } from '../motors.js';
 import type { Stop } from '../stops.js';
 import { ROWS } from './blocks.js';
-import type { JointRows } from './joint-rows.js';
+import type { LockedRows } from './locked-rows.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { RowSystem } from './row-system.js';
 
@@ -25,13 +25,13 @@ interface StopListener {
 export class BoundedRows {
   readonly #system: RowSystem;
   readonly #bodies: JointedBodies;
-  readonly #rows: JointRows;
+  readonly #rows: LockedRows;
   #joints: readonly Bounded[] = [];
   /** Per row: where it stands, and on which side of a stop. */
   #values = new Float64Array(0);
   #sides = new Int8Array(0);
 
-  constructor(system: RowSystem, bodies: JointedBodies, rows: JointRows) {
+  constructor(system: RowSystem, bodies: JointedBodies, rows: LockedRows) {
     this.#system = system;
     this.#bodies = bodies;
     this.#rows = rows;
@@ -84,13 +84,24 @@ export class BoundedRows {
     this.#system.bounded(i, -strength, strength);
   }
 
-  /** Neither stops nor motors act. */
-  rest(k: number): void {
-    const { rowCount, threshold } = this.#system;
-    for (let r = this.#joints[k]!.lockedRows.length; r < rowCount[k]!; r++) {
-      threshold[k * ROWS + r] = -Infinity;
-      this.#system.bounded(k * ROWS + r, 0, 0);
-    }
+  /** For a solution in ways instead of velocities: hard stops end where they are, motors do not act. */
+  wantWhole(k: number): void {
+    const { lockedRows, stops } = this.#joints[k]!;
+    const { rowCount, threshold, wanted, compliance } = this.#system;
+    let i = k * ROWS + lockedRows.length;
+    const end = k * ROWS + rowCount[k]!;
+    if (stops)
+      for (const stop of stops) {
+        threshold[i] = wanted[i] = -this.#sides[i]! * this.#beyond(i, stop);
+        if (compliance[i] !== 0) this.#release(i);
+        i++;
+      }
+    for (; i < end; i++) this.#release(i);
+  }
+
+  #release(i: number): void {
+    this.#system.threshold[i] = -Infinity;
+    this.#system.bounded(i, 0, 0);
   }
 
   /** The rates that stops are to have: that of a bounce, or one that ends at the stop. */

@@ -3,11 +3,12 @@ import type { JointNode } from '../../nodes/joint.js';
 import type { PhysicsNode } from '../../nodes/node.js';
 import type { World } from '../../world/world.js';
 import { Effect } from '../effect.js';
+import { Aftermath } from './aftermath.js';
 import { BoundedRows } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
 import { Forest, type Component, type Edge } from './forest.js';
 import { JointEnds } from './joint-ends.js';
-import { JointRows } from './joint-rows.js';
+import { LockedRows } from './locked-rows.js';
 import { JointedBodies } from './jointed-bodies.js';
 import { RowSystem } from './row-system.js';
 import { Tension } from './tension.js';
@@ -18,8 +19,8 @@ import { Tension } from './tension.js';
  */
 const ROUNDS = 8;
 
-/** A miss (m, rad) below what single precision tells apart a few metres from the origin. */
-const NO_MISS = 2e-7;
+/** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
+const NO_MISS = 1e-6;
 
 /** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
 const TORN = 1e-4;
@@ -36,7 +37,8 @@ export class DirectJoints extends Effect {
   readonly #forest = new Forest();
   readonly #ends = new JointEnds();
   readonly #bodies: JointedBodies;
-  readonly #rows: JointRows;
+  readonly #aftermath: Aftermath;
+  readonly #rows: LockedRows;
   readonly #bounded: BoundedRows;
   readonly #tension: Tension;
   readonly #targets: BulletTargets;
@@ -50,7 +52,8 @@ export class DirectJoints extends Effect {
     super();
     this.#world = world;
     this.#bodies = new JointedBodies(world, this.#system);
-    this.#rows = new JointRows(this.#system, this.#bodies, this.#ends);
+    this.#aftermath = new Aftermath(world, this.#system, this.#bodies);
+    this.#rows = new LockedRows(this.#system, this.#bodies, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.#bodies, this.#rows);
     this.#tension = new Tension(this.#system, this.#bodies);
     this.#targets = new BulletTargets(this.#system, this.#bodies, this.#ends);
@@ -81,6 +84,15 @@ export class DirectJoints extends Effect {
     this.#forget(node as JointNode);
   }
 
+  /** Whether a body has made its first half step: its velocity then belongs to the middle of the last step. */
+  launched(body: BodyNode): boolean {
+    return this.#bodies.isLaunched(body);
+  }
+
+  launch(body: BodyNode): void {
+    this.#bodies.launch(body);
+  }
+
   /** Its velocity is given anew. */
   relaunch(body: PhysicsNode): void {
     this.#bodies.relaunch(body);
@@ -100,7 +112,7 @@ export class DirectJoints extends Effect {
   /** What contacts did to joints in the step, Bullet's iterations did not bring together: that is done here. */
   override settle(dt: number): void {
     for (const component of this.#solved)
-      if (this.#bodies.disturbed(component)) this.#close(component, dt);
+      if (this.#aftermath.disturbed(component, dt)) this.#close(component, dt);
   }
 
   /** Moves the bodies of a component to where its joints are whole. */
@@ -109,20 +121,20 @@ export class DirectJoints extends Effect {
       let worst = 0;
       this.#bodies.read(component, dt);
       for (const k of component.joints) {
-        worst = Math.max(worst, this.#rows.fill(k));
+        worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
         this.#rows.wantWhole(k);
-        this.#bounded.rest(k);
+        this.#bounded.wantWhole(k);
       }
       if (worst < TORN) return;
-      this.#bodies.clearMomentum(component);
+      this.#aftermath.clearMomentum(component);
       if (!this.#system.solve(component) || !this.#bodies.sane(component)) return;
-      this.#bodies.move(component);
+      this.#aftermath.move(component);
     }
   }
 
   /** What was moved together again shall not go on moving. */
   override afterStep(): void {
-    for (const component of this.#repaired) this.#bodies.takeBack(component);
+    for (const component of this.#repaired) this.#aftermath.takeBack(component);
   }
 
   #solve(component: Component, dt: number): void {
@@ -133,6 +145,7 @@ export class DirectJoints extends Effect {
       return;
     }
     this.#bodies.write(component, dt);
+    this.#aftermath.note(component);
     this.#solved.push(component);
     for (const k of component.joints) {
       this.#targets.tell(k, this.#joints[k]!, dt);
@@ -166,23 +179,48 @@ export class DirectJoints extends Effect {
   /** False: no solution that makes sense. */
   #find(component: Component, dt: number, repair: 0 | 1): boolean {
     if (!this.#system.solve(component)) return false;
-    for (let round = 0; round < ROUNDS; round++) {
-      this.#bodies.predict(component, dt);
-      let worst = 0;
-      for (const k of component.joints) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
-      if (worst < NO_MISS) break;
-      this.#system.again(component);
-    }
+    this.#bend(component, dt, repair);
     // The repair of a torn joint is no pull.
     if (!this.#repaired.includes(component))
       for (const k of component.joints) this.#tension.note(k);
     return this.#bodies.sane(component);
   }
 
+  /**
+   * Corrects the rates by how far the step would miss, as long as that helps. Where bodies turn too far in the step it leads
+   * astray, and their energy with it (measured): there rows stay as they are.
+   */
+  #bend(component: Component, dt: number, repair: 0 | 1): void {
+    let first = Infinity;
+    let before = Infinity;
+    for (let round = 0; round < ROUNDS; round++) {
+      const worst = this.#correct(component, dt, repair);
+      if (worst > first) this.#straighten(component, dt, repair);
+      if (worst < NO_MISS || worst > before) return;
+      this.#system.again(component);
+      if (round === 0) first = worst;
+      before = worst;
+    }
+  }
+
+  /** Returns by how much the velocities found miss. */
+  #correct(component: Component, dt: number, repair: 0 | 1): number {
+    this.#bodies.predict(component, dt);
+    let worst = 0;
+    for (const k of component.joints) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
+    return worst;
+  }
+
+  #straighten(component: Component, dt: number, repair: 0 | 1): void {
+    for (const k of component.joints) this.#rows.straighten(k);
+    this.#want(component, dt, repair);
+    this.#system.again(component);
+  }
+
   /** Joints that an edit tore apart come together in the step, but what that takes is no motion of the bodies. */
   #repair(component: Component, dt: number): boolean {
     this.#repaired.push(component);
-    this.#bodies.keep(component);
+    this.#aftermath.keep(component);
     for (const k of component.joints) {
       this.#rows.want(k, dt, 1);
       this.#bounded.wantRepair(k, dt);
@@ -220,6 +258,7 @@ export class DirectJoints extends Effect {
     this.#forest.build(numbers.size, edges);
     this.#system.resize(numbers.size, edges, this.#forest);
     this.#bodies.take([...numbers.keys()]);
+    this.#aftermath.take(numbers.size);
     this.#ends.take(joints, edges);
     this.#rows.take(joints);
     this.#bounded.take(joints);

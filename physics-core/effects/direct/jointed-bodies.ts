@@ -1,10 +1,7 @@
-import type { Vec3 } from '../../fields/types.js';
-import type { Quaternion } from '../../math.js';
 import type { BodyNode } from '../../nodes/body.js';
 import type { PhysicsNode } from '../../nodes/node.js';
 import type { World } from '../../world/world.js';
 import { BODY_BLOCK, SIDE } from './blocks.js';
-import { multiply4, writeTurn } from '../flat.js';
 import type { Component } from './forest.js';
 import { MATRIX, writeMatrix } from './matrix.js';
 import type { RowSystem } from './row-system.js';
@@ -12,9 +9,6 @@ import type { RowSystem } from './row-system.js';
 const POSE = 7;
 /** Mass, three moments, gravity, and the shares of linear and angular velocity that damping leaves in a step. */
 const TRAITS = 9;
-
-/** Share of a velocity that single precision may change in a step. */
-const SAME = 1e-5;
 
 /** Bullet turns no body by more than this in a step, radians. */
 const MOST_TURN = Math.PI / 4;
@@ -37,6 +31,8 @@ export class JointedBodies {
   /** Bodies that have made their first half step. */
   readonly #launched = new Set<BodyNode>();
   readonly #pose = new Float64Array(POSE);
+  readonly #step = new Float64Array(MATRIX);
+  readonly #out = new Float64Array(3);
 
   constructor(world: World, system: RowSystem) {
     this.#world = world;
@@ -53,8 +49,6 @@ export class JointedBodies {
     this.nextTurn = new Float64Array(room * MATRIX);
     this.velocity = new Float64Array(room * SIDE);
     this.#load = new Float64Array(room * SIDE);
-    this.#kept = new Float64Array(room * SIDE);
-    this.#given = new Float64Array(room * SIDE);
     this.#traits = new Float64Array(room * TRAITS);
   }
 
@@ -70,6 +64,14 @@ export class JointedBodies {
   leastMoment(i: number): number {
     const t = i * TRAITS;
     return Math.min(this.#traits[t + 1]!, this.#traits[t + 2]!, this.#traits[t + 3]!);
+  }
+
+  isLaunched(body: BodyNode): boolean {
+    return this.#launched.has(body);
+  }
+
+  launch(body: BodyNode): void {
+    this.#launched.add(body);
   }
 
   /** Whether this is the first step of a body. */
@@ -197,29 +199,6 @@ export class JointedBodies {
     }
   }
 
-  /** Notes the velocities found: what is found beyond them is taken back after the step. */
-  keep({ bodies }: Component): void {
-    const { velocity } = this.#system;
-    for (const i of bodies)
-      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x] = velocity[x]!;
-  }
-
-  takeBack({ bodies }: Component): void {
-    const { engine, bodies: all } = this.#world;
-    const { scratch } = engine;
-    const now = this.#now;
-    for (const i of bodies) {
-      const node = this.bodies[i]!;
-      if (!node.active) continue;
-      engine.reader.velocity(node.body, node.pointer, now, 0);
-      for (let x = 0; x < SIDE; x++)
-        now[x]! += this.#kept[i * SIDE + x]! - this.#given[i * SIDE + x]!;
-      node.body.setLinearVelocity(scratch.vector(now[0]!, now[1]!, now[2]!));
-      node.body.setAngularVelocity(scratch.vector(now[3]!, now[4]!, now[5]!));
-      all.readVelocity(node);
-    }
-  }
-
   /** Whether the velocities found are finite. */
   sane({ bodies }: Component): boolean {
     const { velocity } = this.#system;
@@ -230,56 +209,7 @@ export class JointedBodies {
 
   /** Gives the velocities found to Bullet, less what Bullet itself will add in this step. */
   write({ bodies }: Component, dt: number): void {
-    const { velocity } = this.#system;
-    for (const i of bodies) {
-      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#given[x] = velocity[x]!;
-      this.#writeBody(i, this.bodies[i]!, dt);
-    }
-  }
-
-  // ---- after the step -------------------------------------------------------------------------------------------------
-
-  /** Whether something else than joints and forces acted on a body in the step. */
-  disturbed({ bodies }: Component): boolean {
-    const now = this.#now;
-    for (const i of bodies) {
-      const { body, pointer } = this.bodies[i]!;
-      this.#world.engine.reader.velocity(body, pointer, now, 0);
-      let off = 0;
-      let size = 1;
-      for (let x = 0; x < SIDE; x++) {
-        off += Math.abs(now[x]! - this.#given[i * SIDE + x]!);
-        size += Math.abs(now[x]!);
-      }
-      if (off > SAME * size) return true;
-    }
-    return false;
-  }
-
-  clearMomentum({ bodies }: Component): void {
-    const { momentum } = this.#system;
-    for (const i of bodies) momentum.fill(0, i * SIDE, (i + 1) * SIDE);
-  }
-
-  /** By the velocities found, taken as ways. */
-  move({ bodies }: Component): void {
-    for (const i of bodies) this.#moveBody(i, this.bodies[i]!);
-  }
-
-  #moveBody(i: number, { body, pointer }: BodyNode): void {
-    const { reader, scratch } = this.#world.engine;
-    const { velocity } = this.#system;
-    const v = i * SIDE;
-    reader.pose(body, pointer, this.#pose, 0);
-    for (let x = 0; x < 3; x++) {
-      this.#pose[x]! += velocity[v + x]!;
-      this.#out[x] = velocity[v + 3 + x]!;
-    }
-    writeTurn(this.#turn, this.#out, 1);
-    multiply4(this.#turn, this.#turn, 0, this.#pose, 3);
-    const [x, y, z] = this.#pose as unknown as Vec3;
-    const [qx, qy, qz, qw] = this.#turn as unknown as Quaternion;
-    body.setCenterOfMassTransform(scratch.transform([x, y, z], [qx, qy, qz, qw]));
+    for (const i of bodies) this.#writeBody(i, this.bodies[i]!, dt);
   }
 
   #writeBody(i: number, { body }: BodyNode, dt: number): void {
@@ -308,11 +238,4 @@ export class JointedBodies {
     const damped = this.#traits[t + 8]!;
     body.setAngularVelocity(scratch.vector(out[0]! / damped, out[1]! / damped, out[2]! / damped));
   }
-
-  #given = new Float64Array(0);
-  #kept = new Float64Array(0);
-  readonly #turn = new Float64Array(4);
-  readonly #now = new Float64Array(SIDE);
-  readonly #step = new Float64Array(MATRIX);
-  readonly #out = new Float64Array(3);
 }

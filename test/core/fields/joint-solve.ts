@@ -78,7 +78,7 @@ export const jointSolveRows: Row[] = [
         1e-3,
         'm/s, rad/s',
       );
-      below(0.1, Math.hypot(position(a)[1]), 'm, moved by the repair');
+      below(0.05, Math.hypot(position(a)[1]), 'm, moved by the repair');
     },
   },
 ];

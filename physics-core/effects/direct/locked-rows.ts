@@ -13,7 +13,7 @@ const LINEAR = 3;
  * the rate at which its error is to shrink. Rows are numbered as Bullet's 6-DoF has them: 0 to 2 along the axes of
  * frame 1, 3 to 5 about x of frame 2, what is at right angles to both, and z of frame 1.
  */
-export class JointRows {
+export class LockedRows {
   readonly #system: RowSystem;
   readonly #bodies: JointedBodies;
   readonly #ends: JointEnds;
@@ -24,6 +24,8 @@ export class JointRows {
   #shares = new Float64Array(0);
   /** Errors at the start of the step. */
   #errors = new Float64Array(0);
+  /** What `correct` asked for in the last step: the round ways of the next one are nearly the same. */
+  #bends = new Float64Array(0);
   readonly #axes = new Float64Array(9);
 
   constructor(system: RowSystem, bodies: JointedBodies, ends: JointEnds) {
@@ -35,6 +37,7 @@ export class JointRows {
   take(joints: readonly JointNode[]): void {
     if (this.#numbers.length < joints.length * ROWS) this.#grow(joints.length * 2);
     joints.forEach((joint, k) => this.#takeJoint(joint, k));
+    this.#bends.fill(0);
   }
 
   #grow(room: number): void {
@@ -43,6 +46,7 @@ export class JointRows {
     this.#targets = new Float64Array(room * ROWS);
     this.#shares = new Float64Array(room * ROWS);
     this.#errors = new Float64Array(room * ROWS);
+    this.#bends = new Float64Array(room * ROWS);
   }
 
   #takeJoint(joint: JointNode, k: number): void {
@@ -92,9 +96,16 @@ export class JointRows {
   want(k: number, dt: number, repair: 0 | 1): void {
     const { wanted, compliance } = this.#system;
     for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++) {
-      const share = compliance[i] === 0 ? repair * this.#shares[i]! : this.#shares[i]!;
-      wanted[i] = (-share * this.#errors[i]!) / dt;
+      const hard = compliance[i] === 0;
+      const share = hard ? repair * this.#shares[i]! : this.#shares[i]!;
+      if (!hard || repair === 0) this.#bends[i] = 0;
+      wanted[i] = (-share * this.#errors[i]!) / dt + this.#bends[i]!;
     }
+  }
+
+  /** Forgets what round ways asked for. */
+  straighten(k: number): void {
+    this.#bends.fill(0, k * ROWS, (k + 1) * ROWS);
   }
 
   /** For a solution in ways instead of velocities: hard rows lose all their error. */
@@ -120,6 +131,7 @@ export class JointRows {
       const left = (1 - repair * this.#shares[i]!) * this.#errors[i]!;
       const miss = this.#value(this.#numbers[i]!) - this.#targets[i]! - left;
       wanted[i]! -= miss / dt;
+      this.#bends[i]! -= miss / dt;
       worst = Math.max(worst, Math.abs(miss));
     }
     return worst;
