@@ -66,6 +66,14 @@ export const chainRows: Row[] = [
       balls[0]!.on('collisionstart', (told) => heard.push((told as { impulse: number }).impulse));
       w.advance(0.5);
       close(heard, [1], 1e-3, 'N s');
+      // And once more, back from the far end: the first blow is forgotten.
+      balls[2]!.event('linearVelocity', [-0.5, 0, 0]);
+      w.advance(1.5);
+      close(speeds(balls), [-0.5, 0, 0], 1e-3, 'm/s');
+      balls[0]!.event('linearVelocity', [2, 0, 0]);
+      w.advance(0.7);
+      close(speeds(balls), [0, 0, 2], 1e-3, 'm/s');
+      close(heard, [1, 2], 1e-3, 'N s');
     },
   },
   {
