@@ -240,7 +240,8 @@ export class PhysicsNode {
     this.children.remove();
     this.world.forget(this);
     this.released();
-    this.world.registry.dropAll(this);
+    // It may still be listened to.
+    this.world.registry.contacts.drop(this);
   }
 
   /** Lets go of other nodes. */
