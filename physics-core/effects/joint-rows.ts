@@ -12,9 +12,6 @@ const POSE = 7;
 /** One side of a joint. Axes are columns: x, y, z, three numbers each. */
 class End {
   readonly centre = new Float64Array(POSE);
-  /** Force and torque of this step, and the angular acceleration they give. */
-  readonly load = new Float64Array(6);
-  readonly spin = new Float64Array(3);
   /** Principal axes of the body. */
   readonly principal = new Float64Array(9);
   /** The joint's frame as this side carries it. */
@@ -35,9 +32,8 @@ export class JointRows {
   readonly response = new Float64Array(ROWS * WIDTH);
   /** Metres and radians since the joint was made. */
   readonly values = new Float64Array(ROWS);
-  /** Velocities now, and with the forces of this step. */
+  /** Velocities now. */
   readonly #now = new Float64Array(WIDTH);
-  readonly #coming = new Float64Array(WIDTH);
   readonly #one = new End();
   readonly #two = new End();
   readonly #gimbal = new Float64Array(9);
@@ -45,14 +41,11 @@ export class JointRows {
   #dt = 0;
   #locked: readonly number[] = [];
   readonly #factors = new Float64Array(ROWS * ROWS);
-  /** Impulses that keep the locked rows still while the forces of this step act. */
-  readonly #holding = new Float64Array(ROWS);
   readonly #coupling = new Float64Array(ROWS);
   readonly #impulse = new Float64Array(WIDTH);
 
-  /** Rate of the row looked at: now, and after this step if nothing drives it. */
+  /** Rate of the row looked at. */
   rate = 0;
-  coming = 0;
   /** Its change per unit of impulse along it while the locked rows hold. */
   ease = 0;
 
@@ -94,20 +87,6 @@ export class JointRows {
     place(end.origin, end.axes, end.centre, end.principal, frame);
     this.#now.fill(0, at, at + 6);
     if (body) reader.velocity(body.body, body.pointer, this.#now, at);
-    for (let i = at; i < at + 6; i++) this.#coming[i] = this.#now[i]!;
-    if (body?.movable) this.#addForces(end, body, at);
-  }
-
-  /** What gravity and the forces given so far do to the velocities in this step. */
-  #addForces(end: End, body: BodyNode, at: number): void {
-    const { load, spin } = end;
-    const { gravity } = body;
-    this.#world.engine.reader.load(body.body, body.pointer, load, 0);
-    turned(spin, 0, end.principal, body.mass.moments, load, 3);
-    for (let i = 0; i < 3; i++) {
-      this.#coming[at + i]! += this.#dt * (gravity[i]! + load[i]! / body.mass.mass);
-      this.#coming[at + 3 + i]! += this.#dt * spin[i]!;
-    }
   }
 
   #respond(row: number, at: number, body: BodyNode | undefined, end: End): void {
@@ -182,12 +161,8 @@ export class JointRows {
   }
 
   rateNow(row: number): number {
-    return this.#rateOf(row, this.#now);
-  }
-
-  #rateOf(row: number, velocities: Float64Array): number {
     let sum = 0;
-    for (let i = 0; i < WIDTH; i++) sum += this.jacobian[row * WIDTH + i]! * velocities[i]!;
+    for (let i = 0; i < WIDTH; i++) sum += this.jacobian[row * WIDTH + i]! * this.#now[i]!;
     return sum;
   }
 
@@ -196,25 +171,18 @@ export class JointRows {
     const n = rows.length;
     for (let i = 0; i < n; i++)
       for (let j = 0; j < n; j++) this.#factors[i * n + j] = this.between(rows[i]!, rows[j]!);
-    if (!factor(this.#factors, n)) return false;
-    for (let i = 0; i < n; i++) this.#holding[i] = -this.#rateOf(rows[i]!, this.#coming);
-    forward(this.#factors, this.#holding, n);
-    return true;
+    return factor(this.#factors, n);
   }
 
-  /** Fills `rate`, `coming` and `ease` for a row that is not locked. */
+  /** Fills `rate` and `ease` for a row that is not locked. */
   look(row: number): void {
     const rows = this.#locked;
     const n = rows.length;
     for (let i = 0; i < n; i++) this.#coupling[i] = this.between(rows[i]!, row);
     forward(this.#factors, this.#coupling, n);
     this.rate = this.rateNow(row);
-    this.coming = this.#rateOf(row, this.#coming);
     this.ease = this.between(row, row);
-    for (let i = 0; i < n; i++) {
-      this.coming += this.#coupling[i]! * this.#holding[i]!;
-      this.ease -= this.#coupling[i]! ** 2;
-    }
+    for (let i = 0; i < n; i++) this.ease -= this.#coupling[i]! ** 2;
   }
 
   /** An impulse along the row looked at, as forces for this step; the locked rows hold against it. */
@@ -231,10 +199,7 @@ export class JointRows {
 
   #add(row: number, impulse: number): void {
     const o = row * WIDTH;
-    for (let i = 0; i < WIDTH; i++) {
-      this.#impulse[i]! += this.jacobian[o + i]! * impulse;
-      this.#coming[i]! += this.response[o + i]! * impulse;
-    }
+    for (let i = 0; i < WIDTH; i++) this.#impulse[i]! += this.jacobian[o + i]! * impulse;
   }
 
   #apply(body: BodyNode | undefined, at: number): void {

@@ -25,6 +25,13 @@ export interface Stop {
   at: -1 | 0 | 1 | undefined;
 }
 
+/** What a node asks of a stop, from its fields. */
+type StopFields = Omit<Stop, 'at'>;
+
+interface Stopped extends JointNode {
+  stops: readonly Stop[];
+}
+
 /** Joints that have stops, which the joint solve keeps; here it is told when one is reached. */
 export class Stops extends Effect {
   readonly name = 'stops';
@@ -34,6 +41,17 @@ export class Stops extends Effect {
   constructor(world: World) {
     super();
     this.#world = world;
+  }
+
+  /** The one stop of a joint, by its fields; none where it is free, locked, or its ends are not there. */
+  set(joint: Stopped, fields: StopFields, reason: string): void {
+    if (!joint.attached || fields.low >= fields.high) {
+      joint.stops = [];
+      this.drop(joint);
+      return;
+    }
+    joint.stops = [{ ...fields, at: joint.stops[0]?.at }];
+    this.need(joint, reason);
   }
 
   override need(node: PhysicsNode, reason: string): void {
@@ -66,12 +84,3 @@ export class Stops extends Effect {
     });
   }
 }
-
-/** What a node asks of a stop, from its fields. */
-export type StopFields = Omit<Stop, 'at'>;
-
-/** The stop with its new fields, where it stood before. */
-export const restopped = (before: Stop | undefined, fields: StopFields): Stop => ({
-  ...fields,
-  at: before?.at,
-});

@@ -1,5 +1,5 @@
 import type { Motor } from '../effects/motors.js';
-import { restopped, type Stop } from '../effects/stops.js';
+import type { Stop } from '../effects/stops.js';
 import type { Spring } from '../effects/suspension.js';
 import { softnessAtStep } from '../accuracy/levels.js';
 import type { Vec3 } from '../fields/types.js';
@@ -144,13 +144,7 @@ export class DoubleAxisHingeJointNode extends JointNode {
   }
 
   #needStops(): void {
-    const { stops } = this.world.registry;
     const [low, high] = this.#steering;
-    if (!this.attached || low >= high) {
-      this.stops = [];
-      stops.drop(this);
-      return;
-    }
     const fields = {
       row: STEER,
       low,
@@ -160,8 +154,7 @@ export class DoubleAxisHingeJointNode extends JointNode {
       softness: this.asked<number>('stop1ConstantForceMix'),
       axis: 1 as const,
     };
-    this.stops = [restopped(this.stops[0], fields)];
-    stops.need(this, 'minAngle1, maxAngle1');
+    this.world.registry.stops.set(this, fields, 'minAngle1, maxAngle1');
   }
 
   updateMotors(): void {

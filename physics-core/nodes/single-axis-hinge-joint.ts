@@ -1,4 +1,4 @@
-import { restopped, type Stop } from '../effects/stops.js';
+import type { Stop } from '../effects/stops.js';
 import {
   between,
   FREE,
@@ -51,13 +51,7 @@ export class SingleAxisHingeJointNode extends JointNode {
   }
 
   protected override attachedChanged(): void {
-    const { stops } = this.world.registry;
     const [low, high] = this.#limit;
-    if (!this.attached || low >= high) {
-      this.stops = [];
-      stops.drop(this);
-      return;
-    }
     const fields = {
       row: ANGLE,
       low,
@@ -66,8 +60,7 @@ export class SingleAxisHingeJointNode extends JointNode {
       correction: this.asked<number>('stopErrorCorrection'),
       softness: 0,
     };
-    this.stops = [restopped(this.stops[0], fields)];
-    stops.need(this, 'minAngle, maxAngle');
+    this.world.registry.stops.set(this, fields, 'minAngle, maxAngle');
   }
 
   /** Turn of body1 relative to body2 about the axis, radians in (-π, π]. */

@@ -1,4 +1,4 @@
-import { restopped, type Stop } from '../effects/stops.js';
+import type { Stop } from '../effects/stops.js';
 import type { Vec3 } from '../fields/types.js';
 import { add, invert, scale, type Pose } from '../math.js';
 import {
@@ -92,13 +92,7 @@ export class SliderJointNode extends JointNode {
   }
 
   #need(): void {
-    const { stops } = this.world.registry;
     const [low, high] = this.#limit;
-    if (!this.attached || low >= high) {
-      this.stops = [];
-      stops.drop(this);
-      return;
-    }
     const fields = {
       row: ALONG,
       low,
@@ -108,8 +102,7 @@ export class SliderJointNode extends JointNode {
       softness: 0,
       mirrored: this.mirrored,
     };
-    this.stops = [restopped(this.stops[0], fields)];
-    stops.need(this, 'minSeparation, maxSeparation');
+    this.world.registry.stops.set(this, fields, 'minSeparation, maxSeparation');
   }
 
   /** The force along the axis, equal and opposite on one line, so that it turns nothing. */

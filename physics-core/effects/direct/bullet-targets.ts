@@ -31,7 +31,8 @@ export class BulletTargets {
     this.#ends.read(k, place, turn);
     this.#readMotion(k, constraint!.atOnePoint ? this.#ends.two : this.#ends.one);
     const swapped = constraint!.swapped;
-    const [a, b] = swapped ? [this.#ends.two, this.#ends.one] : [this.#ends.one, this.#ends.two];
+    const a = swapped ? this.#ends.two : this.#ends.one;
+    const b = swapped ? this.#ends.one : this.#ends.two;
     const sign = swapped ? -1 : 1;
     for (const row of joint.lockedRows) {
       const { share } = joint.corrections[row]!;
@@ -63,8 +64,12 @@ export class BulletTargets {
     const { place } = this.#bodies;
     const v = body * SIDE;
     const p = body * 3;
-    const [wx, wy, wz] = [velocity[v + 3]!, velocity[v + 4]!, velocity[v + 5]!];
-    const [x, y, z] = [point[0]! - place[p]!, point[1]! - place[p + 1]!, point[2]! - place[p + 2]!];
+    const wx = velocity[v + 3]!;
+    const wy = velocity[v + 4]!;
+    const wz = velocity[v + 5]!;
+    const x = point[0]! - place[p]!;
+    const y = point[1]! - place[p + 1]!;
+    const z = point[2]! - place[p + 2]!;
     this.#speed[0]! += sign * (velocity[v]! + wy * z - wz * y);
     this.#speed[1]! += sign * (velocity[v + 1]! + wz * x - wx * z);
     this.#speed[2]! += sign * (velocity[v + 2]! + wx * y - wy * x);

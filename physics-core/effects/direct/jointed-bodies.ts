@@ -157,7 +157,8 @@ export class JointedBodies {
     const b = i * BODY_BLOCK + 21;
     const load = this.#load;
     const v = this.velocity;
-    const [linear, angular] = [traits[t + 7]!, traits[t + 8]!];
+    const linear = traits[t + 7]!;
+    const angular = traits[t + 8]!;
     for (let x = 0; x < 3; x++)
       momentum[p + x] =
         traits[t]! * (v[p + x]! * linear + dt * traits[t + 4 + x]!) + dt * load[p + x]!;

@@ -80,7 +80,9 @@ export class Tension {
   /** k (r² 1 - r rᵀ) on the turning of a body. */
   #add(body: number, k: number, length2: number): void {
     const to = this.#damping;
-    const [x, y, z] = this.#arm as unknown as [number, number, number];
+    const x = this.#arm[0]!;
+    const y = this.#arm[1]!;
+    const z = this.#arm[2]!;
     const at = body * BODY_BLOCK + 3 * SIDE + 3;
     to[at]! += k * (length2 - x * x);
     to[at + SIDE]! -= k * x * y;
