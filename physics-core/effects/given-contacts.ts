@@ -3,7 +3,7 @@ import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { Vec3 } from '../fields/types.js';
 import { length, normalize, subtract } from '../math.js';
 import type { ContactNode } from '../nodes/contact.js';
-import type { ContactParameters } from '../nodes/contact-parameters.js';
+import { unknownTokens, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 import type { World } from '../world/world.js';
 import { solveAdded } from './added-contacts.js';
@@ -69,6 +69,7 @@ export class GivenContacts extends Effect {
   give(collection: CollectionNode, list: ContactNode[]): void {
     this.#lists.set(collection, list);
     this.need(collection, 'set_contacts');
+    reportTokens(collection, list);
     for (const contact of list) if (contact.isChanged) contact.wakeBodies();
     const all = [...this.#lists.values()].flat();
     this.#world.registry.surface.demandGiven(union(all.map((each) => demandsOf(each.parameters))));
@@ -192,4 +193,18 @@ function nearest(all: readonly Said[], point: ContactPoint, within: number): Sai
     least = Math.min(least, distance);
   }
   return best;
+}
+
+/** At the collection: contacts last a step only. */
+function reportTokens(collection: CollectionNode, list: readonly ContactNode[]): void {
+  const unknown = [...new Set(list.flatMap(unknownTokens))];
+  if (unknown.length === 0) return;
+  collection.report({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute: 'set_contacts',
+    value: unknown.join(' '),
+    used: 'the others',
+    message: `${collection.label}: the appliedParameters of a contact in set_contacts have no ${unknown.join(', ')}; the others are used`,
+  });
 }

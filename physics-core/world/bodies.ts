@@ -142,6 +142,15 @@ export class Bodies {
     body.emit(asleep ? 'sleep' : 'wake', { time: this.#world.time });
   }
 
+  /** Those that sleep now, and what tells of them later that they were woken: by a world made again. */
+  sleepers(): () => void {
+    const slept = [...this].filter((body) => body.sleeping);
+    return () => {
+      for (const body of slept)
+        if (body.built && !body.sleeping) body.emit('wake', { time: this.#world.time });
+    };
+  }
+
   // ---- after a step -----------------------------------------------------------------------------------------------
 
   /** Reads poses and velocities of everything awake; parks what is no longer finite. */

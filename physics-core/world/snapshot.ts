@@ -107,6 +107,7 @@ export function restoreSnapshot(world: World, snapshot: Snapshot): void {
   if (!world.started || !isSnapshot(world, snapshot)) return;
   world.flush();
   const found = new Lookup(world, snapshot);
+  const tellWoken = world.bodies.sleepers();
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
   world.rebuild(() => {
     for (const node of [...world.nodes]) loadNode(node, found);
@@ -118,6 +119,7 @@ export function restoreSnapshot(world: World, snapshot: Snapshot): void {
     const state = found.states.get(node.id)?.body;
     if (node instanceof BodyNode && node.built && state) loadBody(node, state, slept.has(node));
   }
+  tellWoken();
   world.emit('restore', world);
 }
 

@@ -113,11 +113,13 @@ export class World extends NodeWorld {
   reset(): void {
     if (!this.started) return;
     this.flush();
+    const tellWoken = this.bodies.sleepers();
     this.rebuild(() => {
       this.stepping.setTime(0);
       this.registry.resting.sinceLook = 0;
       for (const node of this.nodes) node.forgetEvents();
     });
+    tellWoken();
     this.emit('reset', this);
   }
 

@@ -212,3 +212,30 @@ fact('a world that ends ends its collisions', async () => {
   w.destroy();
   assert.deepEqual(reasons, ['removed']);
 });
+
+fact('a reset or a restore that wakes a sleeper says so', async () => {
+  const w = await world({ rest: 'auto' });
+  addFloor(w);
+  const stone = addBody(w, { position: [0, 0.5, 0], geometry: [box(1)] });
+  const told: string[] = [];
+  for (const event of ['sleep', 'wake']) stone.on(event, () => told.push(event));
+  const before = w.snapshot();
+  w.advance(4);
+  w.restore(before);
+  w.advance(4);
+  w.reset();
+  assert.deepEqual(told, ['sleep', 'wake', 'sleep', 'wake']);
+});
+
+fact('a contact that applies what no parameter is called is told of', async () => {
+  const w = await world();
+  claim(w, 'bad-value');
+  addFloor(w);
+  const ball = addBody(w, { position: [0, 0.5, 0] });
+  w.step();
+  w.settings.event('set_contacts', [
+    { type: 'Contact', body1: ball, appliedParameters: ['BOUNCY'] },
+  ]);
+  w.step();
+  assert.ok(w.problems.some(({ message }) => message.includes('BOUNCY')));
+});
