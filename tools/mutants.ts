@@ -61,6 +61,18 @@ const fieldMutants = (): Mutant[] =>
       })),
   );
 
+/** A field whose edit does not make its object anew. */
+const rebuildMutants = (): Mutant[] =>
+  Object.values(nodeTypes).flatMap((type) =>
+    Object.entries(type.fields)
+      .filter(([, field]) => field.edit === 'rebuild')
+      .map(([name, field]) => ({
+        name: `${type.name}.${name} makes nothing anew`,
+        rows: rowsAndFacts[type.name]!.filter((row) => row.field === name),
+        apply: replacing(field, 'edit', 'passive'),
+      })),
+  );
+
 /** An effect that does nothing before a step, right after it, at its end, or at a contact. */
 async function effectMutants(): Promise<Mutant[]> {
   const { registry } = await world();
@@ -125,7 +137,7 @@ async function main(): Promise<void> {
     console.log(`✗ without any mutant a row fails: ${row.fact}\nRun the core tests first.`);
     process.exit(1);
   }
-  const mutants = [...fieldMutants(), ...(await effectMutants()), ...guardMutants()].filter(
+  const mutants = [...fieldMutants(), ...rebuildMutants(), ...(await effectMutants()), ...guardMutants()].filter(
     ({ name }) => name.includes(options.only ?? ''),
   );
   const survivors: Mutant[] = [];

@@ -72,10 +72,9 @@ export class BodyNode extends MovingNode {
   }
 
   protected override destroy(): void {
-    for (const joint of this.joints) joint.bodyGone();
     if (this.removed) this.world.registry.contacts.part(this, 'removed');
+    this.#goOut();
     this.world.registry.dropAll(this);
-    this.#leaveWorld();
     this.#owner.dispose();
     this.#shapeOwner.dispose();
     this.world.bodies.release(this);
@@ -119,12 +118,17 @@ export class BodyNode extends MovingNode {
     return shape;
   }
 
-  /** New geometry or a new centre of mass: another shape for the same btRigidBody; pose and velocity stay. */
+  /**
+   * New geometry or a new centre of mass: another shape for the same btRigidBody; pose and velocity stay. Joints hold on
+   * to it, unless the frame in which they do is another now.
+   */
   updateShape(): void {
     if (this.fresh) return;
     const pose = this.pose();
     const velocity = this.velocityAtOrigin();
     this.mass = massOf(this);
+    if (!samePose(this.mass.centerOfMass, this.centerOfMass))
+      for (const joint of this.joints) joint.bodyGone();
     this.centerOfMass = this.mass.centerOfMass;
     const old = this.#shapeOwner;
     this.#leaveWorld();
@@ -192,9 +196,12 @@ export class BodyNode extends MovingNode {
     const [group, mask] = this.world.pairs.groupsOf(this);
     const wanted = this.asked<boolean>('enabled') && !this.parked;
     if (this.#inWorld && wanted && group === this.#groups[0] && mask === this.#groups[1]) return;
-    this.#leaveWorld();
     if (!this.asked<boolean>('enabled')) this.world.registry.contacts.part(this, 'disabled');
-    if (!wanted) return;
+    if (!wanted) {
+      this.#goOut();
+      return;
+    }
+    this.#leaveWorld();
     this.#groups = [group, mask];
     this.setFlags();
     this.world.bullet.addBody(this.body, group, mask);
@@ -213,10 +220,16 @@ export class BodyNode extends MovingNode {
     this.updateGravity();
   }
 
+  /** Its joints let go of it, too. */
+  #goOut(): void {
+    for (const joint of this.joints) joint.bodyGone();
+    this.#leaveWorld();
+  }
+
+  /** Only to come back at once, with other groups or another shape. */
   #leaveWorld(): void {
     if (!this.#inWorld) return;
     this.world.wakeTouching(this);
-    for (const joint of this.joints) joint.bodyGone();
     this.world.bullet.removeBody(this.body);
     this.#inWorld = false;
   }
@@ -273,7 +286,7 @@ export class BodyNode extends MovingNode {
   /** A step left it without finite numbers: back to the last good pose, and out of the world until it is edited. */
   park(): void {
     this.parked = true;
-    this.#leaveWorld();
+    this.#goOut();
     const { scratch } = this.world.engine;
     this.body.setLinearVelocity(scratch.vector(0, 0, 0));
     this.body.setAngularVelocity(scratch.vector(0, 0, 0));
@@ -291,7 +304,7 @@ export class BodyNode extends MovingNode {
   /** Another body lost its numbers and broke this one: back to before the step, without contacts and joint impulses. */
   recover(): void {
     const velocity = this.velocityAtOrigin();
-    this.#leaveWorld();
+    this.#goOut();
     this.body.clearForces();
     this.place(this.pose());
     this.setVelocityAtOrigin(velocity);

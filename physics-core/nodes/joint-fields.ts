@@ -3,8 +3,6 @@ import { cross, length, normalize, perpendicular } from '../math.js';
 import type { JointNode } from './joint.js';
 import type { Field } from './table.js';
 
-const bodies = (joint: JointNode): void => joint.updateBodies();
-
 /** Fields of X3DRigidJointNode (37.3.3). */
 export const jointFields: Record<string, Field<JointNode>> = {
   body1: {
@@ -12,8 +10,7 @@ export const jointFields: Record<string, Field<JointNode>> = {
     access: 'inputOutput',
     default: null,
     nodes: ['RigidBody'],
-    edit: 'live',
-    patch: bodies,
+    edit: 'rebuild',
     doc: 'The first body; without it the other side is the world.',
   },
   body2: {
@@ -21,8 +18,7 @@ export const jointFields: Record<string, Field<JointNode>> = {
     access: 'inputOutput',
     default: null,
     nodes: ['RigidBody'],
-    edit: 'live',
-    patch: bodies,
+    edit: 'rebuild',
     doc: 'The second body; without it the other side is the world.',
   },
   forceOutput: {
@@ -34,11 +30,6 @@ export const jointFields: Record<string, Field<JointNode>> = {
   },
 };
 
-const rezero = (joint: JointNode): void => joint.rezero();
-
-/** For tables that list it beside their own fields. */
-export const rezeroPatch = rezero;
-
 /** Fields of joints that have a place. */
 export const anchorFields: Record<string, Field<JointNode>> = {
   anchorPoint: {
@@ -46,8 +37,7 @@ export const anchorFields: Record<string, Field<JointNode>> = {
     access: 'inputOutput',
     default: [0, 0, 0],
     dimension: { length: 1 },
-    edit: 'live',
-    patch: rezero,
+    edit: 'rebuild',
     doc: 'Place of the joint, metres, world frame, when it is made. Editing it makes the joint anew.',
   },
   body1AnchorPoint: {
@@ -76,8 +66,7 @@ export const axisField = (value: Vec3, doc: string): Field<JointNode> => ({
   access: 'inputOutput',
   default: value,
   default3: [0, 0, 0],
-  edit: 'live',
-  patch: rezero,
+  edit: 'rebuild',
   doc,
 });
 

@@ -60,7 +60,11 @@ export abstract class JointNode extends PhysicsNode {
 
   protected override create(): boolean {
     this.#zeroed = false;
-    this.updateBodies();
+    this.body1 = this.asked<BodyNode | null>('body1') ?? undefined;
+    this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
+    for (const body of [this.body1, this.body2]) body?.joints.add(this);
+    reportBodies(this);
+    this.attach();
     return true;
   }
 
@@ -70,18 +74,6 @@ export abstract class JointNode extends PhysicsNode {
     for (const body of [this.body1, this.body2]) body?.joints.delete(this);
     this.body1 = this.body2 = undefined;
     this.world.registry.dropAll(this);
-  }
-
-  /** `body1` or `body2` names somebody else. */
-  updateBodies(): void {
-    this.detach();
-    for (const body of [this.body1, this.body2]) body?.joints.delete(this);
-    this.body1 = this.asked<BodyNode | null>('body1') ?? undefined;
-    this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
-    for (const body of [this.body1, this.body2]) body?.joints.add(this);
-    this.#zeroed = false;
-    reportBodies(this);
-    this.attach();
   }
 
   bodyReady(): void {
@@ -102,14 +94,6 @@ export abstract class JointNode extends PhysicsNode {
   massChanged(): void {
     if (this.#constraint && this.shouldSwap() !== this.#constraint.swapped) this.reattach();
     else this.updateCorrection();
-  }
-
-  /** Anchor or axis was edited: the joint is made again and its zero is now. */
-  rezero(): void {
-    if (!this.built) return;
-    this.detach();
-    this.#zeroed = false;
-    this.attach();
   }
 
   /** Whether its zero is known and its bodies stand somewhere: what it answers before is what its author asked for. */

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { axisField, jointFields, output, rezeroPatch } from './joint-fields.js';
+import { axisField, jointFields, output } from './joint-fields.js';
 import type { AxisNumber, MotorJointNode } from './motor-joint.js';
 import { idleStop } from './stop-fields.js';
 import type { Field } from './table.js';
@@ -59,8 +59,7 @@ export const motorFields: Record<string, MotorField> = {
     type: 'SFBool',
     access: 'initializeOnly',
     default: false,
-    edit: 'live',
-    patch: rezeroPatch,
+    edit: 'rebuild',
     doc: 'TRUE: the angles are measured, as Euler angles about axis 1 (of body1), axis 3 (of body2) and the one across. FALSE: the author tells them.',
   },
   enabledAxes: {

@@ -47,6 +47,8 @@ export class PhysicsNode {
   readonly said = new Said();
   readonly #emitter = new Emitter();
   #changed = new Set<string>();
+  /** Those of them that its author or an event changed; the others follow from edits of other nodes. */
+  #edited = new Set<string>();
   #built = false;
 
   constructor(context: NodeContext) {
@@ -146,7 +148,7 @@ export class PhysicsNode {
     if (!this.said.authored.delete(name)) return;
     this.said.asked.delete(name);
     this.children.adopt(name, field, this.defaultOf(name));
-    this.touch(name);
+    this.#edit(name);
   }
 
   /** Takes over what a snapshot holds. */
@@ -170,6 +172,11 @@ export class PhysicsNode {
   #take(name: string, value: Value): void {
     this.said.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
     this.said.authored.add(name);
+    this.#edit(name);
+  }
+
+  #edit(name: string): void {
+    this.#edited.add(name);
     this.touch(name);
   }
 
@@ -184,7 +191,9 @@ export class PhysicsNode {
   /** Applies what changed: creates the object, makes it again, or patches it. */
   apply(): void {
     const changed = this.#changed;
+    const edits = this.#edited.size;
     this.#changed = new Set();
+    this.#edited = new Set();
     if (this.removed) return;
     if (!this.#built) {
       this.#make();
@@ -202,7 +211,7 @@ export class PhysicsNode {
       fields.map((field) => field.patch).filter((patch) => patch !== undefined),
     );
     for (const patch of patches) patch(this as never);
-    if (this.counted) this.world.counts.patched += fields.length;
+    if (this.counted) this.world.counts.patched += edits;
   }
 
   #make(): void {

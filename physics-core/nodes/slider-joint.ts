@@ -9,7 +9,7 @@ import {
   type Limit,
   type RowCorrection,
 } from './joint.js';
-import { direction, jointFields, output, rezeroPatch } from './joint-fields.js';
+import { direction, jointFields, output } from './joint-fields.js';
 import { bounceField, correctionField } from './stop-fields.js';
 import { defineNode, type Field } from './table.js';
 
@@ -154,8 +154,7 @@ export const sliderJoint = defineNode<SliderJointNode>({
       type: 'SFVec3f',
       access: 'inputOutput',
       default: [0, 1, 0],
-      edit: 'live',
-      patch: rezeroPatch,
+      edit: 'rebuild',
       doc: 'Direction in which they slide, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew.',
     },
     minSeparation: separation(
