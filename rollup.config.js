@@ -1,18 +1,22 @@
+import { basename, dirname } from 'node:path';
 import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/ammo-module.js';
+import { cssText } from './tools/css-text.js';
 import { copyWasm, minify, typescript, wasmAsBase64 } from './tools/rollup-plugins.js';
 
 const common = {
   // Node's own modules are only reached by dynamic imports that a page never runs.
   external: /^node:/,
-  plugins: [typescript(), wasmAsBase64(), nodeResolve(), ammoModule(), minify()],
+  plugins: [typescript(), cssText(), wasmAsBase64(), nodeResolve(), ammoModule(), minify()],
   onLog(level, log, handle) {
     // A bundle with an import that nobody can resolve is no bundle.
     if (log.code === 'UNRESOLVED_IMPORT') throw new Error(log.message);
     handle(level, log);
   },
 };
+
+const views = () => globSync('elements/ui/*/view.ts');
 
 /** One build for all modules, so that the page's entry, the core and each element share their chunks. */
 const modules = {
@@ -23,6 +27,8 @@ const modules = {
     ...Object.fromEntries(
       globSync('elements/x3d-*.ts').map((file) => [file.replace(/\.ts$/, ''), file]),
     ),
+    // By names that do not change, for the classic scripts: elements/ui/monitor/view.ts is dist/ui/monitor.js.
+    ...Object.fromEntries(views().map((file) => [`ui/${basename(dirname(file))}`, file])),
   },
   output: {
     dir: 'dist',
@@ -34,8 +40,10 @@ const modules = {
   plugins: [...common.plugins, copyWasm()],
 };
 
+/** The views of the ui are no part of the classic scripts, which load them from beside themselves. */
 const classic = (input, file) => ({
   ...common,
+  external: [common.external, /\/elements\/ui\/\w+\/view\.ts$/],
   input,
   output: {
     file,

@@ -1,12 +1,13 @@
-// The classic script, global `X3DPhysics`: everything but the wasm, which lies beside it.
+// The classic script, global `X3DPhysics`: everything but the wasm and the views of the ui, which lie beside it.
 import { begin } from './begin.js';
 import { setEngineSource } from './engine-source.js';
+import { scriptAddress } from './script-address.js';
+import { setViewFolder } from './ui/view.js';
 
-// Known only while the script itself runs.
-const script = document.currentScript as HTMLScriptElement | SVGScriptElement | null;
-const address = script && 'src' in script ? script.src : document.baseURI;
+const address = scriptAddress();
 
 setEngineSource(() => ({ wasmUrl: new URL('ammo.wasm', address).href }));
+setViewFolder(address);
 begin();
 
 export * from './api.js';

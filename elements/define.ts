@@ -8,6 +8,7 @@ import { X3DCollisionSpaceElement } from './x3d-collision-space.js';
 import { X3DContactElement } from './x3d-contact.js';
 import { X3DDoubleAxisHingeJointElement } from './x3d-double-axis-hinge-joint.js';
 import { X3DMotorJointElement } from './x3d-motor-joint.js';
+import { X3DPhysicsMonitorElement } from './x3d-physics-monitor.js';
 import { X3DRigidBodyCollectionElement } from './x3d-rigid-body-collection.js';
 import { X3DRigidBodyElement } from './x3d-rigid-body.js';
 import { X3DSingleAxisHingeJointElement } from './x3d-single-axis-hinge-joint.js';
@@ -31,9 +32,12 @@ export const elementClasses: readonly X3DNodeElementClass[] = [
   X3DMotorJointElement,
 ];
 
+/** What shows a world, and is no node of one. */
+export const uiClasses = [X3DPhysicsMonitorElement] as const;
+
 /** Registers the tags with the page; one that another copy of the library defined stays as it is. */
 export function defineElements(): void {
-  for (const element of elementClasses) {
+  for (const element of [...elementClasses, ...uiClasses]) {
     if (!customElements.get(element.tag)) customElements.define(element.tag, element);
   }
 }

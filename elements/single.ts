@@ -2,10 +2,13 @@
 import base64 from 'virtual:ammo-wasm-base64';
 import { begin } from './begin.js';
 import { setEngineSource } from './engine-source.js';
+import { scriptAddress } from './script-address.js';
+import { setViewFolder } from './ui/view.js';
 
 setEngineSource(() => ({
   wasmBinary: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
 }));
+setViewFolder(scriptAddress());
 begin();
 
 export * from './api.js';

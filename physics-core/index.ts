@@ -15,6 +15,7 @@ export { codecs } from './fields/values.js';
 export { fromSI, SI, toSI, type Units } from './fields/units.js';
 export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fields/types.js';
 export type { Problem, ProblemReport, Severity } from './problems.js';
+export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs.js';
 export type { EffectReport } from './effects/registry.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/touches.js';
 export { levels, type Level, type LevelName } from './accuracy/levels.js';

@@ -2,6 +2,7 @@
 import { esbuildPlugin } from '@web/dev-server-esbuild';
 import { defaultReporter } from '@web/test-runner';
 import { ammoModuleForServer } from './ammo-module.js';
+import { cssTextForServer } from './css-text.js';
 import { countReporter } from './count-reporter.js';
 import { findFile } from './static-files.js';
 
@@ -60,6 +61,7 @@ export function config(browser) {
     plugins: [
       nodeModulesAsTheyAre,
       ammoModuleForServer(),
+      cssTextForServer(),
       esbuildPlugin({ ts: true, target: 'es2022', tsconfig: './tsconfig.json' }),
     ],
     middleware: [rawFiles],

@@ -3,3 +3,9 @@ declare module 'virtual:ammo-wasm-base64' {
   const base64: string;
   export default base64;
 }
+
+/** A style sheet as text (tools/css-text.js). */
+declare module '*.css' {
+  const text: string;
+  export default text;
+}

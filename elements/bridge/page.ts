@@ -212,6 +212,17 @@ class Page implements Listener {
     return scene.worlds.only ?? scene.firstWorld();
   }
 
+  /** The element with this DEF or id in any scene, Inlines included. */
+  find(name: string): Element | undefined {
+    for (const { scene } of this.#scenes.values()) {
+      for (const scope of scene.scopes) {
+        const element = scope.find(name);
+        if (element) return element;
+      }
+    }
+    return undefined;
+  }
+
   /** The body that moves an element which is no physics node. */
   bodyOf(element: Element): Binding | undefined {
     const scene = this.sceneOf(element);

@@ -264,7 +264,7 @@ export class Scene implements Driven {
       const start = performance.now();
       this.drawing.drawMoved(world);
       this.routes.send(world);
-      world.noteWriteTime(performance.now() - start);
+      world.frameOver(start);
     }
     return again;
   }

@@ -3,11 +3,14 @@ import type { PhysicsNode } from '../nodes/node.js';
 /** Weight of the newest step in the running mean of an effect's cost. */
 const NEWEST = 0.05;
 
+/** Who needs an effect: a node, or something outside the world that `world.effects` is to name. */
+export type Cause = Pick<PhysicsNode, 'host'>;
+
 /** Something a plain scene of falling bodies can do without. It runs while at least one node causes it. */
 export abstract class Effect {
   abstract readonly name: string;
   /** Why it is on: the nodes that need it, and what of them. */
-  readonly #causes = new Map<PhysicsNode, string>();
+  readonly #causes = new Map<Cause, string>();
   /** Milliseconds per step, a running mean, and those of the present step. */
   ms = 0;
   spent = 0;
@@ -17,12 +20,12 @@ export abstract class Effect {
   }
 
   /** The first cause, for people. */
-  get because(): { node: PhysicsNode; reason: string } | undefined {
+  get because(): { node: Cause; reason: string } | undefined {
     const first = this.#causes.entries().next().value;
     return first && { node: first[0], reason: first[1] };
   }
 
-  get causes(): IterableIterator<PhysicsNode> {
+  get causes(): IterableIterator<Cause> {
     return this.#causes.keys();
   }
 
@@ -32,11 +35,11 @@ export abstract class Effect {
     this.spent = 0;
   }
 
-  need(node: PhysicsNode, reason: string): void {
+  need(node: Cause, reason: string): void {
     this.#causes.set(node, reason);
   }
 
-  drop(node: PhysicsNode): void {
+  drop(node: Cause): void {
     this.#causes.delete(node);
   }
 

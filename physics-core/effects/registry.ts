@@ -5,6 +5,7 @@ import { AuthoredForces } from './forces.js';
 import { AxisDamping } from './damping.js';
 import { Carrying } from './carrying.js';
 import { ContactReader } from './contact-reader.js';
+import { FrameCosts } from './costs.js';
 import { GivenContacts } from './given-contacts.js';
 import { ContactChains } from './contact-chains.js';
 import { ContactSurface } from './contact-surface.js';
@@ -18,6 +19,7 @@ import { PairFilter } from './pair-filter.js';
 import { Resting } from './resting.js';
 import { Stops } from './stops.js';
 import { Suspension } from './suspension.js';
+import { UserTiming } from './user-timing.js';
 
 /** What `world.effects` shows. */
 export interface EffectReport {
@@ -48,6 +50,8 @@ export class EffectRegistry {
   readonly joints: DirectJoints;
   readonly meshes = new MeshShapes();
   readonly resting: Resting;
+  readonly costs = new FrameCosts();
+  readonly timing: UserTiming;
   readonly all: readonly Effect[];
 
   constructor(world: World) {
@@ -66,6 +70,7 @@ export class EffectRegistry {
     this.stops = new Stops(world);
     this.joints = new DirectJoints(world);
     this.resting = new Resting(world);
+    this.timing = new UserTiming(world);
     this.all = [
       this.forces,
       this.damping,
@@ -82,6 +87,8 @@ export class EffectRegistry {
       this.contacts,
       this.meshes,
       this.resting,
+      this.costs,
+      this.timing,
     ];
   }
 

@@ -1,4 +1,5 @@
 import { Clock } from '../clock.js';
+import type { Phase } from '../effects/costs.js';
 import { reportOverlaps } from './overlaps.js';
 import type { World } from './world.js';
 
@@ -114,6 +115,22 @@ export class Stepping {
     this.ms.step = this.ms.read = this.ms.events = 0;
   }
 
+  /** A phase of the present frame began at `start` and ends now; milliseconds it took. */
+  #spent(phase: Phase, start: number): number {
+    const now = performance.now();
+    this.ms[phase] += now - start;
+    const { timing } = this.#world.registry;
+    if (timing.active) timing.measure(phase, start, now);
+    return now - start;
+  }
+
+  /** What was written began at `start` and ends now, and so does the frame. */
+  frameOver(start: number): void {
+    this.ms.write = 0;
+    this.#spent('write', start);
+    this.#world.registry.costs.frameOver(this.ms);
+  }
+
   #stepOnce(): void {
     this.#stepping = true;
     try {
@@ -150,9 +167,11 @@ export class Stepping {
     this.#first = false;
     const stepped = performance.now();
     bodies.read();
-    this.ms.read += performance.now() - stepped;
+    const read = this.#spent('read', stepped);
     registry.afterStep(timeStep);
-    this.ms.step += performance.now() - start;
+    this.#spent('step', start);
+    // That one lies within it.
+    this.ms.step -= read;
   }
 
   #event(name: 'beforestep' | 'afterstep'): void {
@@ -160,7 +179,7 @@ export class Stepping {
     if (!world.heard(name)) return;
     const start = performance.now();
     world.emit(name, { time: this.time, timeStep: world.timeStep });
-    this.ms.events += performance.now() - start;
+    this.#spent('events', start);
   }
 
   // ---- frames ---------------------------------------------------------------------------------------------------
@@ -168,7 +187,8 @@ export class Stepping {
   frame(seconds: number): boolean {
     const world = this.#world;
     if (!world.started) return false;
-    this.#zeroCosts();
+    // What steps by hand cost stands until time passes by itself.
+    if (this.running) this.#zeroCosts();
     world.flush();
     if (this.running) this.#run(seconds * this.#timeScale);
     world.poses.interpolate(this.#moving ? this.#clock.fraction(world.timeStep) : 1);

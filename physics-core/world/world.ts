@@ -1,4 +1,5 @@
 import { levels, type Level, type LevelName } from '../accuracy/levels.js';
+import type { Costs } from '../effects/costs.js';
 import { EffectRegistry, type EffectReport } from '../effects/registry.js';
 import { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
@@ -304,8 +305,27 @@ export class World extends NodeWorld {
     return this.registry.report();
   }
 
-  /** Milliseconds the page took to write poses; for `stats`. */
-  noteWriteTime(ms: number): void {
-    this.stepping.ms.write = ms;
+  /** What frames cost of late, while `recordCosts` asks for it. */
+  get costs(): Costs | undefined {
+    return this.registry.costs.report;
+  }
+
+  /** Keeps what frames cost, for `costs`; `who` looks stands in `effects`. Returns how to stop. */
+  recordCosts(who: unknown, reason = 'costs'): () => void {
+    return this.registry.costs.record(who, reason);
+  }
+
+  /** Whether the browser's Performance panel is told of each phase (User Timing). */
+  get profile(): boolean {
+    return this.registry.timing.active;
+  }
+
+  set profile(on: boolean) {
+    this.registry.timing.turn(on);
+  }
+
+  /** The page has drawn: it began to write poses at `start`, on the clock of `performance.now()`. */
+  frameOver(start: number): void {
+    this.stepping.frameOver(start);
   }
 }

@@ -1,0 +1,38 @@
+import { X3DUIElement, type UIDescription } from './ui/ui-element.js';
+import { loadView } from './ui/view.js';
+
+/** Shows what a world does and costs, and has the controls to stop it, step it and start it again. */
+export class X3DPhysicsMonitorElement extends X3DUIElement {
+  static readonly tag = 'x3d-physics-monitor';
+  static readonly description: UIDescription = {
+    doc: 'Shows what a world does and costs: bodies, contacts, milliseconds by phase, effects, problems; with pause, single step, reset and the accuracy level.',
+    attributes: [
+      {
+        name: 'for',
+        type: 'string',
+        doc: 'DEF or id of an x3d element, a collection or any physics element; without it the nearest x3d element is shown.',
+      },
+    ],
+    parts: {
+      base: 'The panel.',
+      controls: 'The row of buttons.',
+      button: 'Each button.',
+      counts: 'The list of counts.',
+      costs: 'The table of milliseconds.',
+      effects: 'The list of effects in use.',
+      problems: 'The list of problems.',
+    },
+  };
+
+  protected readonly label = 'physics monitor';
+
+  protected load() {
+    return loadView('monitor', () => import('./ui/monitor/view.js'));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'x3d-physics-monitor': X3DPhysicsMonitorElement;
+  }
+}
