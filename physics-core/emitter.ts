@@ -13,6 +13,11 @@ export class Emitter {
     };
   }
 
+  /** What is listened to. */
+  get events(): string[] {
+    return [...(this.#listeners ?? [])].flatMap(([event, set]) => (set.size > 0 ? [event] : []));
+  }
+
   heard(event: string): boolean {
     return (this.#listeners?.get(event)?.size ?? 0) > 0;
   }

@@ -12,13 +12,10 @@ export interface LoadOptions {
 }
 
 interface GlueOptions {
-  locateFile?: () => string;
-  wasmBinary?: Uint8Array;
   instantiateWasm?: (
     imports: WebAssembly.Imports,
     done: (instance: WebAssembly.Instance) => void,
   ) => object;
-  onAbort?: (reason: unknown) => void;
 }
 
 type Glue = (this: object, options: GlueOptions) => Promise<Ammo>;
@@ -48,9 +45,21 @@ function wasmOf({ wasmUrl, wasmBinary }: LoadOptions): Promise<Uint8Array | unde
   return inNode && url.startsWith('file:') ? readWasm(url) : fetchWasm(url);
 }
 
-/** Loads a fresh Ammo module. The glue ends in `this.Ammo = …` and so needs a receiver. */
-export async function loadAmmo(options: LoadOptions): Promise<Ammo> {
-  const wasmBinary = await wasmOf(options);
+/** Compiled once, it serves any number of Ammo modules; undefined where the glue finds its own (Node running from source). */
+export async function compileAmmo(options: LoadOptions): Promise<WebAssembly.Module | undefined> {
+  const bytes = await wasmOf(options);
+  return bytes && WebAssembly.compile(bytes as BufferSource);
+}
+
+/** Loads a fresh Ammo module, with a heap of its own. The glue ends in `this.Ammo = …` and so needs a receiver. */
+export async function loadAmmo(program: WebAssembly.Module | undefined): Promise<Ammo> {
   const { default: glue } = (await import('ammojs-typed/wasm')) as unknown as { default: Glue };
-  return glue.call({}, wasmBinary ? { wasmBinary } : {});
+  if (!program) return glue.call({}, {});
+  return new Promise((resolve, reject) => {
+    const instantiateWasm: GlueOptions['instantiateWasm'] = (imports, done) => {
+      WebAssembly.instantiate(program, imports).then(done, reject);
+      return {};
+    };
+    glue.call({}, { instantiateWasm }).then(resolve, reject);
+  });
 }

@@ -277,6 +277,10 @@ export class PhysicsNode {
     return this.#emitter.heard(event);
   }
 
+  get heardEvents(): string[] {
+    return this.#emitter.events;
+  }
+
   emit(event: string, detail: unknown): void {
     this.#emitter.emit(event, detail);
   }

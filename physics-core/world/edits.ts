@@ -21,11 +21,17 @@ export class Edits {
 
   /** Applies all, lowest rank first. An edit may cause others (a body's shape by its collidable), so it goes round. */
   applyAll(apply: (node: PhysicsNode) => void): void {
-    for (let queue = this.#first(); queue; queue = this.#first()) {
-      const node = queue.values().next().value!;
-      queue.delete(node);
-      apply(node);
-    }
+    while (this.applyNext(apply));
+  }
+
+  /** False: there is none. */
+  applyNext(apply: (node: PhysicsNode) => void): boolean {
+    const queue = this.#first();
+    if (!queue) return false;
+    const node = queue.values().next().value!;
+    queue.delete(node);
+    apply(node);
+    return true;
   }
 
   #first(): Set<PhysicsNode> | undefined {

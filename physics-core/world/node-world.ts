@@ -41,10 +41,12 @@ export abstract class NodeWorld extends Telling {
   /** A node of the world's own, which authors don't find. */
   make(type: string, options: AddOptions): PhysicsNode {
     const nodeType = nodeTypes[type]!;
+    const id = options.id ?? this.#nextId;
+    this.#nextId = Math.max(this.#nextId, id + 1);
     return nodeType.make({
       world: this as never,
       type: nodeType,
-      id: this.#nextId++,
+      id,
       host: options.host,
       name: options.name,
       collection: options.collection as CollectionNode | undefined,

@@ -1,3 +1,4 @@
+import type { Engine } from '../engine/engine.js';
 import type { Value, Vec3 } from '../fields/types.js';
 import type { Pose } from '../math.js';
 import { BodyNode } from '../nodes/body.js';
@@ -28,6 +29,13 @@ interface BodyState {
 interface NodeState {
   id: number;
   type: string;
+  /** What a node is born with, for those that are made again elsewhere. */
+  name: string | undefined;
+  version: number;
+  collection: number | undefined;
+  start?: Pose | undefined;
+  /** Events of it that somebody listens to: they switch effects on. */
+  heard: string[];
   /** Made from plain data in a field of another. */
   child: boolean;
   asked: [string, unknown][];
@@ -71,10 +79,15 @@ function stateOf(node: PhysicsNode, child: boolean): NodeState {
   return {
     id: node.id,
     type: node.type.name,
+    name: node.name,
+    version: node.version,
+    collection: node.collection?.id,
+    heard: node.heardEvents,
     child,
     asked: encoded(asked),
     authored: [...authored],
     beforeEvent: encoded(beforeEvent),
+    ...(node instanceof BodyNode && { start: structuredClone(node.start) }),
     ...(node instanceof BodyNode && node.built ? { body: bodyState(node) } : {}),
     ...(node instanceof JointNode && node.placed ? { joint: framesOf(node) } : {}),
   };
@@ -85,8 +98,11 @@ const framesOf = ({ frame1, frame2 }: JointNode): { frame1: Pose; frame2: Pose }
 
 function encode(value: Value): unknown {
   if (value instanceof PhysicsNode) return { nodeId: value.id } satisfies Reference;
-  return Array.isArray(value) ? value.map(encode) : structuredClone(value);
+  return Array.isArray(value) ? value.map(encode) : cloned(value);
 }
+
+/** Most values are numbers, which need none. */
+const cloned = <T>(value: T): T => (typeof value === 'object' ? structuredClone(value) : value);
 
 function bodyState(body: BodyNode): BodyState {
   const { bodies, registry } = body.world;
@@ -114,13 +130,41 @@ export function restoreSnapshot(world: World, snapshot: Snapshot): void {
   });
   world.stepping.resume(snapshot.time);
   world.registry.resting.sinceLook = snapshot.sinceLook;
-  for (const node of world.nodes) {
-    if (node instanceof JointNode) node.kept = undefined;
-    const state = found.states.get(node.id)?.body;
-    if (node instanceof BodyNode && node.built && state) loadBody(node, state, slept.has(node));
-  }
+  for (const node of world.nodes) loadState(node, found, slept);
   tellWoken();
   world.emit('restore', world);
+}
+
+/**
+ * Makes an empty world as the one a snapshot was taken of, in any engine: what it needs is all plain data. In pieces, so
+ * that nobody need be held up: each `next` goes on by one node. `settings`: fields of its collection that are others here.
+ */
+export function* copyInto(
+  world: World,
+  snapshot: Snapshot,
+  engine: Engine,
+  settings: Record<string, unknown> = {},
+): Generator<void> {
+  const born = new Map<number, PhysicsNode>();
+  for (const { id, type, name, version, collection, start } of snapshot.nodes) {
+    const group = collection === undefined ? undefined : born.get(collection);
+    born.set(id, world.add(type, {}, { id, name, version, collection: group, start }));
+    yield;
+  }
+  const found = new Lookup(world, snapshot);
+  for (const { id, heard } of snapshot.nodes) {
+    loadNode(born.get(id)!, found);
+    for (const event of heard) born.get(id)!.on(event, () => {});
+    yield;
+  }
+  for (const [name, value] of Object.entries(settings)) world.set(name, value);
+  yield* world.starting(engine);
+  world.stepping.resume(snapshot.time);
+  world.registry.resting.sinceLook = snapshot.sinceLook;
+  for (const node of world.nodes) {
+    loadState(node, found);
+    yield;
+  }
 }
 
 function isSnapshot(world: World, snapshot: Snapshot): boolean {
@@ -150,7 +194,7 @@ class Lookup {
   decode(value: unknown): Value {
     if (Array.isArray(value))
       return value.map((item) => this.decode(item)).filter((item) => item !== null);
-    return isReference(value) ? this.#node(value.nodeId) : structuredClone(value);
+    return isReference(value) ? this.#node(value.nodeId) : (cloned(value) as Value);
   }
 
   #node(id: number): Value {
@@ -183,7 +227,14 @@ function loadNode(node: PhysicsNode, found: Lookup): void {
   if (node instanceof JointNode) node.kept = structuredClone(state.joint);
 }
 
-function loadBody(body: BodyNode, state: BodyState, slept: boolean): void {
+/** What stands in Bullet. `slept`: those that were asleep before, and are not said to fall asleep. */
+function loadState(node: PhysicsNode, found: Lookup, slept?: ReadonlySet<BodyNode>): void {
+  if (node instanceof JointNode) node.kept = undefined;
+  const state = found.states.get(node.id)?.body;
+  if (node instanceof BodyNode && node.built && state) loadBody(node, state, slept?.has(node));
+}
+
+function loadBody(body: BodyNode, state: BodyState, slept = false): void {
   const { world } = body;
   const { scratch } = world.engine;
   const [vx, vy, vz, wx, wy, wz] = state.velocity as [

@@ -19,6 +19,8 @@ export interface AddOptions {
   version?: number | undefined;
   /** Where a body starts whose author gave no position or orientation. */
   start?: Pose | undefined;
+  /** That of the node it is a copy of. */
+  id?: number | undefined;
 }
 
 export interface Stats {

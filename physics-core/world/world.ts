@@ -87,6 +87,14 @@ export class World extends NodeWorld {
     this.work();
   }
 
+  /** The same in pieces, unheard: each `next` makes one node, so that nobody need be held up. */
+  *starting(engine: Engine): Generator<void> {
+    this.engine = engine;
+    this.#build();
+    do while (this.edits.applyNext(this.#apply)) yield;
+    while (this.obstacles.update());
+  }
+
   /** The world can't start: `ready` rejects with the problem. */
   fail(problem: unknown): void {
     this.#settleReady.reject(problem);
