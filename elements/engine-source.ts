@@ -2,6 +2,8 @@
 export interface EngineOptions {
   wasmUrl?: string;
   wasmBinary?: Uint8Array;
+  /** Where measurements of accuracy find their worker. */
+  workerUrl?: string;
 }
 
 let source: () => EngineOptions | Promise<EngineOptions> = () => ({});

@@ -19,6 +19,7 @@ export { PHASES, type Costs, type Percentiles, type Phase } from './effects/cost
 export type { EffectReport } from './effects/registry.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/touches.js';
 export { levels, type Level, type LevelName } from './accuracy/levels.js';
+export type { LevelMeasurement, MeasureOptions } from './accuracy/measure.js';
 export type { Geometry } from './shapes/geometry.js';
 
 export interface CreateOptions extends WorldOptions {

@@ -9,6 +9,10 @@ export interface LoadOptions {
   wasmUrl?: string | undefined;
   /** The wasm itself, for pages opened from disk. */
   wasmBinary?: Uint8Array | undefined;
+  /** The wasm compiled: another engine's. */
+  program?: WebAssembly.Module | undefined;
+  /** Where accuracy-worker.js is. */
+  workerUrl?: string | undefined;
 }
 
 interface GlueOptions {
@@ -47,6 +51,7 @@ function wasmOf({ wasmUrl, wasmBinary }: LoadOptions): Promise<Uint8Array | unde
 
 /** Compiled once, it serves any number of Ammo modules; undefined where the glue finds its own (Node running from source). */
 export async function compileAmmo(options: LoadOptions): Promise<WebAssembly.Module | undefined> {
+  if (options.program) return options.program;
   const bytes = await wasmOf(options);
   return bytes && WebAssembly.compile(bytes as BufferSource);
 }

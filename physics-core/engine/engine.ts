@@ -7,21 +7,26 @@ import { Scratch } from './scratch.js';
 /** Ammo and what all worlds share of it: argument objects and the way state is read. */
 export class Engine {
   readonly ammo: Ammo;
-  /** What it was made of, for others like it; undefined in Node running from source. */
-  readonly program: WebAssembly.Module | undefined;
+  /** What it was made of, for others like it. In Node running from source there is no `program`. */
+  readonly source: LoadOptions;
   readonly scratch: Scratch;
   readonly reader: BodyReader;
   readonly contacts: ContactHook;
   /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
   readonly heapTrusted: boolean;
 
-  constructor(ammo: Ammo, program?: WebAssembly.Module) {
+  constructor(ammo: Ammo, source: LoadOptions = {}) {
     this.ammo = ammo;
-    this.program = program;
+    this.source = source;
     this.scratch = new Scratch(ammo);
     this.contacts = new ContactHook(ammo);
     this.heapTrusted = bodyOffsetsHold(ammo);
     this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
+  }
+
+  /** One more of the same wasm, with a heap of its own. */
+  another(): Promise<Engine> {
+    return makeEngine(this.source);
   }
 
   /** Bytes of the wasm heap, shared by all worlds of the page. It never shrinks. */
@@ -30,15 +35,16 @@ export class Engine {
   }
 }
 
-/** One more, with a heap of its own that goes with it. */
-export const newEngine = async (program: WebAssembly.Module | undefined): Promise<Engine> =>
-  new Engine(await loadAmmo(program), program);
+async function makeEngine(options: LoadOptions): Promise<Engine> {
+  const program = await compileAmmo(options);
+  return new Engine(await loadAmmo(program), { program, workerUrl: options.workerUrl });
+}
 
 let loading: Promise<Engine> | undefined;
 
 /** One engine per page, worker or process. A failed load may be tried again. */
 export function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  loading ??= compileAmmo(options).then(newEngine);
+  loading ??= makeEngine(options);
   loading.catch(() => (loading = undefined));
   return loading;
 }

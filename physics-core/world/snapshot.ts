@@ -20,8 +20,8 @@ interface BodyState {
   asleep: boolean;
   parked: boolean;
   rest: { quiet: number; anchor: number[] };
-  /** Whether joints have made its first half step. */
-  launched: boolean;
+  /** Seconds of its last step, to the middle of which joints keep its velocity; 0: to the moment. */
+  lastStep: number;
   /** What `applyForce` and `applyTorque` asked of the next step. */
   load: { force: Vec3; torque: Vec3 } | undefined;
 }
@@ -112,7 +112,7 @@ function bodyState(body: BodyNode): BodyState {
     asleep: body.sleeping,
     parked: body.parked,
     rest: registry.resting.save(body.slot),
-    launched: registry.joints.launched(body),
+    lastStep: registry.joints.lastStep(body),
     load: structuredClone(registry.forces.pending(body)),
   };
 }
@@ -249,7 +249,7 @@ function loadBody(body: BodyNode, state: BodyState, slept = false): void {
   body.body.setLinearVelocity(scratch.vector(vx, vy, vz));
   body.body.setAngularVelocity(scratch.vector(wx, wy, wz));
   world.bodies.readVelocity(body);
-  if (state.launched) world.registry.joints.launch(body);
+  if (state.lastStep > 0) world.registry.joints.setLastStep(body, state.lastStep);
   if (state.load) world.push(body, state.load.force, state.load.torque);
   if (state.parked) body.park();
   else if (!state.asleep) body.wake();

@@ -1,5 +1,6 @@
 import { levels, type Level, type LevelName } from '../accuracy/levels.js';
 import type { Costs } from '../effects/costs.js';
+import type { LevelMeasurement, MeasureOptions } from '../accuracy/measure.js';
 import { EffectRegistry, type EffectReport } from '../effects/registry.js';
 import { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
@@ -190,6 +191,12 @@ export class World extends NodeWorld {
   /** The ladder; `active` marks the level in force. */
   get levels(): (Level & { active: boolean })[] {
     return levels.map((level) => ({ ...level, active: level.name === this.accuracy }));
+  }
+
+  /** What each level costs and leaves, in the scene as it is now: run anew in a second world, in a worker where there are any. */
+  async measureAccuracy(options: MeasureOptions = {}): Promise<LevelMeasurement[]> {
+    const { measureAccuracy } = await import('../accuracy/measure.js');
+    return measureAccuracy(this, options);
   }
 
   /** Seconds of one step. */

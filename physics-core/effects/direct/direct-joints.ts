@@ -84,13 +84,13 @@ export class DirectJoints extends Effect {
     this.#forget(node as JointNode);
   }
 
-  /** Whether a body has made its first half step: its velocity then belongs to the middle of the last step. */
-  launched(body: BodyNode): boolean {
-    return this.#bodies.isLaunched(body);
+  /** Seconds of a body's last step, to the middle of which its velocity belongs; 0: to this moment. */
+  lastStep(body: BodyNode): number {
+    return this.#bodies.lastStep(body);
   }
 
-  launch(body: BodyNode): void {
-    this.#bodies.launch(body);
+  setLastStep(body: BodyNode, seconds: number): void {
+    this.#bodies.setLastStep(body, seconds);
   }
 
   /** Its velocity is given anew. */

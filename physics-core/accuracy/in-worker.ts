@@ -1,0 +1,66 @@
+import type { Measured } from './measurement.js';
+import type { Watching } from './slices.js';
+import type { Answer, Order } from './worker.js';
+
+/** Milliseconds that a worker may take to load. */
+const LATEST = 10_000;
+
+/** Beside this file, where the entry file does not say otherwise. */
+const besides = (): string => new URL('./accuracy-worker.js', import.meta.url).href;
+
+/** Measures in a worker. Undefined: the page allows none (its security policy, opened from disk), or there is no file for it. */
+export async function inWorker(
+  order: Order,
+  workerUrl: string | undefined,
+  watching: Watching,
+): Promise<Measured[] | undefined> {
+  const worker = await loaded(workerUrl ?? besides()).catch(() => undefined);
+  if (!worker) return undefined;
+  try {
+    return await answered(worker, order, watching);
+  } finally {
+    worker.terminate();
+  }
+}
+
+/** Scripts of another server are only taken from within one of the page's own. */
+function startWorker(url: string): Worker {
+  if (new URL(url).origin === location.origin) return new Worker(url, { type: 'module' });
+  const source = new Blob([`import ${JSON.stringify(url)};`], { type: 'text/javascript' });
+  return new Worker(URL.createObjectURL(source), { type: 'module' });
+}
+
+/** A worker that answers. */
+async function loaded(url: string): Promise<Worker> {
+  const worker = startWorker(url);
+  await new Promise((resolve, reject) => {
+    setTimeout(reject, LATEST);
+    worker.onmessage = resolve;
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(new Error(event.message));
+    };
+  }).catch((error) => {
+    worker.terminate();
+    throw error;
+  });
+  return worker;
+}
+
+function answered(
+  worker: Worker,
+  order: Order,
+  { onprogress, signal }: Watching,
+): Promise<Measured[]> {
+  return new Promise((resolve, reject) => {
+    const abort = (): void => reject(signal!.reason);
+    if (signal?.aborted) return abort();
+    signal?.addEventListener('abort', abort);
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+      if ('done' in data) onprogress?.(data.done);
+      if ('measured' in data) resolve(data.measured);
+      if ('failed' in data) reject(new Error(data.failed));
+    };
+    worker.postMessage(order);
+  });
+}

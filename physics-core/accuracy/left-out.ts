@@ -1,0 +1,28 @@
+import type { PhysicsNode } from '../nodes/node.js';
+import type { World } from '../world/world.js';
+
+/** Something of a page that a second world can't have. */
+export interface LeftOut {
+  element: unknown;
+  reason: string;
+}
+
+/** What acts on a world from outside, and so not on a second one made of its snapshot. */
+export function leftOutOf(world: World): LeftOut[] {
+  const out: LeftOut[] = [];
+  for (const event of ['beforestep', 'afterstep'])
+    if (world.heard(event))
+      out.push({ element: world.settings.host, reason: `${event} listeners` });
+  for (const node of world.nodes)
+    for (const reason of outside(node)) out.push({ element: node.host, reason });
+  for (const node of world.registry.carrying.causes)
+    out.push({ element: node.host, reason: 'it is moved along from outside' });
+  return out;
+}
+
+function* outside(node: PhysicsNode): Generator<string> {
+  for (const event of node.heardEvents)
+    if (event.startsWith('collision')) yield `${event} listeners`;
+  const routed = [...node.said.beforeEvent.keys()];
+  if (routed.length > 0) yield `later events to ${routed.join(', ')}`;
+}

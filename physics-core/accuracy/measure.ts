@@ -1,0 +1,79 @@
+import type { World } from '../world/world.js';
+import { inWorker } from './in-worker.js';
+import { leftOutOf, type LeftOut } from './left-out.js';
+import { levelNames, type LevelName } from './levels.js';
+import { Measurement, type Job, type Measured } from './measurement.js';
+import { inSlices, type Watching } from './slices.js';
+
+export interface MeasureOptions extends Watching {
+  /** Simulated seconds, 2 by default. */
+  seconds?: number;
+  /** All by default. */
+  levels?: readonly LevelName[];
+}
+
+/** What one level costs and leaves in a scene, against the finest of those measured. */
+export interface LevelMeasurement extends Omit<Measured, 'worst'> {
+  /** The element (in the core: node) of the body that is farthest off. */
+  worst: unknown;
+  /** Whether it was measured in a worker; else on this thread, in slices. */
+  inWorker: boolean;
+  /** What acts on the scene from outside, and so not where it was measured. */
+  leftOut: LeftOut[];
+}
+
+const SECONDS = 2;
+const LONGEST = 60;
+
+/** Runs a world's scene anew, from its present state, at each level. The world itself notices nothing of it. */
+export async function measureAccuracy(
+  world: World,
+  { seconds = SECONDS, levels = levelNames, ...watching }: MeasureOptions,
+): Promise<LevelMeasurement[]> {
+  const { engine } = await world.ready;
+  watching.signal?.throwIfAborted();
+  const job: Job = {
+    snapshot: world.snapshot(),
+    levels: levelNames.filter((name) => accepted(world, levels).includes(name)),
+    seconds: length(world, seconds),
+  };
+  const leftOut = leftOutOf(world);
+  const { program, workerUrl } = engine.source;
+  const there = await inWorker({ job, program }, workerUrl, watching);
+  const measured = there ?? (await inSlices(here(job, await engine.another()), watching));
+  return measured.map((row) => ({
+    ...row,
+    worst: row.worst === undefined ? undefined : world.node(row.worst)?.host,
+    inWorker: there !== undefined,
+    leftOut,
+  }));
+}
+
+const here = (job: Job, engine: World['engine']): Generator<number, Measured[]> =>
+  new Measurement(job, engine).run();
+
+/** Names that are levels; all levels where none is. */
+function accepted(world: World, names: readonly LevelName[]): readonly LevelName[] {
+  const known = levelNames.filter((name) => names.includes(name));
+  if (known.length === names.length && known.length > 0) return known;
+  const used = known.length > 0 ? known : levelNames;
+  refuse(world, 'levels', names, used);
+  return used;
+}
+
+function length(world: World, seconds: number): number {
+  if (seconds > 0 && seconds <= LONGEST) return seconds;
+  refuse(world, 'seconds', seconds, SECONDS);
+  return SECONDS;
+}
+
+function refuse(world: World, attribute: string, value: unknown, used: unknown): void {
+  world.report({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute,
+    value,
+    used,
+    message: `measureAccuracy: ${attribute} ${String(value)} is not possible; ${String(used)} is used`,
+  });
+}

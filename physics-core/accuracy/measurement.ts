@@ -1,0 +1,176 @@
+import { copyInto, type Snapshot } from '../world/snapshot.js';
+import { World } from '../world/world.js';
+import { Comparison } from './comparison.js';
+import { Contender } from './contender.js';
+import { levelNamed, levels, type LevelName } from './levels.js';
+
+/** Seconds between two moments where all levels stop: a step of the coarsest. */
+const MOMENT = levels[0]!.timeStep;
+
+/** m/s by which the twin's bodies are pushed: what single precision leaves of a speed of a hundred. */
+const PUSH = 1e-5;
+
+/** A level is timed again until it was at work for so long, milliseconds, or so often. */
+const ENOUGH = 300;
+const MOST_TIMES = 5;
+
+/** What is to be measured; plain data. */
+export interface Job {
+  snapshot: Snapshot;
+  /** Coarse to fine. */
+  levels: readonly LevelName[];
+  seconds: number;
+}
+
+/** What one level costs and leaves. */
+export interface Measured {
+  level: LevelName;
+  timeStep: number;
+  /** Milliseconds of work per simulated second. */
+  msPerSecond: number;
+  error: {
+    /** The greatest distance of a body from where the finest level has it, metres. */
+    position: number;
+    /** Mean difference from the energy that the finest level has, as a share of the energy in play. */
+    energy: number;
+    /** The widest gap of a joint, metres. */
+    joint: number;
+    /** The deepest overlap, metres. */
+    penetration: number;
+  };
+  /** Id of the body that is farthest off. */
+  worst: number | undefined;
+  /** Whether roundings grow until they decide where bodies are. */
+  chaotic: boolean;
+  /** Seconds up to which levels agree within `tolerance` (metres): `position` and `energy` count up to here. */
+  horizon: number;
+  tolerance: number;
+  seconds: number;
+  /** Contact points at the end. */
+  contacts: number;
+}
+
+type Engine = World['engine'];
+
+/**
+ * Runs a scene at all levels from one snapshot; each `next` takes one step, and tells the share that is done. Its worlds
+ * are never taken down: they go with the engine, which should be one of its own.
+ */
+export class Measurement {
+  readonly #job: Job;
+  readonly #engine: Engine;
+  readonly #moments: number;
+  #done = 0;
+  #all = 0;
+
+  constructor(job: Job, engine: Engine) {
+    this.#job = job;
+    this.#engine = engine;
+    this.#moments = Math.max(1, Math.round(job.seconds / MOMENT));
+  }
+
+  *run(): Generator<number, Measured[]> {
+    const runs = yield* this.#make(this.#job.levels);
+    const [twin] = yield* this.#make([(runs.at(-2) ?? runs[0]!).level.name]);
+    push(twin!);
+    const comparison = new Comparison(runs, twin!);
+    const all = [...runs, twin!];
+    this.#all = this.#moments * all.reduce((sum, run) => sum + stepsOf(run), 0);
+    yield* this.#race(all, (time) => comparison.compare(time));
+    const contacts = runs.map(({ world }) => world.stats.contacts);
+    const times = yield* this.#timeAgain(runs);
+    return runs.map((run, i) => ({
+      ...this.#result(run, comparison, i),
+      msPerSecond: median(times[i]!) / (this.#moments * MOMENT),
+      contacts: contacts[i]!,
+    }));
+  }
+
+  *#make(names: readonly LevelName[]): Generator<number, Contender[]> {
+    const made: Contender[] = [];
+    for (const name of names) {
+      const world = new World();
+      for (const _ of copyInto(world, this.#job.snapshot, this.#engine, { accuracy: name }))
+        yield this.#share;
+      made.push(new Contender(world, levelNamed(name)));
+    }
+    return made;
+  }
+
+  get #share(): number {
+    return this.#all ? Math.min(1, this.#done / this.#all) : 0;
+  }
+
+  /** All take turns, a moment each: what disturbs the machine disturbs all alike. */
+  *#race(runs: readonly Contender[], compare?: (time: number) => void): Generator<number> {
+    for (let moment = 1; moment <= this.#moments; moment++) {
+      for (const run of runs) {
+        for (let step = 0; step < stepsOf(run); step++) {
+          run.step();
+          if (compare && step === 0) run.lookBack();
+          this.#done++;
+          yield this.#share;
+        }
+        if (compare) run.look();
+      }
+      compare?.(moment * MOMENT);
+    }
+  }
+
+  /** Milliseconds of work, as often as each was timed. What takes little is timed again; the first time warms up. */
+  *#timeAgain(first: readonly Contender[]): Generator<number, number[][]> {
+    const times = first.map(({ ms }) => [ms]);
+    for (let again = 1; again < MOST_TIMES; again++) {
+      const short = first.filter((_, i) => sum(times[i]!) < ENOUGH);
+      const runs = yield* this.#make(short.map(({ level }) => level.name));
+      yield* this.#race(runs);
+      for (const run of runs)
+        times[first.findIndex(({ level }) => level === run.level)]!.push(run.ms);
+    }
+    return times.map((each) => (each.length > 2 ? each.slice(1) : each));
+  }
+
+  #result(
+    run: Contender,
+    comparison: Comparison,
+    i: number,
+  ): Omit<Measured, 'msPerSecond' | 'contacts'> {
+    const { position, worst } = comparison.differences[i]!;
+    const { joint, penetration, level } = run;
+    const seconds = this.#moments * MOMENT;
+    return {
+      level: level.name,
+      timeStep: level.timeStep,
+      error: { position, energy: comparison.energyError(i), joint, penetration },
+      worst: position > 0 ? run.bodies[worst]?.id : undefined,
+      chaotic: comparison.horizon !== undefined,
+      horizon: comparison.horizon ?? seconds,
+      tolerance: comparison.tolerance,
+      seconds,
+    };
+  }
+}
+
+const stepsOf = ({ level }: Contender): number => Math.round(MOMENT / level.timeStep);
+
+/** Each body another way; the same ways at every measurement. */
+function push({ bodies }: Contender): void {
+  let state = 1;
+  const random = (): number => {
+    state = (state * 16807) % 2147483647;
+    return (2 * state) / 2147483647 - 1;
+  };
+  for (const body of bodies) {
+    const { mass } = body.mass;
+    const way = [random(), random(), random()].map((x) => x * PUSH * mass);
+    if (!body.sleeping) body.applyImpulse(way as [number, number, number]);
+  }
+}
+
+const sum = (values: readonly number[]): number => values.reduce((all, value) => all + value, 0);
+
+function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  const middle = sorted.length >> 1;
+  return sorted.length % 2 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
+}
