@@ -1,0 +1,384 @@
+import { add, quaternionOf, rotate } from '../../physics-core/math.js';
+import { move, type Mechanism } from '../../test/core/references/mechanism.js';
+import type { Case, CaseBody, Vec3 } from '../case.js';
+import { apart, frameOf, rounding, turned, worst } from './judging.js';
+
+// Joints that drive, stop and pass on.
+
+const WEIGHTLESS: Vec3 = [0, 0, 0];
+const G = 9.81;
+
+/** Turns alike about all axes. */
+const round = (moment: number): Vec3 => [moment, moment, moment];
+
+// ---- motors ----------------------------------------------------------------------------------------------------------
+
+const motor = { torque: 4, speed: 8, moment: 0.5 };
+
+/** Radians after it ran up to speed and on. */
+function runUp(t: number): number {
+  const { torque, speed, moment } = motor;
+  const until = (moment * speed) / torque;
+  return t < until ? ((torque / moment) * t ** 2) / 2 : speed * (t - until / 2);
+}
+
+// ---- a stop ------------------------------------------------------------------------------------------------------------
+
+const stop = { force: 6, mass: 2, at: 1, bounce: 0.7 };
+
+/** Metres along the slider under a steady force against the stop. */
+function thrownBack(t: number): number {
+  const a = stop.force / stop.mass;
+  let arrival = Math.sqrt((2 * stop.at) / a);
+  if (t < arrival) return (a * t ** 2) / 2;
+  let speed = stop.bounce * a * arrival;
+  while (t > arrival + (2 * speed) / a) {
+    arrival += (2 * speed) / a;
+    speed *= stop.bounce;
+  }
+  const since = t - arrival;
+  return stop.at - speed * since + (a * since ** 2) / 2;
+}
+
+// ---- a cardan shaft ----------------------------------------------------------------------------------------------------
+
+const cardan = { bend: 0.6, driving: 2, driven: 0.5, speed: 3 };
+const shaft: Vec3 = [0, -Math.sin(cardan.bend), Math.cos(cardan.bend)];
+const arm: Vec3 = [0, Math.cos(cardan.bend), Math.sin(cardan.bend)];
+
+/** tan θ₂ = cos β tan θ₁, without the jumps of a tangent. */
+function passedOn(angle: number): number {
+  const [sine, cosine, bend] = [Math.sin(angle), Math.cos(angle), Math.cos(cardan.bend)];
+  return angle + Math.atan2((bend - 1) * sine * cosine, cosine * cosine + bend * sine * sine);
+}
+const cardanTurns = move(
+  { places: (at) => [at, passedOn(at)], inertias: [cardan.driving, cardan.driven] },
+  0,
+  cardan.speed,
+);
+
+// ---- plane machines ------------------------------------------------------------------------------------------------------
+
+/** A bar between two points: its middle and its angle. */
+type Bar = [x: number, y: number, angle: number];
+
+const bar = ([ax, ay]: readonly number[], [bx, by]: readonly number[]): Bar => [
+  (ax! + bx!) / 2,
+  (ay! + by!) / 2,
+  Math.atan2(by! - ay!, bx! - ax!),
+];
+
+/** Bars that a crank moves, and how. */
+interface Machine {
+  bars: Record<string, { mass: number; moment: number; at(crank: number): Bar }>;
+  crank: number;
+  speed: number;
+}
+
+/** Angles without jumps: a bar that swings is nearest to where it was at the start. */
+function nearest(angle: number, to: number): number {
+  return angle + 2 * Math.PI * Math.round((to - angle) / (2 * Math.PI));
+}
+
+function mechanismOf({ bars, crank }: Machine): Mechanism {
+  const all = Object.values(bars);
+  return {
+    places: (at) => [
+      at,
+      ...all.flatMap((each) => {
+        const [x, y, angle] = each.at(at);
+        return [x, y, nearest(angle, each.at(0)[2])];
+      }),
+    ],
+    inertias: [crank, ...all.flatMap(({ mass, moment }) => [mass, mass, moment])],
+  };
+}
+
+/** Each where it is at first, moving as the crank says. */
+function bodiesOf({ bars, crank, speed }: Machine): CaseBody[] {
+  const little = 1e-5;
+  const rate = (at: (crank: number) => Bar, i: number): number =>
+    (speed * (at(little)[i]! - at(-little)[i]!)) / (2 * little);
+  return [
+    { name: 'crank', mass: 5, inertia: round(crank), angularVelocity: [0, 0, speed] },
+    ...Object.entries(bars).map(([name, { mass, moment, at }]): CaseBody => {
+      const [x, y, angle] = at(0);
+      return {
+        name,
+        mass,
+        inertia: round(moment),
+        position: [x, y, 0],
+        orientation: [0, 0, 1, angle],
+        linearVelocity: [rate(at, 0), rate(at, 1), 0],
+        angularVelocity: [0, 0, rate(at, 2)],
+      };
+    }),
+  ];
+}
+
+const hinge = (body1: string, body2: string | undefined, [x, y]: readonly number[]) => ({
+  type: 'SingleAxisHingeJoint' as const,
+  body1,
+  ...(body2 && { body2 }),
+  axis: [0, 0, 1],
+  anchorPoint: [x!, y!, 0],
+});
+
+const spoke = (radius: number, angle: number): [number, number] => [
+  radius * Math.cos(angle),
+  radius * Math.sin(angle),
+];
+
+/** Where two circles meet, to the left of the way from the first centre to the second. */
+function meeting(a: readonly number[], ra: number, b: readonly number[], rb: number): number[] {
+  const [dx, dy] = [b[0]! - a[0]!, b[1]! - a[1]!];
+  const d = Math.hypot(dx, dy);
+  const along = (d * d + ra * ra - rb * rb) / (2 * d);
+  const aside = Math.sqrt(ra * ra - along * along);
+  return [a[0]! + (along * dx - aside * dy) / d, a[1]! + (along * dy + aside * dx) / d];
+}
+
+const four = { crank: 0.3, coupler: 1, rocker: 0.8, ground: [1, 0] };
+const knee = (angle: number): number[] =>
+  meeting(spoke(four.crank, angle), four.coupler, four.ground, four.rocker);
+const fourBar: Machine = {
+  crank: 0.5,
+  speed: 4,
+  bars: {
+    coupler: { mass: 1, moment: 0.1, at: (c) => bar(spoke(four.crank, c), knee(c)) },
+    rocker: { mass: 1, moment: 0.06, at: (c) => bar(four.ground, knee(c)) },
+  },
+};
+const fourBarTurns = move(mechanismOf(fourBar), 0, fourBar.speed);
+
+const slide = { crank: 0.3, rod: 1 };
+const pin = (angle: number): number[] => {
+  const [x, y] = spoke(slide.crank, angle);
+  return [x + Math.sqrt(slide.rod ** 2 - y * y), 0];
+};
+const sliderCrank: Machine = {
+  crank: 0.5,
+  speed: 4,
+  bars: {
+    rod: { mass: 1, moment: 0.1, at: (c) => bar(spoke(slide.crank, c), pin(c)) },
+    piston: { mass: 1, moment: 0.1, at: (c) => [pin(c)[0]!, 0, 0] },
+  },
+};
+const sliderCrankTurns = move(mechanismOf(sliderCrank), 0, sliderCrank.speed);
+
+// ---- a balance -------------------------------------------------------------------------------------------------------------
+
+const balance = { half: 1, beam: 1 / 3, left: 3, right: 2 };
+const balanceTips = move(
+  {
+    places: (at) => [at, balance.half * Math.sin(at), balance.half * Math.cos(at)],
+    inertias: [balance.beam, balance.left + balance.right, balance.left + balance.right],
+    pulls: [0, -(balance.right - balance.left) * G],
+  },
+  0,
+  0,
+);
+
+export const cases: Case[] = [
+  {
+    id: 'A18',
+    name: 'Motor',
+    says: 'A wheel that a motor of 4 N m runs up to 8 rad/s and holds there: the angle turned, against ½ α t² and then ω t.',
+    scene: {
+      gravity: WEIGHTLESS,
+      bodies: [{ name: 'wheel', inertia: round(motor.moment) }],
+      joints: [
+        {
+          type: 'DoubleAxisHingeJoint',
+          body1: 'wheel',
+          axis1: [0, 1, 0],
+          axis2: [1, 0, 0],
+          minAngle1: 0,
+          maxAngle1: 0,
+          desiredAngularVelocity2: motor.speed,
+          maxTorque2: motor.torque,
+        },
+      ],
+    },
+    seconds: 2,
+    unit: 'rad',
+    size: 12,
+    singlePrecision: rounding(1, motor.speed, 2),
+    watch: ({ orientation }) =>
+      worst((t) => turned(orientation('wheel'), quaternionOf([1, 0, 0, runUp(t)]))),
+  },
+  {
+    id: 'A18b',
+    name: 'Torque motor',
+    says: 'A wheel on a hinge that a steady torque turns: the angle turned, against ½ α t².',
+    scene: {
+      gravity: WEIGHTLESS,
+      bodies: [{ name: 'wheel', inertia: round(motor.moment) }],
+      joints: [
+        { type: 'SingleAxisHingeJoint', body1: 'wheel', axis: [0, 0, 1] },
+        {
+          type: 'MotorJoint',
+          body1: 'wheel',
+          motor1Axis: [0, 0, 1],
+          enabledAxes: 1,
+          axis1Torque: motor.torque,
+        },
+      ],
+    },
+    seconds: 2,
+    unit: 'rad',
+    size: 16,
+    singlePrecision: rounding(1, 16, 2),
+    watch: ({ orientation }) =>
+      worst((t) =>
+        turned(
+          orientation('wheel'),
+          quaternionOf([0, 0, 1, ((motor.torque / motor.moment) * t ** 2) / 2]),
+        ),
+      ),
+  },
+  {
+    id: 'A19',
+    name: 'Slider at its stop',
+    says: 'A body on a slider that a steady force drives against a stop, which throws 0.7 of its speed back, against the parabolas between the bounces.',
+    scene: {
+      gravity: WEIGHTLESS,
+      bodies: [
+        { name: 'carriage', mass: stop.mass, inertia: round(1), forces: [[stop.force, 0, 0]] },
+      ],
+      joints: [
+        {
+          type: 'SliderJoint',
+          body1: 'carriage',
+          axis: [1, 0, 0],
+          minSeparation: -10,
+          maxSeparation: stop.at,
+          stopBounce: stop.bounce,
+        },
+      ],
+    },
+    seconds: 3,
+    unit: 'm',
+    size: 1,
+    singlePrecision: rounding(1, 2.5, 3),
+    watch: ({ position }) => worst((t) => apart(position('carriage'), [thrownBack(t), 0, 0])),
+  },
+  {
+    id: 'A20',
+    name: 'Cardan shaft',
+    says: 'A flywheel turns another round a bend of 0.6 rad: the angle of the second, against tan θ₂ = cos β tan θ₁ and the energy that both share.',
+    scene: {
+      gravity: WEIGHTLESS,
+      bodies: [
+        {
+          name: 'driving',
+          inertia: round(cardan.driving),
+          angularVelocity: [0, 0, cardan.speed],
+        },
+        {
+          name: 'driven',
+          inertia: round(cardan.driven),
+          position: shaft,
+          angularVelocity: shaft.map((x) => x * cardan.speed * Math.cos(cardan.bend)) as Vec3,
+        },
+      ],
+      joints: [
+        { type: 'SingleAxisHingeJoint', body1: 'driving', axis: [0, 0, 1] },
+        { type: 'SingleAxisHingeJoint', body1: 'driven', axis: shaft, anchorPoint: shaft },
+        { type: 'UniversalJoint', body1: 'driving', body2: 'driven', axis1: [1, 0, 0], axis2: arm },
+      ],
+    },
+    seconds: 4,
+    unit: 'rad',
+    size: 12,
+    singlePrecision: rounding(1, cardan.speed, 4),
+    watch: ({ orientation }) =>
+      worst((t) => {
+        const angle = passedOn(cardanTurns(frameOf(t)).at);
+        return turned(orientation('driven'), quaternionOf([...shaft, angle]));
+      }),
+  },
+  {
+    id: 'A23',
+    name: 'Four-bar linkage',
+    says: 'A flywheel drives a coupler and a rocker: the knee between them, against the loop equation and the energy that all share.',
+    scene: {
+      gravity: WEIGHTLESS,
+      bodies: bodiesOf(fourBar),
+      joints: [
+        hinge('crank', undefined, [0, 0]),
+        hinge('crank', 'coupler', spoke(four.crank, 0)),
+        hinge('coupler', 'rocker', knee(0)),
+        hinge('rocker', undefined, four.ground),
+      ],
+    },
+    seconds: 4,
+    unit: 'm',
+    size: 1,
+    singlePrecision: rounding(1, 1.5, 4),
+    watch: ({ position, orientation }) =>
+      worst((t) => {
+        const half = rotate(orientation('rocker'), [four.rocker / 2, 0, 0]);
+        const [x, y] = knee(fourBarTurns(frameOf(t)).at);
+        return apart(add(position('rocker'), half), [x!, y!, 0]);
+      }),
+  },
+  {
+    id: 'A24',
+    name: 'Slider-crank',
+    says: 'A flywheel drives a piston through a rod: where the piston is, against x = r cos θ + √(l² - r² sin² θ) and the energy that all share.',
+    scene: {
+      gravity: WEIGHTLESS,
+      bodies: bodiesOf(sliderCrank),
+      joints: [
+        hinge('crank', undefined, [0, 0]),
+        hinge('crank', 'rod', spoke(slide.crank, 0)),
+        hinge('rod', 'piston', pin(0)),
+        {
+          type: 'SliderJoint',
+          body1: 'piston',
+          axis: [1, 0, 0],
+          minSeparation: 1,
+          maxSeparation: 0,
+        },
+      ],
+    },
+    seconds: 4,
+    unit: 'm',
+    size: 0.6,
+    singlePrecision: rounding(1.3, 1.5, 4),
+    watch: ({ position }) =>
+      worst((t) => apart(position('piston'), [pin(sliderCrankTurns(frameOf(t)).at)[0]!, 0, 0])),
+  },
+  {
+    id: 'A25',
+    name: 'Balance',
+    says: 'A beam of 2 m on a hinge with 3 kg on one end and 2 kg on the other, let go level, against (I + Σ m L²) α = Σ ± m g L cos θ.',
+    scene: {
+      gravity: [0, -G, 0],
+      bodies: [
+        { name: 'beam', inertia: round(balance.beam) },
+        ...(['left', 'right'] as const).map((side) => ({
+          name: side,
+          mass: balance[side],
+          shape: { type: 'Sphere' as const, radius: 0.1 },
+          position: [side === 'left' ? -1 : 1, 0, 0] as Vec3,
+        })),
+      ],
+      joints: [
+        { type: 'SingleAxisHingeJoint', body1: 'beam', axis: [0, 0, 1] },
+        { type: 'BallJoint', body1: 'left', body2: 'beam', anchorPoint: [-1, 0, 0] },
+        { type: 'BallJoint', body1: 'right', body2: 'beam', anchorPoint: [1, 0, 0] },
+      ],
+    },
+    seconds: 2,
+    unit: 'm',
+    size: 1,
+    singlePrecision: rounding(1, 2.5, 2),
+    watch: ({ position }) =>
+      worst((t) => {
+        const { at } = balanceTips(frameOf(t));
+        return apart(position('right'), [Math.cos(at), Math.sin(at), 0]);
+      }),
+  },
+];
