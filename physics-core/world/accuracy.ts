@@ -6,17 +6,19 @@ import type { World } from './world.js';
 /** The level in force, and what Bullet's solver works with at it. */
 export class Accuracy {
   readonly #world: World;
+  readonly #own: Level | undefined;
   level: Level = levelNamed(DEFAULT_LEVEL);
   joints!: JointSettings;
 
-  constructor(world: World) {
+  constructor(world: World, own?: Level) {
     this.#world = world;
+    this.#own = own;
   }
 
   /** Takes the settings of the first collection into Bullet. */
   configure(): void {
     const world = this.#world;
-    this.#setLevel(levelOf(world.settings));
+    this.#setLevel(this.#own ?? levelOf(world.settings));
     const speed = world.settings.asked<number>('maxCorrectionSpeed');
     world.registry.surface.limit(world.settings, speed < 0 ? Infinity : speed);
     this.configureSolver();

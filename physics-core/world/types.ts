@@ -1,3 +1,4 @@
+import type { Level } from '../accuracy/levels.js';
 import type { Pose } from '../math.js';
 import type { PhysicsNode } from '../nodes/node.js';
 
@@ -6,6 +7,8 @@ export interface WorldOptions {
   console?: boolean;
   /** Bytes the wasm heap may take. */
   maxHeapBytes?: number;
+  /** In place of any level that the collection asks for: a step and iterations of one's own, to measure with. */
+  level?: Level;
 }
 
 export interface AddOptions {

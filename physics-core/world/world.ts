@@ -41,11 +41,12 @@ export class World extends NodeWorld {
   /** FALSE on the first collection freezes the world. */
   enabled = true;
 
-  readonly #accuracy: Accuracy = new Accuracy(this);
+  readonly #accuracy: Accuracy;
   #settleReady!: { resolve: (world: World) => void; reject: (problem: unknown) => void };
 
   constructor(options: WorldOptions = {}) {
     super(options.console ?? false);
+    this.#accuracy = new Accuracy(this, options.level);
     this.heapLimit = new HeapLimit(this, options.maxHeapBytes);
     this.registry = new EffectRegistry(this);
     this.ready = new Promise((resolve, reject) => (this.#settleReady = { resolve, reject }));

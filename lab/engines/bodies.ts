@@ -1,0 +1,42 @@
+import type { CaseBody, CaseScene, Vec3 } from '../case.js';
+import { add, quaternionOf, type Pose } from '../../physics-core/math.js';
+
+export const massOf = ({ mass = 1 }: CaseBody): number => mass;
+
+/** Where a body starts. */
+export const poseOf = ({ position = [0, 0, 0], orientation = [0, 0, 1, 0] }: CaseBody): Pose => ({
+  p: position,
+  q: quaternionOf(orientation),
+});
+
+const sum = (vectors: readonly Vec3[] = []): Vec3 => vectors.reduce<Vec3>(add, [0, 0, 0]);
+
+export const forceOn = ({ forces }: CaseBody): Vec3 => sum(forces);
+export const torqueOn = ({ torques }: CaseBody): Vec3 => sum(torques);
+
+/** Of the solid shape about its own axes, kg m², unless the case gives them. */
+export function momentsOf(body: CaseBody): Vec3 {
+  const { inertia, shape } = body;
+  if (inertia) return inertia;
+  const m = massOf(body);
+  if (!shape) throw new Error(`${body.name} has neither shape nor inertia`);
+  if (shape.type === 'Sphere') return Array<number>(3).fill(0.4 * m * shape.radius ** 2) as Vec3;
+  if (shape.type === 'Box') {
+    const [x, y, z] = shape.size.map((length) => length ** 2) as Vec3;
+    return [(m / 12) * (y + z), (m / 12) * (x + z), (m / 12) * (x + y)];
+  }
+  const { radius, height } = shape;
+  const across = (m / 12) * (3 * radius ** 2 + height ** 2);
+  return [across, 0.5 * m * radius ** 2, across];
+}
+
+export const isRound = (body: CaseBody): boolean => {
+  const [x, y, z] = momentsOf(body);
+  return Math.max(x, y, z) - Math.min(x, y, z) <= 1e-9 * x;
+};
+
+export function bodyNamed(scene: CaseScene, name: string): CaseBody {
+  const body = scene.bodies.find((one) => one.name === name);
+  if (!body) throw new Error(`the scene has no body ${name}`);
+  return body;
+}

@@ -1,0 +1,78 @@
+import { levels, loadEngine, World, type Level } from '../../physics-core/index.js';
+import type { BodyNode } from '../../physics-core/nodes/body.js';
+import type { CaseBody, CaseScene, Vec3 } from '../case.js';
+import { sweep, type Engine, type Running, type Setting } from './engine.js';
+
+function fieldsOf({ name: _, shape, inertia, ...fields }: CaseBody): Record<string, unknown> {
+  return {
+    ...fields,
+    ...(shape && { geometry: [shape] }),
+    ...(inertia && { inertia: inertia.flatMap((moment, i) => [0, 0, 0].with(i, moment)) }),
+  };
+}
+
+function build(world: World, { gravity, bodies, joints = [], contact }: CaseScene) {
+  world.add('RigidBodyCollection', { gravity, rest: 'never' });
+  const nodes = new Map<string, BodyNode>();
+  for (const body of bodies) nodes.set(body.name, world.add('RigidBody', fieldsOf(body)) as BodyNode);
+  world.add('CollisionCollection', {
+    collidables: '*',
+    ...(contact
+      ? {
+          appliedParameters: ['BOUNCE', 'FRICTION_COEFFICIENT-2'],
+          bounce: contact.bounce,
+          frictionCoefficients: [contact.friction, contact.friction],
+        }
+      : { enabled: false }),
+  });
+  for (const { type, body1, body2, ...fields } of joints)
+    world.add(type, {
+      body1: nodes.get(body1),
+      ...(body2 && { body2: nodes.get(body2) }),
+      ...fields,
+    });
+  return nodes;
+}
+
+/** The level, or one of no name with the setting's step and iterations and all else as at `standard`. */
+const levelOf = ({ level, step, iterations }: Setting): Level =>
+  levels.find(({ name }) => name === level) ?? {
+    ...levels.find(({ name }) => name === 'standard')!,
+    timeStep: step,
+    iterations,
+  };
+
+async function make(scene: CaseScene, setting: Setting): Promise<Running> {
+  const world = new World({ level: levelOf(setting) });
+  const nodes = build(world, scene);
+  world.start(await loadEngine());
+  if (world.problems.length > 0)
+    throw new Error(world.problems.map(({ message }) => message).join('; '));
+  const vector = (field: string) => (body: string) => nodes.get(body)!.get(field) as Vec3;
+  return {
+    timeStep: world.timeStep,
+    step: () => void world.step(),
+    position: vector('position'),
+    orientation: (body) => nodes.get(body)!.pose().q,
+    linearVelocity: vector('linearVelocity'),
+    angularVelocity: vector('angularVelocity'),
+    contacts: () => world.stats.contacts,
+    effects: () => world.effects.filter(({ active }) => active).map(({ name }) => name),
+    destroy: () => world.destroy(),
+  };
+}
+
+export const ours: Engine = {
+  id: 'ours',
+  name: 'x3d-physics',
+  says: 'Our five levels, and behind them a free sweep of step and iterations.',
+  settings: [
+    ...levels.map(({ name, timeStep, iterations }) => ({
+      level: name,
+      step: timeStep,
+      iterations,
+    })),
+    ...sweep([5, 20, 50]),
+  ],
+  make,
+};

@@ -1,0 +1,73 @@
+import type { CaseBody, CaseScene, Vec3 } from '../case.js';
+import { massOf } from './bodies.js';
+import { bulletJoint, DEFAULT_ITERATIONS } from './ammo.js';
+import { BulletScene, type BtConstraint, type BtShape, type Ways } from './bullet-scene.js';
+import { NotOffered, type Engine, type Setting } from './engine.js';
+import { plansOf, type Plan } from './joints.js';
+
+// What X_ITE 15.0.1 does in its RigidBodyPhysicsComponent.js, on our build of Ammo.
+
+/** A steady one: X_ITE takes the frame rate of the browser, averaged over 15 frames. */
+const FRAME = 1 / 60;
+
+/** A compound of one shape: Bullet takes the inertia of the box around it. */
+function compound(scene: BulletScene, { shape }: CaseBody): BtShape {
+  const { ammo, owner } = scene;
+  const made = owner.own(new ammo.btCompoundShape());
+  made.addChildShape(scene.transform({ p: [0, 0, 0], q: [0, 0, 0, 1] }), scene.primitive(shape!));
+  return made;
+}
+
+function joint(scene: BulletScene, plan: Plan): BtConstraint {
+  if (plan.kind === 'cross') throw new NotOffered('UniversalJoint, an empty shell in X_ITE');
+  if (plan.kind === 'slider')
+    throw new NotOffered('SliderJoint, whose bodies jump to one place when it starts');
+  if (plan.stops) throw new NotOffered('stops, which X_ITE does not read');
+  if (plan.motor) throw new NotOffered('motors of hinges, which X_ITE does not read');
+  return bulletJoint(scene, plan, FRAME);
+}
+
+const ways: Ways = {
+  shape: compound,
+  moments: (scene, body, shape): Vec3 => {
+    const out = scene.vector([0, 0, 0]);
+    shape.calculateLocalInertia(massOf(body), out);
+    return [out.x(), out.y(), out.z()];
+  },
+  material: (contact) => contact,
+  damping: ({ linearDampingFactor = 0.001, angularDampingFactor = 0.001 }) => ({
+    linear: linearDampingFactor,
+    angular: angularDampingFactor,
+  }),
+  joint,
+};
+
+function check({ bodies }: CaseScene): void {
+  if (bodies.some(({ inertia }) => inertia))
+    throw new NotOffered('inertia, which X_ITE does not read');
+}
+
+async function make(scene: CaseScene, { step, iterations }: Setting) {
+  check(scene);
+  const plans = plansOf(scene);
+  if (plans.pushes.length > 0)
+    throw new NotOffered('MotorJoint (an empty shell in X_ITE) and sliderForce');
+  const made = await BulletScene.make(scene, ways, plans);
+  const { world } = made;
+  world.getSolverInfo().set_m_numIterations(DEFAULT_ITERATIONS);
+  return made.running(FRAME, () => {
+    made.applyForces();
+    world.stepSimulation(FRAME, iterations + 2, step);
+    made.takeDrawnPoses();
+  });
+}
+
+const SPLITS = [1, 2, 4, 10, 16, 32];
+
+export const xIte: Engine = {
+  id: 'x-ite',
+  name: "X_ITE's rule",
+  says: "The stepping of X_ITE 15.0.1: a frame (here a steady 1/60 s) split in `iterations` (10 by default) steps of Bullet, whose interpolated poses are written back; bodies, materials and joints as X_ITE makes them, a fixed body for the world.",
+  settings: SPLITS.map((split) => ({ step: FRAME / split, iterations: split })),
+  make,
+};
