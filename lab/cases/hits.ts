@@ -1,0 +1,56 @@
+import type { Case, CaseBody } from '../case.js';
+import { offPaths, roundingOf, type Path } from './paths.js';
+
+const RADIUS = 0.5;
+/** Metres between the two at first. */
+const GAP = 1.003;
+
+interface Ball {
+  mass: number;
+  speed: number;
+}
+
+/** Speeds after a hit of two balls. */
+function after(a: Ball, b: Ball, bounce: number): [number, number] {
+  const both = a.mass + b.mass;
+  const apart = bounce * (b.speed - a.speed);
+  const common = (a.mass * a.speed + b.mass * b.speed) / both;
+  return [common + (b.mass / both) * apart, common - (a.mass / both) * apart];
+}
+
+function headOn(id: string, a: Ball, b: Ball, bounce: number): Case {
+  const seconds = 1;
+  const hit = GAP / (a.speed - b.speed);
+  const [speedA, speedB] = after(a, b, bounce);
+  const path =
+    (start: number, before: number, later: number): Path =>
+    (time) => [start + before * Math.min(time, hit) + later * Math.max(0, time - hit), 0, 0];
+  const startB = 2 * RADIUS + GAP;
+  const body = (name: string, x: number, { mass, speed }: Ball): CaseBody => ({
+    name,
+    mass,
+    shape: { type: 'Sphere', radius: RADIUS },
+    position: [x, 0, 0],
+    linearVelocity: [speed, 0, 0],
+  });
+  return {
+    id,
+    name: `Two balls head-on, bounce ${bounce}`,
+    says: `${a.mass} kg at ${a.speed} m/s meets ${b.mass} kg at ${b.speed} m/s, bounce ${bounce}, without weight; the places of both against the speeds that momentum and bounce leave.`,
+    scene: {
+      gravity: [0, 0, 0],
+      bodies: [body('a', 0, a), body('b', startB, b)],
+      contact: { bounce, friction: 0 },
+    },
+    seconds,
+    unit: 'm',
+    size: 2,
+    singlePrecision: roundingOf(2, seconds),
+    watch: offPaths({ a: path(0, a.speed, speedA), b: path(startB, b.speed, speedB) }),
+  };
+}
+
+export const cases: Case[] = [
+  headOn('A11.1', { mass: 1, speed: 2 }, { mass: 3, speed: -1 }, 0.5),
+  headOn('A11.2', { mass: 5, speed: 4 }, { mass: 1, speed: 0 }, 1),
+];

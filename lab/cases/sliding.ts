@@ -1,0 +1,120 @@
+import type { Case, CaseBody, Vec3 } from '../case.js';
+import { offPathsOnFloor, roundingOf, type Path } from './paths.js';
+
+const GRAVITY = 9.81;
+
+/** Flat, so that it does not tip; its top is at height 0. */
+const floor: CaseBody = {
+  name: 'floor',
+  fixed: true,
+  shape: { type: 'Box', size: [40, 1, 40] },
+  position: [0, -0.5, 0],
+};
+
+const HEIGHT = 0.2;
+const block = (fields: Partial<CaseBody> = {}): CaseBody => ({
+  name: 'block',
+  shape: { type: 'Box', size: [1, HEIGHT, 1] },
+  position: [0, HEIGHT / 2, 0],
+  ...fields,
+});
+
+/** From rest along x. */
+const speedingUp =
+  (acceleration: number, z = 0): Path =>
+  (time) => [(acceleration * time ** 2) / 2, HEIGHT / 2, z];
+
+// ---- A7: an incline -------------------------------------------------------------------------------------------------
+
+const ANGLE = Math.PI / 6;
+/** The floor lies flat and gravity leans instead. */
+const leaning: Vec3 = [GRAVITY * Math.sin(ANGLE), -GRAVITY * Math.cos(ANGLE), 0];
+
+function incline(id: string, friction: number): Case {
+  const seconds = 1;
+  const slides = Math.tan(ANGLE) > friction;
+  const acceleration = slides ? GRAVITY * (Math.sin(ANGLE) - friction * Math.cos(ANGLE)) : 0;
+  return {
+    id,
+    name: slides ? 'Block slides down an incline' : 'Block sticks to an incline',
+    says: slides
+      ? `A block on a slope of 30°, friction ${friction}; its place against g (sin θ - μ cos θ) t²/2.`
+      : `A block on a slope of 30°, friction ${friction} > tan 30°; how far it moves.`,
+    scene: {
+      gravity: leaning,
+      bodies: [floor, block()],
+      contact: { bounce: 0, friction },
+    },
+    seconds,
+    unit: 'm',
+    size: 1,
+    singlePrecision: roundingOf(1, seconds),
+    watch: offPathsOnFloor({ block: speedingUp(acceleration) }),
+  };
+}
+
+/** Shares of the push that just moves a block. */
+const PUSHES = { held: 0.99, moved: 1.01 };
+const FRICTION = 0.5;
+
+function threshold(): Case {
+  const seconds = 2;
+  const limit = FRICTION * GRAVITY;
+  const pushed = (name: keyof typeof PUSHES, z: number): CaseBody =>
+    block({ name, position: [0, HEIGHT / 2, z], forces: [[PUSHES[name] * limit, 0, 0]] });
+  const acceleration = (PUSHES.moved - 1) * limit;
+  return {
+    id: 'A7.3',
+    name: 'Threshold of sliding',
+    says: 'Two blocks, pushed with 99 % and 101 % of what friction 0.5 holds; the first stays, the second goes (1 % μ g) t²/2.',
+    scene: {
+      gravity: [0, -GRAVITY, 0],
+      bodies: [floor, pushed('held', -2), pushed('moved', 2)],
+      contact: { bounce: 0, friction: FRICTION },
+    },
+    seconds,
+    unit: 'm',
+    size: (acceleration * seconds ** 2) / 2,
+    singlePrecision: roundingOf(0.1, seconds),
+    watch: offPathsOnFloor({ held: speedingUp(0, -2), moved: speedingUp(acceleration, 2) }),
+  };
+}
+
+// ---- A8: thrown flat ------------------------------------------------------------------------------------------------
+
+function thrown(id: string, name: string, degrees: number): Case {
+  const [speed, friction, seconds] = [3, 0.4, 1];
+  const angle = (degrees * Math.PI) / 180;
+  const brake = friction * GRAVITY;
+  const path: Path = (time) => {
+    const t = Math.min(time, speed / brake);
+    const way = speed * t - (brake * t ** 2) / 2;
+    return [way * Math.cos(angle), HEIGHT / 2, way * Math.sin(angle)];
+  };
+  return {
+    id,
+    name,
+    says: `A block slides over a floor, ${degrees}° from the axis, at ${speed} m/s with friction ${friction}; its place against the straight line on which it stops after v²/(2 μ g).`,
+    scene: {
+      gravity: [0, -GRAVITY, 0],
+      bodies: [
+        floor,
+        block({ linearVelocity: [speed * Math.cos(angle), 0, speed * Math.sin(angle)] }),
+      ],
+      contact: { bounce: 0, friction },
+    },
+    seconds,
+    unit: 'm',
+    size: speed ** 2 / (2 * brake),
+    singlePrecision: roundingOf(1, seconds),
+    watch: offPathsOnFloor({ block: path }),
+  };
+}
+
+export const cases: Case[] = [
+  incline('A7.1', 0.3),
+  incline('A7.2', 0.6),
+  threshold(),
+  thrown('A8.1', 'Block thrown along an axis', 0),
+  thrown('A8.2', 'Block thrown across the axes', 45),
+];
