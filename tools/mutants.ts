@@ -137,9 +137,12 @@ async function main(): Promise<void> {
     console.log(`✗ without any mutant a row fails: ${row.fact}\nRun the core tests first.`);
     process.exit(1);
   }
-  const mutants = [...fieldMutants(), ...rebuildMutants(), ...(await effectMutants()), ...guardMutants()].filter(
-    ({ name }) => name.includes(options.only ?? ''),
-  );
+  const mutants = [
+    ...fieldMutants(),
+    ...rebuildMutants(),
+    ...(await effectMutants()),
+    ...guardMutants(),
+  ].filter(({ name }) => name.includes(options.only ?? ''));
   const survivors: Mutant[] = [];
   for (const [i, mutant] of mutants.entries()) {
     const dead = await killed(mutant);

@@ -95,7 +95,10 @@ const ways = (dt: number): Ways => ({
     shape.calculateLocalInertia(massOf(body), out);
     return [out.x(), out.y(), out.z()];
   },
-  material: ({ bounce, friction }) => ({ bounce: Math.sqrt(bounce), friction: Math.sqrt(friction) }),
+  material: ({ bounce, friction }) => ({
+    bounce: Math.sqrt(bounce),
+    friction: Math.sqrt(friction),
+  }),
   damping,
   joint: (scene, plan) => bulletJoint(scene, plan, dt),
 });

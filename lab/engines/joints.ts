@@ -145,7 +145,8 @@ function slider(scene: CaseScene, joint: CaseJoint, read: Reader, plans: Plans):
   plans.joints.push({ kind: 'slider', ends, stops });
   const force = read.get('sliderForce', 0) * (behind ? -1 : 1);
   const [{ axis: own }] = ends;
-  if (force !== 0) plans.pushes.push({ kind: 'force', ...bodiesOf(joint), vector: scale(own, force) });
+  if (force !== 0)
+    plans.pushes.push({ kind: 'force', ...bodiesOf(joint), vector: scale(own, force) });
 }
 
 const bodiesOf = ({ body1, body2 }: CaseJoint) => ({ body1, body2 });

@@ -27,7 +27,12 @@ const xyz = (v: { GetX(): number; GetY(): number; GetZ(): number }): Vec3 => [
   v.GetY(),
   v.GetZ(),
 ];
-const xyzw = (q: InstanceType<Jolt['Quat']>): Quaternion => [q.GetX(), q.GetY(), q.GetZ(), q.GetW()];
+const xyzw = (q: InstanceType<Jolt['Quat']>): Quaternion => [
+  q.GetX(),
+  q.GetY(),
+  q.GetZ(),
+  q.GetW(),
+];
 
 /** Of edges: Jolt's own, where the shape is large enough for it. */
 const roundness = (...halves: number[]): number => Math.min(0.05, ...halves.map((r) => r / 2));

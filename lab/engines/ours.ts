@@ -14,7 +14,8 @@ function fieldsOf({ name: _, shape, inertia, ...fields }: CaseBody): Record<stri
 function build(world: World, { gravity, bodies, joints = [], contact }: CaseScene) {
   world.add('RigidBodyCollection', { gravity, rest: 'never' });
   const nodes = new Map<string, BodyNode>();
-  for (const body of bodies) nodes.set(body.name, world.add('RigidBody', fieldsOf(body)) as BodyNode);
+  for (const body of bodies)
+    nodes.set(body.name, world.add('RigidBody', fieldsOf(body)) as BodyNode);
   world.add('CollisionCollection', {
     collidables: '*',
     ...(contact

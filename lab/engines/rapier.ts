@@ -26,7 +26,10 @@ function colliderOf(shape: Shape): RAPIER.ColliderDesc {
 function bodyDescOf(body: CaseBody): RAPIER.RigidBodyDesc {
   const { p, q } = poseOf(body);
   const desc = body.fixed ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic();
-  desc.setTranslation(...p).setRotation(turn(q)).setCanSleep(false);
+  desc
+    .setTranslation(...p)
+    .setRotation(turn(q))
+    .setCanSleep(false);
   if (body.fixed) return desc;
   desc.setLinvel(...(body.linearVelocity ?? [0, 0, 0]));
   desc.setAngvel(vec(body.angularVelocity ?? [0, 0, 0]));

@@ -67,7 +67,7 @@ const SPLITS = [1, 2, 4, 10, 16, 32];
 export const xIte: Engine = {
   id: 'x-ite',
   name: "X_ITE's rule",
-  says: "The stepping of X_ITE 15.0.1: a frame (here a steady 1/60 s) split in `iterations` (10 by default) steps of Bullet, whose interpolated poses are written back; bodies, materials and joints as X_ITE makes them, a fixed body for the world.",
+  says: 'The stepping of X_ITE 15.0.1: a frame (here a steady 1/60 s) split in `iterations` (10 by default) steps of Bullet, whose interpolated poses are written back; bodies, materials and joints as X_ITE makes them, a fixed body for the world.',
   settings: SPLITS.map((split) => ({ step: FRAME / split, iterations: split })),
   make,
 };

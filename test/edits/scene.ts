@@ -1,5 +1,14 @@
 import type { NodeData } from '../conformance/fact.js';
-import { body, box, collection, collidable, joint, offset, sphere, use } from '../conformance/scenes.js';
+import {
+  body,
+  box,
+  collection,
+  collidable,
+  joint,
+  offset,
+  sphere,
+  use,
+} from '../conformance/scenes.js';
 
 /** Two arms on a joint of each type, high above the ground and out of each other's way: they swing when they are edited. */
 const JOINTS = [
@@ -60,15 +69,24 @@ export const scene = (): NodeData[] => {
           position: [0, 10, -5],
           angularVelocity: [0, 0, 1],
           geometry: [
-            offset([0, 1, 0], collidable(box(0.2, 2, 0.4), { DEF: 'poleShape' }), { DEF: 'poleOffset' }),
+            offset([0, 1, 0], collidable(box(0.2, 2, 0.4), { DEF: 'poleShape' }), {
+              DEF: 'poleOffset',
+            }),
             collidable(sphere(0.3), { DEF: 'poleFoot' }),
           ],
         }),
-        body('spare', { position: [0, 20, -10], geometry: [collidable(sphere(0.5), { DEF: 'spareShape' })] }),
+        body('spare', {
+          position: [0, 20, -10],
+          geometry: [collidable(sphere(0.5), { DEF: 'spareShape' })],
+        }),
         ...joints.filter(({ type }) => type === 'RigidBody'),
       ],
       joints: [
-        joint('BallJoint', { body1: 'sledge', body2: 'trailer' }, { DEF: 'hitch', anchorPoint: [-0.75, 0.25, 0] }),
+        joint(
+          'BallJoint',
+          { body1: 'sledge', body2: 'trailer' },
+          { DEF: 'hitch', anchorPoint: [-0.75, 0.25, 0] },
+        ),
         ...joints.filter(({ type }) => type !== 'RigidBody'),
       ],
     }),
@@ -77,7 +95,11 @@ export const scene = (): NodeData[] => {
       DEF: 'colliders',
       collidables: [
         use('groundShape'),
-        { type: 'CollisionSpace', DEF: 'space', collidables: [use('sledgeShape'), use('poleShape')] },
+        {
+          type: 'CollisionSpace',
+          DEF: 'space',
+          collidables: [use('sledgeShape'), use('poleShape')],
+        },
       ],
     },
     { type: 'CollisionSensor', DEF: 'sensor', collider: use('colliders') },

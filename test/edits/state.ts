@@ -19,7 +19,9 @@ const ROUNDING = 1e-5;
 
 const text = (value: unknown): string =>
   JSON.stringify(value, (_, item: unknown) =>
-    typeof item === 'number' && Number.isFinite(item) ? Math.round(item / ROUNDING) * ROUNDING : item,
+    typeof item === 'number' && Number.isFinite(item)
+      ? Math.round(item / ROUNDING) * ROUNDING
+      : item,
   ) ?? 'nothing';
 
 const numbers = new WeakMap<object, number>();
@@ -42,7 +44,10 @@ export function stateOf(world: World): State {
       if (access === 'inputOnly') continue;
       const value = plain(node.get(field));
       // Of a turn by nearly nothing the axis is noise.
-      state.set(`${name}.${field}`, text(type === 'SFRotation' ? quaternionOf(value as number[]) : value));
+      state.set(
+        `${name}.${field}`,
+        text(type === 'SFRotation' ? quaternionOf(value as number[]) : value),
+      );
     }
     for (const [what, value] of Object.entries(innards(node)))
       state.set(`${name}~${what}`, text(value));
