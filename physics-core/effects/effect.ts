@@ -35,6 +35,10 @@ export abstract class Effect {
     this.spent = 0;
   }
 
+  isNeededBy(node: Cause): boolean {
+    return this.#causes.has(node);
+  }
+
   need(node: Cause, reason: string): void {
     this.#causes.set(node, reason);
   }

@@ -29,21 +29,19 @@ export class PairFilter extends Effect implements ContactProcessor {
     this.#world = world;
   }
 
-  /** Nothing needs it until somebody says so again. */
-  clear(): void {
-    for (const node of [...this.causes]) super.drop(node);
+  /** Who meets whom is to be asked again. */
+  forget(): void {
     this.#known = new Map();
   }
 
   override need(node: PhysicsNode, reason: string): void {
     super.need(node, reason);
-    this.#known = new Map();
+    this.forget();
   }
 
   override drop(node: PhysicsNode): void {
-    // Other bodies of the kind still need it; a refresh of all decides.
-    void node;
-    this.#known = new Map();
+    super.drop(node);
+    this.forget();
   }
 
   /** Called by Bullet for every contact point of every step. */

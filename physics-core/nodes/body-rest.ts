@@ -9,6 +9,12 @@ export interface RestRule {
   angularSpeed: number;
 }
 
+export const sameRule = (a: RestRule, b: RestRule): boolean =>
+  a.mode === b.mode &&
+  a.time === b.time &&
+  a.linearSpeed === b.linearSpeed &&
+  a.angularSpeed === b.angularSpeed;
+
 /** A body's own fields where they are authored, else its collection's. */
 export function restRuleOf(body: BodyNode): RestRule {
   const from = (name: string): Value =>

@@ -6,7 +6,7 @@ import { DEFAULT_FRICTION } from '../world/pairs.js';
 import type { PhysicsNode } from './node.js';
 import { massOf, reportZeroMass, type MassProperties } from './body-mass.js';
 import { MovingNode } from './body-motion.js';
-import { restRuleOf, type RestRule } from './body-rest.js';
+import { restRuleOf, sameRule, type RestRule } from './body-rest.js';
 import { shapeOf } from './body-shape.js';
 import type { CollidableNode, CollidablePart } from './collidable.js';
 import type { CollectionNode } from './rigid-body-collection.js';
@@ -32,6 +32,8 @@ export class BodyNode extends MovingNode {
   #inWorld = false;
   #groups = [0, 0];
   #shapeMoving = false;
+  /** The acceleration that Bullet was told. */
+  #pull: Vec3 = WEIGHTLESS;
 
   // ---- creation -----------------------------------------------------------------------------------------------
 
@@ -74,6 +76,7 @@ export class BodyNode extends MovingNode {
   protected override destroy(): void {
     if (this.removed) this.world.registry.contacts.part(this, 'removed');
     this.#goOut();
+    this.world.pairs.kinds.leave(this);
     this.world.registry.dropAll(this);
     this.#owner.dispose();
     this.#shapeOwner.dispose();
@@ -236,8 +239,10 @@ export class BodyNode extends MovingNode {
 
   updateGravity(): void {
     if (!this.built) return;
-    this.body.setGravity(this.world.engine.scratch.vector(...this.gravity));
-    this.wake();
+    const { gravity } = this;
+    if (!gravity.every((value, i) => value === this.#pull[i])) this.wake();
+    this.#pull = [...gravity];
+    this.body.setGravity(this.world.engine.scratch.vector(...gravity));
   }
 
   /** Its own acceleration, m/s². */
@@ -264,9 +269,10 @@ export class BodyNode extends MovingNode {
   }
 
   updateRest(): void {
-    this.rest = restRuleOf(this);
+    const rest = restRuleOf(this);
+    if (!sameRule(rest, this.rest)) this.wake();
+    this.rest = rest;
     this.world.registry.resting.update(this);
-    this.wake();
   }
 
   get sleeping(): boolean {

@@ -33,10 +33,13 @@ export class CollisionSpaceNode extends PhysicsNode {
   /** Bodies for which triangles come into or out of question get another shape. */
   updateGeometry(): void {
     const before = this.exact;
+    const { meshes } = this.world.registry;
     this.exact = this.asked<boolean>('useGeometry') ? flatten([this]) : new Set();
-    for (const collidable of new Set([...before, ...this.exact]))
-      if (before.has(collidable) !== this.exact.has(collidable))
-        collidable.owner?.touch('geometry');
+    for (const collidable of new Set([...before, ...this.exact])) {
+      const { owner } = collidable;
+      const changed = before.has(collidable) !== this.exact.has(collidable);
+      if (changed && owner && meshes.isNeededBy(owner)) owner.touch('geometry');
+    }
   }
 
   protected override released(): void {
@@ -50,8 +53,9 @@ export function flatten(list: readonly Member[]): Set<CollidableNode> {
   const found = new Set<CollidableNode>();
   const seen = new Set<CollisionSpaceNode>();
   const visit = (member: Member): void => {
+    if (member.removed) return;
     if (member instanceof CollidableNode) found.add(member);
-    if (!(member instanceof CollisionSpaceNode) || member.removed || seen.has(member)) return;
+    if (!(member instanceof CollisionSpaceNode) || seen.has(member)) return;
     seen.add(member);
     if (member.asked<boolean>('enabled')) member.members.forEach(visit);
   };

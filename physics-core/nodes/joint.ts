@@ -16,6 +16,9 @@ const MOST_SOFTNESS = 0.9;
 
 const ROWS = 6;
 
+/** Lever arms that differ by less than this share ask alike: rounding is not to decide. */
+const ALIKE = 1e-3;
+
 /** Error correction per 1/60 s, and softness (X3D's constantForceMix) where it is the joint's own. */
 export interface RowCorrection {
   share: number;
@@ -173,7 +176,8 @@ export abstract class JointNode extends PhysicsNode {
   protected shouldSwap(): boolean {
     const anchor = (body: BodyNode | undefined, frame: Pose): number =>
       body ? leverRatio(body, compose(body.pose(), frame).p) : -1;
-    return anchor(this.body2, this.frame2) > anchor(this.body1, this.frame1);
+    const first = anchor(this.body1, this.frame1);
+    return anchor(this.body2, this.frame2) > first + Math.abs(first) * ALIKE;
   }
 
   #make(): JointConstraint {

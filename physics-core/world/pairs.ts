@@ -54,7 +54,7 @@ export class Pairs {
     this.#updateOneSided();
     this.#watched = this.#watchedNow();
     this.#listing.clear();
-    this.kinds.clear();
+    this.kinds.refresh();
     for (const body of this.#world.bodies) this.#regroup(body);
   }
 

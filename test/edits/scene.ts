@@ -42,6 +42,7 @@ export const scene = (): NodeData[] => {
   const joints = JOINTS.flatMap(arms);
   return [
     collection({
+      rest: 'never',
       bodies: [
         body('ground', {
           fixed: true,

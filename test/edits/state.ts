@@ -1,15 +1,15 @@
-import type { World } from '../../physics-core/index.js';
+import type { Field, PhysicsNode, World } from '../../physics-core/index.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
 import type { JointConstraint } from '../../physics-core/nodes/joint-constraint.js';
 import { BodyNode } from '../../physics-core/nodes/body.js';
 import { CollisionCollectionNode } from '../../physics-core/nodes/collision-collection.js';
 import { JointNode } from '../../physics-core/nodes/joint.js';
-import type { PhysicsNode } from '../../physics-core/index.js';
 import { quaternionOf } from '../../physics-core/math.js';
 import { plain } from '../conformance/plain.js';
 
 /**
- * All there is to know of a world, item by item: `name.field` as it is read, `name~what` of Bullet's own objects. What an
+ * All there is to know of a world, item by item: `name.field` as it is read, `name~what` of its Bullet
+ * object, `@what` of Bullet's world. What an
  * edit did is the items that differ.
  */
 export type State = Map<string, string>;
@@ -23,6 +23,10 @@ const text = (value: unknown): string =>
       ? Math.round(item / ROUNDING) * ROUNDING
       : item,
   ) ?? 'nothing';
+
+/** The value of a field as an item. Of a turn by nearly nothing the axis is noise. */
+export const itemOf = ({ type }: Field, value: unknown): string =>
+  text(type === 'SFRotation' ? quaternionOf(value as number[]) : plain(value));
 
 const numbers = new WeakMap<object, number>();
 let known = 0;
@@ -40,19 +44,13 @@ export function stateOf(world: World): State {
   for (const node of [world.settings, ...world.nodes]) {
     const { name } = node;
     if (!name) continue;
-    for (const [field, { access, type }] of Object.entries(node.type.fields)) {
-      if (access === 'inputOnly') continue;
-      const value = plain(node.get(field));
-      // Of a turn by nearly nothing the axis is noise.
-      state.set(
-        `${name}.${field}`,
-        text(type === 'SFRotation' ? quaternionOf(value as number[]) : value),
-      );
-    }
+    for (const [spelled, field] of Object.entries(node.type.fields))
+      if (field.access !== 'inputOnly')
+        state.set(`${name}.${spelled}`, itemOf(field, node.get(spelled)));
     for (const [what, value] of Object.entries(innards(node)))
       state.set(`${name}~${what}`, text(value));
   }
-  for (const [what, value] of Object.entries(ofWorld(world))) state.set(`~${what}`, text(value));
+  for (const [what, value] of Object.entries(ofWorld(world))) state.set(`@${what}`, text(value));
   return state;
 }
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../physics-core/index.js';
 import type { DoubleAxisHingeJointNode } from '../../../physics-core/nodes/double-axis-hinge-joint.js';
 import { addBody, below, claim, close, height, position, spin, world } from '../helpers.js';
-import { heard, WEIGHTLESS } from './joints-shared.js';
+import { bodies, heard, WEIGHTLESS } from './joints-shared.js';
 import type { Row } from './rows.js';
 
 const parallel = (type: string): Row => ({
@@ -42,6 +42,7 @@ const noDirection = (type: string, field: 'axis1' | 'axis2'): Row => ({
 });
 
 export const universalRows: Row[] = [
+  ...bodies('UniversalJoint'),
   parallel('UniversalJoint'),
   noDirection('UniversalJoint', 'axis1'),
   noDirection('UniversalJoint', 'axis2'),
@@ -93,6 +94,7 @@ const wakes = (field: string, value: number): Row => ({
 });
 
 export const doubleHingeRows: Row[] = [
+  ...bodies('DoubleAxisHingeJoint'),
   parallel('DoubleAxisHingeJoint'),
   noDirection('DoubleAxisHingeJoint', 'axis1'),
   noDirection('DoubleAxisHingeJoint', 'axis2'),
