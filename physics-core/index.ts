@@ -1,3 +1,4 @@
+import type { DebugLines } from './effects/debug/debug-lines.js';
 import { loadEngine } from './engine/engine.js';
 import type { WorldOptions } from './world/types.js';
 import { World } from './world/world.js';
@@ -15,12 +16,19 @@ export { codecs } from './fields/values.js';
 export { fromSI, SI, toSI, type Units } from './fields/units.js';
 export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fields/types.js';
 export type { Problem, ProblemReport, Severity } from './problems.js';
+export type { DebugLines } from './effects/debug/debug-lines.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs.js';
 export type { EffectReport } from './effects/registry.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/touches.js';
 export { levels, type Level, type LevelName } from './accuracy/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './accuracy/measure.js';
 export type { Geometry } from './shapes/geometry.js';
+
+/** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
+export async function debugLines(world: World): Promise<DebugLines> {
+  const { DebugLines: Lines } = await import('./effects/debug/debug-lines.js');
+  return new Lines(world);
+}
 
 export interface CreateOptions extends WorldOptions {
   /** Where ammo.wasm is; by default beside this file. */

@@ -8,6 +8,7 @@ import { CollisionSensorNode } from '../nodes/collision-sensor.js';
 import type { ContactNode } from '../nodes/contact.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
+import { eachContactPoint } from './contact-points.js';
 import { foundContact } from './found-contact.js';
 import { partAt } from './contact-part.js';
 import { Effect } from './effect.js';
@@ -15,9 +16,6 @@ import { Touches, type TouchPoint } from './touches.js';
 
 /** A resting sphere has a distance of 1.5e-16 in some steps, so a sensor needs a tolerance, metres. */
 const TOUCHING = 0.0005;
-
-/** What the pair filter has taken back lies at 1e30 m. */
-const FILTERED = 9e29;
 
 type Visit = (pointer: number, a: BodyNode, b: BodyNode) => void;
 
@@ -110,7 +108,7 @@ export class ContactReader extends Effect {
     this.#world.registry.given.forget();
     this.#touches.begin();
     for (const sensor of this.#sensors) sensor.beginSensing();
-    this.#eachPoint(this.#read);
+    eachContactPoint(this.#world, this.#read);
     for (const sensor of [...this.#sensors]) sensor.finishSensing();
     this.#touches.finish(this.#world.time);
   }
@@ -143,22 +141,6 @@ export class ContactReader extends Effect {
     return collider.asked<boolean>('enabled') && this.#world.pairs.speaksFor(collider, a, b);
   }
 
-  /** Every contact point that the pair filter left in. */
-  #eachPoint(visit: Visit): void {
-    const { ammo } = this.#world.engine;
-    this.#world.bullet.eachManifold((manifold, pointerA, pointerB) => {
-      const count = manifold.getNumContacts();
-      const a = count > 0 && this.#world.bodyAt(pointerA);
-      const b = a && this.#world.bodyAt(pointerB);
-      if (!a || !b) return;
-      const first = ammo.getPointer(manifold.getContactPoint(0));
-      for (let i = 0; i < count; i++) {
-        const pointer = first + i * POINT.size;
-        if (ammo.HEAPF32[(pointer + POINT.distance) >> 2]! < FILTERED) visit(pointer, a, b);
-      }
-    });
-  }
-
   // ---- what touches, in full --------------------------------------------------------------------------------------
 
   /** The contacts of the last step that a sensor watches, each a new node of its own. */
@@ -166,7 +148,7 @@ export class ContactReader extends Effect {
     const contacts: ContactNode[] = [];
     const { collider } = sensor;
     if (!collider || !this.#world.engine.heapTrusted) return contacts;
-    this.#eachPoint((pointer, a, b) => {
+    eachContactPoint(this.#world, (pointer, a, b) => {
       if (this.#point.at(pointer, a.pointer, b.pointer).distance > TOUCHING) return;
       const [first, second] = this.#collidablesAt(pointer, a, b);
       if (!first || !second || !this.#watches(collider, first, second)) return;
@@ -181,7 +163,7 @@ export class ContactReader extends Effect {
   /** Where two bodies touch, for the event of one of them. */
   #pointsOf(a: BodyNode, b: BodyNode, into: BodyNode): TouchPoint[] {
     const points: TouchPoint[] = [];
-    this.#eachPoint((pointer, first, second) => {
+    eachContactPoint(this.#world, (pointer, first, second) => {
       if ((first !== a || second !== b) && (first !== b || second !== a)) return;
       const point = this.#point.at(pointer, first.pointer, second.pointer);
       const sign = first === into ? 1 : -1;

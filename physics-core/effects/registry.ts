@@ -9,6 +9,7 @@ import { FrameCosts } from './costs.js';
 import { GivenContacts } from './given-contacts.js';
 import { ContactChains } from './contact-chains.js';
 import { ContactSurface } from './contact-surface.js';
+import { Debugging } from './debugging.js';
 import { DirectJoints } from './direct/direct-joints.js';
 import type { Effect } from './effect.js';
 import { Gyroscopic } from './gyroscopic.js';
@@ -50,6 +51,7 @@ export class EffectRegistry {
   readonly joints: DirectJoints;
   readonly meshes = new MeshShapes();
   readonly resting: Resting;
+  readonly debugging: Debugging;
   readonly costs = new FrameCosts();
   readonly timing: UserTiming;
   readonly all: readonly Effect[];
@@ -70,6 +72,7 @@ export class EffectRegistry {
     this.stops = new Stops(world);
     this.joints = new DirectJoints(world);
     this.resting = new Resting(world);
+    this.debugging = new Debugging(world);
     this.timing = new UserTiming(world);
     this.all = [
       this.forces,
@@ -87,6 +90,7 @@ export class EffectRegistry {
       this.contacts,
       this.meshes,
       this.resting,
+      this.debugging,
       this.costs,
       this.timing,
     ];

@@ -1,7 +1,10 @@
 import type { Ammo } from './ammo.js';
 import { HeapReader, ApiReader } from './heap.js';
 import { Owner } from './owner.js';
-import { BODY, SIX_DOF, SOLVER } from './offsets.js';
+import { BODY, SHAPE, SHAPE_TYPE, SIX_DOF, SOLVER } from './offsets.js';
+
+/** Bytes of a btMatrix3x3, which a btTransform's origin follows. */
+const MATRIX = 48;
 
 const close = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * Math.max(1, Math.abs(b));
 
@@ -43,13 +46,18 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
     const load = new Float64Array(6);
     reader.load(body, pointer, load, 0);
     transform.setIdentity();
+    const other = owner.own(new ammo.btTransform());
+    other.setIdentity();
+    vector.setValue(-11, 12, -13);
+    other.setOrigin(vector);
     const joints = [true, false].map((flag) => {
-      const joint = new ammo.btGeneric6DofConstraint(body, body, transform, transform, flag);
+      const joint = new ammo.btGeneric6DofConstraint(body, body, transform, other, flag);
       return sixDofOffsetsHold(ammo, owner.own(joint), flag);
     });
     body.forceActivationState(5);
     const heap = ammo.HEAPF32;
     return (
+      shapeOffsetsHold(ammo, owner) &&
       fast.every((value, i) => close(value, sure[i]!)) &&
       joints.every(Boolean) &&
       [7, -8, 9, 10, 11, -12].every((value, i) => load[i] === value) &&
@@ -62,7 +70,16 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
   }
 }
 
-/** Its flags, and its limits as the API writes them. */
+function shapeOffsetsHold(ammo: Ammo, owner: Owner): boolean {
+  const typeOf = (shape: Ammo['btCollisionShape']['prototype']): number =>
+    ammo.HEAP32[(ammo.getPointer(owner.own(shape)) + SHAPE.type) >> 2]!;
+  return (
+    typeOf(new ammo.btConvexHullShape()) === SHAPE_TYPE.hull &&
+    typeOf(new ammo.btCompoundShape(true)) === SHAPE_TYPE.compound
+  );
+}
+
+/** Its frames, its flags, and its limits as the API writes them. */
 function sixDofOffsetsHold(
   ammo: Ammo,
   joint: Ammo['btGeneric6DofConstraint']['prototype'],
@@ -87,7 +104,15 @@ function sixDofOffsetsHold(
       close(at(angle + 4), 0.25 * (1 + i))
     );
   });
-  return placed && ammo.HEAPU8[flags] === +linearReferenceFrameA && ammo.HEAPU8[flags + 1] === 1;
+  const frames =
+    ammo.getPointer(joint.getFrameOffsetA()) - pointer === SIX_DOF.frameA &&
+    [-11, 12, -13].every((value, i) => at(SIX_DOF.frameB + MATRIX + 4 * i) === value);
+  return (
+    frames &&
+    placed &&
+    ammo.HEAPU8[flags] === +linearReferenceFrameA &&
+    ammo.HEAPU8[flags + 1] === 1
+  );
 }
 
 /** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (Bullet 2.82). */

@@ -16,8 +16,17 @@ export const BODY = {
   totalTorque: 428,
 } as const;
 
+/** Bytes of btCollisionShape. */
+export const SHAPE = { type: 4 } as const;
+
+/** BroadphaseNativeTypes, as far as they are told apart. */
+export const SHAPE_TYPE = { hull: 4, compound: 31 } as const;
+
 /** Bytes of btGeneric6DofConstraint. */
 export const SIX_DOF = {
+  /** Its frame from the centre of mass of each body: the rows of a matrix, 16 bytes apart, then the origin. */
+  frameA: 48,
+  frameB: 112,
   linearLower: 680,
   linearUpper: 696,
   /** Of the first of three angles, its upper limit behind it; and what lies between two of them. */

@@ -48,7 +48,7 @@ export class JointConstraint {
   readonly #owner: Owner;
   readonly #bullet: SixDof;
   readonly #frameA: Pose;
-  readonly #pointer: number;
+  readonly pointer: number;
   /** What Bullet's value of a row lacks of its own. */
   readonly #shifts = new Float64Array(6);
 
@@ -68,7 +68,7 @@ export class JointConstraint {
         true,
       ),
     );
-    this.#pointer = ammo.getPointer(this.#bullet);
+    this.pointer = ammo.getPointer(this.#bullet);
   }
 
   /** Into the world. `slides`: its bodies may move apart. */
@@ -122,7 +122,7 @@ export class JointConstraint {
   /** Asks a locked row to stand elsewhere after the step: Bullet's distances are of B against A, its angles of A. */
   setTarget(row: number, value: number): void {
     const shifted = row === MIDDLE ? value : value - this.#shifts[row]!;
-    this.#world.bullet.setRowTarget(this.#pointer, row, shifted || LOCKED[0]);
+    this.#world.bullet.setRowTarget(this.pointer, row, shifted || LOCKED[0]);
   }
 
   /** Share of a row's error repaired per step, and its softness in Bullet's own terms. */

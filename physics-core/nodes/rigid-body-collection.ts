@@ -53,11 +53,16 @@ export class CollectionNode extends PhysicsNode {
     this.world.registry.given.give(this, list);
   }
 
+  updateDebug(): void {
+    this.world.registry.debugging.set(this, this.asked('debug'));
+  }
+
   protected override created(): void {
     this.world.configure();
   }
 
   protected override released(): void {
+    this.world.registry.debugging.set(this, false);
     this.world.configure();
     this.world.pairs.refresh();
   }
@@ -261,6 +266,15 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       own: true,
       edit: 'passive',
       doc: 'Keeps running while the page is hidden or the scene scrolled away.',
+    },
+    debug: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'live',
+      patch: (collection) => collection.updateDebug(),
+      doc: 'Draws its world as Bullet has it: shapes (awake green, asleep blue, fixed grey, carried orange), centres of mass, joints with their limits, contacts.',
     },
     heapLimit: {
       type: 'SFFloat',

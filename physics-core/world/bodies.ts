@@ -135,6 +135,7 @@ export class Bodies {
 
   #setAsleep(body: BodyNode, asleep: boolean): void {
     this.#asleep[body.slot] = asleep ? 1 : 0;
+    this.#world.registry.debugging.stale();
     if (asleep) {
       this.#velocities.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
       body.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });

@@ -38,8 +38,8 @@ export const STRUCTURE: Record<string, string[]> = {
   CollidableShape: ['for'],
 };
 
-/** Attributes of dragging and debugging, for later rooms. */
-const INTERACTION = ['draggable-body', 'drag-mode', 'debug', 'time-budget'];
+/** Attributes of dragging, for later rooms. */
+const INTERACTION = ['draggable-body', 'drag-mode', 'time-budget'];
 
 export function known(type: NodeType, name: string): boolean {
   const lower = name.toLowerCase();

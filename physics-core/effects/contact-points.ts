@@ -1,0 +1,25 @@
+import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
+import type { BodyNode } from '../nodes/body.js';
+import type { World } from '../world/world.js';
+
+/** What the pair filter has taken back lies at 1e30 m. */
+const FILTERED = 9e29;
+
+/** Every contact point that the pair filter left in, by its pointer. */
+export function eachContactPoint(
+  world: World,
+  visit: (pointer: number, a: BodyNode, b: BodyNode) => void,
+): void {
+  const { ammo } = world.engine;
+  world.bullet.eachManifold((manifold, pointerA, pointerB) => {
+    const count = manifold.getNumContacts();
+    const a = count > 0 && world.bodyAt(pointerA);
+    const b = a && world.bodyAt(pointerB);
+    if (!a || !b) return;
+    const first = ammo.getPointer(manifold.getContactPoint(0));
+    for (let i = 0; i < count; i++) {
+      const pointer = first + i * POINT.size;
+      if (ammo.HEAPF32[(pointer + POINT.distance) >> 2]! < FILTERED) visit(pointer, a, b);
+    }
+  });
+}

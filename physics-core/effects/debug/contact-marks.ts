@@ -1,0 +1,34 @@
+import { ContactPoint } from '../../engine/contact-point.js';
+import type { Vec3 } from '../../fields/types.js';
+import { add, scale } from '../../math.js';
+import type { World } from '../../world/world.js';
+import { eachContactPoint } from '../contact-points.js';
+import { COLOR } from './colors.js';
+import type { DebugLines } from './debug-lines.js';
+
+/** Up to this distance bodies touch, metres: a resting sphere has 1.5e-16 in some steps. */
+const TOUCHING = 0.0005;
+
+/** A cross at each contact point, on the surface of the second body, and the normal from there into the first. */
+export function markContacts(lines: DebugLines, world: World): void {
+  if (!world.engine.heapTrusted) return;
+  const point = new ContactPoint(world.engine.ammo);
+  eachContactPoint(world, (pointer, a, b) => {
+    point.at(pointer, a.pointer, b.pointer);
+    const at: Vec3 = [point.position(0), point.position(1), point.position(2)];
+    const normal: Vec3 = [point.normal(0), point.normal(1), point.normal(2)];
+    const size = Math.min(lines.markOn(a), lines.markOn(b));
+    const color = point.distance <= TOUCHING ? COLOR.contact : COLOR.near;
+    const arm = size / 4;
+    lines.cross(
+      at,
+      [
+        [arm, 0, 0],
+        [0, arm, 0],
+        [0, 0, arm],
+      ],
+      color,
+    );
+    lines.line(at, add(at, scale(normal, 2 * size)), color);
+  });
+}

@@ -1,0 +1,134 @@
+import type { Ammo } from '../../engine/ammo.js';
+import { BulletWorld } from '../../engine/bullet-world.js';
+import type { Engine } from '../../engine/engine.js';
+import { SHAPE, SHAPE_TYPE } from '../../engine/offsets.js';
+import { Owner } from '../../engine/owner.js';
+import type { Vec3 } from '../../fields/types.js';
+import { length, subtract } from '../../math.js';
+import type { BtShape } from '../../shapes/build.js';
+
+type Compound = Ammo['btCompoundShape']['prototype'];
+
+/** Numbers per line. */
+const LINE = 6;
+/** Lines are told apart when an end differs by more than this, metres. */
+const SAME = 1e-6;
+/** Bullet marks where a shape begins by three lines along its axes; the first has this much red. */
+const MARK = 0.7;
+
+/** The edges of Bullet's shapes, as Bullet's own debug drawing has them, in the frame of the shape. */
+export class Outlines {
+  readonly #engine: Engine;
+  /** A world with nothing in it: a drawer in the running one would be asked in every step. */
+  readonly #world: BulletWorld;
+  readonly #owner: Owner;
+  /** Lines by shape drawn: of a compound itself, then of each child from the last to the first. */
+  #drawn: number[][] = [];
+
+  constructor(engine: Engine) {
+    this.#engine = engine;
+    this.#owner = new Owner(engine.ammo);
+    this.#world = new BulletWorld(engine);
+    this.#world.bullet.setDebugDrawer(this.#makeDrawer() as never);
+  }
+
+  #makeDrawer(): Ammo['DebugDrawer']['prototype'] {
+    const { ammo } = this.#engine;
+    const drawer = this.#owner.own(new ammo.DebugDrawer());
+    // Bullet hands over pointers to vectors.
+    drawer.drawLine = (from: number, to: number, color: number) => {
+      const heap = ammo.HEAPF32;
+      const [a, b, c] = [from >> 2, to >> 2, color >> 2];
+      if (heap[c] === 1)
+        this.#drawn.at(-1)!.push(...heap.subarray(a, a + 3), ...heap.subarray(b, b + 3));
+      else if (heap[c]! > MARK / 2) this.#drawn.push([]);
+    };
+    drawer.getDebugMode = () => 0;
+    const nothing = (): void => {};
+    Object.assign(drawer, {
+      drawContactPoint: nothing,
+      reportErrorWarning: nothing,
+      draw3dText: nothing,
+      setDebugMode: nothing,
+    });
+    return drawer;
+  }
+
+  /** Both ends of each edge, x y z, each edge once. */
+  of(shape: BtShape): Float32Array {
+    this.#draw(shape);
+    const drawn = this.#drawn;
+    if (this.#typeOf(shape) !== SHAPE_TYPE.compound)
+      return edges(this.#isHull(shape) ? this.#hull(drawn[0]!) : drawn[0]!);
+    const compound = this.#engine.ammo.castObject(
+      shape,
+      this.#engine.ammo.btCompoundShape,
+    ) as Compound;
+    const children = drawn.slice(1).toReversed();
+    const whole = children.flatMap((lines, i) =>
+      this.#isHull(compound.getChildShape(i)) ? this.#hull(lines) : lines,
+    );
+    return edges(whole);
+  }
+
+  #typeOf(shape: BtShape): number {
+    const { ammo, heapTrusted } = this.#engine;
+    return heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
+  }
+
+  #isHull(shape: BtShape): boolean {
+    return this.#typeOf(shape) === SHAPE_TYPE.hull;
+  }
+
+  #draw(shape: BtShape): void {
+    const { scratch } = this.#engine;
+    this.#drawn = [];
+    const origin = scratch.transform([0, 0, 0], [0, 0, 0, 1]);
+    this.#world.bullet.debugDrawObject(origin, shape, scratch.vector(1, 1, 1, 1));
+  }
+
+  /**
+   * Bullet joins the points of a hull in the order in which they were added. A copy of the hull with its faces worked out
+   * has its edges; to work them out in the shape itself would change how it collides.
+   */
+  #hull(chain: readonly number[]): number[] {
+    const { ammo, scratch } = this.#engine;
+    const owner = new Owner(ammo);
+    const points: Vec3[] = [];
+    for (let i = 0; i < chain.length; i += LINE)
+      points.push([chain[i]!, chain[i + 1]!, chain[i + 2]!]);
+    const copy = owner.own(new ammo.btConvexHullShape());
+    for (const point of points) copy.addPoint(scratch.vector(...point), point === points.at(-1));
+    copy.initializePolyhedralFeatures(0);
+    this.#draw(copy);
+    owner.dispose();
+    return inPlace(this.#drawn[0]!, points);
+  }
+
+  dispose(): void {
+    this.#world.dispose();
+    this.#owner.dispose();
+  }
+}
+
+/** Bullet works out faces in whole numbers, ten thousand across the hull: their corners are put where its points are. */
+function inPlace(lines: readonly number[], points: readonly Vec3[]): number[] {
+  const placed: number[] = [];
+  for (let i = 0; i < lines.length; i += 3) {
+    const corner: Vec3 = [lines[i]!, lines[i + 1]!, lines[i + 2]!];
+    const far = (point: Vec3): number => length(subtract(point, corner));
+    placed.push(...points.reduce((best, point) => (far(point) < far(best) ? point : best)));
+  }
+  return placed;
+}
+
+/** Faces and triangles share edges: each once. */
+function edges(lines: readonly number[]): Float32Array {
+  const found = new Map<string, number[]>();
+  for (let i = 0; i < lines.length; i += LINE) {
+    const ends = [lines.slice(i, i + 3), lines.slice(i + 3, i + LINE)];
+    const key = ends.map((end) => end.map((value) => Math.round(value / SAME)).join()).sort();
+    found.set(key.join(' '), ends.flat());
+  }
+  return new Float32Array([...found.values()].flat());
+}
