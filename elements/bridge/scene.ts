@@ -1,5 +1,6 @@
 import { type Binding, ownBinding } from './nodes/binding.js';
 import { attribute, isPhysics, isScene, subtree } from './document/dom.js';
+import { Debug } from './debug/debug.js';
 import { Drawing } from './drawing/drawing.js';
 import { Drivers } from './drawing/drivers.js';
 import { Events } from './events.js';
@@ -23,6 +24,7 @@ export class Scene implements Driven {
   readonly loop = loop;
   readonly worlds = new Worlds(this);
   readonly drawing = new Drawing();
+  readonly debug = new Debug(this);
   readonly routes = new Routes();
   readonly readers = new Readers();
   readonly events = new Events(this);
@@ -41,7 +43,10 @@ export class Scene implements Driven {
 
   constructor(x3d: Element) {
     this.x3d = x3d;
-    this.worlds.onmake = (world) => this.events.listen(world);
+    this.worlds.onmake = (world) => {
+      this.events.listen(world);
+      this.debug.listen(world);
+    };
     this.#view = new IntersectionObserver((entries) =>
       this.#viewed(entries.at(-1)!.isIntersecting),
     );
@@ -264,6 +269,7 @@ export class Scene implements Driven {
       const start = performance.now();
       this.drawing.drawMoved(world);
       this.routes.send(world);
+      this.debug.draw(world);
       world.frameOver(start);
     }
     return again;

@@ -62,6 +62,7 @@ export interface X3DNode {
   removeRoute(field: string, to: X3DNode, toField: string): void;
   invalidateVolume(): void;
   getVolume(): unknown;
+  removeChild(child: X3DNode): boolean;
 }
 
 export interface NameSpace {
@@ -103,6 +104,8 @@ export interface X3DOM {
     SFVec3f: new (x: number, y: number, z: number) => X3DVector;
     SFVec2f: new (x: number, y: number) => { x: number; y: number };
     SFMatrix4f: { new (): X3DMatrix; identity(): X3DMatrix };
+    /** Empty as long as it is given no corners. */
+    BoxVolume: new () => object;
     Quaternion: {
       new (x: number, y: number, z: number, w: number): X3DQuaternion;
       axisAngle(axis: X3DVector, angle: number): X3DQuaternion;
