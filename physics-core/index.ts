@@ -5,6 +5,7 @@ import { World } from './world/world.js';
 
 export { loadEngine } from './engine/engine.js';
 export type { Engine } from './engine/engine.js';
+export { bulletHas, touchedBy } from './world/bullet-has.js';
 export { World } from './world/world.js';
 export type { RayHit } from './world/raycast.js';
 export type { Snapshot } from './world/snapshot.js';

@@ -99,12 +99,6 @@ export class Events {
     if (this.#touching.delete(binding)) setState(binding.element, 'colliding', false);
   }
 
-  /** Undefined where nobody listens to its collisions. */
-  touching(binding: Binding): Element[] | undefined {
-    if (!this.#nodes.get(binding)?.heard.has('collisionstart')) return undefined;
-    return [...(this.#touching.get(binding) ?? [])].map((other) => inPage(other, SI) as Element);
-  }
-
   /** Somebody began or ceased to listen at `target`. */
   listenersChanged(target: EventTarget, name: string): void {
     const concerns = (place: Element): boolean =>

@@ -19,8 +19,17 @@ export const BODY = {
 /** Bytes of btCollisionShape. */
 export const SHAPE = { type: 4 } as const;
 
-/** BroadphaseNativeTypes, as far as they are told apart. */
-export const SHAPE_TYPE = { hull: 4, compound: 31 } as const;
+/** BroadphaseNativeTypes of the shapes that are made here. */
+export const SHAPE_TYPE = {
+  box: 0,
+  hull: 4,
+  sphere: 8,
+  cone: 11,
+  cylinder: 13,
+  mesh: 21,
+  movingMesh: 25,
+  compound: 31,
+} as const;
 
 /** Bytes of btGeneric6DofConstraint. */
 export const SIX_DOF = {

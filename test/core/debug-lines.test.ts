@@ -7,7 +7,6 @@ import {
   addBody,
   addFloor,
   addJoint,
-  below,
   box,
   close,
   distance,
@@ -162,6 +161,49 @@ describe('the debug drawing', () => {
     assert.deepEqual(colors(), ['out']);
   });
 
+  fact('leaves the motion as it is, bit for bit, and gives back what it took', async () => {
+    const run = async (draw: boolean): Promise<string> => {
+      const w = await world();
+      addFloor(w);
+      const bodies = [0, 1, 2].map((i) =>
+        addBody(w, { position: [0.1 * i, 1 + 1.1 * i, 0], geometry: [box(1)] }),
+      );
+      const drawn = await debugLines(w);
+      for (let i = 0; i < 120; i++) {
+        w.step(1);
+        if (draw) drawn.update();
+      }
+      drawn.dispose();
+      return JSON.stringify(bodies.map(position));
+    };
+    assert.equal(await run(true), await run(false));
+    const w = await world();
+    addBody(w, { geometry: [box(1)] });
+    const heap = (): number => w.engine.heapBytes;
+    for (let i = 0; i < 100; i++) (await debugLines(w)).dispose();
+    const before = heap();
+    for (let i = 0; i < 20_000; i++) (await debugLines(w)).dispose();
+    assert.equal(heap(), before);
+  });
+
+  fact('goes on after a reset, a level change, and bodies that come and go', async () => {
+    const w = await world();
+    const ball = still(w, { geometry: [box(1)] });
+    const drawn = await debugLines(w);
+    const boxes = (): number => linesOf(drawn, COLOR.awake).length / 12;
+    assert.equal(boxes(), 1);
+    w.reset();
+    w.accuracy = 'fine';
+    assert.equal(boxes(), 1);
+    still(w, { position: [5, 0, 0], geometry: [box(1)] });
+    assert.equal(boxes(), 2);
+    ball.set('geometry', [box(4)]);
+    const far = Math.max(...ends(linesOf(drawn, COLOR.awake)).map(([x]) => -x));
+    close(far, 2, 1e-6);
+    ball.remove();
+    assert.equal(boxes(), 1);
+  });
+
   fact("has a resting box's contacts at its corners on the ground, normals upwards", async () => {
     const w = await world();
     addFloor(w);
@@ -201,8 +243,6 @@ describe('the debug drawing', () => {
         const [a, b] = [from, to].map(([s, e]) => Math.atan2(e[1] - s[1], e[0] - s[0]));
         return Math.atan2(Math.sin(b! - a!), Math.cos(b! - a!));
       };
-      // Seen from body1 angles grow, seen from body2 they fall.
-      const sign = swap ? -1 : 1;
       close(Math.abs(turn(low!, high!)), 1.5, 1e-4);
       const toLow = Math.abs(turn(low!, pointer));
       const toHigh = Math.abs(turn(pointer, high!));
@@ -211,11 +251,8 @@ describe('the debug drawing', () => {
         sortedDown(angle + 0.5, 1 - angle),
         1e-3,
       );
-      void sign;
     }
   });
 });
 
 const sortedDown = (...values: number[]): number[] => values.sort((a, b) => b - a);
-
-void below;

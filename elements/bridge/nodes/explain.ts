@@ -1,7 +1,15 @@
-import type { PhysicsNode, Problem } from '../../../physics-core/index.js';
+import {
+  bulletHas,
+  SI,
+  touchedBy,
+  type PhysicsNode,
+  type Problem,
+} from '../../../physics-core/index.js';
 import type { Binding } from './binding.js';
 import { holdsNodes } from './fields.js';
+import { inPage } from './in-page.js';
 import { page } from '../page.js';
+import type { PageWorld } from './worlds.js';
 
 /** What there is to know about one element, as plain data. */
 export interface Explanation {
@@ -15,7 +23,9 @@ export interface Explanation {
   waits: string[];
   /** Live values in the units of its file. */
   fields: Record<string, unknown>;
-  /** Elements of what it touches; known while somebody listens to its collision events. */
+  /** What Bullet has for it, in SI units and the world's frame; undefined where it has nothing (yet). */
+  bullet: Record<string, unknown> | undefined;
+  /** Elements of what it touches; undefined for what does not collide. */
   touches: Element[] | undefined;
   /** Why it sleeps; undefined while it is awake. */
   sleeps: string | undefined;
@@ -24,10 +34,14 @@ export interface Explanation {
   problems: Problem[];
 }
 
+/** Problems that say what is simulated in the place of what was written. */
+const APPROXIMATED = new Set(['approximated-field', 'concave-dynamic', 'zero-volume']);
+
 /** Of a physics element, or of the body that moves any other one. */
 export function explain(element: Element): Explanation {
   const binding = page.bindingOf(element) ?? page.bodyOf(element);
   const problems = binding?.world?.problemsOf(binding.element) ?? [];
+  const node = binding?.node;
   return {
     type: binding?.type.name,
     name: binding?.name,
@@ -35,10 +49,11 @@ export function explain(element: Element): Explanation {
     running: !!binding?.node && !!binding.world?.started,
     waits: binding ? waitsOf(binding) : [],
     fields: binding ? fieldsOf(binding) : {},
-    touches: binding?.scope?.scene.events.touching(binding),
+    bullet: node ? (inElements(bulletHas(node)) as Explanation['bullet']) : undefined,
+    touches: node ? (inPage(touchedBy(node), SI) as Element[] | undefined) : undefined,
     sleeps: binding && whyAsleep(binding),
     approximations: problems
-      .filter(({ code }) => code === 'approximated-field')
+      .filter(({ code }) => APPROXIMATED.has(code))
       .map(({ message }) => message),
     problems,
   };
@@ -54,11 +69,27 @@ function whyAsleep({ node }: Binding): string | undefined {
     : 'it and all that it touches had come to rest, or it was put to sleep';
 }
 
+/** With elements for nodes. */
+const inElements = (
+  data: Record<string, unknown> | undefined,
+): Record<string, unknown> | undefined =>
+  data && Object.fromEntries(Object.entries(data).map(([key, value]) => [key, inPage(value, SI)]));
+
 function waitsOf(binding: Binding): string[] {
   if (!binding.scope) return ['an <x3d> around it'];
   const names = [...binding.waiting].map(([role, name]) => `${role} "${name}"`);
   if (!binding.scope.scene.live) return [...names, 'the document to be read'];
-  return binding.node && !binding.world?.started ? [...names, 'the physics engine'] : names;
+  if (!binding.node || !binding.world) return names;
+  return [...names, ...waitsOfNode(binding.node, binding.world)];
+}
+
+function waitsOfNode(node: PhysicsNode, world: PageWorld): string[] {
+  if (!world.started) return ['the physics engine'];
+  const waits: string[] = [];
+  if ((node as { attached?: boolean }).attached === false) waits.push('its bodies');
+  if (!world.enabled) waits.push('enabled of its collection');
+  if (world.paused) waits.push('the world, which is paused');
+  return waits;
 }
 
 function fieldsOf(binding: Binding): Record<string, unknown> {

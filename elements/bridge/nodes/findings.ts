@@ -1,5 +1,6 @@
 import { attribute, type NodeType } from '../document/dom.js';
 import type { Scope } from '../document/scope.js';
+import { setState } from '../states.js';
 import type { Binding } from './binding.js';
 
 export interface Report {
@@ -102,6 +103,7 @@ export abstract class Findings {
     for (const [key, { code, attribute: name }] of this.#told)
       if (!this.#found.has(key)) this.settle(code, name);
     this.#told = this.#found;
+    setState(this.element, 'waiting', this.#waiting.size > 0);
   }
 
   /** Whether the markup as last read has this problem, whatever its node says of the field. */

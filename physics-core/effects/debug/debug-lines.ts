@@ -32,7 +32,7 @@ export class DebugLines extends LineBuffer {
   constructor(world: World) {
     super();
     this.#world = world;
-    this.#outlines = new Outlines(world.engine);
+    this.#outlines = new Outlines(world);
   }
 
   /** Draws all of it anew, edits that wait included. */

@@ -1,11 +1,10 @@
 import type { Ammo } from '../../engine/ammo.js';
-import { BulletWorld } from '../../engine/bullet-world.js';
-import type { Engine } from '../../engine/engine.js';
 import { SHAPE, SHAPE_TYPE } from '../../engine/offsets.js';
 import { Owner } from '../../engine/owner.js';
 import type { Vec3 } from '../../fields/types.js';
 import { length, subtract } from '../../math.js';
 import type { BtShape } from '../../shapes/build.js';
+import type { World } from '../../world/world.js';
 
 type Compound = Ammo['btCompoundShape']['prototype'];
 
@@ -18,22 +17,20 @@ const MARK = 0.7;
 
 /** The edges of Bullet's shapes, as Bullet's own debug drawing has them, in the frame of the shape. */
 export class Outlines {
-  readonly #engine: Engine;
-  /** A world with nothing in it: a drawer in the running one would be asked in every step. */
-  readonly #world: BulletWorld;
+  readonly #world: World;
   readonly #owner: Owner;
+  readonly #drawer: Ammo['DebugDrawer']['prototype'];
   /** Lines by shape drawn: of a compound itself, then of each child from the last to the first. */
   #drawn: number[][] = [];
 
-  constructor(engine: Engine) {
-    this.#engine = engine;
-    this.#owner = new Owner(engine.ammo);
-    this.#world = new BulletWorld(engine);
-    this.#world.bullet.setDebugDrawer(this.#makeDrawer() as never);
+  constructor(world: World) {
+    this.#world = world;
+    this.#owner = new Owner(world.engine.ammo);
+    this.#drawer = this.#makeDrawer();
   }
 
   #makeDrawer(): Ammo['DebugDrawer']['prototype'] {
-    const { ammo } = this.#engine;
+    const { ammo } = this.#world.engine;
     const drawer = this.#owner.own(new ammo.DebugDrawer());
     // Bullet hands over pointers to vectors.
     drawer.drawLine = (from: number, to: number, color: number) => {
@@ -60,9 +57,9 @@ export class Outlines {
     const drawn = this.#drawn;
     if (this.#typeOf(shape) !== SHAPE_TYPE.compound)
       return edges(this.#isHull(shape) ? this.#hull(drawn[0]!) : drawn[0]!);
-    const compound = this.#engine.ammo.castObject(
+    const compound = this.#world.engine.ammo.castObject(
       shape,
-      this.#engine.ammo.btCompoundShape,
+      this.#world.engine.ammo.btCompoundShape,
     ) as Compound;
     const children = drawn.slice(1).toReversed();
     const whole = children.flatMap((lines, i) =>
@@ -72,7 +69,7 @@ export class Outlines {
   }
 
   #typeOf(shape: BtShape): number {
-    const { ammo, heapTrusted } = this.#engine;
+    const { ammo, heapTrusted } = this.#world.engine;
     return heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
   }
 
@@ -81,10 +78,14 @@ export class Outlines {
   }
 
   #draw(shape: BtShape): void {
-    const { scratch } = this.#engine;
+    const { scratch } = this.#world.engine;
     this.#drawn = [];
     const origin = scratch.transform([0, 0, 0], [0, 0, 0, 1]);
-    this.#world.bullet.debugDrawObject(origin, shape, scratch.vector(1, 1, 1, 1));
+    const { bullet } = this.#world.bullet;
+    // Only for this call: in a step Bullet would ask it whether bodies may rest.
+    bullet.setDebugDrawer(this.#drawer as never);
+    bullet.debugDrawObject(origin, shape, scratch.vector(1, 1, 1, 1));
+    bullet.setDebugDrawer(null as never);
   }
 
   /**
@@ -92,7 +93,7 @@ export class Outlines {
    * has its edges; to work them out in the shape itself would change how it collides.
    */
   #hull(chain: readonly number[]): number[] {
-    const { ammo, scratch } = this.#engine;
+    const { ammo, scratch } = this.#world.engine;
     const owner = new Owner(ammo);
     const points: Vec3[] = [];
     for (let i = 0; i < chain.length; i += LINE)
@@ -106,7 +107,6 @@ export class Outlines {
   }
 
   dispose(): void {
-    this.#world.dispose();
     this.#owner.dispose();
   }
 }

@@ -348,6 +348,44 @@ export const rows: Row[] = [
     },
   },
   {
+    field: 'debug',
+    effect: 'debug drawing',
+    fact: 'whoever draws is told when the first collection asks for it, and when the last no longer does',
+    run: async () => {
+      const w = await world();
+      const told: unknown[] = [];
+      w.on('debug', (on) => told.push(on));
+      const drawing = () => w.effects.find(({ name }) => name === 'debug drawing')!;
+      const other = w.add('RigidBodyCollection');
+      w.set('debug', true);
+      other.set('debug', true);
+      w.step(0);
+      assert.deepEqual(told, [true]);
+      assert.equal(drawing().because!.reason, 'debug');
+      w.reset();
+      w.settings.unset('debug');
+      w.step(0);
+      assert.deepEqual(told, [true]);
+      other.remove();
+      assert.deepEqual(told, [true, false]);
+      assert.equal(drawing().active, false);
+    },
+  },
+  {
+    effect: 'monitor',
+    fact: 'counts the frames in which the world took a step',
+    run: async () => {
+      const w = await world();
+      addBody(w);
+      w.recordCosts('somebody');
+      for (let i = 0; i < 3; i++) {
+        w.frame(1 / 60);
+        w.frameOver(0);
+      }
+      assert.equal(w.costs!.frames, 3);
+    },
+  },
+  {
     field: 'heapLimit',
     fact: 'beyond the limit a body is not made and the world pauses; the rest of it is untouched',
     run: async () => {

@@ -1,0 +1,100 @@
+import { eachContactPoint } from '../effects/contact-points.js';
+import { ContactPoint } from '../engine/contact-point.js';
+import { SHAPE, SHAPE_TYPE } from '../engine/offsets.js';
+import { BodyNode } from '../nodes/body.js';
+import { CollidableNode } from '../nodes/collidable.js';
+import { JointNode } from '../nodes/joint.js';
+import type { PhysicsNode } from '../nodes/node.js';
+import { CollectionNode } from '../nodes/rigid-body-collection.js';
+import type { BtShape } from '../shapes/build.js';
+
+/** Up to this distance bodies touch, metres: that of `collisionstart`. */
+const TOUCHING = 0.001;
+
+/** What Bullet has for a node, as plain data in SI units and the world's frame; undefined where it has nothing. */
+export function bulletHas(node: PhysicsNode): Record<string, unknown> | undefined {
+  if (!node.built || !node.world.started) return undefined;
+  if (node instanceof BodyNode) return bodyIn(node);
+  if (node instanceof JointNode) return jointIn(node);
+  if (node instanceof CollidableNode)
+    return node.owner?.built ? { shapeOf: node.owner.standsFor } : undefined;
+  return node instanceof CollectionNode ? worldIn(node) : undefined;
+}
+
+function bodyIn(body: BodyNode): Record<string, unknown> {
+  const { reader } = body.world.engine;
+  const pose = new Float64Array(7);
+  const velocity = new Float64Array(6);
+  reader.pose(body.body, body.pointer, pose, 0);
+  reader.velocity(body.body, body.pointer, velocity, 0);
+  return {
+    state: stateOf(body),
+    shapes: shapesOf(body),
+    mass: body.movable ? body.mass.mass : 0,
+    principalMoments: body.movable ? [...body.mass.moments] : [0, 0, 0],
+    centerOfMass: [...pose.subarray(0, 3)],
+    principalAxes: [...pose.subarray(3)],
+    linearVelocity: [...velocity.subarray(0, 3)],
+    angularVelocity: [...velocity.subarray(3)],
+    gravity: [...body.gravity],
+    joints: [...body.joints].filter((joint) => joint.attached),
+  };
+}
+
+function stateOf(body: BodyNode): string {
+  if (!body.active) return body.parked ? 'taken out: no finite numbers' : 'taken out: not enabled';
+  if (body.body.isKinematicObject()) return 'carried';
+  if (body.body.isStaticObject()) return 'fixed';
+  return body.sleeping ? 'asleep' : 'awake';
+}
+
+const SHAPES = Object.entries(SHAPE_TYPE);
+
+/** The kinds of shapes it collides with, and the margin of each, metres. */
+function shapesOf(body: BodyNode): { type: string; margin: number }[] {
+  const { ammo, heapTrusted } = body.world.engine;
+  const nameOf = (shape: BtShape): string => {
+    const type = heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
+    return SHAPES.find(([, number]) => number === type)?.[0] ?? 'unknown';
+  };
+  const whole = body.body.getCollisionShape();
+  if (nameOf(whole) !== 'compound') return [{ type: nameOf(whole), margin: whole.getMargin() }];
+  const compound = ammo.castObject(whole, ammo.btCompoundShape);
+  return Array.from({ length: compound.getNumChildShapes() }, (_, i) => {
+    const child = compound.getChildShape(i);
+    return { type: nameOf(child), margin: child.getMargin() };
+  });
+}
+
+const ROWS = ['along x', 'along y', 'along z', 'about x', 'about y', 'about z'];
+
+function jointIn(joint: JointNode): Record<string, unknown> | undefined {
+  if (!joint.attached) return undefined;
+  const rows = joint.limits.map(([low, high], row) => ({
+    row: ROWS[row],
+    holds: low > high ? 'nothing' : low < high ? [low, high] : low,
+  }));
+  const { p, q } = joint.worldFrame(1);
+  return { anchor: p, frame: q, gap: joint.gap, rows };
+}
+
+function worldIn({ world }: CollectionNode): Record<string, unknown> {
+  const { iterations, contactErrorReduction, linearSlop } = world.bullet.settings;
+  const { bodies, joints, contacts } = world.stats;
+  const solver = { iterations, contactErrorReduction, linearSlop };
+  return { level: world.accuracy, timeStep: world.timeStep, ...solver, bodies, joints, contacts };
+}
+
+/** What a body, or a collidable without one, touches now; undefined for other nodes. */
+export function touchedBy(node: PhysicsNode): PhysicsNode[] | undefined {
+  const body = node instanceof CollidableNode ? node.obstacle : node;
+  if (!(body instanceof BodyNode) || !body.built || !body.world.started) return undefined;
+  const others = new Set<PhysicsNode>();
+  const point = new ContactPoint(body.world.engine.ammo);
+  eachContactPoint(body.world, (pointer, a, b) => {
+    if (a !== body && b !== body) return;
+    if (point.at(pointer, a.pointer, b.pointer).distance <= TOUCHING)
+      others.add((a === body ? b : a).standsFor);
+  });
+  return [...others];
+}
