@@ -18,14 +18,22 @@ export class Clock {
     const taken = guards.frameTime(seconds, Clock.LONGEST_FRAME);
     this.#rest += taken;
     // A hair of tolerance, so that 60 Hz frames against 1/120 s always make two steps in spite of rounding.
-    const steps = Math.floor(this.#rest / dt + 1e-6);
-    this.#rest = Math.max(0, this.#rest - steps * dt);
+    const steps = Math.max(0, Math.floor(this.#rest / dt + 1e-6));
+    this.#rest -= steps * dt;
     return { steps, dropped: seconds - taken };
   }
 
-  /** How far the present lies between the last two steps: 0 at the last but one, 1 at the last. */
-  fraction(dt: number): number {
-    return Math.min(1, this.#rest / dt);
+  /**
+   * How far what is drawn lies between the last two steps: 0 at the last but one, 1 at the last. It lags behind the clock
+   * by one step to come, `dt`; `last` is how long the last one was.
+   */
+  fraction(dt: number, last = dt): number {
+    return Math.min(1, Math.max(0, 1 - (dt - this.#rest) / last));
+  }
+
+  /** Steps become longer by so many seconds, and what is drawn lags that much more behind: so that it goes on evenly, time is added. */
+  lengthen(seconds: number): void {
+    this.#rest += seconds;
   }
 
   reset(): void {

@@ -27,6 +27,10 @@ export const eventTypes: Record<string, EventType> = {
   },
   physicsready: { doc: 'Its world has started.', detail: 'Record<string, unknown>' },
   physicslag: { doc: 'Time was dropped.', detail: '{ dropped: number; time: number }' },
+  physicsaccuracy: {
+    doc: 'Another accuracy level is in force; `because` says why (`asked`, or with auto `over budget`, `room for more`).',
+    detail: '{ level: string; from: string; because: string; p90?: number }',
+  },
   beforestep: { doc: 'A step begins; what is done now acts in it.', detail: STEP },
   afterstep: { doc: 'A step is over.', detail: STEP },
   physicsproblem: {
@@ -51,6 +55,9 @@ export function nodeEvents(type: string): string[] {
 
 /** All that fire at its element. */
 export function eventsAt(type: string): string[] {
-  const worlds = type === 'RigidBodyCollection' ? ['physicsready', 'physicslag', ...STEPS] : [];
+  const worlds =
+    type === 'RigidBodyCollection'
+      ? ['physicsready', 'physicslag', 'physicsaccuracy', ...STEPS]
+      : [];
   return [...nodeEvents(type), ...worlds, 'physicsproblem'];
 }

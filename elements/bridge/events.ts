@@ -9,7 +9,7 @@ import { setState } from './states.js';
 import type { PageWorld } from './nodes/worlds.js';
 
 /** World events and the DOM events they become, one lowercase word each so that every framework can bind them. */
-const WORLD_EVENTS = { ready: 'physicsready', lag: 'physicslag' };
+const WORLD_EVENTS = { ready: 'physicsready', lag: 'physicslag', accuracy: 'physicsaccuracy' };
 type Stop = () => void;
 
 /** Turns the core's events into DOM events: those that cost something only while somebody listens. */

@@ -41,7 +41,7 @@ export class Contender {
     this.bodies = [...world.bodies].filter((body) => body.movable && !body.isObstacle);
     this.positions = new Float64Array(this.bodies.length * 3);
     this.#joints = [...world.nodes].filter((node) => node instanceof JointNode);
-    this.look();
+    this.look(true);
   }
 
   /** One step of its level. */
@@ -57,14 +57,15 @@ export class Contender {
     this.height = this.#heightNow;
   }
 
-  /** At a moment where all levels stop. */
-  look(): void {
+  /** At a moment where all levels stop. `early`: gaps and overlaps may still be those it began with. */
+  look(early = false): void {
     const { registry } = this.world;
     this.bodies.forEach((body, i) => this.positions.set(body.pose().p, 3 * i));
     this.#lagging = this.bodies.filter((body) => registry.joints.lastStep(body) > 0);
     this.#lag = motionOf(this.#lagging);
     this.#settled = motionOf(this.bodies) - this.#lag;
     this.#heightNow = this.bodies.reduce((sum, body) => sum + heightOf(body), 0);
+    if (early) return;
     for (const joint of this.#joints) this.joint = Math.max(this.joint, gapOf(joint));
     this.penetration = Math.max(this.penetration, deepestOverlap(this.world));
   }

@@ -53,6 +53,8 @@ export const levels: readonly Level[] = [
 
 export const levelNames: readonly LevelName[] = levels.map(({ name }) => name);
 export const DEFAULT_LEVEL: LevelName = 'standard';
+/** Not a level: the finest that fits a time budget. */
+export const AUTO = 'auto';
 /** What X3D's `preferAccuracy` asks for. */
 export const ACCURATE_LEVEL: LevelName = 'precise';
 

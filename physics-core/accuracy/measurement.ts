@@ -7,6 +7,9 @@ import { levelNamed, levels, type LevelName } from './levels.js';
 /** Seconds between two moments where all levels stop: a step of the coarsest. */
 const MOMENT = levels[0]!.timeStep;
 
+/** Share of the run after which gaps and overlaps are a level's own, and not those it began with. */
+const SETTLED = 0.25;
+
 /** m/s by which the twin's bodies are pushed: what single precision leaves of a speed of a hundred. */
 const PUSH = 1e-5;
 
@@ -33,9 +36,9 @@ export interface Measured {
     position: number;
     /** Mean difference from the energy that the finest level has, as a share of the energy in play. */
     energy: number;
-    /** The widest gap of a joint, metres. */
+    /** The widest gap of a joint after the first quarter of the run, metres. */
     joint: number;
-    /** The deepest overlap, metres. */
+    /** The deepest overlap after the first quarter, metres. */
     penetration: number;
   };
   /** Id of the body that is farthest off. */
@@ -111,7 +114,7 @@ export class Measurement {
           this.#done++;
           yield this.#share;
         }
-        if (compare) run.look();
+        if (compare) run.look(moment < SETTLED * this.#moments);
       }
       compare?.(moment * MOMENT);
     }

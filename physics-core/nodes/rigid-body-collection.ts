@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
+import { AUTO, DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
 import type { ContactNode } from './contact.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
@@ -232,12 +232,22 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       type: 'SFString',
       access: 'inputOutput',
       default: DEFAULT_LEVEL,
-      values: levelNames,
+      values: [...levelNames, AUTO],
       own: true,
       edit: 'live',
       patch: configure,
       worldWide: true,
-      doc: 'Accuracy level: game, standard (default), fine, precise, reference.',
+      doc: 'Accuracy level: game, standard (default), fine, precise, reference; auto takes the finest that fits the time budget.',
+    },
+    timeBudget: {
+      type: 'SFFloat',
+      access: 'inputOutput',
+      default: 6,
+      range: [0, Infinity],
+      own: true,
+      edit: 'passive',
+      worldWide: true,
+      doc: 'Milliseconds per frame that accuracy auto lets the physics take, in nine of ten frames.',
     },
     rest: {
       type: 'SFString',

@@ -1,3 +1,4 @@
+import type { LevelName } from '../accuracy/levels.js';
 import type { Engine } from '../engine/engine.js';
 import type { Value, Vec3 } from '../fields/types.js';
 import type { Pose } from '../math.js';
@@ -51,6 +52,8 @@ export interface Snapshot {
   x3dPhysics: 1;
   time: number;
   sinceLook: number;
+  /** The level in force. */
+  level: LevelName;
   nodes: NodeState[];
 }
 
@@ -64,6 +67,7 @@ export function takeSnapshot(world: World): Snapshot {
     x3dPhysics: 1,
     time: world.time,
     sinceLook: world.registry.resting.sinceLook,
+    level: world.accuracy,
     nodes: nodes.map((node) => stateOf(node, children.has(node))),
   };
 }
@@ -126,6 +130,7 @@ export function restoreSnapshot(world: World, snapshot: Snapshot): void {
   const tellWoken = world.bodies.sleepers();
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
   world.rebuild(() => {
+    world.control.begin(snapshot.level);
     for (const node of [...world.nodes]) loadNode(node, found);
   });
   world.stepping.resume(snapshot.time);
@@ -158,6 +163,7 @@ export function* copyInto(
     yield;
   }
   for (const [name, value] of Object.entries(settings)) world.set(name, value);
+  world.control.begin(snapshot.level);
   yield* world.starting(engine);
   world.stepping.resume(snapshot.time);
   world.registry.resting.sinceLook = snapshot.sinceLook;

@@ -1,5 +1,6 @@
 import {
   ACCURATE_LEVEL,
+  AUTO,
   DEFAULT_LEVEL,
   levelNamed,
   perStep,
@@ -29,9 +30,10 @@ export interface JointSettings {
   stepSeconds: number;
 }
 
-/** The level that a collection asks for: authored level > preferAccuracy > standard. */
-export function levelOf(settings: CollectionNode): Level {
-  if (settings.authored('accuracy')) return levelNamed(settings.asked<LevelName>('accuracy'));
+/** The level that a collection asks for: authored level > preferAccuracy > standard. Undefined: whichever fits (`auto`). */
+export function levelOf(settings: CollectionNode): Level | undefined {
+  const asked = settings.asked<LevelName | typeof AUTO>('accuracy');
+  if (settings.authored('accuracy')) return asked === AUTO ? undefined : levelNamed(asked);
   return levelNamed(settings.asked<boolean>('preferAccuracy') ? ACCURATE_LEVEL : DEFAULT_LEVEL);
 }
 

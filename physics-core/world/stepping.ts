@@ -20,6 +20,8 @@ export class Stepping {
   /** Steps since the step last changed its length, and the time that was then: sums of steps would round. */
   #steps = 0;
   #timeBefore = 0;
+  /** Seconds of the last step. */
+  #last: number | undefined;
   #stepping = false;
   /** The next step is the first one: bodies may begin inside each other. */
   #first = true;
@@ -65,9 +67,10 @@ export class Stepping {
     return this.#timeBefore + this.#steps * this.#world.timeStep;
   }
 
-  /** Steps are about to change their length. */
-  newTimeStep(): void {
+  /** Steps are about to change their length, seconds. */
+  newTimeStep(from: number, to: number): void {
     this.setTime(this.time);
+    this.#clock.lengthen(to - from);
   }
 
   setTime(time: number): void {
@@ -84,6 +87,7 @@ export class Stepping {
   /** A Bullet world was made: whatever overlaps in its first step was there before. */
   restart(): void {
     this.#first = true;
+    this.#last = undefined;
     this.#clock.reset();
   }
 
@@ -161,6 +165,7 @@ export class Stepping {
     bullet.step(timeStep);
     // What is told of the step is told with the time at its end; a listener may reset it.
     this.#steps++;
+    this.#last = timeStep;
     registry.settle(timeStep);
     this.#world.rays.moved();
     if (this.#first) reportOverlaps(this.#world);
@@ -187,11 +192,14 @@ export class Stepping {
   frame(seconds: number): boolean {
     const world = this.#world;
     if (!world.started) return false;
+    const { step, read, events, write } = this.ms;
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#zeroCosts();
     world.flush();
+    if (this.#moving) world.control.noteFrame(step + read + events + write, seconds);
     if (this.running) this.#run(seconds * this.#timeScale);
-    world.poses.interpolate(this.#moving ? this.#clock.fraction(world.timeStep) : 1);
+    const fraction = this.#clock.fraction(world.timeStep, this.#last);
+    world.poses.interpolate(this.#moving ? fraction : 1);
     return this.needsFrame;
   }
 

@@ -1,4 +1,4 @@
-import { levels, type Level, type LevelName } from '../accuracy/levels.js';
+import { AUTO, levels, type Level, type LevelName } from '../accuracy/levels.js';
 import type { Costs } from '../effects/costs.js';
 import type { LevelMeasurement, MeasureOptions } from '../accuracy/measure.js';
 import { EffectRegistry, type EffectReport } from '../effects/registry.js';
@@ -41,12 +41,12 @@ export class World extends NodeWorld {
   /** FALSE on the first collection freezes the world. */
   enabled = true;
 
-  readonly #accuracy: Accuracy;
+  readonly control: Accuracy;
   #settleReady!: { resolve: (world: World) => void; reject: (problem: unknown) => void };
 
   constructor(options: WorldOptions = {}) {
     super(options.console ?? false);
-    this.#accuracy = new Accuracy(this, options.level);
+    this.control = new Accuracy(this, options.level);
     this.heapLimit = new HeapLimit(this, options.maxHeapBytes);
     this.registry = new EffectRegistry(this);
     this.ready = new Promise((resolve, reject) => (this.#settleReady = { resolve, reject }));
@@ -65,6 +65,7 @@ export class World extends NodeWorld {
     if (!this.started) return;
     do this.edits.applyAll(this.#apply);
     while (this.obstacles.update());
+    this.control.tell();
   }
 
   readonly #apply = (node: PhysicsNode): void => {
@@ -128,6 +129,7 @@ export class World extends NodeWorld {
     this.rebuild(() => {
       this.stepping.setTime(0);
       this.registry.resting.sinceLook = 0;
+      this.control.begin();
       for (const node of this.nodes) node.forgetEvents();
     });
     tellWoken();
@@ -181,10 +183,10 @@ export class World extends NodeWorld {
 
   /** The level in force. */
   get accuracy(): LevelName {
-    return this.#accuracy.level.name;
+    return this.control.level.name;
   }
 
-  set accuracy(name: LevelName) {
+  set accuracy(name: LevelName | typeof AUTO) {
     this.set('accuracy', name);
     this.flush();
   }
@@ -202,24 +204,24 @@ export class World extends NodeWorld {
 
   /** Seconds of one step. */
   get timeStep(): number {
-    return this.#accuracy.level.timeStep;
+    return this.control.level.timeStep;
   }
 
   get solver(): JointSettings {
-    return this.#accuracy.joints;
+    return this.control.joints;
   }
 
   /** Takes the settings of the first collection into Bullet. */
   configure(): void {
     if (!this.started) return;
     this.enabled = this.settings.asked('enabled');
-    this.#accuracy.configure();
+    this.control.configure();
     this.work();
   }
 
   /** What Bullet's solver works with now. */
   configureSolver(): void {
-    this.#accuracy.configureSolver();
+    this.control.configureSolver();
   }
 
   // ---- time -----------------------------------------------------------------------------------------------------
