@@ -70,7 +70,7 @@ export class Stepping {
   /** Steps are about to change their length, seconds. */
   newTimeStep(from: number, to: number): void {
     this.setTime(this.time);
-    this.#clock.lengthen(to - from);
+    if (this.#last !== undefined) this.#clock.lengthen(to - from);
   }
 
   setTime(time: number): void {

@@ -106,9 +106,9 @@ export class World extends NodeWorld {
   #build(): void {
     this.bullet = new BulletWorld(this.engine);
     this.started = true;
-    this.stepping.restart();
     if (!this.engine.heapTrusted) this.#reportUnknownBuild();
     this.configure();
+    this.stepping.restart();
   }
 
   #reportUnknownBuild(): void {

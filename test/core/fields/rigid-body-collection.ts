@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../physics-core/index.js';
+import type { CreateOptions, World } from '../../../physics-core/index.js';
 import {
   above,
   addBody,
@@ -31,6 +31,22 @@ async function resting(fields: Record<string, unknown>) {
 const run = (w: World, frames: number): void => {
   for (let i = 0; i < frames; i++) w.frame(1 / 60);
 };
+
+/** The level in force after so many frames whose steps take a millisecond each. */
+function framesOf(w: World, frames: number): string {
+  addBody(w, { position: [0, 1000, 0] });
+  const { now } = performance;
+  let time = 0;
+  performance.now = () => time;
+  const stop = w.on('afterstep', () => time++);
+  run(w, frames);
+  stop();
+  performance.now = now;
+  return w.accuracy;
+}
+
+const levelAfter = async (fields: CreateOptions): Promise<string> =>
+  framesOf(await world(fields), 200);
 
 /** Metres that a fall of one second from rest takes at the step in force. */
 function fall(w: World): number {
@@ -331,6 +347,22 @@ export const rows: Row[] = [
       w.set('collisionRules', 'strict');
       w.advance(0.5);
       close(height(stone), 0.5 - way(9.8, 0.5), 2e-3, 'm, strict');
+    },
+  },
+  {
+    field: 'accuracy',
+    fact: 'auto takes the finest level whose frames fit the time budget',
+    run: async () => assert.equal(await levelAfter({ accuracy: 'auto', timeBudget: 8 }), 'fine'),
+  },
+  {
+    field: 'timeBudget',
+    fact: 'a smaller one makes auto take a coarser level, while it runs',
+    run: async () => {
+      assert.equal(await levelAfter({ accuracy: 'auto', timeBudget: 1 }), 'game');
+      const w = await world({ accuracy: 'auto', timeBudget: 100 });
+      assert.equal(framesOf(w, 60), 'fine');
+      w.set('timeBudget', 1);
+      assert.equal(framesOf(w, 60), 'standard');
     },
   },
   {
