@@ -1,8 +1,9 @@
+import type { Ammo } from '../../physics-core/engine/ammo.js';
 import { massOf, momentsOf } from './bodies.js';
 import { BulletScene, type BtConstraint, type Ways } from './bullet-scene.js';
 import { NotOffered, sweep, type Engine, type Setting } from './engine.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
-import { plansOf, type Plan } from './joints.js';
+import { plansOf, type Plan, type Spring } from './joints.js';
 
 /** Bullet's own iterations. */
 export const DEFAULT_ITERATIONS = 10;
@@ -10,6 +11,11 @@ export const DEFAULT_ITERATIONS = 10;
 /** Softness and bias of a hinge's stops: what Bullet's own header suggests. */
 const STOP_SOFTNESS = 0.9;
 const STOP_BIAS = 0.3;
+
+type SprungConstraint = Ammo['btGeneric6DofSpringConstraint']['prototype'];
+
+/** The row of a 6-DoF that stands for the way along z. */
+const ALONG_Z = 2;
 
 function ball(scene: BulletScene, { ends: [a, b] }: Plan): BtConstraint {
   const { ammo } = scene;
@@ -21,8 +27,8 @@ function ball(scene: BulletScene, { ends: [a, b] }: Plan): BtConstraint {
   );
 }
 
-/** Bullet counts the turn of its second body against its first. */
-function hinge(scene: BulletScene, { ends: [b, a], stops, motor }: Plan, dt: number): BtConstraint {
+/** Bullet counts the turn of its first body against its second. */
+function hinge(scene: BulletScene, { ends: [a, b], stops, motor }: Plan, dt: number): BtConstraint {
   const { ammo } = scene;
   const made = new ammo.btHingeConstraint(
     scene.at(a),
@@ -38,6 +44,7 @@ function hinge(scene: BulletScene, { ends: [b, a], stops, motor }: Plan, dt: num
   return made;
 }
 
+/** And the way of its second along the axis of its first. */
 function slider(scene: BulletScene, { ends: [b, a], stops }: Plan): BtConstraint {
   if (stops?.bounce) throw new NotOffered('stops of a slider that give back speed');
   const { ammo } = scene;
@@ -51,21 +58,25 @@ function slider(scene: BulletScene, { ends: [b, a], stops }: Plan): BtConstraint
 }
 
 /** Bullet turns a 6-DoF about z of its first frame and x of its second; y in the middle is held. */
-function cross(scene: BulletScene, { ends: [a, b] }: Plan): BtConstraint {
+function cross(scene: BulletScene, { ends: [a, b], spring }: Plan): BtConstraint {
   const { ammo } = scene;
-  const made = new ammo.btGeneric6DofConstraint(
-    scene.at(a),
-    scene.at(b),
-    scene.frame(a, 'z'),
-    scene.frame(b, 'x'),
-    true,
-  );
-  made.setLinearLowerLimit(scene.vector([0, 0, 0]));
-  made.setLinearUpperLimit(scene.vector([0, 0, 0]));
+  const kind = spring ? ammo.btGeneric6DofSpringConstraint : ammo.btGeneric6DofConstraint;
+  const frames = [scene.frame(a, 'z'), scene.frame(b, 'x')] as const;
+  const made = new kind(scene.at(a), scene.at(b), ...frames, true);
   // Lower above upper: free.
+  made.setLinearLowerLimit(scene.vector([0, 0, spring ? 1 : 0]));
+  made.setLinearUpperLimit(scene.vector([0, 0, spring ? -1 : 0]));
   made.setAngularLowerLimit(scene.vector([1, 0, 1]));
   made.setAngularUpperLimit(scene.vector([-1, 0, -1]));
+  if (spring) suspend(made as SprungConstraint, spring);
   return made;
+}
+
+function suspend(joint: SprungConstraint, { stiffness, damping }: Spring): void {
+  if (damping > 0) throw new NotOffered('a damper: that of a 6-DoF spring has no unit');
+  joint.enableSpring(ALONG_Z, true);
+  joint.setStiffness(ALONG_Z, stiffness);
+  joint.setEquilibriumPoint(ALONG_Z, 0);
 }
 
 const JOINTS = { ball, hinge, slider, cross };

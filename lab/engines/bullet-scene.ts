@@ -213,11 +213,6 @@ export class BulletScene {
     };
   }
 
-  /** X_ITE draws Bullet's interpolated poses, and takes what it drew for where the bodies are. */
-  takeDrawnPoses(): void {
-    for (const body of this.bodies.values()) body.setMotionState(body.getMotionState());
-  }
-
   #contacts(): number {
     let count = 0;
     for (let i = 0; i < this.#dispatcher.getNumManifolds(); i++)

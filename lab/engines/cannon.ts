@@ -63,13 +63,17 @@ function forcesOf(body: CaseBody, made: CANNON.Body, gravity: Vec3): (() => void
   ];
 }
 
-type BodyAt = (end: End) => CANNON.Body;
+interface Place {
+  at(end: End): CANNON.Body;
+  /** Seconds of a step. */
+  dt: number;
+}
 
-function ball({ ends: [a, b] }: Plan, at: BodyAt): CANNON.Constraint {
+function ball({ ends: [a, b] }: Plan, { at }: Place): CANNON.Constraint {
   return new CANNON.PointToPointConstraint(at(a), vec(a.anchor), at(b), vec(b.anchor));
 }
 
-function hinge({ ends: [a, b], stops, motor }: Plan, at: BodyAt): CANNON.Constraint {
+function hinge({ ends: [a, b], stops, motor }: Plan, { at, dt }: Place): CANNON.Constraint {
   if (stops) throw new NotOffered('stops of a hinge');
   const made = new CANNON.HingeConstraint(at(a), at(b), {
     pivotA: vec(a.anchor),
@@ -80,16 +84,17 @@ function hinge({ ends: [a, b], stops, motor }: Plan, at: BodyAt): CANNON.Constra
   });
   if (motor) {
     made.enableMotor();
-    made.setMotorSpeed(-motor.speed);
-    made.setMotorMaxForce(motor.most);
+    made.setMotorSpeed(motor.speed);
+    // What cannon-es calls a force it takes as what one step may give (measured).
+    made.setMotorMaxForce(motor.most * dt);
   }
   return made;
 }
 
-function jointOf(plan: Plan, at: BodyAt): CANNON.Constraint {
+function jointOf(plan: Plan, place: Place): CANNON.Constraint {
   if (plan.kind === 'slider') throw new NotOffered('sliders');
   if (plan.kind === 'cross') throw new NotOffered('universal joints');
-  const made = plan.kind === 'ball' ? ball(plan, at) : hinge(plan, at);
+  const made = plan.kind === 'ball' ? ball(plan, place) : hinge(plan, place);
   made.collideConnected = false;
   return made;
 }
@@ -120,8 +125,8 @@ async function make(scene: CaseScene, { step, iterations }: Setting): Promise<Ru
     bodies.set(body.name, made);
     if (!body.fixed) forces.push(...forcesOf(body, made, gravity));
   }
-  const at: BodyAt = ({ body }) => (body === undefined ? ground : bodies.get(body)!);
-  for (const plan of joints) world.addConstraint(jointOf(plan, at));
+  const at = ({ body }: End) => (body === undefined ? ground : bodies.get(body)!);
+  for (const plan of joints) world.addConstraint(jointOf(plan, { at, dt: step }));
   for (const push of pushes)
     forces.push(pushOf(push, bodies.get(push.body1)!, bodies.get(push.body2 ?? '')));
   return {

@@ -40,12 +40,19 @@ export interface Motor {
   most: number;
 }
 
+/** Along the axis of a cross that body1 carries: N/m and N s/m. */
+export interface Spring {
+  stiffness: number;
+  damping: number;
+}
+
 /** A joint in the words that engines have in common. */
 export interface Plan {
   kind: 'ball' | 'hinge' | 'slider' | 'cross';
   ends: [End, End];
   stops?: Stops | undefined;
   motor?: Motor | undefined;
+  spring?: Spring | undefined;
 }
 
 /** What page code has to do itself in every step: a torque or force along an axis of body1, and its opposite on body2. */
@@ -157,16 +164,29 @@ function cardan(scene: CaseScene, joint: CaseJoint, read: Reader, plans: Plans):
   plans.joints.push({ kind: 'cross', ends });
 }
 
-/** Held about its first axis and not sprung it is a hinge with a motor; else no other engine here has it. */
+/** Held about its first axis and not sprung it is a hinge with a motor; free about it, a cross that may be sprung. */
 function doubleHinge(scene: CaseScene, joint: CaseJoint, read: Reader, plans: Plans): void {
   const steering = turnStops(read, '1');
-  read.axis('axis1', [1, 0, 0]);
-  if (!steering || steering.low !== steering.high) throw new NotOffered('a hinge about two axes');
-  if (read.get('suspensionForce', 0) > 0) throw new NotOffered('a sprung hinge');
-  const axis = read.axis('axis2', [0, 1, 0]);
-  const ends = endsOf(scene, joint, read.get<Vec3>('anchorPoint', [0, 0, 0]), [axis, axis]);
+  const axes: [Vec3, Vec3] = [read.axis('axis1', [1, 0, 0]), read.axis('axis2', [0, 1, 0])];
+  const anchor = read.get<Vec3>('anchorPoint', [0, 0, 0]);
   const motor = { speed: read.get('desiredAngularVelocity2', 0), most: read.get('maxTorque2', 0) };
-  plans.joints.push({ kind: 'hinge', ends, motor: motor.most > 0 ? motor : undefined });
+  const spring = springOf(read);
+  if (steering && steering.low === steering.high && !spring) {
+    const ends = endsOf(scene, joint, anchor, [axes[1], axes[1]]);
+    plans.joints.push({ kind: 'hinge', ends, motor: motor.most > 0 ? motor : undefined });
+    return;
+  }
+  if (steering || motor.most > 0 || Math.abs(dot(...axes)) > 1e-4)
+    throw new NotOffered('a hinge about two axes with stops, a motor or a slant');
+  plans.joints.push({ kind: 'cross', ends: endsOf(scene, joint, anchor, axes), spring });
+}
+
+/** X3D's softness and error correction of a row that is solved every 1/60 s are a spring and a damper. */
+function springOf(read: Reader): Spring | undefined {
+  const give = read.get('suspensionForce', 0);
+  const share = read.get('suspensionErrorCorrection', 0.8);
+  if (give === 0) return undefined;
+  return { stiffness: (60 * share) / give, damping: (1 - share) / give };
 }
 
 const AXES: Vec3[] = [

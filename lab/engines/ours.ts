@@ -43,12 +43,15 @@ const levelOf = ({ level, step, iterations }: Setting): Level =>
     iterations,
   };
 
+/** What a case may be about; any other problem means that the case was told wrongly. */
+const HARD = ['mass-ratio', 'initial-overlap'];
+
 async function make(scene: CaseScene, setting: Setting): Promise<Running> {
   const world = new World({ level: levelOf(setting) });
   const nodes = build(world, scene);
   world.start(await loadEngine());
-  if (world.problems.length > 0)
-    throw new Error(world.problems.map(({ message }) => message).join('; '));
+  const wrong = world.problems.filter(({ code }) => !HARD.includes(code));
+  if (wrong.length > 0) throw new Error(wrong.map(({ message }) => message).join('; '));
   const vector = (field: string) => (body: string) => nodes.get(body)!.get(field) as Vec3;
   return {
     timeStep: world.timeStep,

@@ -56,9 +56,10 @@ async function make(scene: CaseScene, { step, iterations }: Setting) {
   const { world } = made;
   world.getSolverInfo().set_m_numIterations(DEFAULT_ITERATIONS);
   return made.running(FRAME, () => {
-    made.applyForces();
-    world.stepSimulation(FRAME, iterations + 2, step);
-    made.takeDrawnPoses();
+    for (let i = 0; i < iterations; i++) {
+      made.applyForces();
+      world.stepSimulation(step, 0);
+    }
   });
 }
 
@@ -67,7 +68,7 @@ const SPLITS = [1, 2, 4, 10, 16, 32];
 export const xIte: Engine = {
   id: 'x-ite',
   name: "X_ITE's rule",
-  says: 'The stepping of X_ITE 15.0.1: a frame (here a steady 1/60 s) split in `iterations` (10 by default) steps of Bullet, whose interpolated poses are written back; bodies, materials and joints as X_ITE makes them, a fixed body for the world.',
+  says: 'The stepping of X_ITE 15.0.1 with preferAccuracy: a frame, here a steady 1/60 s, split in `iterations` (10 by default) steps of Bullet; bodies, materials and joints as X_ITE makes them, with a fixed body for the world. (Without preferAccuracy X_ITE takes interpolated poses for true ones, and bodies fall behind: at 10 iterations they go 4 % less far than their speed says, measured in Chromium.)',
   settings: SPLITS.map((split) => ({ step: FRAME / split, iterations: split })),
   make,
 };
