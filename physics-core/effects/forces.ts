@@ -10,6 +10,8 @@ export interface Load {
   torque: Vec3;
 }
 
+const NONE: Load = { force: [0, 0, 0], torque: [0, 0, 0] };
+
 const isZero = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
 
 /** RigidBody.forces and torques in every step, and what `applyForce` and `applyTorque` ask for the next one. */
@@ -38,6 +40,11 @@ export class AuthoredForces extends Effect {
     const before = this.#once.get(body) ?? { force: [0, 0, 0], torque: [0, 0, 0] };
     this.#once.set(body, { force: add(before.force, force), torque: add(before.torque, torque) });
     if (!this.#constant.has(body)) this.need(body, 'applyForce');
+  }
+
+  /** What acts in every step. */
+  constant(body: MovingNode): Load {
+    return this.#constant.get(body) ?? NONE;
   }
 
   /** What waits for the next step. */

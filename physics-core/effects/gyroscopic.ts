@@ -58,8 +58,7 @@ export class Gyroscopic extends Effect {
   update(body: BodyNode): void {
     this.drop(body);
     const { moments } = body.mass;
-    const most = Math.max(...moments);
-    if (!body.movable || most - Math.min(...moments) < ALIKE * most) return;
+    if (!body.movable || turnsAlike(moments)) return;
     this.#tops.set(body, topOf(moments));
     this.need(body, 'unequal moments of inertia');
   }
@@ -162,6 +161,12 @@ export class Gyroscopic extends Effect {
   #give({ body }: BodyNode, spin: Float64Array): void {
     body.setAngularVelocity(this.#world.engine.scratch.vector(spin[0]!, spin[1]!, spin[2]!));
   }
+}
+
+/** Whether a body turns about every axis as about any other. */
+export function turnsAlike(moments: readonly number[]): boolean {
+  const most = Math.max(...moments);
+  return most - Math.min(...moments) < ALIKE * most;
 }
 
 /** Round about the axis that leaves the two most like moments across. */

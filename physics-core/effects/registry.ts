@@ -12,6 +12,7 @@ import { ContactSurface } from './contact-surface.js';
 import { Debugging } from './debugging.js';
 import { DirectJoints } from './direct/direct-joints.js';
 import type { Effect } from './effect.js';
+import { Flight } from './flight.js';
 import { Gyroscopic } from './gyroscopic.js';
 import { MeshShapes } from './mesh-shapes.js';
 import { JointRows } from './joint-rows.js';
@@ -36,6 +37,7 @@ export interface EffectReport {
 export class EffectRegistry {
   readonly forces: AuthoredForces;
   readonly damping: AxisDamping;
+  readonly flight: Flight;
   readonly gyroscopic: Gyroscopic;
   /** Shared by all that work on joints, one joint at a time. */
   readonly rows: JointRows;
@@ -59,6 +61,7 @@ export class EffectRegistry {
   constructor(world: World) {
     this.forces = new AuthoredForces(world);
     this.damping = new AxisDamping(world);
+    this.flight = new Flight(world);
     this.gyroscopic = new Gyroscopic(world);
     this.rows = new JointRows(world);
     this.suspension = new Suspension(world);
@@ -77,6 +80,7 @@ export class EffectRegistry {
     this.all = [
       this.forces,
       this.damping,
+      this.flight,
       this.gyroscopic,
       this.suspension,
       this.motors,

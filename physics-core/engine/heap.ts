@@ -4,7 +4,7 @@ import { ACTIVATION, BODY } from './offsets.js';
 
 export type BtBody = Ammo['btRigidBody']['prototype'];
 
-/** Reads what changes every step. Two ways: straight from the heap (about 20 times faster), or through the API. */
+/** Reads what changes every step, and puts places right. Two ways: straight from the heap (about 20 times faster), or through the API. */
 export interface BodyReader {
   /** Pose of the centre of mass: x y z qx qy qz qw, from `out[at]` on. */
   pose(body: BtBody, pointer: number, out: Float64Array, at: number): void;
@@ -12,6 +12,8 @@ export interface BodyReader {
   velocity(body: BtBody, pointer: number, out: Float64Array, at: number): void;
   /** Force then torque that the next step applies beside gravity, six numbers; zeros where they can't be known. */
   load(body: BtBody, pointer: number, out: Float64Array, at: number): void;
+  /** Moves a body by so many metres. */
+  shift(body: BtBody, pointer: number, x: number, y: number, z: number): void;
   activation(body: BtBody, pointer: number): number;
   /** Bullet's island number of the last step, or -1 where it can't be known. */
   island(body: BtBody, pointer: number): number;
@@ -67,6 +69,14 @@ export class HeapReader implements BodyReader {
     }
   }
 
+  shift(_: BtBody, pointer: number, x: number, y: number, z: number): void {
+    const heap = this.#ammo.HEAPF32;
+    const o = (pointer + BODY.origin) >> 2;
+    heap[o]! += x;
+    heap[o + 1]! += y;
+    heap[o + 2]! += z;
+  }
+
   activation(_: BtBody, pointer: number): number {
     return this.#ammo.HEAP32[(pointer + BODY.activationState) >> 2]!;
   }
@@ -104,6 +114,12 @@ export class ApiReader implements BodyReader {
 
   load(_body: BtBody, _pointer: number, out: Float64Array, at: number): void {
     out.fill(0, at, at + 6);
+  }
+
+  shift(body: BtBody, _: number, x: number, y: number, z: number): void {
+    // The body's own vector, not a copy.
+    const origin = body.getWorldTransform().getOrigin();
+    origin.setValue(origin.x() + x, origin.y() + y, origin.z() + z);
   }
 
   activation(body: BtBody): number {

@@ -243,6 +243,7 @@ export class BodyNode extends MovingNode {
     if (!gravity.every((value, i) => value === this.#pull[i])) this.wake();
     this.#pull = [...gravity];
     this.body.setGravity(this.world.engine.scratch.vector(...gravity));
+    this.world.registry.flight.update(this);
   }
 
   /** Its own acceleration, m/s². */
@@ -261,11 +262,13 @@ export class BodyNode extends MovingNode {
     const sum = (name: string): Vec3 =>
       this.asked<Vec3[]>(name).reduce<Vec3>((total, value) => add(total, value), [0, 0, 0]);
     this.world.registry.forces.set(this, sum('forces'), sum('torques'));
+    this.world.registry.flight.update(this);
     this.wake();
   }
 
   updateDamping(): void {
     this.world.registry.damping.update(this);
+    this.world.registry.flight.update(this);
   }
 
   updateRest(): void {

@@ -89,6 +89,11 @@ export class Bodies {
     return this.#velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
   }
 
+  /** As it was read last: at the end of the last step, or after an edit. */
+  lastVelocity(slot: number, out: Float64Array): void {
+    for (let i = 0; i < VELOCITY; i++) out[i] = this.#velocities[slot * VELOCITY + i]!;
+  }
+
   /** Whether a body's speeds lie below both limits. */
   slower(slot: number, linear: number, angular: number): boolean {
     const v = this.#velocities;

@@ -19,16 +19,6 @@ import {
 
 // Cases that break engines, and closed forms across nodes.
 
-fact(
-  'A1: a projectile follows x₀ + v t + ½ g t², and semi-implicit Euler adds exactly ½ g t dt',
-  async () => {
-    const w = await world();
-    const ball = addBody(w, { linearVelocity: [3, 8, 1] });
-    w.advance(1);
-    close(position(ball), [3, 8 - 4.9 - 4.9 / 120, 1], 2e-4, 'm');
-  },
-);
-
 fact('A3: a ball spins on for a million radians without losing its rate', async () => {
   const w = await world({ gravity: [0, 0, 0] });
   const ball = addBody(w, { angularVelocity: [0, 0, 5] });

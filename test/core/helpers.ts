@@ -133,11 +133,8 @@ export const below = (actual: number, bound: number, what = ''): void =>
 export const above = (actual: number, bound: number, what = ''): void =>
   assert.ok(actual > bound, `${what} ${actual} is not above ${bound}`);
 
-/**
- * Way under a constant acceleration after `t` seconds from rest, as semi-implicit Euler of step `dt` makes it:
- * ½ a t² and exactly ½ a t dt more.
- */
-export const way = (a: number, t: number, dt = 1 / 120): number => (a * t * (t + dt)) / 2;
+/** Way under a constant acceleration after `t` seconds from rest. */
+export const way = (a: number, t: number): number => (a * t * t) / 2;
 
 export const distance = (a: readonly number[], b: readonly number[]): number =>
   Math.hypot(...a.map((value, i) => value - b[i]!));

@@ -138,7 +138,10 @@ fact('scene 3: three hundred boxes stirred in a closed room stay inside, all fin
       close([x, y - 5, z], [0, 0, 0], 5, 'm from the middle of the room');
     }
   }
-  above(spin(ball)[1], 1, 'rad/s, still stirring');
+  const speeds = boxes.map((body) => Math.hypot(...velocity(body)));
+  const mean = speeds.reduce((sum, speed) => sum + speed, 0) / speeds.length;
+  // How the ball fares among them is chance: 0.3 to 40 rad/s by the seed.
+  above(mean, 0.2, 'm/s, still stirring');
 });
 
 fact(

@@ -147,6 +147,19 @@ export const rows: Row[] = [
     },
   },
   {
+    field: 'linearVelocity',
+    effect: 'free flight',
+    fact: 'what is thrown goes v t + ½ g t², not ½ g t dt further',
+    run: async () => {
+      const w = await world();
+      const ball = addBody(w);
+      w.step(0);
+      ball.set('linearVelocity', [1, 2, 0]);
+      w.advance(1);
+      close(position(ball), [1, 2 - 4.9, 0], 1e-4, 'm');
+    },
+  },
+  {
     field: 'inertia',
     effect: 'gyroscopic torque',
     fact: 'a free top keeps its angular momentum, and turns over when Euler says: 3.845 s, then every 6.7055 s',

@@ -1,0 +1,157 @@
+import type { Vec3 } from '../fields/types.js';
+import { add, scale } from '../math.js';
+import type { BodyNode } from '../nodes/body.js';
+import type { PhysicsNode } from '../nodes/node.js';
+import type { World } from '../world/world.js';
+import { Effect } from './effect.js';
+import { multiply4, writeTurn } from './flat.js';
+import { turnsAlike } from './gyroscopic.js';
+
+const POSE = 7;
+
+/** Share of a velocity and of its change that single precision may take or add in a step. */
+const SAME = 1e-6;
+
+/** A body that something known pulls or turns: linear parts, then angular ones. */
+interface Flyer {
+  body: BodyNode;
+  /** m/s² and rad/s², world frame. */
+  acceleration: Float64Array;
+  /** Newtons and newton metres that its author gave. */
+  load: Vec3;
+  turns: boolean;
+  /** Its forces are others than in the step before. */
+  varies: boolean;
+}
+
+/**
+ * Bullet moves a body by the velocity it has at the end of a step, which makes every throw ½ g t dt too long. What
+ * nothing touched in a step is put where gravity, its author's forces and damping take it in that time: that is known
+ * exactly, at every level. A body that anything else acted on shows it by its velocity and is left as it is; so is one
+ * whose forces change from step to step, as those of springs made by page code do: they would gain energy.
+ */
+export class Flight extends Effect {
+  readonly name = 'free flight';
+  readonly #world: World;
+  readonly #flyers = new Map<PhysicsNode, Flyer>();
+  readonly #before = new Float64Array(6);
+  readonly #now = new Float64Array(6);
+  /** What is to be added to the place and the orientation, and whether velocities are others than Bullet's. */
+  readonly #way = new Float64Array(6);
+  #faster = false;
+  readonly #pose = new Float64Array(POSE);
+  readonly #turn = new Float64Array(4);
+  readonly #rotation = new Float64Array(3);
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+  }
+
+  /** Gravity, forces, damping, mass or mobility changed. */
+  update(body: BodyNode): void {
+    const before = this.#flyers.get(body);
+    const { force, torque } = this.#world.registry.forces.constant(body);
+    const { mass, moments } = body.mass;
+    const alike = turnsAlike(moments);
+    const acceleration = Float64Array.from([
+      ...add(body.gravity, scale(force, 1 / mass)),
+      ...(alike ? scale(torque, 1 / moments[0]) : [0, 0, 0]),
+    ]);
+    const { linear, angular } = body.dampedShare;
+    const turns = angular > 0 || acceleration.subarray(3).some(Boolean);
+    if (!body.movable || !(turns || linear > 0 || acceleration.some(Boolean))) {
+      this.drop(body);
+      return;
+    }
+    const varies = before !== undefined && (before.varies || other(before.load, force));
+    this.#flyers.set(body, { body, acceleration, load: force, turns, varies });
+    this.need(body, 'gravity, forces or damping');
+  }
+
+  override drop(node: PhysicsNode): void {
+    super.drop(node);
+    this.#flyers.delete(node);
+  }
+
+  override settle(dt: number): void {
+    for (const flyer of this.#flyers.values()) {
+      const { body, varies } = flyer;
+      flyer.varies = false;
+      if (body.active && !body.sleeping && !varies && !this.#held(body)) this.#fly(flyer, dt);
+    }
+  }
+
+  /** The joint solve keeps its velocity in the middle of each step, which is exact enough. */
+  #held(body: BodyNode): boolean {
+    return body.joints.size > 0 && this.#world.registry.joints.lastStep(body) > 0;
+  }
+
+  #fly({ body, acceleration, turns }: Flyer, dt: number): void {
+    const { engine, bodies } = this.#world;
+    bodies.lastVelocity(body.slot, this.#before);
+    engine.reader.velocity(body.body, body.pointer, this.#now, 0);
+    this.#way.fill(0);
+    this.#faster = false;
+    const { linear, angular } = body.dampedShare;
+    const flies = this.#lead(0, acceleration, linear, dt);
+    if (turns && this.#lead(3, acceleration, angular, dt)) this.#place(body);
+    else if (flies) {
+      const [x, y, z] = this.#way;
+      engine.reader.shift(body.body, body.pointer, x!, y!, z!);
+    }
+    if (this.#faster) this.#hasten(body);
+  }
+
+  /** Three parts of the motion, from `at` on. False: something else acted on them in this step. */
+  #lead(at: number, acceleration: Float64Array, share: number, dt: number): boolean {
+    const [v, now] = [this.#before, this.#now];
+    const left = share > 0 ? (1 - share) ** dt : 1;
+    for (let i = at; i < at + 3; i++) {
+      const gained = acceleration[i]! * dt;
+      const off = now[i]! - v[i]! * left - gained;
+      if (Math.abs(off) > SAME * (Math.abs(v[i]!) + Math.abs(gained)) + TINY) return false;
+    }
+    const rate = -Math.log(1 - share);
+    // Seconds that a velocity and its growth count for, damped meanwhile.
+    const time = share > 0 ? (1 - left) / rate : dt;
+    const growth = share > 0 ? (dt - time) / rate : (dt * dt) / 2;
+    for (let i = at; i < at + 3; i++)
+      this.#way[i] = v[i]! * time + acceleration[i]! * growth - now[i]! * dt;
+    if (share === 0) return true;
+    for (let i = at; i < at + 3; i++) now[i] = v[i]! * left + acceleration[i]! * time;
+    this.#faster = true;
+    return true;
+  }
+
+  /** With another orientation. */
+  #place({ body, pointer }: BodyNode): void {
+    const { reader, scratch } = this.#world.engine;
+    const pose = this.#pose;
+    const [turn, rotation, way] = [this.#turn, this.#rotation, this.#way];
+    reader.pose(body, pointer, pose, 0);
+    for (let i = 0; i < 3; i++) rotation[i] = way[3 + i]!;
+    writeTurn(turn, rotation, 1);
+    multiply4(turn, turn, 0, pose, 3);
+    body.setCenterOfMassTransform(
+      scratch.transform(
+        [pose[0]! + way[0]!, pose[1]! + way[1]!, pose[2]! + way[2]!],
+        [turn[0]!, turn[1]!, turn[2]!, turn[3]!],
+      ),
+    );
+  }
+
+  #hasten({ body }: BodyNode): void {
+    const { scratch } = this.#world.engine;
+    const now = this.#now;
+    body.setLinearVelocity(scratch.vector(now[0]!, now[1]!, now[2]!));
+    body.setAngularVelocity(scratch.vector(now[3]!, now[4]!, now[5]!));
+  }
+}
+
+/** m/s: rounding of what is nearly nothing. */
+const TINY = 1e-12;
+
+/** Whether one force gave way to another: one that begins or ends is none that follows the motion. */
+const other = (a: Vec3, b: Vec3): boolean =>
+  a.some(Boolean) && b.some(Boolean) && a.some((x, i) => x !== b[i]);
