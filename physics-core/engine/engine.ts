@@ -3,6 +3,7 @@ import { ContactHook } from './contact-hook.js';
 import { bodyOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import { Scratch } from './scratch.js';
+import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 
 /** Ammo and what all worlds share of it: argument objects and the way state is read. */
 export class Engine {
@@ -11,6 +12,7 @@ export class Engine {
   readonly source: LoadOptions;
   readonly scratch: Scratch;
   readonly reader: BodyReader;
+  readonly velocities: VelocityWriter;
   readonly contacts: ContactHook;
   /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
   readonly heapTrusted: boolean;
@@ -22,6 +24,9 @@ export class Engine {
     this.contacts = new ContactHook(ammo);
     this.heapTrusted = bodyOffsetsHold(ammo);
     this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
+    this.velocities = this.heapTrusted
+      ? new HeapVelocityWriter(ammo)
+      : new ApiVelocityWriter(this.scratch);
   }
 
   /** One more of the same wasm, with a heap of its own. */

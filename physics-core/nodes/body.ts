@@ -19,6 +19,8 @@ const samePose = (a: Pose, b: Pose): boolean =>
 
 /** A rigid body and its btRigidBody. Bullet's body frame is the centre of mass; X3D's is the body's origin. */
 export class BodyNode extends MovingNode {
+  /** The acceleration that Bullet gives it, m/s². */
+  pulled: Vec3 = WEIGHTLESS;
   /** Shares of its velocities that Bullet's damping takes per second. */
   dampedShare = { linear: 0, angular: 0 };
   readonly joints = new Set<JointNode>();
@@ -33,7 +35,6 @@ export class BodyNode extends MovingNode {
   #groups = [0, 0];
   #shapeMoving = false;
   /** The acceleration that Bullet was told. */
-  #pull: Vec3 = WEIGHTLESS;
 
   // ---- creation -----------------------------------------------------------------------------------------------
 
@@ -240,8 +241,8 @@ export class BodyNode extends MovingNode {
   updateGravity(): void {
     if (!this.built) return;
     const { gravity } = this;
-    if (!gravity.every((value, i) => value === this.#pull[i])) this.wake();
-    this.#pull = [...gravity];
+    if (!gravity.every((value, i) => value === this.pulled[i])) this.wake();
+    this.pulled = gravity;
     this.body.setGravity(this.world.engine.scratch.vector(...gravity));
     this.world.registry.flight.update(this);
   }

@@ -6,6 +6,7 @@ import { below, random } from './helpers.js';
 
 const SIDE = 6;
 const ROWS = 8;
+const INERTIA = 7;
 const BLOCK = ROWS * SIDE;
 
 /** The same system as full matrices. */
@@ -34,13 +35,15 @@ function made(bodies: number, edges: Edge[], system = new RowSystem()): RowSyste
 function fillBodies(system: RowSystem, bodies: number, { m, p }: Dense): void {
   for (let b = 0; b < bodies; b++) {
     const [mass, t] = [between(0.1, 5), Array.from({ length: 9 }, () => between(-1, 1))];
+    system.inertia[b * INERTIA] = mass;
     for (let r = 0; r < SIDE; r++) {
       for (let c = 0; c < SIDE; c++) {
         let value = r === c ? (r < 3 ? mass : 0.5) : 0;
         if (r > 2 && c > 2)
           for (let k = 0; k < 3; k++) value += t[(r - 3) * 3 + k]! * t[(c - 3) * 3 + k]!;
         m[b * SIDE + r]![b * SIDE + c] = value;
-        if (c <= r) system.inertia[b * SIDE * SIDE + r * SIDE + c] = value;
+        if (r > 2 && c > 2 && c <= r)
+          system.inertia[b * INERTIA + 1 + ((r - 3) * (r - 2)) / 2 + c - 3] = value;
       }
       p[b * SIDE + r] = system.momentum[b * SIDE + r] = between(-3, 3);
     }
@@ -67,6 +70,32 @@ function fillRow(system: RowSystem, joint: number, r: number, dense: Dense, soft
   dense.at.push(i);
 }
 
+/** A pin: the child's point against the parent's, as three rows of full matrices. */
+function fillPin(system: RowSystem, pin: number, dense: Dense): void {
+  const { pins, forest, edges } = system;
+  const child = forest.jointOf.indexOf(pin);
+  const parent = forest.parentOf[child]!;
+  assert.ok([edges[pin]!.a, edges[pin]!.b].includes(child));
+  for (let i = 0; i < 6; i++) pins.arms[pin * 6 + i] = between(-1, 1);
+  for (let x = 0; x < 3; x++) {
+    const row: number[] = new Array<number>(dense.p.length).fill(0);
+    for (const [body, at, sign] of [
+      [child, 0, 1],
+      [parent, 3, -1],
+    ] as const) {
+      if (body < 0) continue;
+      const arm = pins.arms.subarray(pin * 6 + at);
+      row[body * SIDE + x] = sign;
+      // (ω × r) along x.
+      row[body * SIDE + 3 + ((x + 1) % 3)] = sign * arm[(x + 2) % 3]!;
+      row[body * SIDE + 3 + ((x + 2) % 3)] = -sign * arm[(x + 1) % 3]!;
+    }
+    dense.j.push(row);
+    dense.soft.push(0);
+    dense.wanted.push((pins.wanted[pin * 3 + x] = between(-1, 1)));
+  }
+}
+
 function filled(
   system: RowSystem,
   bodies: number,
@@ -78,6 +107,7 @@ function filled(
   const dense: Dense = { m, j: [], p: [], wanted: [], soft: [], at: [] };
   fillBodies(system, bodies, dense);
   system.edges.forEach((_, joint) => {
+    if (system.isPin[joint]) return;
     system.rowCount[joint] = rows(joint);
     for (let r = 0; r < rows(joint); r++) fillRow(system, joint, r, dense, soft);
   });
@@ -116,11 +146,12 @@ function solveAll(system: RowSystem): void {
   for (const component of system.forest.components) assert.ok(system.solve(component));
 }
 
-/** Widest difference from the dense solution, velocities and impulses. */
+/** Widest difference from the dense solution, velocities and impulses of rows. */
 function difference(system: RowSystem, dense: Dense): number {
   const expected = solved(dense);
   const n = dense.p.length;
   return expected.reduce((worst, value, i) => {
+    if (i >= n + dense.at.length) return worst;
     const actual = i < n ? system.velocity[i]! : system.impulse[dense.at[i - n]!]!;
     return Math.max(worst, Math.abs(actual - value) / (1 + Math.abs(value)));
   }, 0);
@@ -160,6 +191,33 @@ for (const [name, [bodies, edges]] of Object.entries(graphs)) {
       const dense = filled(system, bodies, (joint) => 2 + (joint % 2), soft);
       solveAll(system);
       below(difference(system, dense), 1e-6, 'of the value');
+    });
+  }
+}
+
+for (const [name, [bodies, edges]] of Object.entries(graphs)) {
+  for (const every of [1, 2]) {
+    void test(`${name}, ${every === 1 ? 'all' : 'half'} of its joints pins: velocities and pulls are those of the dense system`, () => {
+      const system = made(
+        bodies,
+        edges.map((edge, i) => ({ ...edge, pin: i % every === 0 })),
+      );
+      // What closes a loop is no pin.
+      const dense = filled(system, bodies, (joint) => 2 + (joint % 2));
+      const pins = system.forest.components.flatMap((component) => [...component.pins]);
+      assert.ok(pins.length > 0);
+      for (const pin of pins) fillPin(system, pin, dense);
+      solveAll(system);
+      below(difference(system, dense), 1e-6, 'of the value');
+      const expected = solved(dense);
+      const first = expected.length - 3 * pins.length;
+      const pull = new Float64Array(3);
+      pins.forEach((pin, i) => {
+        const parent = system.forest.parentOf[system.forest.jointOf.indexOf(pin)]!;
+        system.pins.pull(pin, system.velocity, parent, pull, 0, 1);
+        for (let x = 0; x < 3; x++)
+          below(Math.abs(pull[x]! - expected[first + 3 * i + x]!), 1e-6, 'N·s');
+      });
     });
   }
 }
@@ -254,7 +312,7 @@ void test('inertia that is none has no solution', () => {
     const system = made(3, chain(3));
     filled(system, 3, () => 3);
     // Of the last body, which no other loads.
-    system.inertia[2 * SIDE * SIDE] = none;
+    system.inertia[2 * INERTIA] = none;
     assert.equal(system.solve(system.forest.components[0]!), false);
   }
 });

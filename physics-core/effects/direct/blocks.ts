@@ -2,24 +2,29 @@
 export const SIDE = 6;
 /** Rows a joint may have: the six of a 6-DoF, and two motors on rows that have stops. */
 export const ROWS = 8;
-/** 6 × 6 of a body; the rows of a joint as one body sees them; the rows' own matrix. */
-export const BODY_BLOCK = SIDE * SIDE;
+/** Numbers of a body's inertia: its mass, and what resists turning about its centre of mass as a triangle. */
+export const INERTIA = 7;
+/** Triangles of a body, and of the rows of a joint; the rows of a joint as one body sees them. */
+export const BODY_BLOCK = (SIDE * (SIDE + 1)) / 2;
+export const JOINT_BLOCK = (ROWS * (ROWS + 1)) / 2;
 export const ROW_BLOCK = ROWS * SIDE;
-export const JOINT_BLOCK = ROWS * ROWS;
 
-// Blocks are n × n with rows `side` numbers apart. The diagonal of a factor holds its inverse: what solving needs.
+// A symmetric block is its lower triangle, row after row. The diagonal of a factor holds its inverse: what solving needs.
 
-/** Cholesky factor of the block at `at`, in place; only the lower half is read. False: not positive definite. */
-export function factorBlock(a: Float64Array, at: number, n: number, side: number): boolean {
+/** Where row `i` of a triangle begins. */
+export const rowOf = (i: number): number => (i * (i + 1)) >> 1;
+
+/** Cholesky factor of the triangle of `n` rows at `at`, in place. False: not positive definite. */
+export function factorBlock(a: Float64Array, at: number, n: number): boolean {
   for (let j = 0; j < n; j++) {
-    const row = at + j * side;
+    const row = at + rowOf(j);
     let diagonal = a[row + j]!;
     for (let k = 0; k < j; k++) diagonal -= a[row + k]! * a[row + k]!;
     if (!(diagonal > 0)) return false;
     const inverse = 1 / Math.sqrt(diagonal);
     a[row + j] = inverse;
     for (let i = j + 1; i < n; i++) {
-      const other = at + i * side;
+      const other = at + rowOf(i);
       let sum = a[other + j]!;
       for (let k = 0; k < j; k++) sum -= a[other + k]! * a[row + k]!;
       a[other + j] = sum * inverse;
@@ -33,12 +38,11 @@ export function forward(
   l: Float64Array,
   at: number,
   n: number,
-  side: number,
   x: Float64Array,
   from: number,
 ): void {
-  for (let i = 0; i < n; i++) {
-    const row = at + i * side;
+  let row = at;
+  for (let i = 0; i < n; row += ++i) {
     let sum = x[from + i]!;
     for (let k = 0; k < i; k++) sum -= l[row + k]! * x[from + k]!;
     x[from + i] = sum * l[row + i]!;
@@ -50,14 +54,14 @@ export function backward(
   l: Float64Array,
   at: number,
   n: number,
-  side: number,
   x: Float64Array,
   from: number,
 ): void {
   for (let i = n - 1; i >= 0; i--) {
-    let sum = x[from + i]!;
-    for (let k = i + 1; k < n; k++) sum -= l[at + k * side + i]! * x[from + k]!;
-    x[from + i] = sum * l[at + i * side + i]!;
+    const row = at + rowOf(i);
+    const value = x[from + i]! * l[row + i]!;
+    x[from + i] = value;
+    for (let k = 0; k < i; k++) x[from + k]! -= l[row + k]! * value;
   }
 }
 
@@ -75,5 +79,20 @@ export function dot6(a: Float64Array, i: number, b: Float64Array, j: number): nu
 
 /** `to` += s × `from`, six numbers. */
 export function add6(to: Float64Array, i: number, from: Float64Array, j: number, s: number): void {
-  for (let x = 0; x < SIDE; x++) to[i + x]! += s * from[j + x]!;
+  to[i]! += s * from[j]!;
+  to[i + 1]! += s * from[j + 1]!;
+  to[i + 2]! += s * from[j + 2]!;
+  to[i + 3]! += s * from[j + 3]!;
+  to[i + 4]! += s * from[j + 4]!;
+  to[i + 5]! += s * from[j + 5]!;
+}
+
+/** `to` = `from`, six numbers. */
+export function copy6(to: Float64Array, i: number, from: Float64Array, j: number): void {
+  to[i] = from[j]!;
+  to[i + 1] = from[j + 1]!;
+  to[i + 2] = from[j + 2]!;
+  to[i + 3] = from[j + 3]!;
+  to[i + 4] = from[j + 4]!;
+  to[i + 5] = from[j + 5]!;
 }

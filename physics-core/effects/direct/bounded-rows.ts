@@ -16,6 +16,9 @@ interface Bounded extends JointNode {
   readonly motors?: readonly Motor[];
 }
 
+export const isBounded = ({ stops, motors }: Bounded): boolean =>
+  !!(stops?.length || motors?.length);
+
 /** Told which stops are in the way of a joint. */
 interface StopListener {
   note(joint: JointNode, stop: Stop, value: number, side: -1 | 0 | 1): void;
@@ -46,7 +49,7 @@ export class BoundedRows {
     this.#joints.forEach(({ lockedRows, stops = [], motors = [] }, k) => {
       const first = k * ROWS + lockedRows.length;
       const count = stops.length + motors.length;
-      this.#system.rowCount[k] = lockedRows.length + count;
+      if (!this.#system.isPin[k]) this.#system.rowCount[k] = lockedRows.length + count;
       for (let i = first; i < first + count; i++) this.#system.forget(i);
     });
   }

@@ -10,6 +10,7 @@ import { Forest, type Component, type Edge } from './forest.js';
 import { JointEnds } from './joint-ends.js';
 import { LockedRows } from './locked-rows.js';
 import { JointedBodies } from './jointed-bodies.js';
+import { isPin, PinPoints } from './pin-points.js';
 import { RowSystem } from './row-system.js';
 import { Tension } from './tension.js';
 
@@ -38,6 +39,7 @@ export class DirectJoints extends Effect {
   readonly #ends = new JointEnds();
   readonly #bodies: JointedBodies;
   readonly #aftermath: Aftermath;
+  readonly #pins: PinPoints;
   readonly #rows: LockedRows;
   readonly #bounded: BoundedRows;
   readonly #tension: Tension;
@@ -53,6 +55,7 @@ export class DirectJoints extends Effect {
     this.#world = world;
     this.#bodies = new JointedBodies(world, this.#system);
     this.#aftermath = new Aftermath(world, this.#system, this.#bodies);
+    this.#pins = new PinPoints(this.#system.pins, this.#bodies);
     this.#rows = new LockedRows(this.#system, this.#bodies, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.#bodies, this.#rows);
     this.#tension = new Tension(this.#system, this.#bodies);
@@ -120,7 +123,11 @@ export class DirectJoints extends Effect {
     for (let round = 0; round < ROUNDS; round++) {
       let worst = 0;
       this.#bodies.read(component, dt);
-      for (const k of component.joints) {
+      for (const k of component.pins) {
+        worst = Math.max(worst, this.#pins.fill(k));
+        this.#pins.wantWhole(k);
+      }
+      for (const k of component.rows) {
         worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
         this.#rows.wantWhole(k);
         this.#bounded.wantWhole(k);
@@ -139,6 +146,7 @@ export class DirectJoints extends Effect {
 
   #solve(component: Component, dt: number): void {
     const torn = this.#fill(component, dt) > TORN;
+    this.#bodies.noteStep(component, dt);
     this.#want(component, dt, torn ? 0 : 1);
     if (!this.#find(component, dt, torn ? 0 : 1) || (torn && !this.#repair(component, dt))) {
       this.#leaveToBullet(component);
@@ -157,20 +165,20 @@ export class DirectJoints extends Effect {
   #fill(component: Component, dt: number): number {
     let worst = 0;
     this.#bodies.read(component, dt);
-    this.#tension.begin(component);
-    for (const k of component.joints) {
-      const { a, b } = this.#ends.edges[k]!;
-      worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
-      this.#tension.stiffen(k, a, this.#ends.two.origin, 1, dt);
-      this.#tension.stiffen(k, b, this.#ends.two.origin, -1, dt);
+    for (const k of component.pins) {
+      worst = Math.max(worst, this.#pins.fill(k));
+      this.#tension.stiffenPin(k, dt);
     }
-    this.#bodies.writeMomentum(component, dt);
-    this.#tension.damp(component);
+    for (const k of component.rows) {
+      worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+      this.#tension.stiffen(k, this.#ends.two.origin, dt);
+    }
     return worst;
   }
 
   #want(component: Component, dt: number, repair: 0 | 1): void {
-    for (const k of component.joints) {
+    for (const k of component.pins) this.#pins.want(k, dt, repair);
+    for (const k of component.rows) {
       this.#rows.want(k, dt, repair);
       this.#bounded.want(k, dt, repair);
     }
@@ -181,8 +189,10 @@ export class DirectJoints extends Effect {
     if (!this.#system.solve(component)) return false;
     this.#bend(component, dt, repair);
     // The repair of a torn joint is no pull.
-    if (!this.#repaired.includes(component))
-      for (const k of component.joints) this.#tension.note(k);
+    if (!this.#repaired.includes(component)) {
+      for (const k of component.pins) this.#tension.notePin(k);
+      for (const k of component.rows) this.#tension.note(k);
+    }
     return this.#bodies.sane(component);
   }
 
@@ -207,12 +217,14 @@ export class DirectJoints extends Effect {
   #correct(component: Component, dt: number, repair: 0 | 1): number {
     this.#bodies.predict(component, dt);
     let worst = 0;
-    for (const k of component.joints) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
+    for (const k of component.pins) worst = Math.max(worst, this.#pins.correct(k, dt, repair));
+    for (const k of component.rows) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
     return worst;
   }
 
   #straighten(component: Component, dt: number, repair: 0 | 1): void {
-    for (const k of component.joints) this.#rows.straighten(k);
+    for (const k of component.pins) this.#pins.straighten(k);
+    for (const k of component.rows) this.#rows.straighten(k);
     this.#want(component, dt, repair);
     this.#system.again(component);
   }
@@ -221,7 +233,8 @@ export class DirectJoints extends Effect {
   #repair(component: Component, dt: number): boolean {
     this.#repaired.push(component);
     this.#aftermath.keep(component);
-    for (const k of component.joints) {
+    for (const k of component.pins) this.#pins.want(k, dt, 1);
+    for (const k of component.rows) {
       this.#rows.want(k, dt, 1);
       this.#bounded.wantRepair(k, dt);
     }
@@ -251,15 +264,17 @@ export class DirectJoints extends Effect {
       if (!numbers.has(body)) numbers.set(body, numbers.size);
       return numbers.get(body)!;
     };
-    const edges: Edge[] = joints.map(({ body1, body2 }) => ({
-      a: number(body1),
-      b: number(body2),
+    const edges: Edge[] = joints.map((joint) => ({
+      a: number(joint.body1),
+      b: number(joint.body2),
+      pin: isPin(joint),
     }));
     this.#forest.build(numbers.size, edges);
     this.#system.resize(numbers.size, edges, this.#forest);
-    this.#bodies.take([...numbers.keys()]);
+    this.#bodies.take([...numbers.keys()], edges);
     this.#aftermath.take(numbers.size);
     this.#ends.take(joints, edges);
+    this.#pins.take(joints, edges, this.#forest);
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#tension.take(this.#joints, joints);

@@ -2,14 +2,18 @@
 export interface Edge {
   a: number;
   b: number;
+  /** Whether it holds points together and does nothing else. */
+  pin?: boolean;
 }
 
 /** One connected part of the joint graph. */
 export interface Component {
   /** From the leaves to the root. */
   bodies: Int32Array;
-  /** All its joints, and those of them that close loops. */
+  /** All its joints: those of the tree that are pins, and the others; of these those that close loops. */
   joints: Int32Array;
+  pins: Int32Array;
+  rows: Int32Array;
   loops: Int32Array;
 }
 
@@ -21,11 +25,14 @@ export class Forest {
   /** By body: the joint to its parent, and the parent; -1 for none (a root, or held by the world). */
   jointOf = new Int32Array(0);
   parentOf = new Int32Array(0);
+  /** By joint: the body that it joins to its parent; -1 for those that close loops. */
+  childOf = new Int32Array(0);
   readonly components: Component[] = [];
 
   build(bodies: number, edges: readonly Edge[]): void {
     this.jointOf = new Int32Array(bodies).fill(-1);
     this.parentOf = new Int32Array(bodies).fill(-1);
+    this.childOf = new Int32Array(edges.length).fill(-1);
     this.components.length = 0;
     const growth = new Growth(this, bodies, edges);
     // What the world holds first: its root is then at the world's end.
@@ -60,7 +67,8 @@ class Growth {
   from(root: number, joint: number): void {
     if (root < 0 || this.#seen[root]) return;
     const bodies: number[] = [];
-    const joints: number[] = [];
+    const pins: number[] = [];
+    const rows: number[] = [];
     const loops: number[] = [];
     const visit = (body: number, through: number, parent: number): void => {
       this.#seen[body] = 1;
@@ -69,7 +77,8 @@ class Growth {
       bodies.push(body);
       if (through < 0) return;
       this.#used[through] = 1;
-      joints.push(through);
+      this.#forest.childOf[through] = body;
+      (this.#edges[through]!.pin ? pins : rows).push(through);
     };
     visit(root, joint, -1);
     for (let i = 0; i < bodies.length; i++) {
@@ -81,14 +90,16 @@ class Growth {
         if (other >= 0 && !this.#seen[other]) visit(other, edge, body);
         else {
           this.#used[edge] = 1;
-          joints.push(edge);
+          rows.push(edge);
           loops.push(edge);
         }
       }
     }
     this.#forest.components.push({
       bodies: Int32Array.from(bodies.reverse()),
-      joints: Int32Array.from(joints),
+      joints: Int32Array.from([...pins, ...rows]),
+      pins: Int32Array.from(pins),
+      rows: Int32Array.from(rows),
       loops: Int32Array.from(loops),
     });
   }

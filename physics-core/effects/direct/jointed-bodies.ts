@@ -1,14 +1,18 @@
 import type { BodyNode } from '../../nodes/body.js';
 import type { PhysicsNode } from '../../nodes/node.js';
 import type { World } from '../../world/world.js';
-import { BODY_BLOCK, SIDE } from './blocks.js';
-import type { Component } from './forest.js';
+import { INERTIA, SIDE } from './blocks.js';
+import type { Component, Edge } from './forest.js';
 import { MATRIX, writeMatrix } from './matrix.js';
 import type { RowSystem } from './row-system.js';
 
 const POSE = 7;
-/** Mass, three moments, gravity, and the shares of linear and angular velocity that damping leaves in a step. */
-const TRAITS = 9;
+const QUATERNION = 4;
+
+/** Of a body: mass, three moments, and the shares of linear and angular velocity that damping leaves in a step. */
+const TRAITS = 6;
+const MOMENTS = 1;
+const DAMPED = 4;
 
 /** Bullet turns no body by more than this in a step, radians. */
 const MOST_TURN = Math.PI / 4;
@@ -21,39 +25,55 @@ export class JointedBodies {
   /** Centres of mass, and principal axes as the columns of a matrix. */
   place = new Float64Array(0);
   turn = new Float64Array(0);
+  /** The same after the step, of bodies that joints hold by rows. */
   nextPlace = new Float64Array(0);
   nextTurn = new Float64Array(0);
+  #hasRows = new Uint8Array(0);
   /** Linear and angular velocity. */
   velocity = new Float64Array(0);
+  /** The turn of the step. */
+  #step = new Float64Array(0);
   /** Force and torque of this step, without gravity. */
   #load = new Float64Array(0);
   #traits = new Float64Array(0);
   /** Bodies that have made their first half step, and the length of their last step, seconds. */
   readonly #lastStep = new Map<BodyNode, number>();
   readonly #pose = new Float64Array(POSE);
-  readonly #step = new Float64Array(MATRIX);
-  readonly #out = new Float64Array(3);
+  readonly #matrix = new Float64Array(MATRIX);
+  readonly #out = new Float64Array(SIDE);
 
   constructor(world: World, system: RowSystem) {
     this.#world = world;
     this.#system = system;
   }
 
-  take(bodies: readonly BodyNode[]): void {
+  take(bodies: readonly BodyNode[], edges: readonly Edge[]): void {
     this.bodies = bodies;
-    if (this.velocity.length >= bodies.length * SIDE) return;
-    const room = bodies.length * 2;
+    if (this.velocity.length < bodies.length * SIDE) this.#grow(bodies.length * 2);
+    this.#hasRows.fill(0);
+    for (const { rows } of this.#system.forest.components) {
+      for (const row of rows) {
+        const { a, b } = edges[row]!;
+        if (a >= 0) this.#hasRows[a] = 1;
+        if (b >= 0) this.#hasRows[b] = 1;
+      }
+    }
+  }
+
+  #grow(room: number): void {
     this.place = new Float64Array(room * 3);
     this.nextPlace = new Float64Array(room * 3);
     this.turn = new Float64Array(room * MATRIX);
     this.nextTurn = new Float64Array(room * MATRIX);
+    this.#hasRows = new Uint8Array(room);
     this.velocity = new Float64Array(room * SIDE);
+    this.#step = new Float64Array(room * QUATERNION);
     this.#load = new Float64Array(room * SIDE);
     this.#traits = new Float64Array(room * TRAITS);
   }
 
   asleep({ bodies }: Component): boolean {
-    for (const i of bodies) if (!this.bodies[i]!.sleeping) return false;
+    for (const i of bodies) if (!this.#world.bodies.asleep(this.bodies[i]!)) return false;
     return true;
   }
 
@@ -62,10 +82,13 @@ export class JointedBodies {
   }
 
   leastMoment(i: number): number {
-    const t = i * TRAITS;
-    return Math.min(this.#traits[t + 1]!, this.#traits[t + 2]!, this.#traits[t + 3]!);
+    const t = i * TRAITS + MOMENTS;
+    return Math.min(this.#traits[t]!, this.#traits[t + 1]!, this.#traits[t + 2]!);
   }
 
+  // ---- the first step -------------------------------------------------------------------------------------------------
+
+  /** Seconds of its last step; 0 before its first. */
   lastStep(body: BodyNode): number {
     return this.#lastStep.get(body) ?? 0;
   }
@@ -74,9 +97,122 @@ export class JointedBodies {
     this.#lastStep.set(body, seconds);
   }
 
+  /** Its velocity is given anew, or it begins to move: the next step is a first half step again. */
+  relaunch(body: PhysicsNode): boolean {
+    return this.#lastStep.delete(body as BodyNode);
+  }
+
   /** Whether this is the first step of a body. */
   launching(i: number): boolean {
     return i >= 0 && !this.#lastStep.has(this.bodies[i]!);
+  }
+
+  noteStep({ bodies }: Component, dt: number): void {
+    for (const i of bodies) this.#lastStep.set(this.bodies[i]!, dt);
+  }
+
+  // ---- before a step --------------------------------------------------------------------------------------------------
+
+  /** Whether what was read last is all finite. */
+  finite = true;
+
+  read({ bodies }: Component, dt: number): void {
+    let sum = 0;
+    for (const i of bodies) sum += this.#read(i, this.bodies[i]!, dt);
+    this.finite = Number.isFinite(sum);
+  }
+
+  /** Returns what is finite only if all that was read is. */
+  #read(i: number, node: BodyNode, dt: number): number {
+    const { reader } = this.#world.engine;
+    const { body, pointer } = node;
+    const pose = this.#pose;
+    const v = this.velocity;
+    const p = i * SIDE;
+    reader.pose(body, pointer, pose, 0);
+    reader.velocity(body, pointer, v, p);
+    reader.load(body, pointer, this.#load, p);
+    this.place[i * 3] = pose[0]!;
+    this.place[i * 3 + 1] = pose[1]!;
+    this.place[i * 3 + 2] = pose[2]!;
+    writeMatrix(this.turn, i * MATRIX, pose, 3);
+    this.#readTraits(i, node, dt);
+    this.#writeInertia(i);
+    this.#writeMomentum(i, node, dt);
+    return (
+      pose[0]! +
+      pose[1]! +
+      pose[2]! +
+      pose[3]! +
+      pose[4]! +
+      pose[5]! +
+      pose[6]! +
+      v[p]! +
+      v[p + 1]! +
+      v[p + 2]! +
+      v[p + 3]! +
+      v[p + 4]! +
+      v[p + 5]!
+    );
+  }
+
+  #readTraits(i: number, { mass: { mass, moments }, dampedShare }: BodyNode, dt: number): void {
+    const traits = this.#traits;
+    const t = i * TRAITS;
+    traits[t] = mass;
+    traits[t + MOMENTS] = moments[0];
+    traits[t + MOMENTS + 1] = moments[1];
+    traits[t + MOMENTS + 2] = moments[2];
+    const { linear, angular } = dampedShare;
+    traits[t + DAMPED] = linear === 0 ? 1 : (1 - linear) ** dt;
+    traits[t + DAMPED + 1] = angular === 0 ? 1 : (1 - angular) ** dt;
+  }
+
+  #writeInertia(i: number): void {
+    const { inertia } = this.#system;
+    const m = this.turn;
+    const o = i * MATRIX;
+    const t = i * TRAITS + MOMENTS;
+    let at = i * INERTIA;
+    inertia[at++] = this.#traits[i * TRAITS]!;
+    for (let r = o; r < o + MATRIX; r += 3) {
+      const x = m[r]! * this.#traits[t]!;
+      const y = m[r + 1]! * this.#traits[t + 1]!;
+      const z = m[r + 2]! * this.#traits[t + 2]!;
+      for (let c = o; c <= r; c += 3) inertia[at++] = x * m[c]! + y * m[c + 1]! + z * m[c + 2]!;
+    }
+  }
+
+  /**
+   * What the joints are to bring to their velocities: momentum now, with the damping and the forces from the middle of
+   * the last step to that of this one. In its first step a body gets half of them: velocities then belong to the middle
+   * of each step, which makes the motion of joints second order in the step (measured: 1 to 2 orders of magnitude less
+   * error, for nothing). After a change of level the two steps differ.
+   */
+  #writeMomentum(i: number, node: BodyNode, step: number): void {
+    const { inertia, momentum } = this.#system;
+    const dt = (this.lastStep(node) + step) / 2;
+    const { pulled } = node;
+    const t = i * TRAITS;
+    const n = i * INERTIA;
+    const p = i * SIDE;
+    const v = this.velocity;
+    const load = this.#load;
+    const mass = this.#traits[t]!;
+    const linear = this.#traits[t + DAMPED]!;
+    const angular = this.#traits[t + DAMPED + 1]!;
+    momentum[p] = mass * (v[p]! * linear + dt * pulled[0]) + dt * load[p]!;
+    momentum[p + 1] = mass * (v[p + 1]! * linear + dt * pulled[1]) + dt * load[p + 1]!;
+    momentum[p + 2] = mass * (v[p + 2]! * linear + dt * pulled[2]) + dt * load[p + 2]!;
+    const x = v[p + 3]! * angular;
+    const y = v[p + 4]! * angular;
+    const z = v[p + 5]! * angular;
+    const yx = inertia[n + 2]!;
+    const zx = inertia[n + 4]!;
+    const zy = inertia[n + 5]!;
+    momentum[p + 3] = inertia[n + 1]! * x + yx * y + zx * z + dt * load[p + 3]!;
+    momentum[p + 4] = yx * x + inertia[n + 3]! * y + zy * z + dt * load[p + 4]!;
+    momentum[p + 5] = zx * x + zy * y + inertia[n + 6]! * z + dt * load[p + 5]!;
   }
 
   /** J v of a row by the velocities before the step. */
@@ -84,121 +220,85 @@ export class JointedBodies {
     return this.#system.rateBy(this.velocity, joint, row);
   }
 
-  /** Its velocity is given anew, or it begins to move: the next step is a first half step again. */
-  relaunch(body: PhysicsNode): boolean {
-    return this.#lastStep.delete(body as BodyNode);
-  }
-
-  /** Whether what was read last is all finite. */
-  finite = true;
-
-  read({ bodies }: Component, dt: number): void {
-    let sum = 0;
-    for (const i of bodies) {
-      this.#readBody(i, this.bodies[i]!, dt);
-      for (let x = 0; x < POSE; x++) sum += this.#pose[x]!;
-      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) sum += this.velocity[x]!;
-    }
-    this.finite = Number.isFinite(sum);
-  }
-
-  #readBody(i: number, body: BodyNode, dt: number): void {
-    const { reader } = this.#world.engine;
-    reader.pose(body.body, body.pointer, this.#pose, 0);
-    reader.velocity(body.body, body.pointer, this.velocity, i * SIDE);
-    reader.load(body.body, body.pointer, this.#load, i * SIDE);
-    for (let x = 0; x < 3; x++) this.place[i * 3 + x] = this.#pose[x]!;
-    writeMatrix(this.turn, i * MATRIX, this.#pose, 3);
-    const t = i * TRAITS;
-    const { mass, moments } = body.mass;
-    this.#traits[t] = mass;
-    for (let x = 0; x < 3; x++) {
-      this.#traits[t + 1 + x] = moments[x]!;
-      this.#traits[t + 4 + x] = body.gravity[x]!;
-    }
-    this.#traits[t + 7] = (1 - body.dampedShare.linear) ** dt;
-    this.#traits[t + 8] = (1 - body.dampedShare.angular) ** dt;
-    this.#writeInertia(i, mass, moments);
-  }
-
-  #writeInertia(i: number, mass: number, moments: readonly number[]): void {
-    const { inertia } = this.#system;
-    const at = i * BODY_BLOCK;
-    const o = i * MATRIX;
+  /** A vector of the body as the body is turned now. */
+  turned(i: number, from: Float64Array, at: number, to: Float64Array, into: number): void {
     const m = this.turn;
-    inertia.fill(0, at, at + BODY_BLOCK);
-    inertia[at] = inertia[at + 7] = inertia[at + 14] = mass;
-    for (let r = 0; r < 3; r++) {
-      for (let c = 0; c <= r; c++) {
-        let sum = 0;
-        for (let k = 0; k < 3; k++) sum += m[o + r * 3 + k]! * moments[k]! * m[o + c * 3 + k]!;
-        inertia[at + (r + 3) * SIDE + 3 + c] = sum;
-      }
-    }
-  }
-  /**
-   * What the joints are to bring to their velocities: momentum now, with the damping and the forces from the middle of
-   * the last step to that of this one. In its first step a body gets half of them: velocities then belong to the middle
-   * of each step, which makes the motion of joints second order in the step (measured: 1 to 2 orders of magnitude less
-   * error, for nothing). After a change of level the two steps differ.
-   */
-  writeMomentum({ bodies }: Component, dt: number): void {
-    for (const i of bodies) {
-      const body = this.bodies[i]!;
-      this.#writeMomentum(i, (this.lastStep(body) + dt) / 2);
-      this.#lastStep.set(body, dt);
-    }
+    const o = i * MATRIX;
+    const x = from[at]!;
+    const y = from[at + 1]!;
+    const z = from[at + 2]!;
+    to[into] = m[o]! * x + m[o + 1]! * y + m[o + 2]! * z;
+    to[into + 1] = m[o + 3]! * x + m[o + 4]! * y + m[o + 5]! * z;
+    to[into + 2] = m[o + 6]! * x + m[o + 7]! * y + m[o + 8]! * z;
   }
 
-  #writeMomentum(i: number, dt: number): void {
-    const { inertia, momentum } = this.#system;
-    const traits = this.#traits;
-    const p = i * SIDE;
-    const t = i * TRAITS;
-    const b = i * BODY_BLOCK + 21;
-    const load = this.#load;
-    const v = this.velocity;
-    const linear = traits[t + 7]!;
-    const angular = traits[t + 8]!;
-    for (let x = 0; x < 3; x++)
-      momentum[p + x] =
-        traits[t]! * (v[p + x]! * linear + dt * traits[t + 4 + x]!) + dt * load[p + x]!;
-    const x = v[p + 3]! * angular;
-    const y = v[p + 4]! * angular;
-    const z = v[p + 5]! * angular;
-    momentum[p + 3] =
-      inertia[b]! * x + inertia[b + 6]! * y + inertia[b + 12]! * z + dt * load[p + 3]!;
-    momentum[p + 4] =
-      inertia[b + 6]! * x + inertia[b + 7]! * y + inertia[b + 13]! * z + dt * load[p + 4]!;
-    momentum[p + 5] =
-      inertia[b + 12]! * x + inertia[b + 13]! * y + inertia[b + 14]! * z + dt * load[p + 5]!;
-  }
+  // ---- where the step will take them ----------------------------------------------------------------------------------
 
   /** Where the velocities found will take the bodies, as Bullet will turn them. */
   predict({ bodies }: Component, dt: number): void {
-    const { velocity } = this.#system;
     for (const i of bodies) {
-      for (let x = 0; x < 3; x++)
-        this.nextPlace[i * 3 + x] = this.place[i * 3 + x]! + dt * velocity[i * SIDE + x]!;
-      this.#turnOn(i, velocity, i * SIDE + 3, dt);
+      this.#turnOn(i, dt);
+      if (this.#hasRows[i]) this.#moveOn(i, dt);
     }
   }
 
-  #turnOn(i: number, velocity: Float64Array, at: number, dt: number): void {
-    const speed = Math.hypot(velocity[at]!, velocity[at + 1]!, velocity[at + 2]!);
-    const angle = Math.min(speed * dt, MOST_TURN);
-    const s = speed > 1e-12 ? Math.sin(angle / 2) / speed : dt / 2;
-    for (let x = 0; x < 3; x++) this.#pose[x] = velocity[at + x]! * s;
-    this.#pose[3] = Math.cos(angle / 2);
-    writeMatrix(this.#step, 0, this.#pose, 0);
+  #turnOn(i: number, dt: number): void {
+    const { velocity } = this.#system;
+    const q = i * QUATERNION;
+    const x = velocity[i * SIDE + 3]!;
+    const y = velocity[i * SIDE + 4]!;
+    const z = velocity[i * SIDE + 5]!;
+    const speed = Math.sqrt(x * x + y * y + z * z);
+    const half = Math.min(speed * dt, MOST_TURN) / 2;
+    const s = speed > 1e-12 ? Math.sin(half) / speed : dt / 2;
+    this.#step[q] = x * s;
+    this.#step[q + 1] = y * s;
+    this.#step[q + 2] = z * s;
+    this.#step[q + 3] = Math.cos(half);
+  }
+
+  #moveOn(i: number, dt: number): void {
+    const { velocity } = this.#system;
+    const m = this.#matrix;
+    for (let x = 0; x < 3; x++)
+      this.nextPlace[i * 3 + x] = this.place[i * 3 + x]! + dt * velocity[i * SIDE + x]!;
+    writeMatrix(m, 0, this.#step, i * QUATERNION);
     const o = i * MATRIX;
-    for (let r = 0; r < 3; r++) {
-      for (let c = 0; c < 3; c++) {
-        let sum = 0;
-        for (let k = 0; k < 3; k++) sum += this.#step[r * 3 + k]! * this.turn[o + k * 3 + c]!;
-        this.nextTurn[o + r * 3 + c] = sum;
-      }
+    for (let c = o; c < o + 3; c++) {
+      const x = this.turn[c]!;
+      const y = this.turn[c + 3]!;
+      const z = this.turn[c + 6]!;
+      this.nextTurn[c] = m[0]! * x + m[1]! * y + m[2]! * z;
+      this.nextTurn[c + 3] = m[3]! * x + m[4]! * y + m[5]! * z;
+      this.nextTurn[c + 6] = m[6]! * x + m[7]! * y + m[8]! * z;
     }
+  }
+
+  /** `out` += `sign` times the way that the point at the end of `arms[at]` will go. */
+  addWay(
+    i: number,
+    arms: Float64Array,
+    at: number,
+    dt: number,
+    sign: 1 | -1,
+    out: Float64Array,
+  ): void {
+    const { velocity } = this.#system;
+    const v = i * SIDE;
+    const q = i * QUATERNION;
+    const a = this.#step[q]!;
+    const b = this.#step[q + 1]!;
+    const c = this.#step[q + 2]!;
+    const w = this.#step[q + 3]!;
+    const x = arms[at]!;
+    const y = arms[at + 1]!;
+    const z = arms[at + 2]!;
+    const tx = 2 * (b * z - c * y);
+    const ty = 2 * (c * x - a * z);
+    const tz = 2 * (a * y - b * x);
+    out[0]! += sign * (dt * velocity[v]! + w * tx + b * tz - c * ty);
+    out[1]! += sign * (dt * velocity[v + 1]! + w * ty + c * tx - a * tz);
+    out[2]! += sign * (dt * velocity[v + 2]! + w * tz + a * ty - b * tx);
   }
 
   /** Whether the velocities found are finite. */
@@ -211,33 +311,38 @@ export class JointedBodies {
 
   /** Gives the velocities found to Bullet, less what Bullet itself will add in this step. */
   write({ bodies }: Component, dt: number): void {
-    for (const i of bodies) this.#writeBody(i, this.bodies[i]!, dt);
+    for (const i of bodies) this.#write(i, this.bodies[i]!, dt);
   }
 
-  #writeBody(i: number, { body }: BodyNode, dt: number): void {
+  #write(i: number, { body, pointer, pulled }: BodyNode, dt: number): void {
     const { velocity } = this.#system;
-    const { scratch } = this.#world.engine;
     const v = i * SIDE;
     const t = i * TRAITS;
     const load = this.#load;
     const out = this.#out;
-    for (let x = 0; x < 3; x++)
-      out[x] =
-        (velocity[v + x]! - dt * (this.#traits[t + 4 + x]! + load[v + x]! / this.#traits[t]!)) /
-        this.#traits[t + 7]!;
-    body.setLinearVelocity(scratch.vector(out[0]!, out[1]!, out[2]!));
-    const o = i * MATRIX;
+    const mass = this.#traits[t]!;
+    const linear = this.#traits[t + DAMPED]!;
+    const angular = this.#traits[t + DAMPED + 1]!;
+    out[0] = (velocity[v]! - dt * (pulled[0] + load[v]! / mass)) / linear;
+    out[1] = (velocity[v + 1]! - dt * (pulled[1] + load[v + 1]! / mass)) / linear;
+    out[2] = (velocity[v + 2]! - dt * (pulled[2] + load[v + 2]! / mass)) / linear;
+    for (let x = 3; x < SIDE; x++) out[x] = velocity[v + x]!;
+    if (load[v + 3] !== 0 || load[v + 4] !== 0 || load[v + 5] !== 0) this.#leaveTorque(i, dt);
+    for (let x = 3; x < SIDE; x++) out[x]! /= angular;
+    this.#world.engine.velocities.write(body, pointer, out, 0);
+  }
+
+  /** Bullet will add what the torque of this step does. */
+  #leaveTorque(i: number, dt: number): void {
+    const out = this.#out;
     const m = this.turn;
-    for (let x = 0; x < 3; x++) out[x] = velocity[v + 3 + x]!;
-    if (load[v + 3] !== 0 || load[v + 4] !== 0 || load[v + 5] !== 0) {
-      for (let k = 0; k < 3; k++) {
-        const along =
-          m[o + k]! * load[v + 3]! + m[o + 3 + k]! * load[v + 4]! + m[o + 6 + k]! * load[v + 5]!;
-        const change = (dt * along) / this.#traits[t + 1 + k]!;
-        for (let x = 0; x < 3; x++) out[x]! -= change * m[o + x * 3 + k]!;
-      }
+    const o = i * MATRIX;
+    const v = i * SIDE + 3;
+    const t = this.#load;
+    for (let k = 0; k < 3; k++) {
+      const along = m[o + k]! * t[v]! + m[o + 3 + k]! * t[v + 1]! + m[o + 6 + k]! * t[v + 2]!;
+      const change = (dt * along) / this.#traits[i * TRAITS + MOMENTS + k]!;
+      for (let x = 0; x < 3; x++) out[3 + x]! -= change * m[o + x * 3 + k]!;
     }
-    const damped = this.#traits[t + 8]!;
-    body.setAngularVelocity(scratch.vector(out[0]! / damped, out[1]! / damped, out[2]! / damped));
   }
 }

@@ -1,5 +1,5 @@
 import { backward, factor, forward } from '../cholesky.js';
-import { BODY_BLOCK, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { INERTIA, ROW_BLOCK, rowOf, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
 import type { TreeSolver } from './tree-solver.js';
@@ -86,8 +86,11 @@ export class LoopRows {
     if (body < 0) return 0;
     const { inertia, jacobian } = this.#system;
     let sum = 0;
-    for (let x = 0; x < SIDE; x++)
-      sum += jacobian[at + x]! ** 2 / inertia[body * BODY_BLOCK + x * (SIDE + 1)]!;
+    const from = body * INERTIA;
+    for (let x = 0; x < 3; x++) {
+      sum += jacobian[at + x]! ** 2 / inertia[from]!;
+      sum += jacobian[at + 3 + x]! ** 2 / inertia[from + 1 + rowOf(x) + x]!;
+    }
     return sum;
   }
 

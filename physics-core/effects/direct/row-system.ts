@@ -1,6 +1,7 @@
-import { add6, BODY_BLOCK, dot6, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { add6, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import { LoopRows } from './loop-rows.js';
 import type { Component, Edge, Forest } from './forest.js';
+import { Pins } from './pins.js';
 import { TreeSolver } from './tree-solver.js';
 
 /** Rounds of the search for which bounded rows hold and which give way. */
@@ -19,7 +20,7 @@ const AT_MOST = 2;
 export class RowSystem {
   edges: readonly Edge[] = [];
   forest!: Forest;
-  /** Per body: 6 × 6 inertia about the centre of mass (lower half), momentum before, velocity after. */
+  /** Per body: inertia (mass, and what resists turning), momentum before, velocity after. */
   inertia = new Float64Array(0);
   momentum = new Float64Array(0);
   velocity = new Float64Array(0);
@@ -38,7 +39,11 @@ export class RowSystem {
   held = new Int32Array(0);
   heldCount = new Int32Array(0);
 
-  readonly #trees = new TreeSolver(this);
+  /** The joints that are no rows: whether a joint is one of them. */
+  readonly pins = new Pins();
+  isPin = new Uint8Array(0);
+
+  readonly #trees = new TreeSolver(this, this.pins);
   readonly #loops = new LoopRows(this, this.#trees);
   #load = new Float64Array(0);
   #changed = false;
@@ -49,10 +54,16 @@ export class RowSystem {
     if (this.#load.length < bodies * SIDE) this.#growBodies(2 * bodies);
     if (this.heldCount.length < edges.length) this.#growJoints(2 * edges.length);
     this.#state.fill(HOLDS);
+    this.isPin.fill(0);
+    for (const { pins } of forest.components)
+      for (const pin of pins) {
+        this.isPin[pin] = 1;
+        this.rowCount[pin] = this.heldCount[pin] = 0;
+      }
   }
 
   #growBodies(room: number): void {
-    this.inertia = new Float64Array(room * BODY_BLOCK);
+    this.inertia = new Float64Array(room * INERTIA);
     this.momentum = new Float64Array(room * SIDE);
     this.velocity = new Float64Array(room * SIDE);
     this.#load = new Float64Array(room * SIDE);
@@ -71,6 +82,8 @@ export class RowSystem {
     this.#state = new Uint8Array(room * ROWS);
     this.held = new Int32Array(room * ROWS);
     this.heldCount = new Int32Array(room);
+    this.isPin = new Uint8Array(room);
+    this.pins.grow(room);
     this.#trees.growJoints(room);
   }
 
@@ -97,11 +110,11 @@ export class RowSystem {
   /** False: singular, or too many loops; the velocities then mean nothing. */
   solve(component: Component): boolean {
     for (let round = 0; round < ROUNDS; round++) {
-      for (const joint of component.joints) this.#hold(joint);
+      for (const joint of component.rows) this.#hold(joint);
       if (!this.#trees.factor(component) || !this.#loops.factor(component)) return false;
       if (!this.again(component)) return false;
       this.#changed = false;
-      for (const joint of component.joints) this.#search(joint);
+      for (const joint of component.rows) this.#search(joint);
       if (!this.#changed) return true;
     }
     return true;
@@ -109,11 +122,8 @@ export class RowSystem {
 
   /** With other wanted velocities or momentum; the same rows hold and the factors stand. */
   again(component: Component): boolean {
-    for (const body of component.bodies) {
-      const p = body * SIDE;
-      for (let x = p; x < p + SIDE; x++) this.#load[x] = this.momentum[x]!;
-    }
-    for (const joint of component.joints) this.#pushBounded(joint);
+    for (const body of component.bodies) copy6(this.#load, body * SIDE, this.momentum, body * SIDE);
+    for (const joint of component.rows) this.#pushBounded(joint);
     return this.#loops.solve(component, this.#load);
   }
 

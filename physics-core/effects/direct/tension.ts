@@ -1,6 +1,5 @@
 import type { JointNode } from '../../nodes/joint.js';
-import { BODY_BLOCK, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
-import type { Component } from './forest.js';
+import { INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { RowSystem } from './row-system.js';
 
@@ -13,15 +12,13 @@ const TOO_FAST = 0.4;
 /**
  * A pulled joint swings its bodies about it like the string of an instrument, faster the harder it is pulled. What
  * swings faster than the steps can follow would gain energy until it tears. Where the step can't follow, its stiffness,
- * by the pull of the last step, is added to the inertia that the solver sees: an implicit spring, which damps. What the
- * step can follow is left alone: there the steps keep the energy by themselves (measured: an inertia raised to and fro
- * by the pulls gains 2 % of a double pendulum's in 20 s at 1/120 s).
+ * by the pull of the last step, is added to the inertia that the solver sees, and not to the momentum: an implicit spring,
+ * which damps. What the step can follow is left alone: there the steps keep the energy by themselves (measured: an
+ * inertia raised to and fro by the pulls gains 2 % of a double pendulum's in 20 s at 1/120 s).
  */
 export class Tension {
   readonly #system: RowSystem;
   readonly #bodies: JointedBodies;
-  /** What damps: in the inertia that the solver sees, not in the momentum. */
-  #damping = new Float64Array(0);
   /** Per joint: the impulse on its first body in the last step. */
   #pulls = new Float64Array(0);
   readonly #arm = new Float64Array(3);
@@ -37,11 +34,9 @@ export class Tension {
     if (this.#pulls.length < now.length * 3) this.#pulls = new Float64Array(now.length * 6);
     const none = new Float64Array(3);
     now.forEach((joint, k) => this.#pulls.set(pulls.get(joint) ?? none, k * 3));
-    const room = this.#bodies.bodies.length * BODY_BLOCK;
-    if (this.#damping.length < room) this.#damping = new Float64Array(2 * room);
   }
 
-  /** How the joint pulls its first body in this step. */
+  /** How a joint of rows pulls its first body in this step. */
   note(joint: number): void {
     const { jacobian, impulse, rowCount } = this.#system;
     const p = joint * 3;
@@ -53,51 +48,72 @@ export class Tension {
     }
   }
 
-  begin({ bodies }: Component): void {
-    for (const body of bodies) this.#damping.fill(0, body * BODY_BLOCK, (body + 1) * BODY_BLOCK);
+  /** The same of a pin. */
+  notePin(pin: number): void {
+    const { pins, forest, velocity } = this.#system;
+    const child = forest.childOf[pin]!;
+    const sign = this.#signOf(pin, child);
+    pins.pull(pin, velocity, forest.parentOf[child]!, this.#pulls, pin * 3, sign);
   }
 
-  /** The joint pulls a body at a point, the first one (`sign` 1) or the second. */
-  stiffen(joint: number, body: number, point: Float64Array, sign: 1 | -1, dt: number): void {
+  #signOf(joint: number, body: number): 1 | -1 {
+    return this.#system.edges[joint]!.a === body ? 1 : -1;
+  }
+
+  /** The joint pulls both its bodies at a point. */
+  stiffen(joint: number, point: Float64Array, dt: number): void {
+    const { a, b } = this.#system.edges[joint]!;
+    this.#stiffenAt(joint, a, point, 1, dt);
+    this.#stiffenAt(joint, b, point, -1, dt);
+  }
+
+  #stiffenAt(joint: number, body: number, point: Float64Array, sign: 1 | -1, dt: number): void {
     if (body < 0) return;
-    const arm = this.#arm;
     const { place } = this.#bodies;
-    let length2 = 0;
-    let outward = 0;
-    for (let x = 0; x < 3; x++) {
-      arm[x] = point[x]! - place[body * 3 + x]!;
-      length2 += arm[x]! * arm[x]!;
-      outward += sign * this.#pulls[joint * 3 + x]! * arm[x]!;
-    }
+    for (let x = 0; x < 3; x++) this.#arm[x] = point[x]! - place[body * 3 + x]!;
+    this.#stiffen(joint, body, this.#arm, 0, sign, dt);
+  }
+
+  stiffenPin(pin: number, dt: number): void {
+    const { pins, forest } = this.#system;
+    const child = forest.childOf[pin]!;
+    const parent = forest.parentOf[child]!;
+    const sign = this.#signOf(pin, child);
+    this.#stiffen(pin, child, pins.arms, pin * SIDE, sign, dt);
+    if (parent >= 0) this.#stiffen(pin, parent, pins.arms, pin * SIDE + 3, sign === 1 ? -1 : 1, dt);
+  }
+
+  /** At the end of an arm of the body, which is the joint's first one (`sign` 1) or its second. */
+  #stiffen(
+    joint: number,
+    body: number,
+    arms: Float64Array,
+    at: number,
+    sign: 1 | -1,
+    dt: number,
+  ): void {
+    const pulls = this.#pulls;
+    const x = arms[at]!;
+    const y = arms[at + 1]!;
+    const z = arms[at + 2]!;
+    const p = joint * 3;
+    const outward = sign * (pulls[p]! * x + pulls[p + 1]! * y + pulls[p + 2]! * z);
     // A push needs no care: it lets go by itself.
     if (!(outward > 0)) return;
+    const length2 = x * x + y * y + z * z;
     const stiffness = outward * dt;
     const fast = stiffness / (this.#bodies.mass(body) * length2 + this.#bodies.leastMoment(body));
-    const lost = 1 - 1 / (1 + (fast / TOO_FAST) ** 4);
-    this.#add(body, (stiffness * lost) / length2, length2);
-  }
-
-  /** k (r² 1 - r rᵀ) on the turning of a body. */
-  #add(body: number, k: number, length2: number): void {
-    const to = this.#damping;
-    const x = this.#arm[0]!;
-    const y = this.#arm[1]!;
-    const z = this.#arm[2]!;
-    const at = body * BODY_BLOCK + 3 * SIDE + 3;
-    to[at]! += k * (length2 - x * x);
-    to[at + SIDE]! -= k * x * y;
-    to[at + SIDE + 1]! += k * (length2 - y * y);
-    to[at + 2 * SIDE]! -= k * x * z;
-    to[at + 2 * SIDE + 1]! -= k * y * z;
-    to[at + 2 * SIDE + 2]! += k * (length2 - z * z);
-  }
-
-  /** Once the momentum is known. */
-  damp({ bodies }: Component): void {
+    const square = (fast / TOO_FAST) ** 2;
+    const lost = 1 - 1 / (1 + square * square);
+    const k = (stiffness * lost) / length2;
+    // k (r² 1 - r rᵀ) on the turning of the body.
     const { inertia } = this.#system;
-    for (const body of bodies) {
-      const end = (body + 1) * BODY_BLOCK;
-      for (let i = body * BODY_BLOCK; i < end; i++) inertia[i]! += this.#damping[i]!;
-    }
+    const to = body * INERTIA + 1;
+    inertia[to]! += k * (length2 - x * x);
+    inertia[to + 1]! -= k * x * y;
+    inertia[to + 2]! += k * (length2 - y * y);
+    inertia[to + 3]! -= k * x * z;
+    inertia[to + 4]! -= k * y * z;
+    inertia[to + 5]! += k * (length2 - z * z);
   }
 }

@@ -2,15 +2,19 @@ import {
   add6,
   backward,
   BODY_BLOCK,
+  copy6,
   dot6,
   factorBlock,
   forward,
+  INERTIA,
   JOINT_BLOCK,
   ROW_BLOCK,
+  rowOf,
   ROWS,
   SIDE,
 } from './blocks.js';
 import type { Component } from './forest.js';
+import type { Pins } from './pins.js';
 import type { RowSystem } from './row-system.js';
 
 /** Added to each row's response, as a share of it: a motor and a stop on one axis are the same row twice. */
@@ -22,6 +26,7 @@ const LEAST_COMPLIANCE = 1e-12;
  */
 export class TreeSolver {
   readonly #system: RowSystem;
+  readonly #pins: Pins;
   /** Cholesky factors of each body's inertia with its subtree's, and of each joint's rows. */
   #bodies = new Float64Array(0);
   #joints = new Float64Array(0);
@@ -32,8 +37,9 @@ export class TreeSolver {
   readonly #block = new Float64Array(ROW_BLOCK);
   readonly #rows = new Float64Array(ROWS);
 
-  constructor(system: RowSystem) {
+  constructor(system: RowSystem, pins: Pins) {
     this.#system = system;
+    this.#pins = pins;
   }
 
   growBodies(room: number): void {
@@ -53,17 +59,41 @@ export class TreeSolver {
 
   /** False: some block is not positive definite. */
   factor({ bodies }: Component): boolean {
-    const { inertia, forest } = this.#system;
+    const { forest } = this.#system;
+    for (const body of bodies) this.#begin(body);
     for (const body of bodies) {
-      const at = body * BODY_BLOCK;
-      for (let x = at; x < at + BODY_BLOCK; x++) this.#bodies[x] = inertia[x]!;
-    }
-    for (const body of bodies) {
-      if (!factorBlock(this.#bodies, body * BODY_BLOCK, SIDE, SIDE)) return false;
       const joint = forest.jointOf[body]!;
+      if (this.#isPin(joint)) {
+        if (!this.#pins.factor(joint, this.#bodies, body, forest.parentOf[body]!)) return false;
+        continue;
+      }
+      if (!factorBlock(this.#bodies, body * BODY_BLOCK, SIDE)) return false;
       if (joint >= 0 && !this.#factorJoint(joint, body)) return false;
     }
     return true;
+  }
+
+  #isPin(joint: number): boolean {
+    return joint >= 0 && this.#system.isPin[joint] === 1;
+  }
+
+  /** A body without its subtree. */
+  #begin(body: number): void {
+    const { inertia } = this.#system;
+    const m = this.#bodies;
+    const from = body * INERTIA;
+    const b = body * BODY_BLOCK;
+    m[b] = m[b + 2] = m[b + 5] = inertia[from]!;
+    m[b + 1] = m[b + 3] = m[b + 4] = 0;
+    m[b + 6] = m[b + 7] = m[b + 8] = 0;
+    m[b + 10] = m[b + 11] = m[b + 12] = 0;
+    m[b + 15] = m[b + 16] = m[b + 17] = 0;
+    m[b + 9] = inertia[from + 1]!;
+    m[b + 13] = inertia[from + 2]!;
+    m[b + 14] = inertia[from + 3]!;
+    m[b + 18] = inertia[from + 4]!;
+    m[b + 19] = inertia[from + 5]!;
+    m[b + 20] = inertia[from + 6]!;
   }
 
   #factorJoint(joint: number, body: number): boolean {
@@ -78,16 +108,17 @@ export class TreeSolver {
     for (let r = 0; r < n; r++) {
       const from = child + held[first + r]! * SIDE;
       const row = rows + r * SIDE;
-      for (let x = 0; x < SIDE; x++) w[row + x] = jacobian[from + x]!;
-      forward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, w, row);
-      for (let c = 0; c <= r; c++) k[at + r * ROWS + c] = dot6(w, row, w, rows + c * SIDE);
+      copy6(w, row, jacobian, from);
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, w, row);
+      const into = at + rowOf(r);
+      for (let c = 0; c <= r; c++) k[into + c] = dot6(w, row, w, rows + c * SIDE);
     }
     for (let r = 0; r < n; r++) {
-      const i = at + r * ROWS + r;
+      const i = at + rowOf(r) + r;
       k[i] = k[i]! * (1 + LEAST_COMPLIANCE) + compliance[first + held[first + r]!]!;
-      backward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, w, rows + r * SIDE);
+      backward(this.#bodies, body * BODY_BLOCK, SIDE, w, rows + r * SIDE);
     }
-    if (!factorBlock(k, at, n, ROWS)) return false;
+    if (!factorBlock(k, at, n)) return false;
     const parent = this.#system.forest.parentOf[body]!;
     if (parent >= 0) this.#loadParent(joint, parent, n);
     return true;
@@ -104,12 +135,14 @@ export class TreeSolver {
     for (let r = 0; r < n; r++) {
       const from = seen + held[joint * ROWS + r]! * SIDE;
       const o = r * SIDE;
-      for (let x = 0; x < SIDE; x++) y[o + x] = jacobian[from + x]!;
-      for (let c = 0; c < r; c++) add6(y, o, y, c * SIDE, -k[at + r * ROWS + c]!);
-      for (let x = 0; x < SIDE; x++) y[o + x]! *= k[at + r * ROWS + r]!;
+      const row = at + rowOf(r);
+      copy6(y, o, jacobian, from);
+      for (let c = 0; c < r; c++) add6(y, o, y, c * SIDE, -k[row + c]!);
+      for (let x = 0; x < SIDE; x++) y[o + x]! *= k[row + r]!;
       for (let i = 0; i < SIDE; i++) {
         const factor = y[o + i]!;
-        for (let j = 0; j <= i; j++) this.#bodies[inertia + i * SIDE + j]! += factor * y[o + j]!;
+        const into = inertia + rowOf(i);
+        for (let j = 0; j <= i; j++) this.#bodies[into + j]! += factor * y[o + j]!;
       }
     }
   }
@@ -119,12 +152,19 @@ export class TreeSolver {
    * what the load alone does.
    */
   solve({ bodies }: Component, load: Float64Array, share: 0 | 1): void {
-    const { jointOf } = this.#system.forest;
+    const { velocity } = this.#system;
+    const { jointOf, parentOf } = this.#system.forest;
     for (const body of bodies) {
       const joint = jointOf[body]!;
-      if (joint >= 0) this.#gather(joint, body, load, share);
+      if (this.#isPin(joint)) this.#pins.gather(joint, load, body, parentOf[body]!, share);
+      else if (joint >= 0) this.#gather(joint, body, load, share);
     }
-    for (let i = bodies.length - 1; i >= 0; i--) this.#release(bodies[i]!, load);
+    for (let i = bodies.length - 1; i >= 0; i--) {
+      const body = bodies[i]!;
+      const joint = jointOf[body]!;
+      if (this.#isPin(joint)) this.#pins.release(joint, velocity, body, parentOf[body]!, share);
+      else this.#release(body, load);
+    }
   }
 
   /** From the leaves: what the joint has to do, handed on to the parent. */
@@ -142,8 +182,8 @@ export class TreeSolver {
     }
     const parent = forest.parentOf[body]!;
     if (parent < 0) return;
-    forward(this.#joints, at, n, ROWS, s, 0);
-    backward(this.#joints, at, n, ROWS, s, 0);
+    forward(this.#joints, at, n, s, 0);
+    backward(this.#joints, at, n, s, 0);
     const seen = this.#seenBy(joint, parent);
     for (let r = 0; r < n; r++)
       add6(load, parent * SIDE, jacobian, seen + held[joint * ROWS + r]! * SIDE, s[r]!);
@@ -153,9 +193,9 @@ export class TreeSolver {
   #release(body: number, load: Float64Array): void {
     const { velocity, impulse, held, heldCount, jacobian, forest } = this.#system;
     const v = body * SIDE;
-    for (let x = v; x < v + SIDE; x++) velocity[x] = load[x]!;
-    forward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, velocity, v);
-    backward(this.#bodies, body * BODY_BLOCK, SIDE, SIDE, velocity, v);
+    copy6(velocity, v, load, v);
+    forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+    backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
     const joint = forest.jointOf[body]!;
     if (joint < 0) return;
     const n = heldCount[joint]!;
@@ -168,8 +208,8 @@ export class TreeSolver {
       s[r] = this.#rest[i]!;
       if (parent >= 0) s[r]! -= dot6(jacobian, seen + held[i]! * SIDE, velocity, parent * SIDE);
     }
-    forward(this.#joints, at, n, ROWS, s, 0);
-    backward(this.#joints, at, n, ROWS, s, 0);
+    forward(this.#joints, at, n, s, 0);
+    backward(this.#joints, at, n, s, 0);
     for (let r = 0; r < n; r++) {
       impulse[joint * ROWS + held[joint * ROWS + r]!] = s[r]!;
       add6(velocity, v, this.#response, joint * ROW_BLOCK + r * SIDE, s[r]!);

@@ -1,0 +1,143 @@
+import type { JointNode } from '../../nodes/joint.js';
+import { isBounded } from './bounded-rows.js';
+import type { Edge, Forest } from './forest.js';
+import type { JointedBodies } from './jointed-bodies.js';
+import type { Pins } from './pins.js';
+
+/** Numbers of both points of a pin; the parent's begins half-way. */
+const POINTS = 6;
+const PARENT = 3;
+
+/** Whether a joint does nothing but hold a point of one body at a point of the other, hard. */
+export function isPin(joint: JointNode): boolean {
+  const { lockedRows, corrections, limits } = joint;
+  if (lockedRows.length !== 3 || lockedRows[2] !== 2 || isBounded(joint)) return false;
+  const { share } = corrections[0]!;
+  return lockedRows.every(
+    (row) =>
+      Math.abs(limits[row]![0]) < Number.EPSILON &&
+      corrections[row]!.softness === 0 &&
+      corrections[row]!.share === share,
+  );
+}
+
+/** Where the points of pins are and at what rate they are to come together: for pins what `LockedRows` is for rows. */
+export class PinPoints {
+  readonly #pins: Pins;
+  readonly #bodies: JointedBodies;
+  #forest!: Forest;
+  /** Both points from the centres of mass of child and parent, in their bodies; in the world if that holds it. */
+  #points = new Float64Array(0);
+  /** Share of an error repaired per step. */
+  #shares = new Float64Array(0);
+  /** From the parent's point to the child's at the start of the step. */
+  #errors = new Float64Array(0);
+  /** What `correct` asked for in the last step: the round ways of the next one are nearly the same. */
+  #bends = new Float64Array(0);
+  readonly #apart = new Float64Array(3);
+
+  constructor(pins: Pins, bodies: JointedBodies) {
+    this.#pins = pins;
+    this.#bodies = bodies;
+  }
+
+  take(joints: readonly JointNode[], edges: readonly Edge[], forest: Forest): void {
+    this.#forest = forest;
+    if (this.#shares.length < joints.length) this.#grow(joints.length * 2);
+    this.#bends.fill(0);
+    for (const { pins } of forest.components) {
+      for (const pin of pins) {
+        const joint = joints[pin]!;
+        const { a, b } = edges[pin]!;
+        const one = a < 0 ? joint.worldFrame(1) : joint.centred1;
+        const two = b < 0 ? joint.worldFrame(2) : joint.centred2;
+        const childIsFirst = forest.childOf[pin] === a;
+        this.#points.set((childIsFirst ? one : two).p, pin * POINTS);
+        this.#points.set((childIsFirst ? two : one).p, pin * POINTS + PARENT);
+        this.#shares[pin] = joint.corrections[0]!.share;
+      }
+    }
+  }
+
+  #grow(room: number): void {
+    this.#points = new Float64Array(room * POINTS);
+    this.#shares = new Float64Array(room);
+    this.#errors = new Float64Array(room * 3);
+    this.#bends = new Float64Array(room * 3);
+  }
+
+  // ---- a step -------------------------------------------------------------------------------------------------------
+
+  /** Its points where the step begins; returns the worst error, metres. */
+  fill(pin: number): number {
+    const { arms } = this.#pins;
+    const { place } = this.#bodies;
+    const e = pin * 3;
+    const at = pin * POINTS;
+    const child = this.#forest.childOf[pin]!;
+    const parent = this.#forest.parentOf[child]!;
+    const points = this.#points;
+    this.#bodies.turned(child, points, at, arms, at);
+    let x = place[child * 3]! + arms[at]!;
+    let y = place[child * 3 + 1]! + arms[at + 1]!;
+    let z = place[child * 3 + 2]! + arms[at + 2]!;
+    const o = at + PARENT;
+    if (parent < 0) {
+      x -= points[o]!;
+      y -= points[o + 1]!;
+      z -= points[o + 2]!;
+    } else {
+      this.#bodies.turned(parent, points, o, arms, o);
+      x -= place[parent * 3]! + arms[o]!;
+      y -= place[parent * 3 + 1]! + arms[o + 1]!;
+      z -= place[parent * 3 + 2]! + arms[o + 2]!;
+    }
+    this.#errors[e] = x;
+    this.#errors[e + 1] = y;
+    this.#errors[e + 2] = z;
+    return Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+  }
+
+  /** The rate at which the points are to come together; `repair` 0 leaves them apart as they are. */
+  want(pin: number, dt: number, repair: 0 | 1): void {
+    const rate = (-repair * this.#shares[pin]!) / dt;
+    const { wanted } = this.#pins;
+    for (let i = pin * 3; i < pin * 3 + 3; i++) {
+      if (repair === 0) this.#bends[i] = 0;
+      wanted[i] = rate * this.#errors[i]! + this.#bends[i]!;
+    }
+  }
+
+  /** Forgets what round ways asked for. */
+  straighten(pin: number): void {
+    this.#bends.fill(0, pin * 3, pin * 3 + 3);
+  }
+
+  /** For a solution in ways instead of velocities: the points come together. */
+  wantWhole(pin: number): void {
+    const { wanted } = this.#pins;
+    for (let i = pin * 3; i < pin * 3 + 3; i++) wanted[i] = -this.#errors[i]!;
+  }
+
+  /** As that of `LockedRows`. Returns by how much the step would miss, metres. */
+  correct(pin: number, dt: number, repair: 0 | 1): number {
+    const { arms, wanted } = this.#pins;
+    const child = this.#forest.childOf[pin]!;
+    const parent = this.#forest.parentOf[child]!;
+    const apart = this.#apart;
+    const share = repair * this.#shares[pin]!;
+    const e = pin * 3;
+    // What is left of the error now, less what shall be left.
+    for (let x = 0; x < 3; x++) apart[x] = share * this.#errors[e + x]!;
+    this.#bodies.addWay(child, arms, pin * POINTS, dt, 1, apart);
+    if (parent >= 0) this.#bodies.addWay(parent, arms, pin * POINTS + PARENT, dt, -1, apart);
+    let worst = 0;
+    for (let x = 0; x < 3; x++) {
+      const miss = apart[x]!;
+      wanted[e + x]! -= miss / dt;
+      this.#bends[e + x]! -= miss / dt;
+      worst = Math.max(worst, Math.abs(miss));
+    }
+    return worst;
+  }
+}
