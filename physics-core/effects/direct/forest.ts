@@ -2,15 +2,16 @@
 export interface Edge {
   a: number;
   b: number;
-  /** Whether it holds points together and does nothing else. */
+  /** Whether it holds points together, and whether it has rows besides. One that closes a loop is all rows. */
   pin?: boolean;
+  rows?: boolean;
 }
 
 /** One connected part of the joint graph. */
 export interface Component {
   /** From the leaves to the root. */
   bodies: Int32Array;
-  /** All its joints: those of the tree that are pins, and the others; of these those that close loops. */
+  /** All its joints; those of the tree that are pins; those that have rows; of these those that close loops. */
   joints: Int32Array;
   pins: Int32Array;
   rows: Int32Array;
@@ -78,7 +79,9 @@ class Growth {
       if (through < 0) return;
       this.#used[through] = 1;
       this.#forest.childOf[through] = body;
-      (this.#edges[through]!.pin ? pins : rows).push(through);
+      const edge = this.#edges[through]!;
+      if (edge.pin) pins.push(through);
+      if (!edge.pin || edge.rows) rows.push(through);
     };
     visit(root, joint, -1);
     for (let i = 0; i < bodies.length; i++) {
@@ -97,7 +100,7 @@ class Growth {
     }
     this.#forest.components.push({
       bodies: Int32Array.from(bodies.reverse()),
-      joints: Int32Array.from([...pins, ...rows]),
+      joints: Int32Array.from(new Set([...pins, ...rows])),
       pins: Int32Array.from(pins),
       rows: Int32Array.from(rows),
       loops: Int32Array.from(loops),

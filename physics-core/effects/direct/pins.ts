@@ -78,6 +78,7 @@ export class Pins {
     const c12 = b12 - z * v20 + x * v22;
     const c20 = b20 + y * v00 - x * v10;
     const c21 = b21 + y * v10 - x * v11;
+    const c22 = m[b + 17]! + y * v20 - x * v21;
     c[0] = b00 + z * v10 - y * v20;
     c[1] = c01;
     c[2] = c02;
@@ -86,13 +87,13 @@ export class Pins {
     c[5] = c12;
     c[6] = c20;
     c[7] = c21;
-    c[8] = m[b + 17]! + y * v20 - x * v21;
+    c[8] = c22;
     const n = this.#about;
     n[0] = m[b + 9]! + z * (c01 + b01) - y * (c02 + b02);
     n[1] = m[b + 13]! + z * (c11 - b00) - y * c12 + x * b02;
     n[2] = m[b + 14]! + x * (c12 + b12) - z * (c10 + b10);
-    n[3] = m[b + 18]! + z * c21 - y * (m[b + 17]! + y * v20 - x * v21 - b00) - x * b01;
-    n[4] = m[b + 19]! - z * c20 + x * (c[8]! - b11) + y * b10;
+    n[3] = m[b + 18]! + z * c21 - y * (c22 - b00) - x * b01;
+    n[4] = m[b + 19]! - z * c20 + x * (c22 - b11) + y * b10;
     n[5] = m[b + 20]! + y * (c20 + b20) - x * (c21 + b21);
   }
 
@@ -190,6 +191,61 @@ export class Pins {
     m[b + 18]! += y * d22 - z * d21;
     m[b + 19]! += z * d20 - x * d22;
     m[b + 20]! += x * d21 - y * d20;
+  }
+
+  // ---- rows about axes ------------------------------------------------------------------------------------------------
+
+  /** The child's velocity per impulse of a row that turns it, with the point held. */
+  respond(pin: number, row: Float64Array, from: number, out: Float64Array, to: number): void {
+    const { arms } = this;
+    const f = this.#factors;
+    const t = pin * FACTORS + EASE;
+    const x = row[from + 3]!;
+    const y = row[from + 4]!;
+    const z = row[from + 5]!;
+    const wx = f[t]! * x + f[t + 1]! * y + f[t + 3]! * z;
+    const wy = f[t + 1]! * x + f[t + 2]! * y + f[t + 4]! * z;
+    const wz = f[t + 3]! * x + f[t + 4]! * y + f[t + 5]! * z;
+    const a = pin * ARMS;
+    out[to] = arms[a + 1]! * wz - arms[a + 2]! * wy;
+    out[to + 1] = arms[a + 2]! * wx - arms[a]! * wz;
+    out[to + 2] = arms[a]! * wy - arms[a + 1]! * wx;
+    out[to + 3] = wx;
+    out[to + 4] = wy;
+    out[to + 5] = wz;
+  }
+
+  /** The same row as the parent sees it, who takes the point along. */
+  see(pin: number, row: Float64Array, from: number, out: Float64Array, to: number): void {
+    const { arms } = this;
+    const f = this.#factors;
+    const g = pin * FACTORS;
+    const x = row[from + 3]!;
+    const y = row[from + 4]!;
+    const z = row[from + 5]!;
+    const hx = f[g]! * x + f[g + 3]! * y + f[g + 6]! * z;
+    const hy = f[g + 1]! * x + f[g + 4]! * y + f[g + 7]! * z;
+    const hz = f[g + 2]! * x + f[g + 5]! * y + f[g + 8]! * z;
+    const a = pin * ARMS + PARENT;
+    out[to] = -hx;
+    out[to + 1] = -hy;
+    out[to + 2] = -hz;
+    out[to + 3] = -x - arms[a + 1]! * hz + arms[a + 2]! * hy;
+    out[to + 4] = -y - arms[a + 2]! * hx + arms[a]! * hz;
+    out[to + 5] = -z - arms[a]! * hy + arms[a + 1]! * hx;
+  }
+
+  /** What a row as `see` has it wants because of the velocity wanted at the point. */
+  wants(pin: number, seen: Float64Array, at: number): number {
+    const { wanted } = this;
+    const w = pin * 3;
+    return seen[at]! * wanted[w]! + seen[at + 1]! * wanted[w + 1]! + seen[at + 2]! * wanted[w + 2]!;
+  }
+
+  /** The impulse of a row is found: the pin pulls against it. */
+  note(pin: number, seen: Float64Array, at: number, impulse: number): void {
+    const s = pin * LOADS + PUSH;
+    for (let x = 0; x < 3; x++) this.#loads[s + x]! += impulse * seen[at + x]!;
   }
 
   // ---- from the leaves: momenta ---------------------------------------------------------------------------------------

@@ -30,8 +30,9 @@ export class TreeSolver {
   /** Cholesky factors of each body's inertia with its subtree's, and of each joint's rows. */
   #bodies = new Float64Array(0);
   #joints = new Float64Array(0);
-  /** Velocity of the child per impulse of each row. */
+  /** Velocity of the child per impulse of each row that holds, and the row as the parent sees it. */
   #response = new Float64Array(0);
+  #seen = new Float64Array(0);
   /** What each row still has to do, as its child sees it. */
   #rest = new Float64Array(0);
   readonly #block = new Float64Array(ROW_BLOCK);
@@ -49,6 +50,7 @@ export class TreeSolver {
   growJoints(room: number): void {
     this.#joints = new Float64Array(room * JOINT_BLOCK);
     this.#response = new Float64Array(room * ROW_BLOCK);
+    this.#seen = new Float64Array(room * ROW_BLOCK);
     this.#rest = new Float64Array(room * ROWS);
   }
 
@@ -59,18 +61,23 @@ export class TreeSolver {
 
   /** False: some block is not positive definite. */
   factor({ bodies }: Component): boolean {
-    const { forest } = this.#system;
+    const { jointOf } = this.#system.forest;
     for (const body of bodies) this.#begin(body);
-    for (const body of bodies) {
-      const joint = forest.jointOf[body]!;
-      if (this.#isPin(joint)) {
-        if (!this.#pins.factor(joint, this.#bodies, body, forest.parentOf[body]!)) return false;
-        continue;
-      }
-      if (!factorBlock(this.#bodies, body * BODY_BLOCK, SIDE)) return false;
-      if (joint >= 0 && !this.#factorJoint(joint, body)) return false;
-    }
+    for (const body of bodies) if (!this.#factor(jointOf[body]!, body)) return false;
     return true;
+  }
+
+  #factor(joint: number, body: number): boolean {
+    const parent = this.#system.forest.parentOf[body]!;
+    const pin = this.#isPin(joint);
+    const given = pin
+      ? this.#pins.factor(joint, this.#bodies, body, parent)
+      : factorBlock(this.#bodies, body * BODY_BLOCK, SIDE);
+    if (!given) return false;
+    if (joint < 0 || this.#system.heldCount[joint] === 0) return true;
+    if (pin) this.#respondPinned(joint, body);
+    else this.#respond(joint, body);
+    return this.#factorRows(joint, body, parent);
   }
 
   #isPin(joint: number): boolean {
@@ -96,47 +103,79 @@ export class TreeSolver {
     m[b + 20] = inertia[from + 6]!;
   }
 
-  #factorJoint(joint: number, body: number): boolean {
-    const { jacobian, compliance, held, heldCount } = this.#system;
-    const n = heldCount[joint]!;
-    const first = joint * ROWS;
-    const at = joint * JOINT_BLOCK;
+  /** How the child answers to the rows, and what they do to each other. */
+  #respond(joint: number, body: number): void {
+    const { jacobian, held, heldCount } = this.#system;
+    const w = this.#response;
     const rows = joint * ROW_BLOCK;
     const child = this.#seenBy(joint, body);
-    const w = this.#response;
-    const k = this.#joints;
+    const n = heldCount[joint]!;
     for (let r = 0; r < n; r++) {
-      const from = child + held[first + r]! * SIDE;
       const row = rows + r * SIDE;
-      copy6(w, row, jacobian, from);
+      copy6(w, row, jacobian, child + held[joint * ROWS + r]! * SIDE);
       forward(this.#bodies, body * BODY_BLOCK, SIDE, w, row);
-      const into = at + rowOf(r);
-      for (let c = 0; c <= r; c++) k[into + c] = dot6(w, row, w, rows + c * SIDE);
+      const into = joint * JOINT_BLOCK + rowOf(r);
+      for (let c = 0; c <= r; c++) this.#joints[into + c] = dot6(w, row, w, rows + c * SIDE);
     }
+    for (let r = 0; r < n; r++) backward(this.#bodies, body * BODY_BLOCK, SIDE, w, rows + r * SIDE);
+  }
+
+  /** The same of rows about axes at a pin, which hold on to the parent through it. */
+  #respondPinned(joint: number, body: number): void {
+    const { jacobian, held, heldCount } = this.#system;
+    const w = this.#response;
+    const rows = joint * ROW_BLOCK;
+    const child = this.#seenBy(joint, body);
+    for (let r = 0; r < heldCount[joint]!; r++) {
+      const from = child + held[joint * ROWS + r]! * SIDE;
+      const row = rows + r * SIDE;
+      this.#pins.respond(joint, jacobian, from, w, row);
+      this.#pins.see(joint, jacobian, from, this.#seen, row);
+      const into = joint * JOINT_BLOCK + rowOf(r);
+      for (let c = 0; c <= r; c++)
+        this.#joints[into + c] = dot6(jacobian, from, w, rows + c * SIDE);
+    }
+  }
+
+  #factorRows(joint: number, body: number, parent: number): boolean {
+    const { compliance, held, heldCount } = this.#system;
+    const n = heldCount[joint]!;
+    const at = joint * JOINT_BLOCK;
+    const first = joint * ROWS;
+    const k = this.#joints;
     for (let r = 0; r < n; r++) {
       const i = at + rowOf(r) + r;
       k[i] = k[i]! * (1 + LEAST_COMPLIANCE) + compliance[first + held[first + r]!]!;
-      backward(this.#bodies, body * BODY_BLOCK, SIDE, w, rows + r * SIDE);
     }
     if (!factorBlock(k, at, n)) return false;
-    const parent = this.#system.forest.parentOf[body]!;
-    if (parent >= 0) this.#loadParent(joint, parent, n);
+    if (parent < 0) return true;
+    if (!this.#isPin(joint)) this.#copySeen(joint, parent);
+    this.#loadParent(joint, parent, n);
     return true;
+  }
+
+  #copySeen(joint: number, parent: number): void {
+    const { jacobian, held, heldCount } = this.#system;
+    const from = this.#seenBy(joint, parent);
+    for (let r = 0; r < heldCount[joint]!; r++)
+      copy6(
+        this.#seen,
+        joint * ROW_BLOCK + r * SIDE,
+        jacobian,
+        from + held[joint * ROWS + r]! * SIDE,
+      );
   }
 
   /** Inertia of the parent += Jᵀ K⁻¹ J. */
   #loadParent(joint: number, parent: number, n: number): void {
-    const { jacobian, held } = this.#system;
     const k = this.#joints;
     const at = joint * JOINT_BLOCK;
-    const seen = this.#seenBy(joint, parent);
     const y = this.#block;
     const inertia = parent * BODY_BLOCK;
     for (let r = 0; r < n; r++) {
-      const from = seen + held[joint * ROWS + r]! * SIDE;
       const o = r * SIDE;
       const row = at + rowOf(r);
-      copy6(y, o, jacobian, from);
+      copy6(y, o, this.#seen, joint * ROW_BLOCK + o);
       for (let c = 0; c < r; c++) add6(y, o, y, c * SIDE, -k[row + c]!);
       for (let x = 0; x < SIDE; x++) y[o + x]! *= k[row + r]!;
       for (let i = 0; i < SIDE; i++) {
@@ -152,67 +191,81 @@ export class TreeSolver {
    * what the load alone does.
    */
   solve({ bodies }: Component, load: Float64Array, share: 0 | 1): void {
-    const { velocity } = this.#system;
-    const { jointOf, parentOf } = this.#system.forest;
+    const { jointOf } = this.#system.forest;
     for (const body of bodies) {
       const joint = jointOf[body]!;
-      if (this.#isPin(joint)) this.#pins.gather(joint, load, body, parentOf[body]!, share);
-      else if (joint >= 0) this.#gather(joint, body, load, share);
+      if (joint >= 0) this.#gather(joint, body, load, share);
     }
-    for (let i = bodies.length - 1; i >= 0; i--) {
-      const body = bodies[i]!;
-      const joint = jointOf[body]!;
-      if (this.#isPin(joint)) this.#pins.release(joint, velocity, body, parentOf[body]!, share);
-      else this.#release(body, load);
-    }
+    for (let i = bodies.length - 1; i >= 0; i--)
+      this.#release(jointOf[bodies[i]!]!, bodies[i]!, load, share);
   }
 
   /** From the leaves: what the joint has to do, handed on to the parent. */
   #gather(joint: number, body: number, load: Float64Array, share: 0 | 1): void {
-    const { wanted, held, heldCount, jacobian, forest } = this.#system;
+    const { heldCount, forest } = this.#system;
+    const parent = forest.parentOf[body]!;
+    const pin = this.#isPin(joint);
+    if (pin) this.#pins.gather(joint, load, body, parent, share);
+    if (heldCount[joint]! > 0) this.#gatherRows(joint, body, parent, load, share, pin);
+  }
+
+  #gatherRows(
+    joint: number,
+    body: number,
+    parent: number,
+    load: Float64Array,
+    share: 0 | 1,
+    pin: boolean,
+  ): void {
+    const { wanted, held, heldCount } = this.#system;
     const n = heldCount[joint]!;
     const at = joint * JOINT_BLOCK;
     const s = this.#rows;
     for (let r = 0; r < n; r++) {
       const i = joint * ROWS + r;
-      const lacking =
-        share * wanted[joint * ROWS + held[i]!]! -
-        dot6(this.#response, joint * ROW_BLOCK + r * SIDE, load, body * SIDE);
-      s[r] = this.#rest[i] = lacking;
+      const row = joint * ROW_BLOCK + r * SIDE;
+      let wants = wanted[joint * ROWS + held[i]!]!;
+      if (pin) wants -= this.#pins.wants(joint, this.#seen, row);
+      s[r] = this.#rest[i] = share * wants - dot6(this.#response, row, load, body * SIDE);
     }
-    const parent = forest.parentOf[body]!;
     if (parent < 0) return;
     forward(this.#joints, at, n, s, 0);
     backward(this.#joints, at, n, s, 0);
-    const seen = this.#seenBy(joint, parent);
     for (let r = 0; r < n; r++)
-      add6(load, parent * SIDE, jacobian, seen + held[joint * ROWS + r]! * SIDE, s[r]!);
+      add6(load, parent * SIDE, this.#seen, joint * ROW_BLOCK + r * SIDE, s[r]!);
   }
 
   /** From the root: the parent's velocity is known, then the joint's impulses, then the child's velocity. */
-  #release(body: number, load: Float64Array): void {
-    const { velocity, impulse, held, heldCount, jacobian, forest } = this.#system;
-    const v = body * SIDE;
-    copy6(velocity, v, load, v);
-    forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
-    backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
-    const joint = forest.jointOf[body]!;
-    if (joint < 0) return;
+  #release(joint: number, body: number, load: Float64Array, share: 0 | 1): void {
+    const { velocity, heldCount, forest } = this.#system;
+    const parent = forest.parentOf[body]!;
+    const pin = this.#isPin(joint);
+    if (pin) this.#pins.release(joint, velocity, body, parent, share);
+    else {
+      const v = body * SIDE;
+      copy6(velocity, v, load, v);
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+    }
+    if (joint >= 0 && heldCount[joint]! > 0) this.#releaseRows(joint, body, parent, pin);
+  }
+
+  #releaseRows(joint: number, body: number, parent: number, pin: boolean): void {
+    const { velocity, impulse, held, heldCount } = this.#system;
     const n = heldCount[joint]!;
     const at = joint * JOINT_BLOCK;
-    const parent = forest.parentOf[body]!;
-    const seen = parent < 0 ? 0 : this.#seenBy(joint, parent);
+    const rows = joint * ROW_BLOCK;
     const s = this.#rows;
     for (let r = 0; r < n; r++) {
-      const i = joint * ROWS + r;
-      s[r] = this.#rest[i]!;
-      if (parent >= 0) s[r]! -= dot6(jacobian, seen + held[i]! * SIDE, velocity, parent * SIDE);
+      s[r] = this.#rest[joint * ROWS + r]!;
+      if (parent >= 0) s[r]! -= dot6(this.#seen, rows + r * SIDE, velocity, parent * SIDE);
     }
     forward(this.#joints, at, n, s, 0);
     backward(this.#joints, at, n, s, 0);
     for (let r = 0; r < n; r++) {
       impulse[joint * ROWS + held[joint * ROWS + r]!] = s[r]!;
-      add6(velocity, v, this.#response, joint * ROW_BLOCK + r * SIDE, s[r]!);
+      add6(velocity, body * SIDE, this.#response, rows + r * SIDE, s[r]!);
+      if (pin) this.#pins.note(joint, this.#seen, rows + r * SIDE, s[r]!);
     }
   }
 }
