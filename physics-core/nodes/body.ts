@@ -34,7 +34,6 @@ export class BodyNode extends MovingNode {
   #inWorld = false;
   #groups = [0, 0];
   #shapeMoving = false;
-  /** The acceleration that Bullet was told. */
 
   // ---- creation -----------------------------------------------------------------------------------------------
 
