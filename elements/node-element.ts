@@ -96,9 +96,7 @@ function takeEarlyProperties(element: X3DNodeElement): void {
 
 /** Attributes in HTML's lowercase, and as XML has them. */
 function attributesOf(type: NodeType): string[] {
-  const names = Object.entries(type.fields)
-    .filter(([, field]) => field.access !== 'outputOnly')
-    .flatMap(([name, field]) => attributeNames(name, field));
+  const names = Object.entries(type.fields).flatMap(([name, field]) => attributeNames(name, field));
   return [...new Set(names.flatMap((name) => [name.toLowerCase(), name]))];
 }
 

@@ -256,6 +256,13 @@ export class BodyNode extends MovingNode {
     return this.collection ?? this.world.settings;
   }
 
+  /** Gravity, rest and who it collides with are those of its collection. */
+  override belongTo(collection: CollectionNode | undefined): void {
+    super.belongTo(collection);
+    for (const field of ['useGlobalGravity', 'autoDisable']) this.touch(field);
+    this.world.pairs.refreshBody(this);
+  }
+
   // ---- forces, rest -------------------------------------------------------------------------------------------
 
   updateForces(): void {

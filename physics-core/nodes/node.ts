@@ -253,6 +253,11 @@ export class PhysicsNode {
     this.world.registry.contacts.drop(this);
   }
 
+  /** It stands in another collection of its world now. */
+  belongTo(collection: CollectionNode | undefined): void {
+    this.collection = collection;
+  }
+
   /** Lets go of other nodes. */
   protected released(): void {}
 

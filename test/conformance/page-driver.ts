@@ -5,7 +5,7 @@ import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { markup, nodesIn, typesByName, type Spelling } from './markup.js';
 import { plain } from './plain.js';
 
-const kebab = (type: string): string =>
+export const kebab = (type: string): string =>
   type.replace(/(?<=[a-z])[A-Z]|^[A-Z]/g, (capital, at) => (at ? '-' : '') + capital.toLowerCase());
 
 /** Both ways to write a physics node; all other nodes have one. */

@@ -5,6 +5,7 @@ import { BodyNode } from '../../physics-core/nodes/body.js';
 import { openInCore } from '../conformance/core-driver.js';
 import type { Fact, NodeData } from '../conformance/fact.js';
 import { nodesIn } from '../conformance/markup.js';
+import { plain } from '../conformance/plain.js';
 import { scene, SECONDS, SPARES, SUBJECTS } from '../edits/scene.js';
 import { editOf } from '../edits/table.js';
 import { ALL_FIELDS, walkField, type Editor } from '../edits/walk.js';
@@ -33,6 +34,9 @@ async function edited() {
   };
   const editor: Editor = {
     world,
+    hasMarkup: () => false,
+    keeps: () => false,
+    read: (subject, field) => plain(nodeOf(world, subject).get(field)),
     told: () => stage.told.splice(0),
     set: (subject, field, given) => {
       const { node, value } = with_(subject, field, given);
@@ -42,6 +46,7 @@ async function edited() {
     event: (subject, field, given) => {
       const { node, value } = with_(subject, field, given);
       node.event(field, value);
+      return true;
     },
   };
   return { editor, close: () => stage.close() };

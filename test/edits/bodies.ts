@@ -32,7 +32,7 @@ export const bodyEdits: Record<string, Edit> = {
   massDensityModel: { values: [use('flat'), use('long')], changes: ['~mass', 'hitch~object'] },
   geometry: {
     values: [[use('looseShape')], []],
-    changes: ['~parts', '~shape', '~mass', '~effects', '~groups', '@meeting', '@touching'],
+    changes: ['~parts', '~shape', '~mass', '~effects', '?~groups', '@meeting', '@touching'],
     stays: ['.geometry', '~parts', '~mass', '~effects', '~groups', '@meeting', 'hitch~object'],
     parts: true,
   },
@@ -95,8 +95,8 @@ export const offsetEdits: Record<string, Edit> = {
   },
   rotation: shapeEdits.rotation!,
   collidable: {
-    values: [use('looseShape'), null],
-    changes: ['pole~parts', 'pole~shape', 'pole~mass', 'pole~groups', '@meeting'],
+    values: [use('looseShape'), use('looseBox')],
+    changes: ['pole~parts', 'pole~shape', 'pole~mass', '?pole~groups', '@meeting'],
     stays: ['.collidable', 'pole~parts', 'pole~mass', 'pole~effects', 'pole~groups', '@meeting'],
   },
 };

@@ -6,7 +6,7 @@ export interface Edit {
   given?: Record<string, unknown>;
   /**
    * What differs after the edit, beside the field itself: `.field` and `~what` of the edited node, `name~what` of others,
-   * `*~what` of several.
+   * `*~what` of several; after `?` what depends on more than this.
    */
   changes?: readonly string[];
   /** What stays different when the field is un-authored: the scene had a value that is not the default. */

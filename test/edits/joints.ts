@@ -86,12 +86,7 @@ export const edits: Record<string, Record<string, Edit>> = {
     },
   },
   SliderJoint: {
-    ...jointEdits([], ['.separation', '.separationRate', '~stops']),
-    // The spare body lies on the other side.
-    body1: authored(
-      'body1',
-      anew(BODIES, ['.separation', '.separationRate', '~stops'], ['~bodies', '~limits']),
-    ),
+    ...jointEdits([], ['.separation', '.separationRate', '~stops', '?~limits']),
     axis: anew(AXES, ['.separation', '.separationRate', '~limits', '~stops']),
     minSeparation: { values: [-1, -2], changes: ['~stops', '~limits'] },
     maxSeparation: { values: [2, 3], changes: ['~stops', '~limits'] },

@@ -105,7 +105,16 @@ export const scene = (): NodeData[] => {
     },
     { type: 'CollisionSensor', DEF: 'sensor', collider: use('colliders') },
     { type: 'Contact', DEF: 'contact' },
-    collidable(sphere(0.4), { DEF: 'looseShape' }),
+    // Obstacles far below everything, until a body takes them.
+    {
+      type: 'CollisionCollection',
+      DEF: 'store',
+      collidables: [
+        collidable(sphere(0.4), { DEF: 'looseShape', translation: [0, -50, 0] }),
+        collidable(box(0.4), { DEF: 'looseBox', translation: [0, -60, 0] }),
+      ],
+    },
+    { type: 'CollisionCollection', DEF: 'others', collidables: [use('spareShape')] },
   ];
 };
 

@@ -17,12 +17,15 @@ export type State = Map<string, string>;
 /** What poses and velocities may be off by when they go to single precision and back. */
 const ROUNDING = 1e-5;
 
+/** Numbers rounded, elements by their names. */
+function shown(item: unknown): unknown {
+  if (typeof item === 'number' && Number.isFinite(item))
+    return Math.round(item / ROUNDING) * ROUNDING;
+  return globalThis.Element && item instanceof Element ? item.getAttribute('DEF') : item;
+}
+
 const text = (value: unknown): string =>
-  JSON.stringify(value, (_, item: unknown) =>
-    typeof item === 'number' && Number.isFinite(item)
-      ? Math.round(item / ROUNDING) * ROUNDING
-      : item,
-  ) ?? 'nothing';
+  JSON.stringify(value, (_, item) => shown(item)) ?? 'nothing';
 
 /** The value of a field as an item. Of a turn by nearly nothing the axis is noise. */
 export const itemOf = ({ type }: Field, value: unknown): string =>

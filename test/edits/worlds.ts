@@ -10,7 +10,7 @@ export const worldEdits: Record<string, Edit> = {
   bodies: kept([[use('sledge')], [use('spare')]]),
   joints: kept([[use('hitch')], [use('BallJoint')]]),
   collider: {
-    values: [use('colliders'), null],
+    values: [use('colliders'), use('others')],
     changes: ['*~groups', '*~effects', '@meeting', '@touching', 'stone~awake'],
     stays: ['stone~awake', '*~groups'],
     tells: ['not-in-collider'],
@@ -118,8 +118,9 @@ export const spaceEdits: Record<string, Edit> = {
 /** Of a sensor that watches the sledge on the ground. */
 export const sensorEdits: Record<string, Edit> = {
   collider: {
-    values: [null, use('colliders')],
-    changes: ['.isActive', '.intersections', '.contacts', '~effects'],
+    values: [use('store'), use('others')],
+    // What it says of them goes with the next step.
+    changes: [],
     stays: ['.collider', '.isActive', '.intersections', '.contacts', '~effects'],
   },
   enabled: {

@@ -66,7 +66,7 @@ export class Binding extends Findings {
   authoredFields(): Record<string, unknown> {
     const fields: Record<string, unknown> = {};
     for (const [name, field] of Object.entries(this.type.fields)) {
-      if (holdsNodes(field) || field.access === 'outputOnly') continue;
+      if (holdsNodes(field)) continue;
       const value = this.authored(name);
       if (value !== undefined) fields[name] = inSI(field, value, this.units);
     }
@@ -76,7 +76,8 @@ export class Binding extends Findings {
   /** What the author wrote for a field holds again, or its default. */
   restore(name: string): void {
     const field = this.type.fields[name];
-    const value = holdsNodes(field) ? undefined : this.authored(name);
+    const ours = holdsNodes(field) && field.access !== 'outputOnly';
+    const value = ours ? undefined : this.authored(name);
     if (value === undefined) this.node?.unset(name);
     else this.node?.set(name, inSI(field, value, this.units), value);
   }
@@ -86,8 +87,14 @@ export class Binding extends Findings {
     const name = fieldsByAttribute(this.type).get(attributeName.toLowerCase());
     if (name === undefined) return this.#otherAttribute(attributeName);
     const field = this.type.fields[name];
+    if (field.access === 'outputOnly') return this.restore(name);
     if (holdsNodes(field)) return this.#setNodes(name, null);
     this.#properties.delete(name);
+    this.#takeBack(name);
+  }
+
+  /** Script's word is gone: that of the markup holds, or the default. */
+  #takeBack(name: string): void {
     if (this.#decides(name)) this.scope?.scene.dirty(this);
     else this.restore(name);
     this.scope?.scene.valueChanged(this);
@@ -100,11 +107,19 @@ export class Binding extends Findings {
     else this.problem(unknownAttribute(this, attributeName));
   }
 
-  /** A property was set: the value is in file units; a joint's body may be an element or its name. */
+  /**
+   * A property was set: the value is in file units; a joint's body may be an element or its name. Nothing, as frameworks
+   * set what they no longer bind: script takes its word back.
+   */
   set(name: string, value: unknown): void {
     const field = this.type.fields[name];
+    if (field.access === 'outputOnly') return void this.node?.set(name, value);
+    if (holdsNodes(field) && field.access !== 'inputOnly') return this.#setNodes(name, value);
+    if (value === undefined || value === null) {
+      if (this.#properties.delete(name)) this.#takeBack(name);
+      return;
+    }
     if (field.access === 'inputOnly') return this.event(name, value);
-    if (holdsNodes(field)) return this.#setNodes(name, value);
     const accepted = codecs[field.type].accept(value);
     if (accepted !== undefined || !this.node) this.#properties.set(name, accepted ?? value);
     if (this.#decides(name)) this.scope?.scene.dirty(this);
@@ -131,6 +146,11 @@ export class Binding extends Findings {
     }
   }
 
+  #namedNodes(name: string): unknown {
+    const elements = this.named(name);
+    return this.type.fields[name].type === 'SFNode' ? elements?.[0] : elements;
+  }
+
   /** Elements named for a field that holds nodes; undefined: its children stand for it. */
   named(name: string): Element[] | undefined {
     return elementsAmong(this.#properties.get(name));
@@ -153,7 +173,10 @@ export class Binding extends Findings {
     const field = this.type.fields[name];
     const body = PLACE[name] && this.#movedBy();
     if (body) return body.get(PLACE[name]);
-    if (holdsNodes(field)) return inPage(this.node?.get(name) ?? field.default, this.units);
+    if (holdsNodes(field)) {
+      const nodes = this.node && !isKept(field) ? this.node.get(name) : this.#namedNodes(name);
+      return inPage(nodes ?? field.default, this.units);
+    }
     if (this.node && !(name in this.relations))
       return inFileUnits(field, this.node.get(name), this.units);
     const codec = codecs[field.type];
@@ -205,6 +228,10 @@ export class Binding extends Findings {
     this.scope?.scene.readers.forget(this);
   }
 }
+
+/** A field of nodes of which the core makes nothing. */
+const isKept = ({ edit, nodes, access }: Field): boolean =>
+  edit === 'passive' && !nodes && access === 'inputOutput';
 
 /** Fields of a collidable that its body decides, by the body's own. */
 const PLACE: Record<string, string> = { translation: 'position', rotation: 'orientation' };

@@ -18,11 +18,13 @@ export class Writer {
   /** Makes, moves or patches a node; `from` is the world it was in. */
   apply(binding: Binding, plan: Plan, from: PageWorld | null): void {
     const { node } = binding;
-    const moves = node && (from !== plan.world || node.collection !== plan.collection);
+    const moves = node && from !== plan.world;
     const carried = moves ? stateOf(node) : undefined;
     if (moves) this.remove(binding);
     if (!binding.node) this.#create(binding, plan);
     else this.#patch(binding, binding.node, plan);
+    if (node && !moves && node.collection !== plan.collection)
+      node.belongTo(plan.collection as typeof node.collection);
     if (carried) restoreState(binding.node!, carried);
     else if (moves === false) this.#followFor(binding, plan);
     binding.placed = plan.place;
