@@ -1,6 +1,7 @@
-// Types of all tags for the templates of frameworks, from the field tables.
+// Types of all tags for the templates of frameworks, from the field tables and from what the ui says of itself.
 import { camel, tagOf } from '../elements/bridge/document/dom.js';
 import { eventsAt, eventTypes } from '../elements/bridge/event-types.js';
+import type { UIDescription } from '../elements/ui/ui-element.js';
 import type { NodeType } from '../physics-core/index.js';
 import { additionsOf, attributesOf, describe, settableType } from './manifest-fields.js';
 
@@ -23,6 +24,24 @@ function properties(type: NodeType): string[] {
 
 const attributes = (type: NodeType): string =>
   `export interface ${type.name}Attributes extends PhysicsAttributes {\n${properties(type).join('\n')}\n}`;
+
+/** An element of the ui: it has no node. */
+export interface UIClass {
+  readonly tag: string;
+  readonly description: UIDescription;
+}
+
+const uiName = ({ tag }: UIClass): string => {
+  const name = camel(tag.replace('x3d-', ''));
+  return `${name[0]!.toUpperCase()}${name.slice(1)}Attributes`;
+};
+
+function uiAttributes(element: UIClass): string {
+  const lines = element.description.attributes.map(
+    ({ name, type, doc }) => `  /** ${doc} */\n  ${quote(name)}?: ${type};`,
+  );
+  return `export interface ${uiName(element)} extends PhysicsAttributes {\n${lines.join('\n')}\n}`;
+}
 
 type Naming = (event: string) => string;
 
@@ -72,13 +91,15 @@ type Tags = { [Tag in keyof On]: new () => { $props: On[Tag] } };
 `;
 
 /** `jsx` has the interfaces and registers nothing; each framework's own file makes its templates know the tags. */
-export function frameworkTypes(types: NodeType[]): Record<string, string> {
+export function frameworkTypes(types: NodeType[], ui: readonly UIClass[]): Record<string, string> {
+  const uiTags = ui.map((element) => `  '${element.tag}': ${uiName(element)};`).join('\n');
   const all = (name: string, naming: Naming): string =>
-    `export interface ${name} {\n${tags(types, naming)}\n}\n`;
+    `export interface ${name} {\n${tags(types, naming)}\n${uiTags}\n}\n`;
   return {
     jsx: [
       HEAD,
       ...types.map(attributes),
+      ...ui.map(uiAttributes),
       all('PhysicsElements', on),
       all('PhysicsElementsOnColon', onColon),
       all('PhysicsElementsOnCapital', onCapital),

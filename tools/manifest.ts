@@ -1,7 +1,9 @@
-// npm run manifest: dist/custom-elements.json, editor data and the types of properties, from the field tables alone.
+// npm run manifest: dist/custom-elements.json, editor data and the types of properties, from the field tables and from
+// what the classes of the ui say of themselves.
 import { appendFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
-import { tagOf } from '../elements/bridge/document/dom.js';
+import { camel, tagOf } from '../elements/bridge/document/dom.js';
 import { eventsAt, eventTypes } from '../elements/bridge/event-types.js';
+import { uiClasses } from '../elements/define.js';
 import { nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
 import {
   additionsOf,
@@ -62,40 +64,67 @@ function declaration(type: NodeType) {
   };
 }
 
+function uiDeclaration({ tag, name, description }: (typeof uiClasses)[number]) {
+  const { doc, attributes, parts } = description;
+  const described = (each: (typeof attributes)[number]) => ({
+    name: each.name,
+    type: { text: each.type },
+    description: each.doc,
+  });
+  return {
+    kind: 'class',
+    customElement: true,
+    tagName: tag,
+    name,
+    summary: doc,
+    superclass: { name: 'HTMLElement' },
+    attributes: attributes.map((each) => ({ ...described(each), fieldName: camel(each.name) })),
+    members: attributes.map((each) => ({
+      ...described(each),
+      kind: 'field',
+      name: camel(each.name),
+    })),
+    cssParts: Object.entries(parts).map(([part, text]) => ({ name: part, description: text })),
+  };
+}
+
 const types = Object.values(nodeTypes);
+
+const declarations = [...types.map(declaration), ...uiClasses.map(uiDeclaration)];
 
 const manifest = {
   schemaVersion: '1.0.0',
-  modules: types.map((type) => ({
+  modules: declarations.map((each) => ({
     kind: 'javascript-module',
-    path: `elements/${tagOf(type)}.js`,
-    declarations: [declaration(type)],
-    exports: [
-      {
-        kind: 'js',
-        name: `X3D${type.name}Element`,
-        declaration: { name: `X3D${type.name}Element` },
-      },
-    ],
+    path: `elements/${each.tagName}.js`,
+    declarations: [each],
+    exports: [{ kind: 'js', name: each.name, declaration: { name: each.name } }],
   })),
 };
 
 const editorData = {
   version: 1.1,
-  tags: types.map((type) => ({
-    name: tagOf(type),
-    description: type.doc,
-    attributes: [
-      ...attributesOf(type).map(({ attribute, field }) => ({
-        name: attribute,
-        description: describe(field),
-        ...(field.values
-          ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) }
-          : {}),
-      })),
-      ...additionsOf(type).map(({ attribute, doc }) => ({ name: attribute, description: doc })),
-    ],
-  })),
+  tags: [
+    ...types.map((type) => ({
+      name: tagOf(type),
+      description: type.doc,
+      attributes: [
+        ...attributesOf(type).map(({ attribute, field }) => ({
+          name: attribute,
+          description: describe(field),
+          ...(field.values
+            ? { values: field.values.filter(Boolean).map((value) => ({ name: value })) }
+            : {}),
+        })),
+        ...additionsOf(type).map(({ attribute, doc }) => ({ name: attribute, description: doc })),
+      ],
+    })),
+    ...uiClasses.map(({ tag, description: { doc, attributes } }) => ({
+      name: tag,
+      description: doc,
+      attributes: attributes.map(({ name, doc: text }) => ({ name, description: text })),
+    })),
+  ],
 };
 
 function property(name: string, field: Field): string {
@@ -124,7 +153,7 @@ const INDEX = 'dist/types/elements/index.d.ts';
 if (existsSync(INDEX)) {
   writeFileSync('dist/types/elements/properties.d.ts', `export {};\n\n${propertyTypes}\n`);
   appendFileSync(INDEX, "import './properties.js';\n");
-  for (const [name, text] of Object.entries(frameworkTypes(types)))
+  for (const [name, text] of Object.entries(frameworkTypes(types, uiClasses)))
     writeFileSync(`dist/types/${name}.d.ts`, text);
 }
-console.log(`${types.length} elements in dist/custom-elements.json`);
+console.log(`${declarations.length} elements in dist/custom-elements.json`);

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../physics-core/index.js';
+import { debugLines, type World } from '../../physics-core/index.js';
 import {
   addBody,
   addFloor,
@@ -220,4 +220,23 @@ fact('counts of made and unmade objects follow the nodes', async () => {
   joint.remove();
   ball.remove();
   assert.equal(counts(w).destroyed, before.destroyed + 2);
+});
+
+fact('the debug drawing of a hull gives back what it took', async () => {
+  const w = await world();
+  const coord = { point: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1] };
+  const tetrahedron = {
+    type: 'IndexedTriangleSet',
+    index: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3],
+    coord,
+  };
+  addBody(w, { geometry: [tetrahedron] });
+  w.step(0);
+  await leavesNoTrace(w, async () => {
+    for (let i = 0; i < 100; i++) {
+      const lines = await debugLines(w);
+      lines.update();
+      lines.dispose();
+    }
+  });
 });
