@@ -1,0 +1,170 @@
+import { expect } from 'chai';
+import { worldOf } from '../../../elements/index.js';
+import { claim } from '../console.js';
+import { drawn, drawnAt, show, until, wait } from '../bridge/scene.js';
+import { addMonitor, Shown, TWO_SCENES } from './monitor.js';
+
+const falling = `<x3d-rigid-body-collection id="collection">
+    <x3d-rigid-body id="ball" def="ball" for="shape"></x3d-rigid-body>
+  </x3d-rigid-body-collection>
+  <transform id="shape"><shape><sphere></sphere></shape></transform>`;
+
+const monitorEffect = (world: ReturnType<typeof worldOf>) =>
+  world!.effects.find(({ name }) => name === 'monitor')!;
+
+async function started(): Promise<void> {
+  document.body.innerHTML = TWO_SCENES;
+  for (const id of ['first', 'second'])
+    await worldOf(document.getElementById(id)!.querySelector('x3d-rigid-body'))!.ready;
+}
+
+describe('the monitor', () => {
+  it('shows the world of an x3d, a collection, or a body by its DEF', async () => {
+    await started();
+    const shown = addMonitor();
+    for (const [name, bodies] of [
+      ['first', '1'],
+      ['collection', '2'],
+      ['single', '1'],
+      ['b', '2'],
+    ] as const) {
+      shown.monitor.for = name;
+      await shown.shows('Bodies', bodies);
+      expect(shown.monitor.getAttribute('for')).to.equal(name);
+    }
+  });
+
+  it('without for shows the nearest x3d', async () => {
+    await started();
+    const inner = addMonitor('', document.getElementById('two')!);
+    const outer = addMonitor();
+    await inner.shows('Bodies', '2');
+    await outer.shows('Bodies', '1');
+  });
+
+  it('waits for a target that comes late, and follows one that goes and comes again', async () => {
+    document.body.innerHTML = '';
+    const shown = addMonitor('for="collection"');
+    await until(() => shown.text.includes('no physics here yet'));
+    document.body.insertAdjacentHTML('afterbegin', TWO_SCENES);
+    await shown.shows('Bodies', '2');
+    const second = document.getElementById('second')!;
+    const before = worldOf(second);
+    second.remove();
+    await until(() => shown.text.includes('no physics here yet'));
+    document.body.append(second);
+    await shown.shows('Bodies', '2');
+    expect(worldOf(second)).to.not.equal(before);
+    expect(monitorEffect(worldOf(second)).active).to.equal(true);
+  });
+
+  it('has costs kept only while it is in the page and in sight, and says so in world.effects', async () => {
+    const { world } = await show(falling);
+    expect(monitorEffect(world).active).to.equal(false);
+    const shown = addMonitor('for="ball"');
+    await until(() => (world.costs?.frames ?? 0) > 3, 5000);
+    expect(monitorEffect(world).because!.element).to.equal(shown.monitor);
+    await until(() => /last \d+ frames/.test(shown.text));
+    const rows = shown.root.querySelectorAll('[part="costs"] tbody tr');
+    expect([...rows].map((row) => row.firstElementChild!.textContent)).to.eql([
+      'Step',
+      'Read poses',
+      'Write poses',
+      'Listeners',
+      'Together',
+    ]);
+    shown.monitor.style.display = 'none';
+    await until(() => !monitorEffect(world).active);
+    expect(world.costs).to.equal(undefined);
+    shown.monitor.style.display = '';
+    await until(() => monitorEffect(world).active);
+    shown.monitor.remove();
+    expect(monitorEffect(world).active).to.equal(false);
+  });
+
+  it('pauses, steps once, goes on and resets', async () => {
+    const { x3d, world } = await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    shown.button(/Pause/).click();
+    expect(world.paused).to.equal(true);
+    expect(shown.root.querySelector('[role="status"]')!.textContent).to.equal('Paused.');
+    await drawn();
+    const shape = x3d.querySelector('#shape')!;
+    const before = { time: world.time, y: drawnAt(shape)[1]! };
+    shown.button(/Step/).click();
+    expect(world.time - before.time).to.be.closeTo(world.timeStep, 1e-9);
+    const ball = x3d.querySelector('#ball') as unknown as { position: number[] };
+    await until(() => Math.abs(drawnAt(shape)[1]! - ball.position[1]!) < 1e-5);
+    expect(drawnAt(shape)[1]!).to.be.below(before.y);
+    shown.button(/Reset/).click();
+    expect(world.time).to.equal(0);
+    shown.button(/Go on/).click();
+    expect(world.paused).to.equal(false);
+    await until(() => world.time > 0);
+  });
+
+  it('a single step stops what runs', async () => {
+    const { world } = await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    shown.button(/Step/).click();
+    expect(world.paused).to.equal(true);
+  });
+
+  it('shows and sets the level of accuracy', async () => {
+    const { world } = await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    const select = shown.root.querySelector('select')!;
+    expect(select.value).to.equal('standard');
+    expect(select.labels![0]!.textContent).to.contain('Accuracy');
+    select.value = 'fine';
+    select.dispatchEvent(new Event('change'));
+    expect(world.accuracy).to.equal('fine');
+    world.accuracy = 'game';
+    await until(() => select.value === 'game');
+  });
+
+  it('names effects with the element that switched them on, and problems with what is used', async () => {
+    claim('bad-value');
+    await show(falling.replace('for="shape"', 'for="shape" mass="many" torques="0 1 0"'));
+    const shown = addMonitor();
+    await until(() => !!shown.part('problems')?.children.length);
+    expect(shown.part('effects')!.textContent).to.match(/rigid-body "ball": torques/);
+    const problem = shown.part('problems')!.textContent!.replace(/\s+/g, ' ');
+    expect(problem).to.contain('warning').and.to.contain('mass="many"').and.to.contain('Used: 1');
+  });
+
+  it('keeps what is focused while its numbers change', async () => {
+    const { world } = await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    const button = shown.button(/Pause/);
+    button.focus();
+    const time = world.time;
+    await wait(700);
+    expect(world.time).to.be.above(time);
+    expect(shown.root.activeElement).to.equal(button);
+  });
+
+  it('has names and roles for readers, and reads out nothing that changes by itself', async () => {
+    await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    expect(shown.part('base')!.getAttribute('aria-label')).to.equal('Physics monitor');
+    for (const control of shown.root.querySelectorAll('button, select'))
+      expect((control as HTMLElement).tabIndex).to.equal(0);
+    expect(shown.root.querySelectorAll('[aria-live]').length).to.equal(0);
+    expect(shown.root.querySelectorAll('[role="status"]').length).to.equal(1);
+    expect(getComputedStyle(shown.monitor).fontVariantNumeric).to.equal('tabular-nums');
+  });
+
+  it('stands in a shadow root, too', async () => {
+    await started();
+    const host = document.body.appendChild(document.createElement('div'));
+    const root = host.attachShadow({ mode: 'open' });
+    root.innerHTML = '<x3d-physics-monitor for="collection"></x3d-physics-monitor>';
+    await new Shown(root.firstElementChild!).shows('Bodies', '2');
+  });
+});
