@@ -88,6 +88,7 @@ export abstract class NodeWorld extends Telling {
     this.#collections.delete(node as CollectionNode);
     this.edits.drop(node);
     this.settle(node.host);
+    this.work();
   }
 
   /** Settings of the world: its first collection's, or X3D's defaults. */

@@ -73,7 +73,7 @@ describe('attributes that are no fields', () => {
       world.step(0);
       expect(position(world, 'b')).to.eql([9, 8, 7]);
       expect(world.problems).to.eql([]);
-      expect(explain(body).waits).to.eql([]);
+      expect(explain(body).waits).to.eql(['the world, which is paused']);
     });
 
     it(`${spelling(markup)} tags: unknown ones are reported, shared-world and default are followed`, async () => {
