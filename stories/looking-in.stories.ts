@@ -3,6 +3,11 @@ import { html } from 'lit';
 import { castRay } from './code/cast-ray.js';
 import { log } from './code/log.js';
 import { putBack, save, throwBall } from './code/save.js';
+import chain from './pages/growing-chain.html?raw';
+import pendulum from './pages/pendulum.html?raw';
+import pendulumAndMotor from './pages/pendulum-and-motor.html?raw';
+import room from './pages/room-of-boxes.html?raw';
+import { page } from './page.js';
 import { ground, scene, shape } from './scene.js';
 
 const meta: Meta = { title: 'Looking in' };
@@ -125,5 +130,77 @@ export const Snapshot: StoryObj = {
         `,
         beside: html`<p><output>Nothing saved yet.</output></p>`,
       },
+    ),
+};
+
+const SCENES = {
+  Pendulum: pendulum,
+  'Pendulum and motor': pendulumAndMotor,
+  'Room of boxes': room,
+  'Growing chain': chain,
+};
+
+/** One of the scenes with a monitor beside it. */
+export const Monitor: StoryObj<{ scene: keyof typeof SCENES }> = {
+  args: { scene: 'Pendulum and motor' },
+  argTypes: { scene: { control: 'select', options: Object.keys(SCENES) } },
+  render: ({ scene: name }) => {
+    const main = page(SCENES[name]);
+    const monitor = document.createElement('x3d-physics-monitor');
+    main.querySelector('.stage, x3d')!.after(monitor);
+    return main;
+  },
+};
+
+/** What Bullet has, in lines. */
+export const DebugDrawing: StoryObj<{ debug: boolean }> = {
+  args: { debug: true },
+  render: ({ debug }) =>
+    scene(
+      'With debug on its collection a world is drawn as Bullet has it: shapes (green awake, blue asleep, grey fixed), centres of mass, joints with their stops, contacts with their normals. The barbell collides as its parts do, the wedge as its hull.',
+      html`
+        <x3d-rigid-body-collection default debug=${debug}></x3d-rigid-body-collection>
+        ${ground}
+        <transform translation="-3 0.5 0">
+          ${shape('blue', html`<box size="1 1 1"></box>`)}
+          <x3d-rigid-body></x3d-rigid-body>
+        </transform>
+        <transform translation="-1.2 2 0" rotation="0 0 1 0.9">
+          <transform translation="0 0.7 0"
+            >${shape('iron', html`<sphere radius="0.4"></sphere>`)}</transform
+          >
+          ${shape('brass', html`<cylinder radius="0.1" height="1.4"></cylinder>`)}
+          <transform translation="0 -0.7 0"
+            >${shape('iron', html`<box size="0.5 0.5 0.5"></box>`)}</transform
+          >
+          <x3d-rigid-body></x3d-rigid-body>
+        </transform>
+        <transform translation="1 1.5 0" rotation="1 0 0 0.5">
+          ${shape(
+            'brass',
+            html`<indexedfaceset
+              solid="false"
+              coordIndex="0 1 2 -1 3 5 4 -1 0 3 4 1 -1 1 4 5 2 -1 2 5 3 0 -1"
+              ><coordinate
+                point="-0.6 -0.4 0.5, 0.6 -0.4 0.5, -0.6 0.5 0.5, -0.6 -0.4 -0.5, 0.6 -0.4 -0.5, -0.6 0.5 -0.5"
+              ></coordinate
+            ></indexedfaceset>`,
+          )}
+          <x3d-rigid-body></x3d-rigid-body>
+        </transform>
+        <transform translation="3.3 2.5 0">
+          ${shape('red', html`<box size="1.6 0.25 0.5"></box>`)}
+          <x3d-rigid-body id="flap" autoDamp="true" angularDampingFactor="0.3"></x3d-rigid-body>
+        </transform>
+        <x3d-single-axis-hinge-joint
+          body1="flap"
+          anchorPoint="2.5 2.5 0"
+          axis="0 0 1"
+          minAngle="-1.2"
+          maxAngle="0.4"
+          stopBounce="0.6"
+        ></x3d-single-axis-hinge-joint>
+      `,
+      { beside: html`<x3d-physics-monitor></x3d-physics-monitor>` },
     ),
 };

@@ -1,5 +1,6 @@
 import type { Problem, World } from '../../../physics-core/index.js';
 import { html, type TemplateResult } from '../lit.js';
+import { nameOf } from './names.js';
 import { whole } from './numbers.js';
 
 /** More would be no list to read. */
@@ -16,8 +17,11 @@ export function problems({ problems: all }: World): TemplateResult {
   </div>`;
 }
 
+const textOf = (used: unknown): string =>
+  used instanceof Element ? nameOf(used) : Array.isArray(used) ? used.join(' ') : String(used);
+
 const item = ({ severity, code, message, used }: Problem): TemplateResult =>
   html`<li>
     <strong class=${severity}>${severity}</strong> ${message}
-    <span class="quiet">[${code}]${used === undefined ? '' : ` Used: ${String(used)}`}</span>
+    <span class="quiet">[${code}]${used === undefined ? '' : ` Used: ${textOf(used)}`}</span>
   </li>`;

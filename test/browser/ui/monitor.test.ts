@@ -126,6 +126,24 @@ describe('the monitor', () => {
     await until(() => select.value === 'game');
   });
 
+  it('switches the debug drawing and User Timing on and off', async () => {
+    const { world } = await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    const [debug, profile] = shown.root.querySelectorAll<HTMLInputElement>('input');
+    expect(debug!.labels![0]!.textContent!.trim()).to.equal('Debug drawing');
+    debug!.click();
+    profile!.click();
+    world.step(0);
+    const active = (name: string): boolean =>
+      world.effects.find((effect) => effect.name === name)!.active;
+    expect(['debug drawing', 'user timing'].map(active)).to.eql([true, true]);
+    debug!.click();
+    profile!.click();
+    world.step(0);
+    expect(['debug drawing', 'user timing'].map(active)).to.eql([false, false]);
+  });
+
   it('names effects with the element that switched them on, and problems with what is used', async () => {
     claim('bad-value');
     await show(falling.replace('for="shape"', 'for="shape" mass="many" torques="0 1 0"'));
@@ -153,7 +171,7 @@ describe('the monitor', () => {
     const shown = addMonitor();
     await until(() => shown.count('Bodies') === '1');
     expect(shown.part('base')!.getAttribute('aria-label')).to.equal('Physics monitor');
-    for (const control of shown.root.querySelectorAll('button, select'))
+    for (const control of shown.root.querySelectorAll('button, select, input'))
       expect((control as HTMLElement).tabIndex).to.equal(0);
     expect(shown.root.querySelectorAll('[aria-live]').length).to.equal(0);
     expect(shown.root.querySelectorAll('[role="status"]').length).to.equal(1);
