@@ -6,7 +6,10 @@ import { setViewFolder } from './ui/view.js';
 
 const address = scriptAddress();
 
-setEngineSource(() => ({ wasmUrl: new URL('ammo.wasm', address).href }));
+setEngineSource(() => ({
+  wasmUrl: new URL('ammo.wasm', address).href,
+  workerUrl: new URL('accuracy-worker.js', address).href,
+}));
 setViewFolder(address);
 begin();
 

@@ -2,7 +2,10 @@
 import { begin } from './begin.js';
 import { setEngineSource } from './engine-source.js';
 
-setEngineSource(() => ({ wasmUrl: new URL('./ammo.wasm', import.meta.url).href }));
+setEngineSource(() => ({
+  wasmUrl: new URL('./ammo.wasm', import.meta.url).href,
+  workerUrl: new URL('./accuracy-worker.js', import.meta.url).href,
+}));
 begin();
 
 export * from './api.js';

@@ -5,10 +5,13 @@ import { setEngineSource } from './engine-source.js';
 import { scriptAddress } from './script-address.js';
 import { setViewFolder } from './ui/view.js';
 
+const address = scriptAddress();
+
 setEngineSource(() => ({
   wasmBinary: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
+  workerUrl: new URL('accuracy-worker.js', address).href,
 }));
-setViewFolder(scriptAddress());
+setViewFolder(address);
 begin();
 
 export * from './api.js';

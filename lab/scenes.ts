@@ -35,6 +35,29 @@ function chain(world: World): void {
   }
 }
 
+/** Scene 2 of the paper: a hull on a ball joint, driven by a motor, strikes what hangs beside it. */
+function motor(world: World): void {
+  const tetrahedron = {
+    type: 'IndexedFaceSet',
+    coord: [0.3, 0.3, 0.3, -0.3, -0.3, 0.3, -0.3, 0.3, -0.3, 0.3, -0.3, -0.3],
+    coordIndex: [0, 2, 1, -1, 0, 1, 3, -1, 0, 3, 2, -1, 1, 2, 3, -1],
+  };
+  const pin = world.add('RigidBody', { fixed: true, geometry: [sphere(0.1)] });
+  let last = pin;
+  for (let i = 1; i <= 4; i++) {
+    const body = world.add('RigidBody', {
+      position: [0, -i, 0],
+      mass: 0.5,
+      geometry: [sphere(0.2)],
+    });
+    world.add('BallJoint', { body1: last, body2: body, anchorPoint: [0, -i, 0] });
+    last = body;
+  }
+  const hull = world.add('RigidBody', { position: [2, 0, 0], geometry: [tetrahedron] });
+  world.add('BallJoint', { body1: hull, body2: pin });
+  world.add('MotorJoint', { body1: hull, motor1Axis: [0, 0, 1], axis1Torque: 30 });
+}
+
 /** Scene 3 of the paper without its motor: boxes heaped up in a room. */
 const pile =
   (count: number) =>
@@ -89,4 +112,12 @@ export const scenes: readonly Scene[] = [
   { name: 'chain of 8', warmUp: 0.1, build: chain },
   { name: 'pile of 500', warmUp: 2, build: pile(500) },
   { name: 'row of 200 hinges', warmUp: 1, build: hinges(200) },
+];
+
+/** All four of the paper, of a size that all levels bear. */
+export const paperScenes: readonly Scene[] = [
+  { name: 'pendulum', warmUp: 0.5, build: chain },
+  { name: 'pendulum and motor', warmUp: 0.5, build: motor },
+  { name: 'room of 100 boxes', warmUp: 2, build: pile(100) },
+  { name: 'row of 40 hinges', warmUp: 0.5, build: hinges(40) },
 ];

@@ -26,8 +26,8 @@ export class Contender {
   /** Energy of motion and of height at the moment before this one, joules: velocities are known around it only now. */
   motion = 0;
   height = 0;
-  /** Milliseconds of work so far. */
-  ms = 0;
+  /** Milliseconds of work for each moment, the present one last. */
+  readonly work: number[] = [];
   readonly #joints: readonly JointNode[];
   #heightNow = 0;
   /** Energy of motion of the bodies whose velocity belongs to this moment, and of the others half a step ago. */
@@ -48,7 +48,7 @@ export class Contender {
   step(): void {
     const start = performance.now();
     this.world.step();
-    this.ms += performance.now() - start;
+    this.work[this.work.length - 1]! += performance.now() - start;
   }
 
   /** After the first step beyond a moment: velocities of the middle of steps are known on both sides of it now. */

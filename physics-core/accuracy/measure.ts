@@ -1,3 +1,4 @@
+import type { Snapshot } from '../world/snapshot.js';
 import type { World } from '../world/world.js';
 import { inWorker } from './in-worker.js';
 import { leftOutOf, type LeftOut } from './left-out.js';
@@ -25,15 +26,16 @@ export interface LevelMeasurement extends Omit<Measured, 'worst'> {
 const SECONDS = 2;
 const LONGEST = 60;
 
-/** Runs a world's scene anew, from its present state, at each level. The world itself notices nothing of it. */
+/** Runs a world's scene anew, from a snapshot of it, at each level. The world itself notices nothing of it. */
 export async function measureAccuracy(
   world: World,
+  snapshot: Snapshot,
   { seconds = SECONDS, levels = levelNames, ...watching }: MeasureOptions,
 ): Promise<LevelMeasurement[]> {
-  const { engine } = await world.ready;
+  const { engine } = world;
   watching.signal?.throwIfAborted();
   const job: Job = {
-    snapshot: world.snapshot(),
+    snapshot,
     levels: levelNames.filter((name) => accepted(world, levels).includes(name)),
     seconds: length(world, seconds),
   };

@@ -3,6 +3,7 @@ import { World } from '../world/world.js';
 import { Comparison } from './comparison.js';
 import { Contender } from './contender.js';
 import { levelNamed, levels, type LevelName } from './levels.js';
+import { workPerMoment } from './work.js';
 
 /** Seconds between two moments where all levels stop: a step of the coarsest. */
 const MOMENT = levels[0]!.timeStep;
@@ -81,10 +82,10 @@ export class Measurement {
     this.#all = this.#moments * all.reduce((sum, run) => sum + stepsOf(run), 0);
     yield* this.#race(all, (time) => comparison.compare(time));
     const contacts = runs.map(({ world }) => world.stats.contacts);
-    const times = yield* this.#timeAgain(runs);
+    const work = yield* this.#workOf(runs);
     return runs.map((run, i) => ({
       ...this.#result(run, comparison, i),
-      msPerSecond: median(times[i]!) / (this.#moments * MOMENT),
+      msPerSecond: workPerMoment(work[i]!) / MOMENT,
       contacts: contacts[i]!,
     }));
   }
@@ -108,6 +109,7 @@ export class Measurement {
   *#race(runs: readonly Contender[], compare?: (time: number) => void): Generator<number> {
     for (let moment = 1; moment <= this.#moments; moment++) {
       for (const run of runs) {
+        run.work.push(0);
         for (let step = 0; step < stepsOf(run); step++) {
           run.step();
           if (compare && step === 0) run.lookBack();
@@ -120,17 +122,17 @@ export class Measurement {
     }
   }
 
-  /** Milliseconds of work, as often as each was timed. What takes little is timed again; the first time warms up. */
-  *#timeAgain(first: readonly Contender[]): Generator<number, number[][]> {
-    const times = first.map(({ ms }) => [ms]);
+  /** Milliseconds of work, moment by moment. What takes little is run again; its first run then was to warm up. */
+  *#workOf(first: readonly Contender[]): Generator<number, number[][]> {
+    const work = first.map((run) => [run.work]);
     for (let again = 1; again < MOST_TIMES; again++) {
-      const short = first.filter((_, i) => sum(times[i]!) < ENOUGH);
+      const short = first.filter((_, i) => sum(work[i]!.flat()) < ENOUGH);
       const runs = yield* this.#make(short.map(({ level }) => level.name));
       yield* this.#race(runs);
       for (const run of runs)
-        times[first.findIndex(({ level }) => level === run.level)]!.push(run.ms);
+        work[first.findIndex(({ level }) => level === run.level)]!.push(run.work);
     }
-    return times.map((each) => (each.length > 2 ? each.slice(1) : each));
+    return work.map((each) => (each.length > 1 ? each.slice(1) : each).flat());
   }
 
   #result(
@@ -171,9 +173,3 @@ function push({ bodies }: Contender): void {
 }
 
 const sum = (values: readonly number[]): number => values.reduce((all, value) => all + value, 0);
-
-function median(values: readonly number[]): number {
-  const sorted = [...values].sort((a, b) => a - b);
-  const middle = sorted.length >> 1;
-  return sorted.length % 2 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
-}

@@ -198,8 +198,10 @@ export class World extends NodeWorld {
 
   /** What each level costs and leaves, in the scene as it is now: run anew in a second world, in a worker where there are any. */
   async measureAccuracy(options: MeasureOptions = {}): Promise<LevelMeasurement[]> {
+    if (!this.started) await this.ready;
+    const snapshot = this.snapshot();
     const { measureAccuracy } = await import('../accuracy/measure.js');
-    return measureAccuracy(this, options);
+    return measureAccuracy(this, snapshot, options);
   }
 
   /** Seconds of one step. */
