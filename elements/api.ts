@@ -25,6 +25,7 @@ export { X3DCollisionSpaceElement } from './x3d-collision-space.js';
 export { X3DContactElement } from './x3d-contact.js';
 export { X3DDoubleAxisHingeJointElement } from './x3d-double-axis-hinge-joint.js';
 export { X3DMotorJointElement } from './x3d-motor-joint.js';
+export { X3DAccuracyChartElement } from './x3d-accuracy-chart.js';
 export { X3DPhysicsMonitorElement } from './x3d-physics-monitor.js';
 export { X3DRigidBodyCollectionElement } from './x3d-rigid-body-collection.js';
 export { X3DRigidBodyElement } from './x3d-rigid-body.js';

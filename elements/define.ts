@@ -1,4 +1,5 @@
 import type { X3DNodeElementClass } from './node-element.js';
+import { X3DAccuracyChartElement } from './x3d-accuracy-chart.js';
 import { X3DBallJointElement } from './x3d-ball-joint.js';
 import { X3DCollidableOffsetElement } from './x3d-collidable-offset.js';
 import { X3DCollidableShapeElement } from './x3d-collidable-shape.js';
@@ -33,7 +34,7 @@ export const elementClasses: readonly X3DNodeElementClass[] = [
 ];
 
 /** What shows a world, and is no node of one. */
-export const uiClasses = [X3DPhysicsMonitorElement] as const;
+export const uiClasses = [X3DAccuracyChartElement, X3DPhysicsMonitorElement] as const;
 
 /** Registers the tags with the page; one that another copy of the library defined stays as it is. */
 export function defineElements(): void {

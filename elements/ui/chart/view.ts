@@ -1,0 +1,148 @@
+import styles from '../../../styles/chart.css';
+import { render } from '../lit.js';
+import { applyStyles } from '../styles.js';
+import type { X3DUIElement } from '../ui-element.js';
+import type { View } from '../view.js';
+import type { ErrorName } from './errors.js';
+import { panel, type Actions, type State } from './panel.js';
+import type { Colors, Drawing } from './plot.js';
+
+/** Frames per second that the budget of a frame is reckoned with. */
+const FRAMES = 60;
+
+const COLORS = ['text', 'quiet', 'line', 'accent', 'panel', 'warning'] as const;
+
+/** How often it looks for another world, milliseconds. */
+const INTERVAL = 500;
+
+/** Width over height of the drawing, and its least height, pixels. */
+const SHAPE = 16 / 9;
+const LEAST = 240;
+
+class ChartView implements View, Actions {
+  readonly #host: X3DUIElement;
+  readonly #root: ShadowRoot;
+  readonly #size = new ResizeObserver(() => this.#draw());
+  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  #state: State;
+  #timer: ReturnType<typeof setInterval> | undefined;
+  #stopHearing: (() => void) | undefined;
+  #measuring: AbortController | undefined;
+  #plot: ((drawing: Drawing) => string) | undefined;
+
+  constructor(host: X3DUIElement) {
+    this.#host = host;
+    this.#root = host.shadowRoot!;
+    this.#state = {
+      world: undefined,
+      measured: undefined,
+      kind: 'position',
+      progress: undefined,
+      failed: undefined,
+    };
+    applyStyles(host, styles);
+  }
+
+  start(): void {
+    this.#timer = setInterval(() => this.#follow(), INTERVAL);
+    this.#dark.addEventListener('change', this.#draw);
+    this.#show();
+    this.#follow();
+    this.#size.observe(this.#host);
+  }
+
+  stop(): void {
+    clearInterval(this.#timer);
+    this.#size.disconnect();
+    this.#dark.removeEventListener('change', this.#draw);
+    if (!this.#host.isConnected) this.cancel();
+  }
+
+  changed(): void {
+    this.#follow();
+  }
+
+  /** The page may have another world for it by now, or the one it has may have started. */
+  #follow(): void {
+    const { world } = this.#host;
+    if (world !== this.#state.world) {
+      this.cancel();
+      this.#stopHearing?.();
+      this.#stopHearing = world?.on('accuracy', () => this.#show());
+      this.#show({ world, measured: undefined, failed: undefined });
+    } else if (world?.started && !this.#root.querySelector('fieldset')) this.#show();
+  }
+
+  // ---- what its controls do -----------------------------------------------------------------------------------------
+
+  readonly measure = async (): Promise<void> => {
+    const { world } = this.#state;
+    if (!world || this.#measuring) return;
+    const measuring = (this.#measuring = new AbortController());
+    this.#show({ progress: 0, failed: undefined });
+    const ended: Partial<State> = {};
+    try {
+      const onprogress = (progress: number): void => this.#show({ progress });
+      ended.measured = await world.measureAccuracy({ signal: measuring.signal, onprogress });
+      this.#plot ??= (await import('./plot.js')).plot;
+    } catch (error) {
+      if (!measuring.signal.aborted) ended.failed = `Could not be measured: ${String(error)}`;
+    }
+    if (measuring !== this.#measuring) return;
+    this.#measuring = undefined;
+    this.#show({ ...ended, progress: undefined });
+  };
+
+  readonly cancel = (): void => {
+    if (!this.#measuring) return;
+    this.#measuring.abort();
+    this.#measuring = undefined;
+    this.#show({ progress: undefined });
+  };
+
+  readonly show = (kind: ErrorName): void => this.#show({ kind });
+
+  // ---- drawing ------------------------------------------------------------------------------------------------------
+
+  #show(change: Partial<State> = {}): void {
+    this.#state = { ...this.#state, ...change };
+    render(panel(this.#state, this), this.#root);
+    if (this.#state.progress === undefined) this.#draw();
+  }
+
+  readonly #draw = (): void => {
+    const { measured, kind, world } = this.#state;
+    const place = this.#root.querySelector('[part=chart]');
+    if (!place || !measured || !this.#plot || place.clientWidth === 0) return;
+    const width = place.clientWidth;
+    const svg = this.#plot({
+      dots: measured.map(({ level, msPerSecond, error }) => ({
+        level,
+        cost: msPerSecond,
+        error: error[kind],
+        present: level === world?.accuracy,
+      })),
+      kind,
+      budget: FRAMES * (world?.get('timeBudget') as number),
+      colors: this.#colors(place),
+      width,
+      height: Math.max(LEAST, Math.round(width / SHAPE)),
+    });
+    const { documentElement } = new DOMParser().parseFromString(svg, 'image/svg+xml');
+    place.replaceChildren(document.importNode(documentElement, true));
+  };
+
+  /** What the theme's colours are at this moment: an SVG made by the chart library knows no `light-dark()`. */
+  #colors(place: Element): Colors {
+    const probe = document.createElement('span');
+    place.append(probe);
+    const colors = COLORS.map((name) => {
+      probe.style.color = `var(--${name})`;
+      return [name, getComputedStyle(probe).color];
+    });
+    probe.remove();
+    return Object.fromEntries(colors) as Colors;
+  }
+}
+
+export const createView = (host: X3DUIElement): View => new ChartView(host);
