@@ -109,4 +109,9 @@ export default tseslint.config(
       '@typescript-eslint/no-explicit-any': 'off',
     },
   },
+  {
+    // The lab is measured too.
+    files: ['test/core/lab.test.ts'],
+    rules: { 'no-restricted-imports': 'off' },
+  },
 );

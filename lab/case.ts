@@ -92,6 +92,8 @@ export interface Case {
   singlePrecision: number;
   /** Seconds up to which neighbouring runs stay together, where the scene is chaotic. */
   horizon?: number;
+  /** Why a level errs more than the level before it, where one does. */
+  exception?: string;
   watch(sight: Sight): Watch;
 }
 

@@ -1,0 +1,163 @@
+import { floorOf, type Case } from '../case.js';
+import { engines } from '../engines/index.js';
+import type { Engine } from '../engines/engine.js';
+import type { Row } from '../run/row.js';
+import { decades, inUnit, logAxis, SIZES, svgOf, type Size } from './chart.js';
+import { ink, inkOf } from './inks.js';
+import { quantity } from './numbers.js';
+import { errorOf, frontierOf, ladderOf, rowsOf } from './judge.js';
+
+/** Told apart by their shapes too. */
+const SYMBOLS: Record<string, string> = {
+  ours: 'circle',
+  ammo: 'rect',
+  'x-ite': 'triangle',
+  cannon: 'diamond',
+  rapier: 'roundRect',
+  jolt: 'path://M0,0 L10,0 L5,9 Z',
+};
+
+const OUR_LEVELS = 'x3d-physics, levels';
+const OUR_SWEEP = 'x3d-physics, free sweep';
+
+interface Frame {
+  which: Case;
+  rows: readonly Row[];
+  /** Errors below are drawn on the lower edge. */
+  least: number;
+  span: { min: number; max: number };
+}
+
+const dot = ({ least }: Frame, row: Row): [number, number] => [
+  row.ms,
+  Math.max(errorOf(row), least),
+];
+
+const drawn = (rows: readonly Row[]): Row[] => rows.filter(({ error }) => error !== null);
+
+function line(frame: Frame, engine: Engine, rows: readonly Row[], type: 'solid' | 'dashed') {
+  const color = inkOf(engine.id);
+  return {
+    name: engine.name,
+    type: 'line' as const,
+    symbol: SYMBOLS[engine.id],
+    symbolSize: type === 'solid' ? 8 : 5,
+    lineStyle: { color, width: 1.5, type },
+    itemStyle: { color },
+    data: drawn(rows).map((row) => dot(frame, row)),
+  };
+}
+
+/** A line per number of iterations; the engine's default one is drawn through. X_ITE's iterations are its steps. */
+function linesOf(frame: Frame, engine: Engine) {
+  const rows = rowsOf(frame.which, engine.id, frame.rows);
+  if (engine.id === 'x-ite') return [line(frame, engine, rows, 'solid')];
+  const counts = [...new Set(rows.map(({ iterations }) => iterations))];
+  return counts.map((count, i) =>
+    line(
+      frame,
+      engine,
+      rows.filter(({ iterations }) => iterations === count),
+      i === 0 ? 'solid' : 'dashed',
+    ),
+  );
+}
+
+function ours(frame: Frame) {
+  const color = inkOf('ours');
+  const sweep = drawn(rowsOf(frame.which, 'ours', frame.rows));
+  const points = (rows: readonly Row[]) => rows.map((row) => dot(frame, row));
+  return [
+    {
+      name: OUR_SWEEP,
+      type: 'line' as const,
+      symbol: 'none',
+      lineStyle: { color, width: 7, opacity: 0.25 },
+      itemStyle: { color, opacity: 0.35 },
+      data: points(frontierOf(sweep)),
+    },
+    {
+      name: OUR_SWEEP,
+      type: 'scatter' as const,
+      symbol: 'circle',
+      symbolSize: 4,
+      itemStyle: { color, opacity: 0.35 },
+      data: points(sweep.filter(({ level }) => level === null)),
+    },
+    {
+      name: OUR_LEVELS,
+      type: 'line' as const,
+      symbol: 'circle',
+      symbolSize: 12,
+      z: 5,
+      lineStyle: { color, width: 2.5 },
+      itemStyle: { color },
+      data: drawn(ladderOf(frame.which, frame.rows)).map((row) => ({
+        value: dot(frame, row),
+        label: {
+          show: true,
+          position: 'left' as const,
+          offset: [0, 9],
+          color: ink('ink'),
+          fontSize: 12,
+          formatter: row.level!,
+          textBorderColor: ink('ground'),
+          textBorderWidth: 3,
+        },
+      })),
+    },
+  ];
+}
+
+/** A level line from one edge to the other, named at its right end. */
+function across({ span, which }: Frame, name: string, error: number, type: 'dotted' | 'solid') {
+  const label = {
+    show: true,
+    position: 'top' as const,
+    align: 'right' as const,
+    color: ink('soft'),
+    fontSize: 11,
+    formatter: `${name} ${quantity(error, which.unit)}`,
+  };
+  return {
+    type: 'line' as const,
+    symbolSize: 1,
+    lineStyle: { color: ink('soft'), width: 1.2, type },
+    itemStyle: { color: ink('soft') },
+    data: [{ value: [span.min, error] }, { value: [span.max, error], label }],
+  };
+}
+
+const legendOf = (names: string[], size: Size) => ({
+  top: 0,
+  left: 'center',
+  itemGap: size === 'wide' ? 14 : 8,
+  textStyle: { color: ink('ink'), fontSize: 12 },
+  data: names.map((name) => ({ name, ...(name === OUR_SWEEP && { icon: 'roundRect' }) })),
+});
+
+/** Error against time, both logarithmic. */
+export function caseChart(which: Case, rows: readonly Row[], size: Size): string {
+  const { width, height } = SIZES[size];
+  const mine = drawn(rows.filter((row) => row.case === which.id));
+  const { min: least } = decades([which.singlePrecision, floorOf(which)]);
+  const span = decades(mine.map(({ ms }) => ms));
+  const frame: Frame = { which, rows, least, span };
+  const others = engines.filter(({ id }) => id !== 'ours' && rowsOf(which, id, mine).length > 0);
+  const errors = mine.map((row) => Math.max(errorOf(row), least));
+  return svgOf(width, height, {
+    legend: legendOf([OUR_LEVELS, OUR_SWEEP, ...others.map(({ name }) => name)], size),
+    grid: { left: 66, right: 20, top: size === 'wide' ? 56 : 100, bottom: 48 },
+    xAxis: { ...logAxis('ms of work per simulated second', 30, String), ...span },
+    yAxis: {
+      ...logAxis(`error, ${which.unit}`, 50, inUnit(which.unit)),
+      ...decades([...errors, least]),
+    },
+    series: [
+      across(frame, 'floor', floorOf(which), 'solid'),
+      across(frame, 'single precision', which.singlePrecision, 'dotted'),
+      ...others.flatMap((engine) => linesOf(frame, engine)),
+      ...ours(frame),
+    ],
+  });
+}

@@ -1,0 +1,78 @@
+import { floorOf, type Case } from '../case.js';
+import { engines } from '../engines/index.js';
+import type { Results } from '../run/row.js';
+import { fileOf } from './case-page.js';
+import { totals } from './criteria-page.js';
+import { html, table } from './html.js';
+import { themed } from './inks.js';
+import { duel, errorOf, ladderOf, levelNames } from './judge.js';
+import { milliseconds, quantity, times } from './numbers.js';
+import { chart, page } from './page.js';
+import { summaryChart } from './summary-chart.js';
+
+function overview(cases: readonly Case[], { rows }: Results) {
+  return table(
+    ['case', 'floor', ...levelNames, 'standard takes', 'raw Ammo in that time', 'factor'],
+    cases.map((which) => {
+      const found = duel(which, 'ammo', rows);
+      const ladder = ladderOf(which, rows);
+      return [
+        html`<a href="${fileOf(which)}">${which.id} ${which.name}</a>`,
+        quantity(floorOf(which), which.unit),
+        ...levelNames.map((name) => {
+          const row = ladder.find(({ level }) => level === name);
+          return row ? quantity(errorOf(row), which.unit) : '–';
+        }),
+        found ? milliseconds(found.ms) : '–',
+        found?.theirs === null ? 'not offered' : quantity(found?.theirs ?? null, which.unit),
+        found?.factor ? times(found.factor) : '–',
+      ];
+    }),
+  );
+}
+
+const dates = ({ rows }: Results): string => {
+  const days = [...new Set(rows.map(({ date }) => date.slice(0, 10)))].sort();
+  return days.length > 1 ? `${days[0]} to ${days.at(-1)}` : days[0]!;
+};
+
+export function indexPage(cases: readonly Case[], results: Results): string {
+  const { rows } = results;
+  const machines = [...new Set(rows.map(({ machine }) => machine))];
+  return page(
+    'What accuracy costs',
+    html`<a href="criteria.html">Criteria</a><a href="rows.csv">rows.csv</a
+      ><a href="rows.json">rows.json</a>`,
+    html`<p>
+        ${cases.length} cases with a known answer, ${rows.length} runs: error against time at our
+        levels, in a free sweep of step and iterations, and through other engines.
+        ${dates(results)}, ${machines.join('; ')}.
+      </p>
+      ${totals(cases, results)}
+      ${chart(
+        'Error at standard and the best of raw Ammo in the same time, case by case',
+        themed(summaryChart(cases, rows, 'wide')),
+        themed(summaryChart(cases, rows, 'narrow')),
+      )}
+      <h2>All cases</h2>
+      ${overview(cases, results)}
+      <h2>How it is measured</h2>
+      <p>
+        Every engine is told the same scene: bodies, joints, material, in SI units, resting switched
+        off. References are closed forms or run in double precision at so small a step that halving
+        it changes nothing. Errors are to the bit the same in every run;
+        <code>npm run lab -- --quick</code> checks that.
+      </p>
+      <p>
+        Times are of stepping alone, in one thread. All runs of a case take turns, and the fastest
+        repetition counts: of each run at least two where it takes less than 0.15 s, up to ten.
+      </p>
+      <ul>
+        ${engines.map(({ name, says }) => html`<li><b>${name}</b>: ${says}</li>`)}
+      </ul>
+      <p>
+        What an engine has no words for is not offered: it is said on the page of the case, and
+        never replaced by something alike.
+      </p>`,
+  );
+}

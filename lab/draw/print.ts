@@ -1,0 +1,45 @@
+import type { Case } from '../case.js';
+import { floorOf } from '../case.js';
+import type { Results, Row } from '../run/row.js';
+import { brokenRungs } from './judge.js';
+import { milliseconds, quantity, stepOf } from './numbers.js';
+
+const cells = (row: Row): string[] => [
+  row.engine,
+  row.level ?? '',
+  stepOf(row.step),
+  String(row.iterations),
+  quantity(row.error, row.unit),
+  quantity(row.gap, 'm'),
+  milliseconds(row.ms),
+];
+
+function columns(rows: string[][]): string {
+  const widths = rows[0]!.map((_, i) => Math.max(...rows.map((row) => row[i]!.length)));
+  return rows
+    .map((row) =>
+      row
+        .map((text, i) => text.padEnd(widths[i]!))
+        .join('  ')
+        .trimEnd(),
+    )
+    .join('\n');
+}
+
+function caseText(which: Case, { rows, notOffered }: Results): string {
+  const of = <T extends { case: string }>(list: T[]) => list.filter((one) => one.case === which.id);
+  const broken = brokenRungs(which, rows);
+  return [
+    `\n${which.id} ${which.name}: ${which.says} Floor ${quantity(floorOf(which), which.unit)}.`,
+    columns([
+      ['engine', 'level', 'step', 'iterations', 'error', 'gap', 'per second'],
+      ...of(rows).map(cells),
+    ]),
+    ...of(notOffered).map(({ engine, reason }) => `${engine} does not offer ${reason}`),
+    ...(broken.length > 0 ? [`worse than the level before: ${broken.join(', ')}`] : []),
+  ].join('\n');
+}
+
+/** What was measured, as text. */
+export const printed = (cases: readonly Case[], results: Results): string =>
+  cases.map((which) => caseText(which, results)).join('\n');
