@@ -2,7 +2,7 @@ import { floorOf, type Case } from '../case.js';
 import { engines } from '../engines/index.js';
 import type { Engine } from '../engines/engine.js';
 import type { Row } from '../run/row.js';
-import { decades, inUnit, logAxis, SIZES, svgOf, type Size } from './chart.js';
+import { decades, inUnit, legend, logAxis, SIZES, svgOf, type Size } from './chart.js';
 import { ink, inkOf } from './inks.js';
 import { quantity } from './numbers.js';
 import { errorOf, frontierOf, ladderOf, rowsOf } from './judge.js';
@@ -128,30 +128,27 @@ function across({ span, which }: Frame, name: string, error: number, type: 'dott
   };
 }
 
-const legendOf = (names: string[], size: Size) => ({
-  top: 0,
-  left: 'center',
-  itemGap: size === 'wide' ? 14 : 8,
-  textStyle: { color: ink('ink'), fontSize: 12 },
-  data: names.map((name) => ({ name, ...(name === OUR_SWEEP && { icon: 'roundRect' }) })),
-});
-
 /** Error against time, both logarithmic. */
 export function caseChart(which: Case, rows: readonly Row[], size: Size): string {
   const { width, height } = SIZES[size];
   const mine = drawn(rows.filter((row) => row.case === which.id));
-  const { min: least } = decades([which.singlePrecision, floorOf(which)]);
+  const lines = [which.singlePrecision, floorOf(which)];
+  const { min: least } = decades([Math.min(...lines) / 10]);
   const span = decades(mine.map(({ ms }) => ms));
   const frame: Frame = { which, rows, least, span };
   const others = engines.filter(({ id }) => id !== 'ours' && rowsOf(which, id, mine).length > 0);
   const errors = mine.map((row) => Math.max(errorOf(row), least));
   return svgOf(width, height, {
-    legend: legendOf([OUR_LEVELS, OUR_SWEEP, ...others.map(({ name }) => name)], size),
+    legend: legend([
+      OUR_LEVELS,
+      { name: OUR_SWEEP, icon: 'roundRect' },
+      ...others.map(({ name }) => name),
+    ]),
     grid: { left: 66, right: 20, top: size === 'wide' ? 56 : 100, bottom: 48 },
     xAxis: { ...logAxis('ms of work per simulated second', 30, String), ...span },
     yAxis: {
       ...logAxis(`error, ${which.unit}`, 50, inUnit(which.unit)),
-      ...decades([...errors, least]),
+      ...decades([...errors, ...lines]),
     },
     series: [
       across(frame, 'floor', floorOf(which), 'solid'),

@@ -117,7 +117,7 @@ export function casePage(which: Case, all: readonly Case[], results: Results): s
       ${reached(which, rows)}
       <h2>Our levels</h2>
       ${ladder(which, rows)} ${missing(which, results)}
-      <h2>All runs</h2>
+      <h2>All ${rows.length} runs</h2>
       <p class="small">
         Also in <a href="rows.csv">rows.csv</a> and <a href="rows.json">rows.json</a>.
       </p>

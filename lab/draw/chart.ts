@@ -15,7 +15,8 @@ export const SIZES = {
 
 export type Size = keyof typeof SIZES;
 
-export const FONT = 'system-ui, sans-serif';
+/** Widths of text are guessed by this family's. */
+const FONT = "Arial, Helvetica, 'Liberation Sans', sans-serif";
 
 export function svgOf(width: number, height: number, option: EChartsCoreOption): string {
   const chart = init(null, null, { renderer: 'svg', ssr: true, width, height });
@@ -28,6 +29,17 @@ export function svgOf(width: number, height: number, option: EChartsCoreOption):
 export const decades = (values: readonly number[]): { min: number; max: number } => ({
   min: 10 ** Math.floor(Math.log10(Math.min(...values))),
   max: 10 ** Math.ceil(Math.log10(Math.max(...values))),
+});
+
+/** What the marks stand for, above the chart. */
+export const legend = (data: readonly (string | { name: string; icon: string })[]) => ({
+  top: 0,
+  left: 'center',
+  itemGap: 18,
+  itemWidth: 22,
+  itemHeight: 10,
+  textStyle: { color: ink('ink'), fontSize: 12 },
+  data,
 });
 
 /** A logarithmic axis with a line at each power of ten. */

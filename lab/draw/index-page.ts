@@ -64,8 +64,8 @@ export function indexPage(cases: readonly Case[], results: Results): string {
         <code>npm run lab -- --quick</code> checks that.
       </p>
       <p>
-        Times are of stepping alone, in one thread. All runs of a case take turns, and the fastest
-        repetition counts: of each run at least two where it takes less than 0.15 s, up to ten.
+        Times are of stepping alone, in one thread. The runs of a case take turns and are repeated,
+        up to ten times or until a run has worked 0.15 s; its fastest repetition counts.
       </p>
       <ul>
         ${engines.map(({ name, says }) => html`<li><b>${name}</b>: ${says}</li>`)}

@@ -23,7 +23,8 @@ export function power(value: number): string {
   const size = Math.abs(value);
   if (size === 0 || (size >= 0.001 && size < 1e4)) return round(value);
   const exponent = Math.floor(Math.log10(size));
-  return `${round(value / 10 ** exponent)}·10${superscript(exponent)}`;
+  const digits = round(value / 10 ** exponent);
+  return `${digits === '1' ? '' : `${digits}·`}10${superscript(exponent)}`;
 }
 
 const superscript = (n: number): string =>

@@ -3,7 +3,7 @@ import { INK_STYLE } from './inks.js';
 
 const STYLE = `${INK_STYLE}
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem; max-width: 64rem; color: var(--ink); background: var(--ground); font: 1rem/1.5 system-ui, sans-serif; }
+body { margin: 0 auto; padding: 1rem; max-width: 80rem; color: var(--ink); background: var(--ground); font: 1rem/1.5 system-ui, sans-serif; }
 a { color: var(--link); }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: 0.75rem 0; }
 h2 { font-size: 1.15rem; margin: 1.75rem 0 0.5rem; }
@@ -18,7 +18,8 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size
 th, td { padding: 0.25rem 0.6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 tr > :first-child { text-align: left; }
 thead th { color: var(--soft); font-weight: 600; vertical-align: bottom; }
-tbody th { font-weight: 400; }
+tbody th { font-weight: 400; position: sticky; left: 0; background: var(--ground); }
+ul { max-width: 60rem; padding-left: 1.25rem; }
 .good::before { content: "✓ "; }
 .bad { font-weight: 600; }
 .bad::before { content: "✗ "; }

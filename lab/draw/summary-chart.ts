@@ -1,6 +1,6 @@
 import { floorOf, type Case } from '../case.js';
 import type { Row } from '../run/row.js';
-import { decades, logAxis, svgOf } from './chart.js';
+import { decades, legend, logAxis, svgOf } from './chart.js';
 import { ink, inkOf } from './inks.js';
 import { duel, errorOf, ladderOf, type Duel } from './judge.js';
 import { power } from './numbers.js';
@@ -38,7 +38,8 @@ const STANDARD = 'x3d-physics at standard';
 const OTHERS = 'its other levels';
 const AMMO = 'the best of raw Ammo in the same time';
 
-const NAMES = { wide: 210, narrow: 132 };
+/** Pixels for the names of the cases. */
+const NAMES = { wide: 250, narrow: 132 };
 
 export function summaryChart(
   cases: readonly Case[],
@@ -46,7 +47,7 @@ export function summaryChart(
   size: 'wide' | 'narrow',
 ): string {
   const lines = linesOf(cases, rows);
-  const names = lines.map(({ which: { id, name } }) => `${name}  ${id}`);
+  const names = lines.map(({ which: { id, name } }) => `${id} ${name}`);
   const theirs = lines.map(({ which, duel: { theirs: error } }) =>
     error !== null && Number.isFinite(error) ? share(which, error) : null,
   );
@@ -62,13 +63,7 @@ export function summaryChart(
   });
   const height = 96 + (size === 'narrow' ? 40 : 0) + LINE_HEIGHT * lines.length;
   return svgOf(size === 'wide' ? 860 : 358, height, {
-    legend: {
-      top: 0,
-      left: 'center',
-      itemGap: 16,
-      textStyle: { color: ink('ink'), fontSize: 12 },
-      data: [STANDARD, OTHERS, AMMO],
-    },
+    legend: legend([STANDARD, OTHERS, AMMO]),
     grid: { left: NAMES[size], right: 24, top: size === 'wide' ? 32 : 72, bottom: 48 },
     xAxis: {
       ...logAxis('error as a share of the quantity itself', 30, power),

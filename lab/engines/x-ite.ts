@@ -68,7 +68,7 @@ const SPLITS = [1, 2, 4, 10, 16, 32];
 export const xIte: Engine = {
   id: 'x-ite',
   name: "X_ITE's rule",
-  says: 'The stepping of X_ITE 15.0.1 with preferAccuracy: a frame, here a steady 1/60 s, split in `iterations` (10 by default) steps of Bullet; bodies, materials and joints as X_ITE makes them, with a fixed body for the world. (Without preferAccuracy X_ITE takes interpolated poses for true ones, and bodies fall behind: at 10 iterations they go 4 % less far than their speed says, measured in Chromium.)',
+  says: 'The stepping of X_ITE 15.0.1 with preferAccuracy: a frame, here a steady 1/60 s, split in as many steps as its field iterations says (10 by default); bodies, materials and joints as X_ITE makes them, with a fixed body for the world. (Without preferAccuracy X_ITE takes interpolated poses for true ones, and bodies fall behind: at 10 iterations they go 4 % less far than their speed says, measured in Chromium.)',
   settings: SPLITS.map((split) => ({ step: FRAME / split, iterations: split })),
   make,
 };
