@@ -61,10 +61,11 @@ export class Resting extends Effect {
   }
 
   override afterStep(dt: number): void {
+    const { bodies } = this.#world;
     let ready = false;
     for (const node of this.causes) {
       const body = node as BodyNode;
-      if (body.active && body.movable && !body.sleeping) ready = this.#watch(body, dt) || ready;
+      if (body.active && body.moves && !bodies.asleep(body)) ready = this.#watch(body, dt) || ready;
     }
     this.sinceLook += dt;
     if (!ready || this.sinceLook < LOOK) return;

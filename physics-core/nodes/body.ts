@@ -25,6 +25,8 @@ export class BodyNode extends MovingNode {
   dampedShare = { linear: 0, angular: 0 };
   readonly joints = new Set<JointNode>();
   rest: RestRule = { mode: 'library', time: 0, linearSpeed: 0, angularSpeed: 0 };
+  /** Whether it is movable in Bullet: `movable`, which asks two fields, as of the last edit. */
+  moves = false;
   /** Made NaN by the last step and taken out of the world. */
   parked = false;
 
@@ -33,7 +35,6 @@ export class BodyNode extends MovingNode {
   mass: MassProperties = { mass: 1, moments: [0.4, 0.4, 0.4], centerOfMass: identityPose() };
   #inWorld = false;
   #groups = [0, 0];
-  #shapeMoving = false;
 
   // ---- creation -----------------------------------------------------------------------------------------------
 
@@ -115,7 +116,7 @@ export class BodyNode extends MovingNode {
   solidParts: CollidablePart[] = [];
 
   #makeShape(): BtShape {
-    this.#shapeMoving = this.movable;
+    this.moves = this.movable;
     const { shape, parts } = shapeOf(this, this.#shapeOwner);
     this.solidParts = parts;
     return shape;
@@ -149,7 +150,7 @@ export class BodyNode extends MovingNode {
     reportZeroMass(this);
     if (this.fresh) return;
     const mass = massOf(this);
-    if (!samePose(mass.centerOfMass, this.centerOfMass) || this.#shapeMoving !== this.movable) {
+    if (!samePose(mass.centerOfMass, this.centerOfMass) || this.moves !== this.movable) {
       this.updateShape();
       return;
     }
@@ -179,7 +180,7 @@ export class BodyNode extends MovingNode {
 
   /** `fixed` switched: Bullet keeps movable and immovable bodies in different lists. */
   updateFixed(): void {
-    if (this.#shapeMoving === this.movable) return;
+    if (this.moves === this.movable) return;
     this.#leaveWorld();
     this.kinematic = false;
     this.updateMass();

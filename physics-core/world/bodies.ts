@@ -89,9 +89,9 @@ export class Bodies {
     return this.#velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
   }
 
-  /** As it was read last: at the end of the last step, or after an edit. */
-  lastVelocity(slot: number, out: Float64Array): void {
-    for (let i = 0; i < VELOCITY; i++) out[i] = this.#velocities[slot * VELOCITY + i]!;
+  /** Of all slots, as they were read last: at the end of the last step, or after an edit. */
+  get velocities(): Float64Array {
+    return this.#velocities;
   }
 
   /** Whether a body's speeds lie below both limits. */
@@ -165,7 +165,7 @@ export class Bodies {
     let broken: BodyNode[] | undefined;
     for (let slot = 0; slot < this.#bySlot.length; slot++) {
       const body = this.#bySlot[slot];
-      if (!body?.active || !body.movable) continue;
+      if (!body?.active || !body.moves) continue;
       if (!this.#stayedAwake(body, slot)) continue;
       if (this.#readBody(body, slot)) awake++;
       else (broken ??= []).push(body);
