@@ -54,11 +54,11 @@ function incline(id: string, friction: number): Case {
 }
 
 /** Shares of the push that just moves a block. */
-const PUSHES = { held: 0.99, moved: 1.01 };
+const PUSHES = { held: 0.98, moved: 1.02 };
 const FRICTION = 0.5;
 
 function threshold(): Case {
-  const seconds = 2;
+  const seconds = 5;
   const limit = FRICTION * GRAVITY;
   const pushed = (name: keyof typeof PUSHES, z: number): CaseBody =>
     block({ name, position: [0, HEIGHT / 2, z], forces: [[PUSHES[name] * limit, 0, 0]] });
@@ -66,7 +66,7 @@ function threshold(): Case {
   return {
     id: 'A7.3',
     name: 'Threshold of sliding',
-    says: 'Two blocks, pushed with 99 % and 101 % of what friction 0.5 holds; the first stays, the second goes (1 % μ g) t²/2.',
+    says: 'Two blocks, pushed with 98 % and 102 % of what friction 0.5 holds; the first stays, the second goes (2 % μ g) t²/2.',
     scene: {
       gravity: [0, -GRAVITY, 0],
       bodies: [floor, pushed('held', -2), pushed('moved', 2)],
@@ -75,7 +75,7 @@ function threshold(): Case {
     seconds,
     unit: 'm',
     size: (acceleration * seconds ** 2) / 2,
-    singlePrecision: roundingOf(0.1, seconds),
+    singlePrecision: roundingOf(2, seconds),
     watch: offPathsOnFloor({ held: speedingUp(0, -2), moved: speedingUp(acceleration, 2) }),
   };
 }

@@ -1,63 +1,23 @@
-import { ContactPoint } from '../engine/contact-point.js';
+import type { ContactPoint } from '../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import { isDirected, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { World } from '../world/world.js';
-import { isBallAt } from './contact-part.js';
-import { Response } from './contact-response.js';
-import type { Pair } from './contact-rows.js';
+import type { Quaternion } from '../math.js';
+import { Hit, Link, OVER } from './contact-hit.js';
+import { isBallAt, isRound } from './contact-part.js';
+import type { Response } from './contact-response.js';
+import { leaveOut, type Pair } from './contact-rows.js';
 import { Effect } from './effect.js';
-
-/** Below this approach a hit is over: what bounces less and less would go on for ever, m/s. */
-const OVER = 1e-3;
+import { multiply4, writeTurn } from './flat.js';
+import { keyOf } from './touches.js';
+import { anyFast, eachFastPair } from './stale-contacts.js';
 
 /** Hits that one blow may lead to. */
 const MOST_HITS = 200;
 
-/** A point where something round touches and bounces. */
-class Hit {
-  readonly point: ContactPoint;
-  a!: Link;
-  b!: Link;
-  bounce = 0;
-  /** Approach speed that bounces at least, m/s. */
-  least = 0;
-  /** Metres; what is apart is hit where it would be within the step. */
-  gap = 0;
-  /** N s that went through it in this step. */
-  impulse = 0;
-  /** It comes, and may yet turn out to be the first of a chain. */
-  waits = false;
-  /** Part of the chain that is being worked out. */
-  chained = false;
-
-  constructor(world: World) {
-    this.point = new ContactPoint(world.engine.ammo);
-  }
-
-  get approach(): number {
-    const { point } = this;
-    return -point.speed(point.normal(0), point.normal(1), point.normal(2));
-  }
-
-  /** Whether it happens in this step of `dt` seconds. */
-  comes(dt: number): boolean {
-    const { approach } = this;
-    return approach >= this.least && this.gap <= approach * dt;
-  }
-}
-
-/** A body that is hit, and where. */
-class Link {
-  readonly response = new Response();
-  readonly hits: Hit[] = [];
-  body!: BodyNode;
-  movable = false;
-  /** The step that it belongs to. */
-  step = -1;
-  /** Whether its response is known in this step. */
-  known = false;
-}
+/** Hits nearer to each other count as simultaneous, seconds. */
+const SAME_TIME = 1e-6;
 
 /**
  * A blow goes through touching balls as one hit after the other, the hardest first: the far ball of a cradle takes over
@@ -73,9 +33,20 @@ export class ContactChains extends Effect {
   /** By slot of the body. */
   readonly #links: Link[] = [];
   readonly #chain: Hit[] = [];
+  /** Of the step that runs. */
+  readonly #touched: Link[] = [];
+  readonly #pose = new Float64Array(7);
+  readonly #velocity = new Float64Array(6);
+  readonly #way = new Float64Array(3);
+  readonly #turn = new Float64Array(4);
+  /** Pairs that were looked at again in this step. */
+  readonly #seen = new Set<number>();
   #count = 0;
+  #strikes = 0;
   #steps = 0;
   #dt = 0;
+  /** Hits up to this time of the step happen now. */
+  #until = 0;
 
   constructor(world: World) {
     super();
@@ -84,7 +55,7 @@ export class ContactChains extends Effect {
 
   /** As long as something bounces. */
   override get active(): boolean {
-    return this.#world.registry.surface.demands.bouncing;
+    return this.#world.registry.surface.active;
   }
 
   override get because(): Effect['because'] {
@@ -92,7 +63,7 @@ export class ContactChains extends Effect {
   }
 
   override beforeStep(dt: number): void {
-    this.#dt = dt;
+    this.#dt = this.#until = dt;
     this.#count = 0;
     this.#steps++;
   }
@@ -105,10 +76,10 @@ export class ContactChains extends Effect {
     }
   }
 
-  /** A contact point of this step, called before Bullet solves it. */
+  /** A contact point of this step, called before Bullet solves it. False: Bullet need not look at it. */
   note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
     const { bounce, minBounceSpeed, softness } = parameters;
-    if (bounce === 0 || softness > 0 || isDirected(parameters)) return;
+    if (softness > 0 || isDirected(parameters)) return;
     const { ammo } = this.#world.engine;
     const { a, b } = pair;
     if (!isBallAt(ammo, a, at.pointer, 0) && !isBallAt(ammo, b, at.pointer, 1)) return;
@@ -118,57 +89,38 @@ export class ContactChains extends Effect {
     hit.b = this.#linkOf(b);
     hit.bounce = bounce;
     hit.least = Math.max(minBounceSpeed, OVER);
-    hit.gap = at.distance;
+    const { HEAPF32 } = ammo;
+    hit.gap = at.distance + hit.a.lateAt(HEAPF32, hit.point) - hit.b.lateAt(HEAPF32, hit.point);
     hit.impulse = 0;
+    hit.chained = false;
+    hit.weigh(this.#dt);
     if (hit.a.movable) hit.a.hits.push(hit);
     if (hit.b.movable) hit.b.hits.push(hit);
-    hit.waits = hit.comes(this.#dt);
-    if (this.#isChain(hit)) this.#handOn(hit);
+    if (hit.comes(this.#dt, this.#until)) this.#handOn(hit);
   }
 
   #linkOf(body: BodyNode): Link {
     const link = (this.#links[body.slot] ??= new Link());
-    if (link.step === this.#steps) return link;
-    link.step = this.#steps;
-    link.body = body;
-    link.movable = body.movable;
-    link.hits.length = 0;
-    link.known = false;
-    return link;
-  }
-
-  /** Whether it or a neighbour of it comes, they are of three bodies, and one of the two is between bodies that move. */
-  #isChain(hit: Hit): boolean {
-    const { a, b } = hit;
-    return this.#goesOn(hit, a, b) || this.#goesOn(hit, b, a);
-  }
-
-  #goesOn(hit: Hit, link: Link, other: Link): boolean {
-    const both = link.movable && other.movable;
-    for (const next of link.hits) {
-      const third = next.a === link ? next.b : next.a;
-      if (third !== other && (hit.waits || next.waits) && (both || third.movable)) return true;
+    if (link.step !== this.#steps) {
+      link.take(body, this.#steps);
+      this.#touched.push(link);
     }
-    return false;
+    return link;
   }
 
   // ---- a blow ---------------------------------------------------------------------------------------------------------
 
   #handOn(first: Hit): void {
     this.#chain.length = 0;
-    this.#joinAll(first);
+    this.#join(first);
     for (let i = 0; i < MOST_HITS; i++) {
-      const hit = this.#hardest();
+      const hit = this.#earliest();
       if (!hit) break;
       this.#strike(hit);
-      this.#joinAll(hit);
+      for (const next of hit.a.hits) this.#join(next);
+      for (const next of hit.b.hits) this.#join(next);
     }
-    for (const hit of this.#chain) hit.chained = hit.waits = false;
-  }
-
-  #joinAll({ a, b }: Hit): void {
-    for (const hit of a.hits) this.#join(hit);
-    for (const hit of b.hits) this.#join(hit);
+    for (const hit of this.#chain) hit.chained = false;
   }
 
   #join(hit: Hit): void {
@@ -178,39 +130,54 @@ export class ContactChains extends Effect {
     this.#chain.push(hit);
   }
 
-  #hardest(): Hit | undefined {
-    let hardest: Hit | undefined;
-    for (const hit of this.#chain)
-      if (hit.comes(this.#dt) && !(hardest && hit.approach <= hardest.approach)) hardest = hit;
-    return hardest;
+  /** Of those at the same time the hardest. */
+  #earliest(): Hit | undefined {
+    let first: Hit | undefined;
+    for (const hit of this.#chain) {
+      if (!hit.comes(this.#dt, this.#until)) continue;
+      const sooner = first ? first.time - hit.time : Infinity;
+      if (sooner > SAME_TIME || (sooner > -SAME_TIME && hit.speed > first!.speed)) first = hit;
+    }
+    return first;
   }
 
   #strike(hit: Hit): void {
-    const { point, bounce } = hit;
-    const { approach } = hit;
+    const { point, time, speed, returned } = hit;
     const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const impulse = ((1 + bounce) * approach) / this.#ease(hit, x, y, z);
+    const impulse = (speed + returned) / this.#ease(hit, x, y, z);
     if (!Number.isFinite(impulse)) return;
-    this.#push(hit, impulse);
+    this.#shiftGaps(hit, time);
+    this.#push(hit, impulse, time);
     hit.impulse += impulse;
-    this.#rub(hit, impulse * point.get(POINT.friction));
-    // What is left is no bounce any more.
+    this.#strikes++;
+    this.#rub(hit, impulse * point.get(POINT.friction), time);
+    this.#shiftGaps(hit, -time);
+    // What is left is no bounce any more, and the way back to the surface is made up for after the step.
     point.put(POINT.restitution, 0);
-    point.put(POINT.impulse, 0);
+    if (returned > 0) leaveOut(point);
+    else point.put(POINT.distance, 0);
+    // For whoever reads it: here they touched.
+    for (let i = 0; i < 3; i++) point.put(POINT.positionA, point.get(POINT.positionB, i), i);
+  }
+
+  /** Before and after a strike: gaps are those of paths led back to the start of the step with the speeds of now. */
+  #shiftGaps({ a, b }: Hit, time: number): void {
+    for (const hit of a.hits) hit.gap -= time * hit.approach;
+    for (const hit of b.hits) if (!a.hits.includes(hit)) hit.gap -= time * hit.approach;
   }
 
   /** Coulomb's friction of the hit: against the sliding, and no more than ends it. */
-  #rub(hit: Hit, most: number): void {
+  #rub(hit: Hit, most: number, time: number): void {
     const { point } = hit;
     const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const out = -hit.approach;
+    const out = point.speed(x, y, z);
     const u = point.speed(1, 0, 0) - out * x;
     const v = point.speed(0, 1, 0) - out * y;
     const w = point.speed(0, 0, 1) - out * z;
     const sliding = Math.hypot(u, v, w);
     if (sliding < OVER) return;
     const ease = this.#ease(hit, u / sliding, v / sliding, w / sliding);
-    this.#push(hit, -Math.min(most, sliding / ease));
+    this.#push(hit, -Math.min(most, sliding / ease), time);
   }
 
   /** How far both give way along a direction, 1/kg. */
@@ -225,9 +192,92 @@ export class ContactChains extends Effect {
     return link.response;
   }
 
-  #push({ a, b }: Hit, impulse: number): void {
-    const { ammo } = this.#world.engine;
-    a.response.push(ammo, impulse);
-    b.response.push(ammo, -impulse);
+  #push({ a, b }: Hit, impulse: number, time: number): void {
+    const { HEAPF32 } = this.#world.engine.ammo;
+    if (a.movable) a.push(HEAPF32, impulse, time);
+    if (b.movable) b.push(HEAPF32, -impulse, time);
+  }
+
+  // ---- the way of the step -----------------------------------------------------------------------------------------------
+
+  /**
+   * Bullet moves a body with the speed it has at the end of the step. Hits act at their own time of it, and weight and
+   * what carries it all along.
+   */
+  override settle(dt: number): void {
+    const { engine, bullet } = this.#world;
+    if (!engine.heapTrusted) return;
+    this.#makeUpAll(dt);
+    engine.pairTest.clear(bullet.bullet);
+    if (!anyFast(this.#world, dt)) return;
+    this.#lookAgain(dt);
+    this.#makeUpAll(dt);
+  }
+
+  /**
+   * Bullet finds contacts at the start of a step: what comes fast would be seen inside the other body before it is turned
+   * back. So the fast ones are looked at once more.
+   */
+  #lookAgain(dt: number): void {
+    const world = this.#world;
+    this.#steps++;
+    this.#until = 0;
+    this.#seen.clear();
+    let struck = this.#strikes;
+    eachFastPair(world, dt, this.#lookAt);
+    // Where one was turned back, what it lies against is hit next.
+    while (this.#strikes > struck) {
+      struck = this.#strikes;
+      world.bullet.eachManifold((manifold, a, b) => {
+        if (this.#wasStruck(a) || this.#wasStruck(b)) this.#lookAt(manifold, a, b);
+      });
+    }
+  }
+
+  readonly #lookAt = (_: object, a: number, b: number): void => {
+    const world = this.#world;
+    const { pairTest } = world.engine;
+    const [first, second] = [world.bodyAt(a), world.bodyAt(b)];
+    if (!first || !second || !(isRound(first) || isRound(second))) return;
+    const key = keyOf(first, second);
+    if (this.#seen.has(key)) return;
+    this.#seen.add(key);
+    const from = pairTest.count;
+    pairTest.touch(first.body, second.body);
+    pairTest.each(world.bullet.bullet, this.#process, from);
+  };
+
+  readonly #process = (point: number, a: number, b: number): void =>
+    this.#world.registry.processor!.process(point, a, b);
+
+  #wasStruck(pointer: number): boolean {
+    const body = this.#world.bodyAt(pointer);
+    const link = body && this.#links[body.slot];
+    return link !== undefined && link.step === this.#steps && link.struck;
+  }
+
+  #makeUpAll(dt: number): void {
+    for (const link of this.#touched) if (link.struck && link.body.active) this.#makeUp(link, dt);
+    this.#touched.length = 0;
+  }
+
+  #makeUp({ body, before, change, late }: Link, dt: number): void {
+    const { reader, scratch } = this.#world.engine;
+    const pose = this.#pose;
+    reader.pose(body.body, body.pointer, pose, 0);
+    reader.velocity(body.body, body.pointer, this.#velocity, 0);
+    for (let i = 0; i < 3; i++) {
+      pose[i]! += late[i]!;
+      // Joints bring bodies to where they belong by themselves.
+      if (body.joints.size === 0)
+        pose[i]! -= (dt / 2) * (this.#velocity[i]! - before[i]! - change[i]!);
+      this.#way[i] = late[3 + i]!;
+    }
+    writeTurn(this.#turn, this.#way, 1);
+    multiply4(this.#turn, this.#turn, 0, pose, 3);
+    const [x, y, z, w] = this.#turn as unknown as Quaternion;
+    body.body.setCenterOfMassTransform(
+      scratch.transform([pose[0]!, pose[1]!, pose[2]!], [x, y, z, w]),
+    );
   }
 }

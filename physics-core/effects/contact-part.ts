@@ -38,6 +38,10 @@ export function isBallAt(ammo: Ammo, body: BodyNode, point: number, side: 0 | 1)
   return parts[index]?.geometry.type === 'Sphere';
 }
 
+/** Whether any part of it is a ball. */
+export const isRound = (body: BodyNode): boolean =>
+  body.solidParts.some(({ geometry }) => geometry.type === 'Sphere');
+
 /** The mesh among the parts of a body that lies nearest to a point, world frame. */
 export function meshPartAt(body: BodyNode, position: Vec3): CollidableNode | undefined {
   const meshes = body.solidParts.filter(({ mesh }) => mesh);

@@ -5,12 +5,17 @@ import type { World } from '../world/world.js';
 /** What the pair filter has taken back lies at 1e30 m. */
 const FILTERED = 9e29;
 
-/** Every contact point that the pair filter left in, by its pointer. */
+/** Every contact point that the pair filter left in, and what hit at the very end of the step, by its pointer. */
 export function eachContactPoint(
   world: World,
   visit: (pointer: number, a: BodyNode, b: BodyNode) => void,
 ): void {
-  const { ammo } = world.engine;
+  const { ammo, pairTest } = world.engine;
+  pairTest.each(world.bullet.bullet, (pointer, pointerA, pointerB) => {
+    const a = world.bodyAt(pointerA);
+    const b = world.bodyAt(pointerB);
+    if (a && b && ammo.HEAPF32[(pointer + POINT.distance) >> 2]! < FILTERED) visit(pointer, a, b);
+  });
   world.bullet.eachManifold((manifold, pointerA, pointerB) => {
     const count = manifold.getNumContacts();
     const a = count > 0 && world.bodyAt(pointerA);

@@ -15,7 +15,8 @@ export class Response {
   body!: BodyNode;
   readonly #w = new Float64Array(WIDTH * WIDTH);
   readonly #push = new Float64Array(WIDTH);
-  readonly #change = new Float64Array(WIDTH);
+  /** Of the velocity, by the push that `ease` was last asked about. */
+  readonly change = new Float64Array(WIDTH);
 
   read(body: BodyNode, world: World): void {
     this.body = body;
@@ -55,7 +56,7 @@ export class Response {
     if (ease <= HELD * free) return;
     for (let i = 0; i < WIDTH; i++)
       for (let j = 0; j < WIDTH; j++)
-        this.#w[i * WIDTH + j]! -= (this.#change[i]! * this.#change[j]!) / ease;
+        this.#w[i * WIDTH + j]! -= (this.change[i]! * this.change[j]!) / ease;
   }
 
   /** What the push changes; returns its own part of that. */
@@ -64,7 +65,7 @@ export class Response {
     for (let i = 0; i < WIDTH; i++) {
       let sum = 0;
       for (let j = 0; j < WIDTH; j++) sum += this.#w[i * WIDTH + j]! * this.#push[j]!;
-      this.#change[i] = sum;
+      this.change[i] = sum;
       ease += sum * this.#push[i]!;
     }
     return ease;
@@ -85,13 +86,12 @@ export class Response {
   }
 
   /** Applies so many N s of the push that `ease` was last asked about. */
-  push(ammo: Ammo, impulse: number): void {
-    const heap = ammo.HEAPF32;
+  push(heap: Float32Array, impulse: number): void {
     const v = (this.body.pointer + BODY.linearVelocity) >> 2;
     const w = (this.body.pointer + BODY.angularVelocity) >> 2;
     for (let i = 0; i < 3; i++) {
-      heap[v + i]! += impulse * this.#change[i]!;
-      heap[w + i]! += impulse * this.#change[3 + i]!;
+      heap[v + i]! += impulse * this.change[i]!;
+      heap[w + i]! += impulse * this.change[3 + i]!;
     }
   }
 }

@@ -8,8 +8,9 @@ import { carriedBy } from '../world/contact-order.js';
 import type { World } from '../world/world.js';
 import { partAt } from './contact-part.js';
 import { isJointed, writeDepth } from './contact-depth.js';
-import { leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
+import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect } from './effect.js';
+import { anyFast, forgetStale } from './stale-contacts.js';
 import { demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
 /** Numbers of a linear velocity. */
@@ -119,6 +120,7 @@ export class ContactSurface extends Effect {
     this.#step.dt = dt;
     this.#step.slop = this.#world.bullet.settings.linearSlop;
     if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
+    if (this.#world.engine.heapTrusted && anyFast(this.#world, dt)) forgetStale(this.#world, dt);
   }
 
   override afterStep(): void {
@@ -188,6 +190,7 @@ export class ContactSurface extends Effect {
     }
     writeSurface(point, pair, parameters, this.#step);
     this.#world.registry.chains.note(point, pair, parameters);
+    if (point.get(POINT.distance) >= FAR) return;
     const gently = parameters.bounce > 0 && isJointed(pair);
     if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
       writeDepth(point, pair, parameters, this.#step);

@@ -29,6 +29,9 @@ export interface Collision {
   reason?: CollisionEnd;
 }
 
+/** Passes for which Bullet may lose sight of balls a hair apart. */
+const UNSEEN = 1;
+
 /** Two bodies near each other. */
 interface Touch {
   a: BodyNode;
@@ -79,7 +82,7 @@ export class Touches {
   finish(time: number): void {
     let news: Touch[] | undefined;
     for (const [key, touch] of this.#touches) {
-      const gone = touch.pass !== this.#pass;
+      const gone = touch.pass < this.#pass - UNSEEN;
       if (gone || (touch.begun && touch.nearest > END)) this.#touches.delete(key);
       if (touch.begun ? gone || touch.nearest > END : !gone && touch.nearest <= BEGIN)
         (news ??= []).push(touch);

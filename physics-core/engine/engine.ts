@@ -2,6 +2,7 @@ import { compileAmmo, loadAmmo, type Ammo, type LoadOptions } from './ammo.js';
 import { ContactHook } from './contact-hook.js';
 import { bodyOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
+import { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 
@@ -14,6 +15,7 @@ export class Engine {
   readonly reader: BodyReader;
   readonly velocities: VelocityWriter;
   readonly contacts: ContactHook;
+  #pairTest: PairTest | undefined;
   /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
   readonly heapTrusted: boolean;
 
@@ -32,6 +34,10 @@ export class Engine {
   /** One more of the same wasm, with a heap of its own. */
   another(): Promise<Engine> {
     return makeEngine(this.source);
+  }
+
+  get pairTest(): PairTest {
+    return (this.#pairTest ??= new PairTest(this.ammo));
   }
 
   /** Bytes of the wasm heap, shared by all worlds of the page. It never shrinks. */

@@ -87,6 +87,16 @@ export const MANIFOLD_POINT = {
   size: 184,
 } as const;
 
+/** Bytes of btPersistentManifold: the points are its first member. */
+export const MANIFOLD = {
+  points: 4,
+  bodyA: 740,
+  bodyB: 744,
+  pointCount: 748,
+  /** How far a point may move and still be the same, metres. */
+  breaking: 752,
+} as const;
+
 /** btCollisionObject::m_activationState1. */
 export const ACTIVATION = {
   active: 1,
