@@ -252,7 +252,12 @@ export class ContactChains extends Effect {
 
   #wasStruck(pointer: number): boolean {
     const body = this.#world.bodyAt(pointer);
-    const link = body && this.#links[body.slot];
+    return body !== undefined && this.struck(body);
+  }
+
+  /** Whether it was hit in this step. */
+  struck({ slot }: BodyNode): boolean {
+    const link = this.#links[slot];
     return link !== undefined && link.step === this.#steps && link.struck;
   }
 

@@ -13,6 +13,9 @@ const VELOCITY = 6;
 /** Share of a velocity and of its change that single precision may take or add in a step. */
 const SAME = 1e-6;
 
+/** How much more than by itself a body may speed up where it is pushed evenly, as a square: rounding. */
+const EVEN = 1.02;
+
 /** A body that something known pulls or turns: linear parts, then angular ones. */
 interface Flyer {
   body: BodyNode;
@@ -99,7 +102,8 @@ export class Flight extends Effect {
     }
     this.#way.fill(0);
     this.#faster = false;
-    const flies = this.#lead(0, body.slot, acceleration, linear, dt);
+    const flies =
+      this.#lead(0, body.slot, acceleration, linear, dt) || this.#glide(body, acceleration, dt);
     if (turns && this.#lead(3, body.slot, acceleration, angular, dt)) this.#place(body);
     else if (flies) this.#shift(body, this.#way[0]!, this.#way[1]!, this.#way[2]!);
     if (this.#faster) this.#hasten(body);
@@ -119,6 +123,8 @@ export class Flight extends Effect {
     const [now, half] = [this.#now, dt / 2];
     if (same(now[0]!, v[at]!, x) && same(now[1]!, v[at + 1]!, y) && same(now[2]!, v[at + 2]!, z))
       this.#shift(body, -x * half, -y * half, -z * half);
+    else if (this.#glide(body, acceleration, dt))
+      this.#shift(body, this.#way[0]!, this.#way[1]!, this.#way[2]!);
   }
 
   /** Three parts of a damped or turning motion, from `part` on. False: something else acted on them in this step. */
@@ -139,6 +145,24 @@ export class Flight extends Effect {
     }
     this.#faster ||= share > 0;
     return true;
+  }
+
+  /**
+   * What slides or rolls is pushed evenly over the step, and goes on with the mean of the speeds at its ends. A hit is
+   * more than what acts by itself could be; its speed Bullet takes at once.
+   */
+  #glide(body: BodyNode, acceleration: Float64Array, dt: number): boolean {
+    if (this.#world.registry.chains.struck(body)) return false;
+    const v = this.#world.bodies.velocities;
+    const at = body.slot * VELOCITY;
+    let [change, most] = [0, 0];
+    for (let i = 0; i < 3; i++) {
+      const gained = this.#now[i]! - v[at + i]!;
+      change += gained ** 2;
+      most += (acceleration[i]! * dt) ** 2;
+      this.#way[i] = (-dt / 2) * gained;
+    }
+    return change <= most * EVEN;
   }
 
   /** With another orientation. */
