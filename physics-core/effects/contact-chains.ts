@@ -47,19 +47,23 @@ export class ContactChains extends Effect {
   #dt = 0;
   /** Hits up to this time of the step happen now. */
   #until = 0;
+  /** What is noted lay on the way of something fast. */
+  #swept = false;
 
   constructor(world: World) {
     super();
     this.#world = world;
   }
 
-  /** As long as something bounces. */
+  /** As long as surfaces say something, or something is fast. */
   override get active(): boolean {
-    return this.#world.registry.surface.active;
+    const { surface, continuous } = this.#world.registry;
+    return surface.active || continuous.active;
   }
 
   override get because(): Effect['because'] {
-    return this.active ? this.#world.registry.surface.because : undefined;
+    const { surface, continuous } = this.#world.registry;
+    return surface.active ? surface.because : continuous.because;
   }
 
   override beforeStep(dt: number): void {
@@ -82,7 +86,8 @@ export class ContactChains extends Effect {
     if (softness > 0 || isDirected(parameters)) return;
     const { ammo } = this.#world.engine;
     const { a, b } = pair;
-    if (!isBallAt(ammo, a, at.pointer, 0) && !isBallAt(ammo, b, at.pointer, 1)) return;
+    const round = isBallAt(ammo, a, at.pointer, 0) || isBallAt(ammo, b, at.pointer, 1);
+    if (!round && !this.#swept) return;
     const hit = (this.#hits[this.#count++] ??= new Hit(this.#world));
     hit.point.at(at.pointer, a.pointer, b.pointer);
     hit.a = this.#linkOf(a);
@@ -224,6 +229,9 @@ export class ContactChains extends Effect {
     this.#until = 0;
     this.#seen.clear();
     let struck = this.#strikes;
+    this.#swept = true;
+    this.#world.registry.continuous.look(this.#process);
+    this.#swept = false;
     eachFastPair(world, dt, this.#lookAt);
     // Where one was turned back, what it lies against is hit next.
     while (this.#strikes > struck) {
@@ -248,7 +256,7 @@ export class ContactChains extends Effect {
   };
 
   readonly #process = (point: number, a: number, b: number): void =>
-    this.#world.registry.processor!.process(point, a, b);
+    this.#world.registry.process(point, a, b);
 
   #wasStruck(pointer: number): boolean {
     const body = this.#world.bodyAt(pointer);

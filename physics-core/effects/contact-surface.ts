@@ -36,7 +36,7 @@ export class ContactSurface extends Effect {
   readonly #leaving = new Set<BodyNode>();
   /** By pointer of the first body, then of the second. */
   #pairs = new Map<number, Map<number, Pair>>();
-  #point!: ContactPoint;
+  #point: ContactPoint | undefined;
   #steps = 0;
   #before = new Float64Array(VELOCITY * 16);
   readonly #step: StepState = {
@@ -116,7 +116,6 @@ export class ContactSurface extends Effect {
   // ---- around a step ----------------------------------------------------------------------------------------------
 
   override beforeStep(dt: number): void {
-    this.#point ??= new ContactPoint(this.#world.engine.ammo);
     this.#step.dt = dt;
     this.#step.slop = this.#world.bullet.settings.linearSlop;
     if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
@@ -151,7 +150,7 @@ export class ContactSurface extends Effect {
       pair.summed = step;
       const first = engine.ammo.getPointer(manifold.getContactPoint(0));
       for (let i = 0; i < count; i++)
-        this.#point.at(first + i * POINT.size, a, b).addImpulse(pair.impulse);
+        this.#at(first + i * POINT.size, a, b).addImpulse(pair.impulse);
     });
   }
 
@@ -180,7 +179,7 @@ export class ContactSurface extends Effect {
   process(pointer: number, a: number, b: number): void {
     const pair = this.#pairOf(a, b);
     if (!pair) return;
-    const point = this.#point.at(pointer, a, b);
+    const point = this.#at(pointer, a, b);
     const { given } = this.#world.registry;
     const said = given.active ? given.at(point, pair) : undefined;
     const parameters = said === undefined ? this.#parametersAt(point, pair) : said;
@@ -194,6 +193,10 @@ export class ContactSurface extends Effect {
     const gently = parameters.bounce > 0 && isJointed(pair);
     if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
       writeDepth(point, pair, parameters, this.#step);
+  }
+
+  #at(pointer: number, a: number, b: number): ContactPoint {
+    return (this.#point ??= new ContactPoint(this.#world.engine.ammo)).at(pointer, a, b);
   }
 
   #pairOf(a: number, b: number): Pair | undefined {

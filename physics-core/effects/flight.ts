@@ -13,6 +13,9 @@ const VELOCITY = 6;
 /** Share of a velocity and of its change that single precision may take or add in a step. */
 const SAME = 1e-6;
 
+/** What rests trembles; stacks take longer to calm down where that is led on evenly, m/s (measured). */
+const RESTING = 0.01;
+
 /** How much more than by itself a body may speed up where it is pushed evenly, as a square: rounding. */
 const EVEN = 1.02;
 
@@ -149,20 +152,22 @@ export class Flight extends Effect {
 
   /**
    * What slides or rolls is pushed evenly over the step, and goes on with the mean of the speeds at its ends. A hit is
-   * more than what acts by itself could be; its speed Bullet takes at once.
+   * more than what acts by itself could be; its speed Bullet takes at once. What page code pushes may be a spring.
    */
   #glide(body: BodyNode, acceleration: Float64Array, dt: number): boolean {
-    if (this.#world.registry.chains.struck(body)) return false;
+    const { chains, forces } = this.#world.registry;
+    if (chains.struck(body) || forces.pending(body)) return false;
     const v = this.#world.bodies.velocities;
     const at = body.slot * VELOCITY;
-    let [change, most] = [0, 0];
+    let [change, most, speed] = [0, 0, 0];
     for (let i = 0; i < 3; i++) {
       const gained = this.#now[i]! - v[at + i]!;
+      speed += this.#now[i]! ** 2;
       change += gained ** 2;
       most += (acceleration[i]! * dt) ** 2;
       this.#way[i] = (-dt / 2) * gained;
     }
-    return change <= most * EVEN;
+    return speed >= RESTING ** 2 && change <= most * EVEN;
   }
 
   /** With another orientation. */

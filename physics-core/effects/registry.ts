@@ -4,6 +4,7 @@ import type { World } from '../world/world.js';
 import { AuthoredForces } from './forces.js';
 import { AxisDamping } from './damping.js';
 import { Carrying } from './carrying.js';
+import { ContinuousCollision } from './continuous-collision.js';
 import { ContactReader } from './contact-reader.js';
 import { FrameCosts } from './costs.js';
 import { GivenContacts } from './given-contacts.js';
@@ -47,6 +48,7 @@ export class EffectRegistry {
   readonly given: GivenContacts;
   readonly surface: ContactSurface;
   readonly chains: ContactChains;
+  readonly continuous: ContinuousCollision;
   readonly filter: PairFilter;
   readonly contacts: ContactReader;
   readonly stops: Stops;
@@ -69,6 +71,7 @@ export class EffectRegistry {
     this.given = new GivenContacts(world);
     this.surface = new ContactSurface(world);
     this.chains = new ContactChains(world);
+    this.continuous = new ContinuousCollision(world);
     this.filter = new PairFilter(world);
     this.carrying = new Carrying(world);
     this.contacts = new ContactReader(world);
@@ -87,6 +90,7 @@ export class EffectRegistry {
       this.stops,
       this.joints,
       this.chains,
+      this.continuous,
       this.surface,
       this.given,
       this.filter,
@@ -119,6 +123,13 @@ export class EffectRegistry {
     if (!this.filter.active) return surface;
     this.filter.next = surface;
     return this.filter;
+  }
+
+  /** For a contact point that is none of Bullet's. */
+  process(point: number, a: number, b: number): void {
+    const { filter, surface } = this;
+    filter.next = surface;
+    (filter.active ? filter : surface).process(point, a, b);
   }
 
   dropAll(node: PhysicsNode): void {

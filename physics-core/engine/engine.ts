@@ -5,6 +5,7 @@ import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
+import { Sweep } from './sweep.js';
 
 /** Ammo and what all worlds share of it: argument objects and the way state is read. */
 export class Engine {
@@ -16,6 +17,7 @@ export class Engine {
   readonly velocities: VelocityWriter;
   readonly contacts: ContactHook;
   #pairTest: PairTest | undefined;
+  #sweep: Sweep | undefined;
   /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
   readonly heapTrusted: boolean;
 
@@ -38,6 +40,10 @@ export class Engine {
 
   get pairTest(): PairTest {
     return (this.#pairTest ??= new PairTest(this.ammo));
+  }
+
+  get sweep(): Sweep {
+    return (this.#sweep ??= new Sweep(this.ammo, this.scratch));
   }
 
   /** Bytes of the wasm heap, shared by all worlds of the page. It never shrinks. */

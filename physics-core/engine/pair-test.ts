@@ -56,15 +56,21 @@ export class PairTest {
 
   #note(point: number, first: number, second: number): void {
     const ammo = this.#ammo;
-    if (this.#count === ROOM) return;
-    const found = this.#points[this.#count++]!;
     const object = (wrapper: number): number =>
       ammo.getPointer(
         ammo.wrapPointer(wrapper, ammo.btCollisionObjectWrapper).getCollisionObject(),
       );
-    ammo.HEAPU8.copyWithin(found.pointer, point, point + POINT.size);
-    found.a = object(first);
-    found.b = object(second);
+    const pointer = this.add(object(first), object(second));
+    if (pointer !== 0) ammo.HEAPU8.copyWithin(pointer, point, point + POINT.size);
+  }
+
+  /** Room for one more point; 0: there is none. */
+  add(a: number, b: number): number {
+    if (this.#count === ROOM) return 0;
+    const found = this.#points[this.#count++]!;
+    found.a = a;
+    found.b = b;
+    return found.pointer;
   }
 
   /** Of those that a world asked for. */

@@ -110,6 +110,16 @@ export class Bodies {
       this.#velocities,
       body.slot * VELOCITY,
     );
+    this.#judge(this.#bySlot[body.slot]!, body.slot);
+  }
+
+  /** What goes far in a step is looked after. */
+  #judge(body: BodyNode, slot: number): void {
+    const { timeStep, registry } = this.#world;
+    const v = this.#velocities;
+    const at = slot * VELOCITY;
+    const square = v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2;
+    registry.continuous.judge(body, square * timeStep ** 2);
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------
@@ -205,6 +215,7 @@ export class Bodies {
     for (let i = 0; i < VELOCITY; i++) sum += this.#velocity[i]!;
     if (!guards.finiteState(sum)) return false;
     this.#velocities.set(this.#velocity, slot * VELOCITY);
+    this.#judge(body, slot);
     this.#store(body.centerOfMass, slot * POSE);
     this.#poses.mark(slot);
     return true;
