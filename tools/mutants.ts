@@ -73,13 +73,13 @@ const rebuildMutants = (): Mutant[] =>
       })),
   );
 
-/** An effect that does nothing before a step, right after it, at its end, or at a contact. */
+/** An effect that does nothing before a step, right after it, at its end, at a contact, or when it looks ahead. */
 async function effectMutants(): Promise<Mutant[]> {
   const { registry } = await world();
   closeWorlds(false);
   return registry.all.flatMap((effect) => {
     const prototype = Object.getPrototypeOf(effect) as object;
-    return ['beforeStep', 'settle', 'afterStep', 'process']
+    return ['beforeStep', 'settle', 'afterStep', 'process', 'look']
       .filter((method) => Object.hasOwn(prototype, method))
       .map((method) => ({
         name: `effect "${effect.name}" without ${method}`,

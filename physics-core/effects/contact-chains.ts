@@ -3,13 +3,11 @@ import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import { isDirected, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { World } from '../world/world.js';
-import type { Quaternion } from '../math.js';
 import { Hit, Link, OVER } from './contact-hit.js';
 import { isBallAt, isRound } from './contact-part.js';
 import type { Response } from './contact-response.js';
 import { leaveOut, type Pair } from './contact-rows.js';
 import { Effect } from './effect.js';
-import { multiply4, writeTurn } from './flat.js';
 import { keyOf } from './touches.js';
 import { anyFast, eachFastPair } from './stale-contacts.js';
 
@@ -20,10 +18,11 @@ const MOST_HITS = 200;
 const SAME_TIME = 1e-6;
 
 /**
- * A blow goes through touching balls as one hit after the other, the hardest first: the far ball of a cradle takes over
- * the swing. Bullet has all of them bounce at once, and a touching row goes on together. Where a ball that is hit
- * touches a further one, this hands the blow on between Bullet's contact search and its solver, which then finds
- * nothing left to do. Single hits, and what touches in several points, are Bullet's.
+ * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
+ * from there are those of that time, so that a bounce is as high at every level. A blow goes on through touching balls as
+ * one hit after the other, the earliest first: the far ball of a cradle takes over the swing, where Bullet has all of them
+ * bounce at once. All this happens between Bullet's contact search and its solver, which then finds nothing left to do.
+ * What touches in several points, and what rests, is Bullet's.
  */
 export class ContactChains extends Effect {
   readonly name = 'chains of hits';
@@ -35,10 +34,6 @@ export class ContactChains extends Effect {
   readonly #chain: Hit[] = [];
   /** Of the step that runs. */
   readonly #touched: Link[] = [];
-  readonly #pose = new Float64Array(7);
-  readonly #velocity = new Float64Array(6);
-  readonly #way = new Float64Array(3);
-  readonly #turn = new Float64Array(4);
   /** Pairs that were looked at again in this step. */
   readonly #seen = new Set<number>();
   #count = 0;
@@ -80,7 +75,7 @@ export class ContactChains extends Effect {
     }
   }
 
-  /** A contact point of this step, called before Bullet solves it. False: Bullet need not look at it. */
+  /** A contact point of this step, called before Bullet solves it. */
   note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
     const { bounce, minBounceSpeed, softness } = parameters;
     if (softness > 0 || isDirected(parameters)) return;
@@ -215,53 +210,50 @@ export class ContactChains extends Effect {
     this.#makeUpAll(dt);
     engine.pairTest.clear(bullet.bullet);
     if (!anyFast(this.#world, dt)) return;
+    this.#steps++;
+    this.#until = 0;
     this.#lookAgain(dt);
     this.#makeUpAll(dt);
   }
 
   /**
-   * Bullet finds contacts at the start of a step: what comes fast would be seen inside the other body before it is turned
-   * back. So the fast ones are looked at once more.
+   * Bullet finds contacts at the start of a step: what comes fast would be seen inside the other body, or behind it, before
+   * it is turned back. So the fast ones are looked at once more.
    */
   #lookAgain(dt: number): void {
-    const world = this.#world;
-    this.#steps++;
-    this.#until = 0;
-    this.#seen.clear();
     let struck = this.#strikes;
     this.#swept = true;
     this.#world.registry.continuous.look(this.#process);
     this.#swept = false;
-    eachFastPair(world, dt, this.#lookAt);
+    this.#seen.clear();
+    eachFastPair(this.#world, dt, this.#lookAt);
     // Where one was turned back, what it lies against is hit next.
     while (this.#strikes > struck) {
       struck = this.#strikes;
-      world.bullet.eachManifold((manifold, a, b) => {
-        if (this.#wasStruck(a) || this.#wasStruck(b)) this.#lookAt(manifold, a, b);
-      });
+      this.#world.bullet.eachManifold(this.#lookBehind);
     }
   }
 
+  readonly #lookBehind = (_: object, a: number, b: number): void => {
+    const [first, second] = [this.#world.bodyAt(a), this.#world.bodyAt(b)];
+    if ((first && this.struck(first)) || (second && this.struck(second))) this.#lookAt(_, a, b);
+  };
+
   readonly #lookAt = (_: object, a: number, b: number): void => {
-    const world = this.#world;
-    const { pairTest } = world.engine;
-    const [first, second] = [world.bodyAt(a), world.bodyAt(b)];
+    const { engine, bullet } = this.#world;
+    const [first, second] = [this.#world.bodyAt(a), this.#world.bodyAt(b)];
     if (!first || !second || !(isRound(first) || isRound(second))) return;
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
     this.#seen.add(key);
+    const { pairTest } = engine;
     const from = pairTest.count;
     pairTest.touch(first.body, second.body);
-    pairTest.each(world.bullet.bullet, this.#process, from);
+    pairTest.each(bullet.bullet, this.#process, from);
   };
 
   readonly #process = (point: number, a: number, b: number): void =>
     this.#world.registry.process(point, a, b);
-
-  #wasStruck(pointer: number): boolean {
-    const body = this.#world.bodyAt(pointer);
-    return body !== undefined && this.struck(body);
-  }
 
   /** Whether it was hit in this step. */
   struck({ slot }: BodyNode): boolean {
@@ -270,27 +262,7 @@ export class ContactChains extends Effect {
   }
 
   #makeUpAll(dt: number): void {
-    for (const link of this.#touched) if (link.struck && link.body.active) this.#makeUp(link, dt);
+    for (const link of this.#touched) link.makeUp(this.#world.engine, dt);
     this.#touched.length = 0;
-  }
-
-  #makeUp({ body, before, change, late }: Link, dt: number): void {
-    const { reader, scratch } = this.#world.engine;
-    const pose = this.#pose;
-    reader.pose(body.body, body.pointer, pose, 0);
-    reader.velocity(body.body, body.pointer, this.#velocity, 0);
-    for (let i = 0; i < 3; i++) {
-      pose[i]! += late[i]!;
-      // Joints bring bodies to where they belong by themselves.
-      if (body.joints.size === 0)
-        pose[i]! -= (dt / 2) * (this.#velocity[i]! - before[i]! - change[i]!);
-      this.#way[i] = late[3 + i]!;
-    }
-    writeTurn(this.#turn, this.#way, 1);
-    multiply4(this.#turn, this.#turn, 0, pose, 3);
-    const [x, y, z, w] = this.#turn as unknown as Quaternion;
-    body.body.setCenterOfMassTransform(
-      scratch.transform([pose[0]!, pose[1]!, pose[2]!], [x, y, z, w]),
-    );
   }
 }

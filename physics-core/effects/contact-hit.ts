@@ -1,14 +1,21 @@
 import { ContactPoint } from '../engine/contact-point.js';
+import type { Engine } from '../engine/engine.js';
 import { BODY } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { World } from '../world/world.js';
 import { Response } from './contact-response.js';
+import { multiply4, writeTurn } from './flat.js';
 
 /** Below this approach a hit is over: what bounces less and less would go on for ever, m/s. */
 export const OVER = 1e-3;
 
 /** Linear, then angular. */
 const WIDTH = 6;
+
+const pose = new Float64Array(7);
+const velocity = new Float64Array(6);
+const way = new Float64Array(3);
+const turn = new Float64Array(4);
 
 /** A body that is hit, and where. */
 export class Link {
@@ -60,6 +67,24 @@ export class Link {
     );
   }
 
+  /** Moves the body from where Bullet has taken it to where its hits take it. */
+  makeUp({ reader, scratch }: Engine, dt: number): void {
+    const { body, before, change, late } = this;
+    // Those that hang on others that move had their blow alone: the joint solve brings the rest along.
+    if (!this.struck || !body.active || hangsOnMoving(body)) return;
+    reader.pose(body.body, body.pointer, pose, 0);
+    reader.velocity(body.body, body.pointer, velocity, 0);
+    for (let i = 0; i < 3; i++) {
+      pose[i]! += late[i]!;
+      // The joint solve has its own account of weight.
+      if (body.joints.size === 0) pose[i]! -= (dt / 2) * (velocity[i]! - before[i]! - change[i]!);
+      way[i] = late[3 + i]!;
+    }
+    writeTurn(turn, way, 1);
+    multiply4(turn, turn, 0, pose, 3);
+    body.body.setCenterOfMassTransform(scratch.transform(pose, turn));
+  }
+
   #begin(heap: Float32Array): void {
     this.struck = true;
     const v = (this.body.pointer + BODY.linearVelocity) >> 2;
@@ -68,6 +93,12 @@ export class Link {
     this.late.fill(0);
   }
 }
+
+const hangsOnMoving = (body: BodyNode): boolean => {
+  for (const { body1, body2 } of body.joints)
+    if ((body1 === body ? body2 : body1)?.movable) return true;
+  return false;
+};
 
 /** A point where something round touches: whether it hits in this step, when, and how hard. */
 export class Hit {
