@@ -2,7 +2,8 @@ import type { BodyNode } from '../nodes/body.js';
 import type { JointNode } from '../nodes/joint.js';
 import type { World } from '../world/world.js';
 import { backward, factor, forward } from './cholesky.js';
-import { arm, cross3, dot3, place, turned, writeAxes } from './flat.js';
+import { arm, place, turned, writeAxes } from './flat.js';
+import { Gimbal } from './gimbal.js';
 
 /** Velocities of both bodies: linear and angular of body1, then of body2. */
 const WIDTH = 12;
@@ -36,7 +37,7 @@ export class JointRows {
   readonly #now = new Float64Array(WIDTH);
   readonly #one = new End();
   readonly #two = new End();
-  readonly #gimbal = new Float64Array(9);
+  readonly #gimbal = new Gimbal();
   #joint!: JointNode;
   #dt = 0;
   #locked: readonly number[] = [];
@@ -120,33 +121,15 @@ export class JointRows {
     }
   }
 
-  /**
-   * Each row is the rate of one angle while the other two stand: not quite the rate about its axis where two axes are
-   * no longer at right angles.
-   */
   #fillAngular(): void {
     const { jacobian, values } = this;
-    const [one, two, g] = [this.#one.axes, this.#two.axes, this.#gimbal];
-    const sine = dot3(one, 6, two, 0);
-    values[3] = Math.atan2(-dot3(one, 6, two, 3), dot3(one, 6, two, 6));
-    values[4] = Math.asin(Math.max(-1, Math.min(1, sine)));
-    values[5] = Math.atan2(-dot3(two, 0, one, 3), dot3(two, 0, one, 0));
-    cross3(g, 3, one, 6, two, 0);
-    const cosine = Math.hypot(g[3]!, g[4]!, g[5]!) || 1;
-    for (let i = 3; i < 6; i++) g[i]! /= cosine;
-    cross3(g, 0, g, 3, one, 6);
-    cross3(g, 6, two, 0, g, 3);
-    for (let i = 0; i < 3; i++) {
-      g[i]! /= cosine;
-      g[6 + i]! /= cosine;
-    }
+    this.#gimbal.look(this.#one.axes, this.#two.axes);
     for (let row = 3; row < ROWS; row++) {
       const o = row * WIDTH;
+      values[row] = this.#gimbal.angle(row);
       jacobian.fill(0, o, o + WIDTH);
-      for (let i = 0; i < 3; i++) {
-        jacobian[o + 3 + i] = g[(row - 3) * 3 + i]!;
-        jacobian[o + 9 + i] = -g[(row - 3) * 3 + i]!;
-      }
+      this.#gimbal.writeRate(row, jacobian, o + 3);
+      for (let i = 0; i < 3; i++) jacobian[o + 9 + i] = -jacobian[o + 3 + i]!;
     }
   }
 

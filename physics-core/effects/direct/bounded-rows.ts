@@ -46,18 +46,18 @@ export class BoundedRows {
       this.#values = new Float64Array(joints.length * 2 * ROWS);
       this.#sides = new Int8Array(joints.length * 2 * ROWS);
     }
-    this.#joints.forEach(({ lockedRows, stops = [], motors = [] }, k) => {
-      const first = k * ROWS + lockedRows.length;
+    this.#joints.forEach(({ stops = [], motors = [] }, k) => {
+      const first = k * ROWS + this.#rows.count(k);
       const count = stops.length + motors.length;
-      if (!this.#system.isPin[k]) this.#system.rowCount[k] = lockedRows.length + count;
+      this.#system.rowCount[k] = this.#rows.count(k) + count;
       for (let i = first; i < first + count; i++) this.#system.forget(i);
     });
   }
 
   /** Rows of one joint, after its locked ones; returns the worst overshoot past a stop. */
   fill(k: number, dt: number): number {
-    const { lockedRows, stops, motors } = this.#joints[k]!;
-    let r = lockedRows.length;
+    const { stops, motors } = this.#joints[k]!;
+    let r = this.#rows.count(k);
     let worst = 0;
     if (stops) for (const stop of stops) worst = Math.max(worst, this.#fillStop(k, r++, stop, dt));
     if (motors) for (const motor of motors) this.#fillMotor(k, r++, motor, dt);
@@ -89,9 +89,9 @@ export class BoundedRows {
 
   /** For a solution in ways instead of velocities: hard stops end where they are, motors do not act. */
   wantWhole(k: number): void {
-    const { lockedRows, stops } = this.#joints[k]!;
+    const { stops } = this.#joints[k]!;
     const { rowCount, threshold, wanted, compliance } = this.#system;
-    let i = k * ROWS + lockedRows.length;
+    let i = k * ROWS + this.#rows.count(k);
     const end = k * ROWS + rowCount[k]!;
     if (stops)
       for (const stop of stops) {
@@ -109,9 +109,9 @@ export class BoundedRows {
 
   /** The rates that stops are to have: that of a bounce, or one that ends at the stop. */
   want(k: number, dt: number, repair: 0 | 1): void {
-    const { lockedRows, stops } = this.#joints[k]!;
+    const { stops } = this.#joints[k]!;
     if (!stops) return;
-    let r = lockedRows.length;
+    let r = this.#rows.count(k);
     for (const stop of stops) this.#wantStop(k, r++, stop, dt, repair);
   }
 
@@ -129,9 +129,9 @@ export class BoundedRows {
 
   /** Once the motion is found: the same, and the share of the overshoot on top that is repaired, however soft the stop. */
   wantRepair(k: number, dt: number): void {
-    const { lockedRows, stops } = this.#joints[k]!;
+    const { stops } = this.#joints[k]!;
     if (!stops) return;
-    let r = lockedRows.length;
+    let r = this.#rows.count(k);
     for (const stop of stops) this.#wantRepair(k, r++, stop, dt);
   }
 
@@ -151,7 +151,7 @@ export class BoundedRows {
   tell(k: number, listener: StopListener): void {
     const joint = this.#joints[k]!;
     if (!joint.stops) return;
-    let i = k * ROWS + joint.lockedRows.length;
+    let i = k * ROWS + this.#rows.count(k);
     for (const stop of joint.stops) {
       const side = this.#system.holds(i) ? (this.#sides[i] as -1 | 1) : 0;
       listener.note(joint, stop, this.#values[i]!, side);

@@ -1,5 +1,6 @@
 import type { JointNode } from '../../nodes/joint.js';
-import { cross3, dot3 } from '../flat.js';
+import { dot3 } from '../flat.js';
+import { Gimbal } from '../gimbal.js';
 import { SIDE } from './blocks.js';
 import type { End, JointEnds } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -17,7 +18,9 @@ export class BulletTargets {
   /** Of body 1 against body 2: the speed at the joint, and the spin. */
   readonly #speed = new Float64Array(3);
   readonly #spin = new Float64Array(3);
-  readonly #axis = new Float64Array(6);
+  readonly #axis = new Float64Array(3);
+  /** Of A against B. */
+  readonly #gimbal = new Gimbal();
 
   constructor(system: RowSystem, bodies: JointedBodies, ends: JointEnds) {
     this.#system = system;
@@ -34,6 +37,7 @@ export class BulletTargets {
     const a = swapped ? this.#ends.two : this.#ends.one;
     const b = swapped ? this.#ends.one : this.#ends.two;
     const sign = swapped ? -1 : 1;
+    this.#gimbal.look(a.axes, b.axes);
     for (const row of joint.lockedRows) {
       const { share } = joint.corrections[row]!;
       if (share === 0) continue;
@@ -44,8 +48,9 @@ export class BulletTargets {
         for (let x = 0; x < 3; x++) apart += a.axes[at + x]! * (b.origin[x]! - a.origin[x]!);
         constraint!.setTarget(row, apart - per * dot3(a.axes, at, this.#speed, 0));
       } else {
-        const angle = this.#angle(row, a.axes, b.axes);
-        constraint!.setTarget(row, angle + per * dot3(this.#axis, 0, this.#spin, 0));
+        this.#gimbal.writeAxis(row, this.#axis, 0);
+        const turning = per * dot3(this.#axis, 0, this.#spin, 0);
+        constraint!.setTarget(row, this.#gimbal.angle(row) + turning);
       }
     }
   }
@@ -74,23 +79,5 @@ export class BulletTargets {
     this.#speed[1]! += sign * (velocity[v + 1]! + wz * x - wx * z);
     this.#speed[2]! += sign * (velocity[v + 2]! + wx * y - wy * x);
     for (let i = 0; i < 3; i++) this.#spin[i]! += sign * velocity[v + 3 + i]!;
-  }
-
-  /** The angle of a row as Bullet takes it, of A against B; its axis goes to `#axis`. */
-  #angle(row: number, a: Float64Array, b: Float64Array): number {
-    const axis = this.#axis;
-    cross3(axis, 3, a, 6, b, 0);
-    const length = Math.hypot(axis[3]!, axis[4]!, axis[5]!) || 1;
-    for (let x = 3; x < 6; x++) axis[x]! /= length;
-    if (row === 3) {
-      cross3(axis, 0, axis, 3, a, 6);
-      return Math.atan2(-dot3(a, 6, b, 3), dot3(a, 6, b, 6));
-    }
-    if (row === 5) {
-      cross3(axis, 0, b, 0, axis, 3);
-      return Math.atan2(-dot3(b, 0, a, 3), dot3(b, 0, a, 0));
-    }
-    for (let x = 0; x < 3; x++) axis[x] = axis[3 + x]!;
-    return Math.asin(Math.max(-1, Math.min(1, dot3(a, 6, b, 0))));
   }
 }

@@ -4,7 +4,7 @@ import type { PhysicsNode } from '../../nodes/node.js';
 import type { World } from '../../world/world.js';
 import { Effect } from '../effect.js';
 import { Aftermath } from './aftermath.js';
-import { BoundedRows } from './bounded-rows.js';
+import { BoundedRows, isBounded } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
 import { Forest, type Component, type Edge } from './forest.js';
 import { JointEnds } from './joint-ends.js';
@@ -171,7 +171,7 @@ export class DirectJoints extends Effect {
     }
     for (const k of component.rows) {
       worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
-      this.#tension.stiffen(k, this.#ends.two.origin, dt);
+      if (!this.#system.isPin[k]) this.#tension.stiffen(k, this.#ends.two.origin, dt);
     }
     return worst;
   }
@@ -191,7 +191,7 @@ export class DirectJoints extends Effect {
     // The repair of a torn joint is no pull.
     if (!this.#repaired.includes(component)) {
       for (const k of component.pins) this.#tension.notePin(k);
-      for (const k of component.rows) this.#tension.note(k);
+      for (const k of component.rows) if (!this.#system.isPin[k]) this.#tension.note(k);
     }
     return this.#bodies.sane(component);
   }
@@ -268,6 +268,7 @@ export class DirectJoints extends Effect {
       a: number(joint.body1),
       b: number(joint.body2),
       pin: isPin(joint),
+      rows: joint.lockedRows.length > 3 || isBounded(joint),
     }));
     this.#forest.build(numbers.size, edges);
     this.#system.resize(numbers.size, edges, this.#forest);

@@ -2,7 +2,7 @@
 export interface Edge {
   a: number;
   b: number;
-  /** Whether it holds points together, and whether it has rows besides. One that closes a loop is all rows. */
+  /** Whether it holds points together, and whether it has rows besides. */
   pin?: boolean;
   rows?: boolean;
 }
@@ -11,7 +11,7 @@ export interface Edge {
 export interface Component {
   /** From the leaves to the root. */
   bodies: Int32Array;
-  /** All its joints; those of the tree that are pins; those that have rows; of these those that close loops. */
+  /** All its joints; in a tree those that are pins; those that have rows; of these those that close loops. */
   joints: Int32Array;
   pins: Int32Array;
   rows: Int32Array;
@@ -68,8 +68,7 @@ class Growth {
   from(root: number, joint: number): void {
     if (root < 0 || this.#seen[root]) return;
     const bodies: number[] = [];
-    const pins: number[] = [];
-    const rows: number[] = [];
+    const joints: number[] = [];
     const loops: number[] = [];
     const visit = (body: number, through: number, parent: number): void => {
       this.#seen[body] = 1;
@@ -79,9 +78,7 @@ class Growth {
       if (through < 0) return;
       this.#used[through] = 1;
       this.#forest.childOf[through] = body;
-      const edge = this.#edges[through]!;
-      if (edge.pin) pins.push(through);
-      if (!edge.pin || edge.rows) rows.push(through);
+      joints.push(through);
     };
     visit(root, joint, -1);
     for (let i = 0; i < bodies.length; i++) {
@@ -93,16 +90,18 @@ class Growth {
         if (other >= 0 && !this.#seen[other]) visit(other, edge, body);
         else {
           this.#used[edge] = 1;
-          rows.push(edge);
+          joints.push(edge);
           loops.push(edge);
         }
       }
     }
+    // A loop that is closed more than once needs all its rows in one system (measured: a door on four hinges sticks).
+    const pinned = (edge: number): boolean => loops.length === 0 && !!this.#edges[edge]!.pin;
     this.#forest.components.push({
       bodies: Int32Array.from(bodies.reverse()),
-      joints: Int32Array.from(new Set([...pins, ...rows])),
-      pins: Int32Array.from(pins),
-      rows: Int32Array.from(rows),
+      joints: Int32Array.from(joints),
+      pins: Int32Array.from(joints.filter(pinned)),
+      rows: Int32Array.from(joints.filter((edge) => !pinned(edge) || this.#edges[edge]!.rows)),
       loops: Int32Array.from(loops),
     });
   }

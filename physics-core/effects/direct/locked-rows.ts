@@ -1,5 +1,5 @@
 import type { JointNode } from '../../nodes/joint.js';
-import { cross3, dot3 } from '../flat.js';
+import { Gimbal } from '../gimbal.js';
 import { ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { JointEnds } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -9,8 +9,8 @@ import type { RowSystem } from './row-system.js';
 const LINEAR = 3;
 
 /**
- * The rows by which joints hold their bodies, written into the system anew for each step: which way each row pulls, and
- * the rate at which its error is to shrink. Rows are numbered as Bullet's 6-DoF has them: 0 to 2 along the axes of
+ * The rows by which joints hold their bodies, other than by pins, written into the system anew for each step: which way
+ * each row pulls, and the rate at which its error is to shrink. Rows are numbered as Bullet's 6-DoF has them: 0 to 2 along the axes of
  * frame 1, 3 to 5 about x of frame 2, what is at right angles to both, and z of frame 1.
  */
 export class LockedRows {
@@ -26,7 +26,8 @@ export class LockedRows {
   #errors = new Float64Array(0);
   /** What `correct` asked for in the last step: the round ways of the next one are nearly the same. */
   #bends = new Float64Array(0);
-  readonly #axes = new Float64Array(9);
+  /** Of the joint that was read last. */
+  readonly #gimbal = new Gimbal();
 
   constructor(system: RowSystem, bodies: JointedBodies, ends: JointEnds) {
     this.#system = system;
@@ -50,9 +51,11 @@ export class LockedRows {
   }
 
   #takeJoint(joint: JointNode, k: number): void {
-    const { lockedRows } = joint;
-    this.#counts[k] = lockedRows.length;
-    lockedRows.forEach((number, r) => {
+    const rows = this.#system.isPin[k]
+      ? joint.lockedRows.filter((number) => number >= LINEAR)
+      : joint.lockedRows;
+    this.#counts[k] = rows.length;
+    rows.forEach((number, r) => {
       const i = k * ROWS + r;
       const { share, softness } = joint.corrections[number]!;
       this.#numbers[i] = number;
@@ -63,12 +66,17 @@ export class LockedRows {
     });
   }
 
+  /** How many rows of a joint are locked: the bounded ones lie behind them. */
+  count(k: number): number {
+    return this.#counts[k]!;
+  }
+
   // ---- a step -------------------------------------------------------------------------------------------------------
 
   /** Rows of one joint at the poses the step begins with; returns the worst error, metres or radians. */
   fill(k: number): number {
     const { place, turn } = this.#bodies;
-    this.#ends.read(k, place, turn);
+    this.#read(k, place, turn);
     const { compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {
@@ -77,6 +85,11 @@ export class LockedRows {
       if (compliance[i] === 0) worst = Math.max(worst, Math.abs(this.#errors[i]!));
     }
     return worst;
+  }
+
+  #read(k: number, place: Float64Array, turn: Float64Array): void {
+    this.#ends.read(k, place, turn);
+    this.#gimbal.look(this.#ends.one.axes, this.#ends.two.axes);
   }
 
   /** One row of the joint that was filled last; returns where it stands, metres or radians. */
@@ -122,7 +135,7 @@ export class LockedRows {
    */
   correct(k: number, dt: number, repair: 0 | 1): number {
     const { nextPlace, nextTurn } = this.#bodies;
-    this.#ends.read(k, nextPlace, nextTurn);
+    this.#read(k, nextPlace, nextTurn);
     const { wanted, compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {
@@ -139,19 +152,15 @@ export class LockedRows {
 
   /** Of a row where the ends are now, metres or radians. */
   #value(number: number): number {
+    if (number >= LINEAR) return this.#gimbal.angle(number);
     const { axes: one, origin: c1 } = this.#ends.one;
-    const { axes: two, origin: c2 } = this.#ends.two;
-    if (number < LINEAR) {
-      const n = number * 3;
-      return (
-        one[n]! * (c1[0]! - c2[0]!) +
-        one[n + 1]! * (c1[1]! - c2[1]!) +
-        one[n + 2]! * (c1[2]! - c2[2]!)
-      );
-    }
-    if (number === 3) return Math.atan2(-dot3(one, 6, two, 3), dot3(one, 6, two, 6));
-    if (number === 5) return Math.atan2(-dot3(two, 0, one, 3), dot3(two, 0, one, 0));
-    return Math.asin(Math.max(-1, Math.min(1, dot3(one, 6, two, 0))));
+    const { origin: c2 } = this.#ends.two;
+    const n = number * 3;
+    return (
+      one[n]! * (c1[0]! - c2[0]!) +
+      one[n + 1]! * (c1[1]! - c2[1]!) +
+      one[n + 2]! * (c1[2]! - c2[2]!)
+    );
   }
 
   /** Along an axis that body 1 carries, at the point that body 2 carries: what slides is measured there. */
@@ -180,27 +189,12 @@ export class LockedRows {
   /** The rate of one of three angles while the other two stand. */
   #fillAngular(k: number, r: number, number: number): void {
     const { jacobian } = this.#system;
-    const g = this.#axes;
-    const at = k * 2 * ROW_BLOCK + r * SIDE;
-    this.#writeAxes(number);
+    const one = k * 2 * ROW_BLOCK + r * SIDE;
+    const two = one + ROW_BLOCK;
+    this.#gimbal.writeRate(number, jacobian, one + 3);
     for (let x = 0; x < 3; x++) {
-      jacobian[at + x] = jacobian[at + ROW_BLOCK + x] = 0;
-      jacobian[at + 3 + x] = g[x]!;
-      jacobian[at + ROW_BLOCK + 3 + x] = -g[x]!;
+      jacobian[one + x] = jacobian[two + x] = 0;
+      jacobian[two + 3 + x] = -jacobian[one + 3 + x]!;
     }
-  }
-
-  /** Of angle `number`, into the first three of `#axes`; the rest is room. */
-  #writeAxes(number: number): void {
-    const one = this.#ends.one.axes;
-    const two = this.#ends.two.axes;
-    const g = this.#axes;
-    cross3(g, 3, one, 6, two, 0);
-    const cosine = Math.hypot(g[3]!, g[4]!, g[5]!) || 1;
-    for (let x = 3; x < 6; x++) g[x]! /= cosine;
-    if (number === 3) cross3(g, 0, g, 3, one, 6);
-    else if (number === 5) cross3(g, 0, two, 0, g, 3);
-    const scale = number === 4 ? 1 : 1 / cosine;
-    for (let x = 0; x < 3; x++) g[x] = (number === 4 ? g[3 + x]! : g[x]!) * scale;
   }
 }

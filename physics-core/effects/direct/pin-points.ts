@@ -1,5 +1,4 @@
 import type { JointNode } from '../../nodes/joint.js';
-import { isBounded } from './bounded-rows.js';
 import type { Edge, Forest } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { Pins } from './pins.js';
@@ -8,18 +7,15 @@ import type { Pins } from './pins.js';
 const POINTS = 6;
 const PARENT = 3;
 
-/** Whether a joint does nothing but hold a point of one body at a point of the other, hard. */
-export function isPin(joint: JointNode): boolean {
-  const { lockedRows, corrections, limits } = joint;
-  if (lockedRows.length !== 3 || lockedRows[2] !== 2 || isBounded(joint)) return false;
-  const { share } = corrections[0]!;
-  return lockedRows.every(
+/** Whether a joint holds a point of one body at a point of the other, hard. */
+export const isPin = ({ corrections, limits }: JointNode): boolean =>
+  [0, 1, 2].every(
     (row) =>
+      limits[row]![0] === limits[row]![1] &&
       Math.abs(limits[row]![0]) < Number.EPSILON &&
       corrections[row]!.softness === 0 &&
-      corrections[row]!.share === share,
+      corrections[row]!.share === corrections[0]!.share,
   );
-}
 
 /** Where the points of pins are and at what rate they are to come together: for pins what `LockedRows` is for rows. */
 export class PinPoints {
@@ -100,12 +96,11 @@ export class PinPoints {
 
   /** The rate at which the points are to come together; `repair` 0 leaves them apart as they are. */
   want(pin: number, dt: number, repair: 0 | 1): void {
-    const rate = (-repair * this.#shares[pin]!) / dt;
     const { wanted } = this.#pins;
-    for (let i = pin * 3; i < pin * 3 + 3; i++) {
-      if (repair === 0) this.#bends[i] = 0;
+    const rate = (-repair * this.#shares[pin]!) / dt;
+    if (repair === 0) this.straighten(pin);
+    for (let i = pin * 3; i < pin * 3 + 3; i++)
       wanted[i] = rate * this.#errors[i]! + this.#bends[i]!;
-    }
   }
 
   /** Forgets what round ways asked for. */
@@ -131,13 +126,10 @@ export class PinPoints {
     for (let x = 0; x < 3; x++) apart[x] = share * this.#errors[e + x]!;
     this.#bodies.addWay(child, arms, pin * POINTS, dt, 1, apart);
     if (parent >= 0) this.#bodies.addWay(parent, arms, pin * POINTS + PARENT, dt, -1, apart);
-    let worst = 0;
     for (let x = 0; x < 3; x++) {
-      const miss = apart[x]!;
-      wanted[e + x]! -= miss / dt;
-      this.#bends[e + x]! -= miss / dt;
-      worst = Math.max(worst, Math.abs(miss));
+      wanted[e + x]! -= apart[x]! / dt;
+      this.#bends[e + x]! -= apart[x]! / dt;
     }
-    return worst;
+    return Math.max(Math.abs(apart[0]!), Math.abs(apart[1]!), Math.abs(apart[2]!));
   }
 }
