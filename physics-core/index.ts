@@ -19,6 +19,7 @@ export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fiel
 export type { Problem, ProblemReport, Severity } from './problems.js';
 export type { DebugLines } from './effects/debug/debug-lines.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs.js';
+export type { Drag, DragEnd, DragMode } from './effects/drag.js';
 export type { EffectReport } from './effects/registry.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/touches.js';
 export { levels, type Level, type LevelName } from './accuracy/levels.js';

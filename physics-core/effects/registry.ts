@@ -8,6 +8,7 @@ import { ContinuousCollision } from './continuous-collision.js';
 import { ContactReader } from './contact-reader.js';
 import { FrameCosts } from './costs.js';
 import { GivenContacts } from './given-contacts.js';
+import { Dragging } from './dragging.js';
 import { ContactChains } from './contact-chains.js';
 import { ContactSurface } from './contact-surface.js';
 import { Debugging } from './debugging.js';
@@ -43,6 +44,7 @@ export class EffectRegistry {
   /** Shared by all that work on joints, one joint at a time. */
   readonly rows: JointRows;
   readonly suspension: Suspension;
+  readonly dragging: Dragging;
   readonly motors: Motors;
   readonly carrying: Carrying;
   readonly given: GivenContacts;
@@ -67,6 +69,7 @@ export class EffectRegistry {
     this.gyroscopic = new Gyroscopic(world);
     this.rows = new JointRows(world);
     this.suspension = new Suspension(world);
+    this.dragging = new Dragging(world);
     this.motors = new Motors(world);
     this.given = new GivenContacts(world);
     this.surface = new ContactSurface(world);
@@ -86,6 +89,7 @@ export class EffectRegistry {
       this.flight,
       this.gyroscopic,
       this.suspension,
+      this.dragging,
       this.motors,
       this.stops,
       this.chains,

@@ -34,7 +34,7 @@ export abstract class MovingNode extends PhysicsNode {
   /** Just created: the first round of patches finds everything in place already. */
   protected fresh = false;
   /** Carried along by its author: it pushes others. */
-  protected kinematic = false;
+  kinematic = false;
 
   /** Whether it is simulated at all. */
   abstract get active(): boolean;

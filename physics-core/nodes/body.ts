@@ -5,7 +5,7 @@ import type { BtShape } from '../shapes/build.js';
 import { DEFAULT_FRICTION } from '../world/pairs.js';
 import type { PhysicsNode } from './node.js';
 import { massOf, reportZeroMass, type MassProperties } from './body-mass.js';
-import { MovingNode } from './body-motion.js';
+import { HeldNode } from './body-held.js';
 import { restRuleOf, sameRule, type RestRule } from './body-rest.js';
 import { shapeOf } from './body-shape.js';
 import type { CollidableNode, CollidablePart } from './collidable.js';
@@ -18,7 +18,7 @@ const samePose = (a: Pose, b: Pose): boolean =>
   a.p.every((value, i) => value === b.p[i]) && a.q.every((value, i) => value === b.q[i]);
 
 /** A rigid body and its btRigidBody. Bullet's body frame is the centre of mass; X3D's is the body's origin. */
-export class BodyNode extends MovingNode {
+export class BodyNode extends HeldNode {
   /** The acceleration that Bullet gives it, m/s². */
   pulled: Vec3 = WEIGHTLESS;
   /** Shares of its velocities that Bullet's damping takes per second. */
@@ -79,6 +79,7 @@ export class BodyNode extends MovingNode {
     this.#goOut();
     this.world.pairs.kinds.leave(this);
     this.world.registry.dropAll(this);
+    this.withdraw();
     this.#owner.dispose();
     this.#shapeOwner.dispose();
     this.world.bodies.release(this);
@@ -149,6 +150,7 @@ export class BodyNode extends MovingNode {
   updateMass(): void {
     reportZeroMass(this);
     if (this.fresh) return;
+    this.updateDraggable();
     const mass = massOf(this);
     if (!samePose(mass.centerOfMass, this.centerOfMass) || this.moves !== this.movable) {
       this.updateShape();
@@ -160,6 +162,13 @@ export class BodyNode extends MovingNode {
   }
 
   #applyMass(): void {
+    this.#setMass();
+    this.updateGravity();
+    this.#momentsChanged();
+    for (const joint of this.joints) joint.massChanged();
+  }
+
+  #setMass(): void {
     const { mass, moments } = this.mass;
     const { scratch } = this.world.engine;
     const movable = this.movable;
@@ -168,9 +177,17 @@ export class BodyNode extends MovingNode {
     this.setFlags();
     if (!movable) this.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });
     this.body.updateInertiaTensor();
+  }
+
+  /** It stays in the world, and so do its joints: only the solvers see another mass. */
+  protected override mobilityChanged(): void {
+    this.kinematic = false;
+    this.world.registry.carrying.drop(this);
+    this.world.registry.joints.changed();
+    // Its shape was made anew while it was held.
+    if (this.movable && !this.moves) return this.updateFixed();
+    this.#setMass();
     this.updateGravity();
-    this.#momentsChanged();
-    for (const joint of this.joints) joint.massChanged();
   }
 
   #momentsChanged(): void {
@@ -188,6 +205,12 @@ export class BodyNode extends MovingNode {
     this.updateMembership();
   }
 
+  /** Joints hang on to where an immovable body is put. */
+  override place(pose: Pose): void {
+    super.place(pose);
+    if (!this.movable && this.joints.size > 0) this.world.registry.joints.carried(this);
+  }
+
   // ---- in the world -------------------------------------------------------------------------------------------
 
   /** Whether it is simulated at all. */
@@ -203,6 +226,7 @@ export class BodyNode extends MovingNode {
     if (!this.asked<boolean>('enabled')) this.world.registry.contacts.part(this, 'disabled');
     if (!wanted) {
       this.#goOut();
+      this.world.registry.dragging.letGo(this, 'disabled');
       return;
     }
     this.#leaveWorld();

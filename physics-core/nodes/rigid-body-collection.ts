@@ -1,3 +1,4 @@
+import { DRAG_MODES } from '../effects/drag.js';
 import type { Vec3 } from '../fields/types.js';
 import { AUTO, DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
 import type { ContactNode } from './contact.js';
@@ -268,6 +269,25 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       edit: 'live',
       patch: (collection) => collection.updateColliders(),
       doc: '`strict` follows the standard to the letter: without a collider nothing collides but the contacts of a CollisionSensor that page code hands to set_contacts, and friction is what frictionCoefficients say.',
+    },
+    draggableBody: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'live',
+      patch: (collection) => collection.eachBody('draggableBody'),
+      doc: 'TRUE: people may drag all of its bodies that move.',
+    },
+    dragMode: {
+      type: 'SFString',
+      access: 'inputOutput',
+      default: 'spring',
+      values: DRAG_MODES,
+      own: true,
+      edit: 'live',
+      patch: (collection) => collection.eachBody('dragMode'),
+      doc: 'How its bodies are dragged: spring (default), kinematic, teleport.',
     },
     runHidden: {
       type: 'SFBool',

@@ -1,3 +1,4 @@
+import { DRAG_MODES } from '../effects/drag.js';
 import { rotationOf } from '../math.js';
 import type { CollidableNode } from './collidable.js';
 import { BodyNode } from './body.js';
@@ -240,6 +241,25 @@ export const rigidBody = defineNode<RigidBodyNode>({
       edit: 'live',
       patch: rest,
       doc: 'Angular speed below which it may sleep, rad/s.',
+    },
+    draggableBody: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'live',
+      patch: (body) => body.updateDraggable(),
+      doc: 'TRUE: people may drag it by mouse, touch, pen and keyboard. Not authored: as its collection, if it moves.',
+    },
+    dragMode: {
+      type: 'SFString',
+      access: 'inputOutput',
+      default: 'spring',
+      values: DRAG_MODES,
+      own: true,
+      edit: 'live',
+      patch: (body) => body.updateDragMode(),
+      doc: '`spring` pulls it at the grabbed point, `kinematic` carries it, pushing others aside, `teleport` sets it down. Not authored: as its collection.',
     },
     useFiniteRotation: {
       type: 'SFBool',

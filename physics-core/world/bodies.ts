@@ -48,10 +48,11 @@ export class Bodies {
     this.#byPointer.set(body.pointer, body);
   }
 
-  /** Movable bodies in the world that do not sleep, counted anew. */
+  /** Bodies in the world that do not sleep, counted anew. One that is carried along may push others. */
   countAwake(): number {
     let awake = 0;
-    for (const body of this) if (body.active && body.movable && !this.asleep(body)) awake++;
+    for (const body of this)
+      if (body.active && (body.movable ? !this.asleep(body) : body.kinematic)) awake++;
     return awake;
   }
 
@@ -175,7 +176,9 @@ export class Bodies {
     let broken: BodyNode[] | undefined;
     for (let slot = 0; slot < this.#bySlot.length; slot++) {
       const body = this.#bySlot[slot];
-      if (!body?.active || !body.moves) continue;
+      if (!body?.active) continue;
+      if (body.kinematic) awake++;
+      if (!body.moves) continue;
       if (!this.#stayedAwake(body, slot)) continue;
       if (this.#readBody(body, slot)) awake++;
       else (broken ??= []).push(body);

@@ -87,6 +87,16 @@ export class DirectJoints extends Effect {
     this.#forget(node as JointNode);
   }
 
+  /** An immovable body was moved: its ends of joints go along. */
+  carried(body: BodyNode): void {
+    if (this.#stale) return;
+    this.#joints.forEach((joint, k) => {
+      if (joint?.body1 !== body && joint?.body2 !== body) return;
+      this.#ends.takeFrames(k, joint!);
+      if (this.#system.isPin[k]) this.#pins.takePoints(k, joint!, this.#ends.edges[k]!);
+    });
+  }
+
   /** Seconds of a body's last step, to the middle of which its velocity belongs; 0: to this moment. */
   lastStep(body: BodyNode): number {
     return this.#bodies.lastStep(body);
@@ -122,7 +132,7 @@ export class DirectJoints extends Effect {
   #close(component: Component, dt: number): void {
     for (let round = 0; round < ROUNDS; round++) {
       let worst = 0;
-      this.#bodies.read(component, dt);
+      this.#read(component, dt);
       for (const k of component.pins) {
         worst = Math.max(worst, this.#pins.fill(k));
         this.#pins.wantWhole(k);
@@ -164,7 +174,7 @@ export class DirectJoints extends Effect {
   /** Returns the worst error of a joint. */
   #fill(component: Component, dt: number): number {
     let worst = 0;
-    this.#bodies.read(component, dt);
+    this.#read(component, dt);
     for (const k of component.pins) {
       worst = Math.max(worst, this.#pins.fill(k));
       this.#tension.stiffenPin(k, dt);
@@ -173,7 +183,20 @@ export class DirectJoints extends Effect {
       worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
       if (!this.#system.isPin[k]) this.#tension.stiffen(k, this.#ends.two.origin, dt);
     }
+    this.#drag(component, dt);
     return worst;
+  }
+
+  #read(component: Component, dt: number): void {
+    this.#bodies.read(component, dt);
+    this.#system.resisting.clear();
+  }
+
+  /** What somebody pulls at. */
+  #drag({ bodies }: Component, dt: number): void {
+    const { dragging } = this.#world.registry;
+    if (!dragging.active) return;
+    for (const i of bodies) dragging.pullIn(this.#bodies.bodies[i]!, this.#system, i, dt);
   }
 
   #want(component: Component, dt: number, repair: 0 | 1): void {

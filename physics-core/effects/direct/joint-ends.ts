@@ -25,11 +25,14 @@ export class JointEnds {
     this.edges = edges;
     if (this.#frames.length < joints.length * 2 * FRAME)
       this.#frames = new Float64Array(joints.length * 4 * FRAME);
-    joints.forEach((joint, k) => {
-      const { a, b } = edges[k]!;
-      this.#takeFrame(k * 2, a < 0 ? joint.worldFrame(1) : joint.centred1);
-      this.#takeFrame(k * 2 + 1, b < 0 ? joint.worldFrame(2) : joint.centred2);
-    });
+    joints.forEach((joint, k) => this.takeFrames(k, joint));
+  }
+
+  /** Both frames of joint `k`. */
+  takeFrames(k: number, joint: JointNode): void {
+    const { a, b } = this.edges[k]!;
+    this.#takeFrame(k * 2, a < 0 ? joint.worldFrame(1) : joint.centred1);
+    this.#takeFrame(k * 2 + 1, b < 0 ? joint.worldFrame(2) : joint.centred2);
   }
 
   #takeFrame(at: number, { p, q }: Pose): void {

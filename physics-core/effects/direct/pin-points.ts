@@ -41,18 +41,17 @@ export class PinPoints {
     this.#forest = forest;
     if (this.#shares.length < joints.length) this.#grow(joints.length * 2);
     this.#bends.fill(0);
-    for (const { pins } of forest.components) {
-      for (const pin of pins) {
-        const joint = joints[pin]!;
-        const { a, b } = edges[pin]!;
-        const one = a < 0 ? joint.worldFrame(1) : joint.centred1;
-        const two = b < 0 ? joint.worldFrame(2) : joint.centred2;
-        const childIsFirst = forest.childOf[pin] === a;
-        this.#points.set((childIsFirst ? one : two).p, pin * POINTS);
-        this.#points.set((childIsFirst ? two : one).p, pin * POINTS + PARENT);
-        this.#shares[pin] = joint.corrections[0]!.share;
-      }
-    }
+    for (const { pins } of forest.components)
+      for (const pin of pins) this.takePoints(pin, joints[pin]!, edges[pin]!);
+  }
+
+  takePoints(pin: number, joint: JointNode, { a, b }: Edge): void {
+    const one = a < 0 ? joint.worldFrame(1) : joint.centred1;
+    const two = b < 0 ? joint.worldFrame(2) : joint.centred2;
+    const childIsFirst = this.#forest.childOf[pin] === a;
+    this.#points.set((childIsFirst ? one : two).p, pin * POINTS);
+    this.#points.set((childIsFirst ? two : one).p, pin * POINTS + PARENT);
+    this.#shares[pin] = joint.corrections[0]!.share;
   }
 
   #grow(room: number): void {

@@ -24,6 +24,8 @@ export class RowSystem {
   inertia = new Float64Array(0);
   momentum = new Float64Array(0);
   velocity = new Float64Array(0);
+  /** What else resists the velocity of a body, linear and angular: a symmetric block, its lower half row by row. */
+  readonly resisting = new Map<number, Float64Array>();
   /** Per joint: two blocks of rows, as body a and as body b sees them. */
   jacobian = new Float64Array(0);
   rowCount = new Int32Array(0);

@@ -101,6 +101,8 @@ export class TreeSolver {
     m[b + 18] = inertia[from + 4]!;
     m[b + 19] = inertia[from + 5]!;
     m[b + 20] = inertia[from + 6]!;
+    const resisting = this.#system.resisting.get(body);
+    if (resisting) for (let i = 0; i < BODY_BLOCK; i++) m[b + i]! += resisting[i]!;
   }
 
   /** How the child answers to the rows, and what they do to each other. */

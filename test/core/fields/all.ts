@@ -2,6 +2,7 @@ import { offsetRows, shapeRows } from './collidables.js';
 import { chainRows } from './chains.js';
 import { collectionRows, sensorRows } from './collisions.js';
 import { contactRows } from './contacts.js';
+import { bodyDragRows, collectionDragRows } from './dragging.js';
 import { setContactsRows } from './set-contacts.js';
 import { commonRows } from './common.js';
 import { jointSolveRows } from './joint-solve.js';
@@ -16,8 +17,8 @@ import type { Row } from './rows.js';
 import { spaceRows } from './spaces.js';
 
 const ownRows: Record<string, Row[]> = {
-  RigidBodyCollection: [...rigidBodyCollectionRows, ...setContactsRows],
-  RigidBody: rigidBodyRows,
+  RigidBodyCollection: [...rigidBodyCollectionRows, ...setContactsRows, ...collectionDragRows],
+  RigidBody: [...rigidBodyRows, ...bodyDragRows],
   CollidableShape: shapeRows,
   CollidableOffset: offsetRows,
   CollisionCollection: [...collectionRows, ...chainRows],
