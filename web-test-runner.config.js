@@ -1,5 +1,6 @@
 import { playwrightLauncher } from '@web/test-runner-playwright';
 import { findChromium } from './tools/browsers.js';
+import { devtoolsCommand } from './tools/devtools-command.js';
 import { config } from './tools/wtr.js';
 
 export default config(
@@ -18,4 +19,5 @@ export default config(
       ],
     },
   }),
+  [devtoolsCommand()],
 );

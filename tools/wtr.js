@@ -48,7 +48,8 @@ const page = (testFramework) => `<!DOCTYPE html>
   <body></body>
 </html>`;
 
-export function config(browser) {
+/** `plugins`: what only this browser can do. */
+export function config(browser, plugins = []) {
   return {
     rootDir: process.cwd(),
     files: 'test/browser/**/*.test.ts',
@@ -59,6 +60,7 @@ export function config(browser) {
     // 'production': Lit's development build writes to the console.
     nodeResolve: { exportConditions: ['production', 'default'] },
     plugins: [
+      ...plugins,
       nodeModulesAsTheyAre,
       ammoModuleForServer(),
       cssTextForServer(),
