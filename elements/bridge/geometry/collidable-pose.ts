@@ -18,11 +18,16 @@ import { matrixAbove } from './transforms.js';
 // Where collidables stand, going by the document.
 
 /** A collidable that stands in the scene has the Transforms above it; one inside a body has none. */
-export function above(collidable: Binding): Affine {
-  const parent = collidable.element.parentElement;
-  return !parent || isType(parent, ...UNDRAWN)
-    ? identity()
-    : matrixAbove(collidable.element, collidable.scope!);
+export const above = (collidable: Binding): Affine =>
+  isPart(collidable) ? identity() : matrixAbove(collidable.element, collidable.scope!);
+
+const isPart = ({ element: { parentElement } }: Binding): boolean =>
+  !parentElement || isType(parentElement, ...UNDRAWN);
+
+/** Itself, or the offsets around it. */
+export function standsInScene(collidable: Binding): boolean {
+  const around = offsetAround(collidable);
+  return around ? standsInScene(around) : !isPart(collidable);
 }
 
 /** What a collidable is a part of without standing in the scene there. */

@@ -1,5 +1,10 @@
 import type { Binding } from './binding.js';
-import { placing, repeatsBodyPose, type Placing } from '../geometry/collidable-pose.js';
+import {
+  placing,
+  repeatsBodyPose,
+  standsInScene,
+  type Placing,
+} from '../geometry/collidable-pose.js';
 import { isShape } from '../document/dom.js';
 import { GeometryReader, noteWaiting } from '../geometry/reader.js';
 import { axisAngleOf, decompose, identity, withLinear } from '../geometry/matrix.js';
@@ -34,7 +39,7 @@ export function planShape(binding: Binding, world: PageWorld): Plan {
 
 /** Its place where its own fields do not say it. */
 function poseOf(binding: Binding, { pose }: Placing): Record<string, unknown> {
-  if (!ownerOf(binding)) followAbove(binding);
+  followAbove(binding);
   if (!pose) return {};
   return {
     translation: pose.position.map((value) => value * binding.units.length),
@@ -42,11 +47,16 @@ function poseOf(binding: Binding, { pose }: Placing): Record<string, unknown> {
   };
 }
 
-/** A collidable that no body owns moves with the edits of what is above it, though not with the simulation. */
+/**
+ * What is above it gives a collidable its scale; one that no body owns moves with the edits of that, too, though not with
+ * the simulation.
+ */
 function followAbove(binding: Binding): void {
   const { readers, drivers } = binding.scope!.scene;
+  if (!standsInScene(binding)) return;
   const transforms = transformsAbove(binding.element, binding.scope!);
   for (const transform of transforms) readers.add(transform, binding);
+  if (ownerOf(binding)) return;
   const body = transforms.map((transform) => drivers.of(transform)).find((each) => each);
   if (!body) return;
   binding.problem({
