@@ -1,6 +1,6 @@
 import { ownBinding, type Binding } from './nodes/binding.js';
 import { attribute, isInline, isPhysics, isScene, isX3D } from './document/dom.js';
-import { makeUnread, setUpDropped, wasLetGo, wasRead } from './x3dom/late.js';
+import { makeUnread, removeCopies, setUpDropped, wasLetGo, wasRead } from './x3dom/late.js';
 import { listening } from './listening.js';
 import { registerNodeTypes, type Listener, type PhysicsX3DNode } from './x3dom/node-types.js';
 import { Scene } from './scene.js';
@@ -128,7 +128,9 @@ class Page implements Listener {
     if (!x || document.readyState !== 'complete' || ![...x3d.children].some(isScene)) return;
     this.#register();
     if (wasLetGo(x3d)) makeUnread(x3d);
-    if (!wasRead(x3d)) x.reload();
+    if (wasRead(x3d)) return;
+    removeCopies(x3d);
+    x.reload();
   }
 
   sceneAt(x3d: Element): Scene {

@@ -41,6 +41,8 @@ const PATCHED = [
 
 /** What x3dom appended to the `<x3d>` when it read it. */
 const APPENDED = ':scope > canvas, :scope > div[class*="x3dom"], :scope > .x3dom-vr';
+/** The same in a copy, whose canvas nobody draws on. */
+const COPIED = APPENDED.replace('canvas', 'canvas.x3dom-canvas');
 
 /**
  * x3dom does not read an `<x3d>` a second time, and wraps its patched methods in themselves if it is made to: an
@@ -60,6 +62,11 @@ function unpatch(element: Element): void {
     for (const each of [name, `__${name}`]) if (Object.hasOwn(own, each)) delete own[each];
   }
   if (Object.hasOwn(own, '_x3domNode')) delete own._x3domNode;
+}
+
+/** An `<x3d>` pasted or cloned brings the old one's canvas along. */
+export function removeCopies(x3d: Element): void {
+  for (const copied of x3d.querySelectorAll(COPIED)) copied.remove();
 }
 
 export const wasRead = (x3d: Element): boolean => (x3d as X3DElement).hasRuntime !== undefined;
