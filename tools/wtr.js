@@ -5,6 +5,7 @@ import { ammoModuleForServer } from './ammo-module.js';
 import { cssTextForServer } from './css-text.js';
 import { countReporter } from './count-reporter.js';
 import { findFile } from './static-files.js';
+import { touchPlugin } from './touch.js';
 
 const WASM = '/node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
@@ -64,6 +65,7 @@ export function config(browser, plugins = []) {
       nodeModulesAsTheyAre,
       ammoModuleForServer(),
       cssTextForServer(),
+      touchPlugin(),
       esbuildPlugin({ ts: true, target: 'es2022', tsconfig: './tsconfig.json' }),
     ],
     middleware: [rawFiles],

@@ -8,6 +8,8 @@ export interface EventType {
 const COLLISION =
   '{ other: Element; impulse: number; contacts: unknown[]; time: number; reason?: string }';
 const STEP = '{ time: number; timeStep: number }';
+const DRAG =
+  "{ point: number[]; mode: string; by: 'mouse' | 'touch' | 'pen' | 'keyboard'; time: number; reason?: string }";
 
 /**
  * Those of nodes in an Inline fire at the Inline, with `node`, `def` and `element` in their detail. The last ones of an
@@ -25,6 +27,9 @@ export const eventTypes: Record<string, EventType> = {
     doc: 'It has reached one of its stops.',
     detail: "{ limit: 'min' | 'max'; value: number; axis?: number; time: number }",
   },
+  bodydragstart: { doc: 'Somebody takes hold of it; `preventDefault` forbids that.', detail: DRAG },
+  bodydrag: { doc: 'Who holds it moved.', detail: DRAG },
+  bodydragend: { doc: 'It is held no more; `reason` says why.', detail: DRAG },
   physicsready: { doc: 'Its world has started.', detail: 'Record<string, unknown>' },
   physicslag: { doc: 'Time was dropped.', detail: '{ dropped: number; time: number }' },
   physicsaccuracy: {
@@ -38,6 +43,9 @@ export const eventTypes: Record<string, EventType> = {
     detail: '{ code: string; severity: string; message: string; element: Element }',
   },
 };
+
+/** Of a body that may be dragged. */
+const DRAGS = ['bodydragstart', 'bodydrag', 'bodydragend'];
 
 export const COLLISIONS = ['collisionstart', 'collisionend'];
 /** Sent with each step. */
@@ -59,5 +67,6 @@ export function eventsAt(type: string): string[] {
     type === 'RigidBodyCollection'
       ? ['physicsready', 'physicslag', 'physicsaccuracy', ...STEPS]
       : [];
-  return [...nodeEvents(type), ...worlds, 'physicsproblem'];
+  const drags = type === 'RigidBody' ? DRAGS : [];
+  return [...nodeEvents(type), ...drags, ...worlds, 'physicsproblem'];
 }

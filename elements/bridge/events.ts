@@ -109,6 +109,11 @@ export class Events {
         if (concerns(placeOf(binding))) this.update(binding);
   }
 
+  /** Of a drag; false where a listener forbids its start. */
+  drag(binding: Binding, type: string, detail: object): boolean {
+    return this.#fireAt(binding, type, detail);
+  }
+
   // ---- firing ---------------------------------------------------------------------------------------------------
 
   /** A world's events fire at its collections; at the `<x3d>` where it has none. */
@@ -118,21 +123,28 @@ export class Events {
   }
 
   /** What has left the page is heard by its own listeners, and by those around its last place. */
-  #fireAt(binding: Binding, type: string, detail: object): void {
+  #fireAt(binding: Binding, type: string, detail: object): boolean {
     const { element, leftFrom } = binding;
     const place = placeOf(binding);
-    this.#fire(place, type, place === element ? detail : withNames(binding, detail));
+    const allowed = this.#fire(
+      place,
+      type,
+      place === element ? detail : withNames(binding, detail),
+    );
     if (leftFrom) this.#fire(leftFrom, type, withNames(binding, detail));
+    return allowed;
   }
 
-  #fire(element: Element, type: string, detail: object): void {
+  /** False where a listener forbids what it tells of. */
+  #fire(element: Element, type: string, detail: object): boolean {
     if (!STEPS.includes(type)) {
-      element.dispatchEvent(new CustomEvent(type, { bubbles: true, composed: true, detail }));
-      return;
+      const cancelable = type === 'bodydragstart';
+      const init = { bubbles: true, composed: true, cancelable, detail };
+      return element.dispatchEvent(new CustomEvent(type, init));
     }
     const event = this.#stepEvent(element, type);
     Object.assign(event.detail, detail);
-    element.dispatchEvent(event);
+    return element.dispatchEvent(event);
   }
 
   #stepEvent(element: Element, type: string): CustomEvent<Record<string, unknown>> {

@@ -1,6 +1,7 @@
 import { type Binding, ownBinding } from './nodes/binding.js';
 import { attribute, isPhysics, isScene, subtree } from './document/dom.js';
 import { Debug } from './debug/debug.js';
+import { Draggables } from './dragging/draggables.js';
 import { Drawing } from './drawing/drawing.js';
 import { Drivers } from './drawing/drivers.js';
 import { Events } from './events.js';
@@ -28,6 +29,7 @@ export class Scene implements Driven {
   readonly routes = new Routes();
   readonly readers = new Readers();
   readonly events = new Events(this);
+  readonly draggables = new Draggables(this);
   readonly unlisted = new Unlisted();
   readonly updates = new Updates(this);
   readonly observed = new Observed(this);
@@ -46,6 +48,7 @@ export class Scene implements Driven {
     this.worlds.onmake = (world) => {
       this.events.listen(world);
       this.debug.listen(world);
+      this.draggables.listen(world);
     };
     this.#view = new IntersectionObserver((entries) =>
       this.#viewed(entries.at(-1)!.isIntersecting),
@@ -208,6 +211,7 @@ export class Scene implements Driven {
     for (const scope of [...this.scopes]) this.removeScope(scope);
     this.updates.dropAll();
     this.worlds.destroy();
+    this.draggables.destroy();
     this.#view?.disconnect();
     loop.delete(this);
   }

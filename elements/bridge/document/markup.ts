@@ -38,15 +38,12 @@ export const STRUCTURE: Record<string, string[]> = {
   CollidableShape: ['for'],
 };
 
-/** Attributes of dragging, for later rooms. */
-const INTERACTION = ['draggable-body', 'drag-mode', 'time-budget'];
 
 export function known(type: NodeType, name: string): boolean {
   const lower = name.toLowerCase();
   return (
     COMMON.has(lower) ||
     COMMON_PREFIX.test(lower) ||
-    INTERACTION.includes(lower) ||
     (STRUCTURE[type.name]?.includes(lower) ?? false) ||
     fieldsByAttribute(type).has(lower)
   );

@@ -71,7 +71,19 @@ export interface NameSpace {
   routeLateRoutes(): void;
 }
 
+/** A projection, or its inverse. */
+export interface X3DProjection {
+  multFullMatrixPnt(point: X3DVector): X3DVector;
+}
+
+export interface X3DViewarea {
+  /** From the scene to the picture, each of x, y, z from -1 to 1, and back. */
+  getWCtoCCMatrix(): X3DProjection;
+  getCCtoWCMatrix(): X3DProjection;
+}
+
 export interface X3DDocument {
+  _viewarea?: X3DViewarea;
   needRender: boolean | number;
   _scene: X3DNode | null;
   onNodeAdded(element: Element, parent: Element): void;
@@ -94,7 +106,9 @@ export interface X3DNodeClass {
 export interface X3DElement extends Element {
   _x3domNode?: X3DNode;
   hasRuntime?: boolean;
-  runtime?: { canvas?: { doc?: X3DDocument | null } | null } | null;
+  runtime?: {
+    canvas?: { canvas?: HTMLCanvasElement; doc?: X3DDocument | null } | null;
+  } | null;
 }
 
 export interface X3DOM {
