@@ -95,6 +95,24 @@ export default tseslint.config(
     rules: { ...globals(), ...syntax(noAmmo) },
   },
   {
+    // A classic page has the core and the bridge already when it loads a view.
+    files: ['elements/ui/*/**/*.ts'],
+    rules: {
+      '@typescript-eslint/no-restricted-imports': [
+        'error',
+        {
+          patterns: [
+            {
+              regex: '(^|/)(physics-core|bridge)/',
+              allowTypeImports: true,
+              message: 'Only types: views have the rest already.',
+            },
+          ],
+        },
+      ],
+    },
+  },
+  {
     files: ['stories/**/*.ts'],
     rules: { ...imports(noLab), ...globals(x3dom), ...syntax(noX3domProperty) },
   },

@@ -47,7 +47,6 @@ export class Scene implements Driven {
     this.x3d = x3d;
     this.worlds.onmake = (world) => {
       this.events.listen(world);
-      this.debug.listen(world);
       this.draggables.listen(world);
     };
     this.#view = new IntersectionObserver((entries) =>

@@ -16,6 +16,7 @@ import {
   type Pose,
 } from '../math.js';
 import { POSE } from '../world/poses.js';
+import { wakeTouching } from '../world/touching.js';
 import { PhysicsNode } from './node.js';
 
 /** Metres that a fixed body is carried at once; at 60 frames per second that is 30 m/s. */
@@ -111,7 +112,7 @@ export abstract class MovingNode extends PhysicsNode {
       this.start = pose;
       return;
     }
-    this.world.wakeTouching(this);
+    wakeTouching(this);
     const velocity = this.velocityAtOrigin();
     this.place(pose);
     this.world.registry.gyroscopic.forget(this);
@@ -132,7 +133,7 @@ export abstract class MovingNode extends PhysicsNode {
     const from = compose(this.pose(), this.centerOfMass);
     this.kinematic = true;
     this.setFlags();
-    this.world.wakeTouching(this);
+    wakeTouching(this);
     this.place(pose);
     this.body.forceActivationState(ACTIVATION.alwaysActive);
     this.world.registry.carrying.carried(this, from, compose(pose, this.centerOfMass));

@@ -3,6 +3,7 @@ import type { Vec3 } from '../fields/types.js';
 import { add, identityPose, type Pose } from '../math.js';
 import type { BtShape } from '../shapes/build.js';
 import { DEFAULT_FRICTION } from '../world/pairs.js';
+import { wakeTouching } from '../world/touching.js';
 import type { PhysicsNode } from './node.js';
 import { massOf, reportZeroMass, type MassProperties } from './body-mass.js';
 import { HeldNode } from './body-held.js';
@@ -257,7 +258,7 @@ export class BodyNode extends HeldNode {
   /** Only to come back at once, with other groups or another shape. */
   #leaveWorld(): void {
     if (!this.#inWorld) return;
-    this.world.wakeTouching(this);
+    wakeTouching(this);
     this.world.bullet.removeBody(this.body);
     this.#inWorld = false;
   }

@@ -2,6 +2,7 @@ import { perStep, softnessAtStep } from '../accuracy/levels.js';
 import type { Vec3 } from '../fields/types.js';
 import { guards } from '../guards.js';
 import { compose, identityPose, invert, length, rotate, subtract, type Pose } from '../math.js';
+import { partJoined } from '../world/touching.js';
 import type { BodyNode } from './body.js';
 import { JointConstraint, type Limit, type Side } from './joint-constraint.js';
 import { aboutTwoAxes, alongArm, leverRatio, type JointFrame } from './joint-frames.js';
@@ -127,7 +128,7 @@ export abstract class JointNode extends PhysicsNode {
     this.updateLimits();
     this.updateCorrection();
     this.#constraint.add(this.slides);
-    if (bodies.length === 2) this.world.joined(bodies[0]!, bodies[1]!);
+    if (bodies.length === 2) partJoined(bodies[0]!, bodies[1]!);
     for (const body of bodies) body.wake();
     reportMassRatio(this);
     this.world.registry.joints.update(this);

@@ -290,26 +290,6 @@ export class World extends NodeWorld {
     if (body.built) this.registry.surface.update(body);
   }
 
-  /** Wakes what touches a body that goes or jumps: it may have lost its support. */
-  wakeTouching(body: MovingNode): void {
-    if (this.bodies.awake === this.bodies.count) return;
-    this.bullet.eachManifold((manifold, a, b) => {
-      if (manifold.getNumContacts() === 0 || (a !== body.pointer && b !== body.pointer)) return;
-      const other = this.bodyAt(a === body.pointer ? b : a);
-      if (other) other.wake();
-    });
-  }
-
-  /** Two bodies that touch are joined: from now on they don't collide. */
-  joined(a: BodyNode, b: BodyNode): void {
-    let touching = false;
-    this.bullet.eachManifold((_, first, second) => {
-      if (first === a.pointer ? second === b.pointer : first === b.pointer && second === a.pointer)
-        touching = true;
-    });
-    if (touching) (a.movable ? a : b).partContacts();
-  }
-
   // ---- looking in -------------------------------------------------------------------------------------------------
 
   /** The first thing on the way between two points (world frame, metres), or null. */

@@ -11,11 +11,10 @@ export class Debug {
     this.#scene = scene;
   }
 
-  listen(world: PageWorld): void {
-    world.on('debug', (on) => {
-      if (on) void this.#begin(world);
-      else this.#end(world);
-    });
+  /** The first collection of a world asks for it, or the last one no longer does. */
+  turn(world: PageWorld, on: boolean): void {
+    if (on) this.#begin(world).catch((error: unknown) => reportMissing(world, error));
+    else this.#end(world);
   }
 
   async #begin(world: PageWorld): Promise<void> {
@@ -36,4 +35,18 @@ export class Debug {
   draw(world: PageWorld): void {
     this.#sketches.get(world)?.draw();
   }
+}
+
+function reportMissing(world: PageWorld, error: unknown): void {
+  world.report(
+    {
+      code: 'debug-load-failed',
+      severity: 'error',
+      attribute: 'debug',
+      value: String(error),
+      used: 'nothing',
+      message: `the debug drawing could not be loaded: ${String(error)}`,
+    },
+    world.registry.debugging.because?.node.host,
+  );
 }

@@ -19,6 +19,7 @@ export class PageWorld extends World {
     super({ console: true });
     this.scene = scene;
     this.onwork = () => scene.loop.wake();
+    this.on('debug', (on) => scene.debug.turn(this, on as boolean));
   }
 
   /** Edits of plain tags are seen by an observer that has not run yet: have it run now. */

@@ -1,4 +1,5 @@
 import { expect } from 'chai';
+import type { World } from '../../../elements/index.js';
 import '../console.js';
 import { until, wait } from '../bridge/scene.js';
 import { open, openText, type PageWindow } from '../page.js';
@@ -30,6 +31,20 @@ describe('the monitor in the builds', () => {
     window.document.body.insertAdjacentHTML('beforeend', MONITOR);
     await monitorIn(window).shows('Bodies', '1');
     expect(loaded(window)).to.include('/dist/ui/monitor.js');
+  });
+
+  it('nor does a page without debug load what draws', async () => {
+    const window = await page(MODULE, '');
+    const { worldOf } = (await (window as unknown as { eval(text: string): unknown }).eval(
+      "import('/dist/x3d-physics.js')",
+    )) as { worldOf(element: Element): World };
+    const world = worldOf(window.document.getElementById('b')!);
+    await world.ready;
+    const drawing = (): string[] => loaded(window).filter((path) => /sketch|debug/.test(path));
+    await until(() => world.time > 0.2, 5000);
+    expect(drawing()).to.eql([]);
+    world.set('debug', true);
+    await until(() => drawing().length === 2, 5000);
   });
 
   it('its module exports the class and defines nothing', async () => {

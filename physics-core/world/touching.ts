@@ -1,0 +1,21 @@
+import type { MovingNode } from '../nodes/body-motion.js';
+import type { BodyNode } from '../nodes/body.js';
+
+/** Wakes what touches a body that goes or jumps: it may have lost its support. */
+export function wakeTouching({ world, pointer }: MovingNode): void {
+  if (world.bodies.awake === world.bodies.count) return;
+  world.bullet.eachManifold((manifold, a, b) => {
+    if (manifold.getNumContacts() === 0 || (a !== pointer && b !== pointer)) return;
+    world.bodyAt(a === pointer ? b : a)?.wake();
+  });
+}
+
+/** Two bodies are joined: from now on they don't collide, and if they touch they let go of each other. */
+export function partJoined(a: BodyNode, b: BodyNode): void {
+  let touching = false;
+  a.world.bullet.eachManifold((_, first, second) => {
+    if (first === a.pointer ? second === b.pointer : first === b.pointer && second === a.pointer)
+      touching = true;
+  });
+  if (touching) (a.movable ? a : b).partContacts();
+}
