@@ -230,22 +230,65 @@ describe('the debug drawing', () => {
       w.advance(0.5);
       const angle = hinge.get('angle') as number;
       above(angle, 0.2);
-      const [low, high] = linesOf(drawn, COLOR.limit).slice(0, 2);
-      const pointer = linesOf(drawn, COLOR.joint).at(-1)!;
-      const turn = (from: Line, to: Line): number => {
-        const [a, b] = [from, to].map(([s, e]) => Math.atan2(e[1] - s[1], e[0] - s[0]));
-        return Math.atan2(Math.sin(b! - a!), Math.cos(b! - a!));
-      };
-      close(Math.abs(turn(low!, high!)), 1.5, 1e-4);
-      const toLow = Math.abs(turn(low!, pointer));
-      const toHigh = Math.abs(turn(pointer, high!));
+      const marks = [
+        ...linesOf(drawn, COLOR.limit).slice(0, 2),
+        linesOf(drawn, COLOR.joint).at(-1)!,
+      ];
+      const angles = marks.map(([from, to]) => Math.atan2(to[1] - from[1], to[0] - from[0]));
+      // Along the arm; seen from body2 angles count the other way round.
+      const [x, y] = position(arm);
+      close(angles, [...(swap ? [-1, 0.5] : [-0.5, 1]), Math.atan2(y, x)], 1e-4, 'radians');
+      close(Math.abs(angles[2]!), angle, 1e-3, 'radians');
+    }
+  });
+
+  fact("has a wheel's steering stops, hard or soft, about its first axis", async () => {
+    for (const stop1ConstantForceMix of [0, 0.1]) {
+      const w = await world();
+      const car = still(w, { fixed: true });
+      const wheel = still(w, { position: [0, -1, 0] });
+      const joint = addJoint(w, 'DoubleAxisHingeJoint', {
+        body1: car,
+        body2: wheel,
+        anchorPoint: [0, -1, 0],
+        axis1: [0, 1, 0],
+        axis2: [0, 0, 1],
+        minAngle1: -0.3,
+        maxAngle1: 0.6,
+        stop1ConstantForceMix,
+      });
+      const drawn = await debugLines(w);
+      wheel.set('angularVelocity', [0, 0.5, 0]);
+      w.advance(0.25);
+      const angle = joint.get('hinge1Angle') as number;
+      above(Math.abs(angle), 0.1);
+      const marks = [
+        ...linesOf(drawn, COLOR.limit).slice(0, 2),
+        linesOf(drawn, COLOR.joint).at(-1)!,
+      ];
+      const [low, high, now] = marks.map(([from, to]) => to.map((x, i) => x - from[i]!) as Vec3);
+      const between = (a: Vec3, b: Vec3): number =>
+        Math.acos(
+          (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (Math.hypot(...a) * Math.hypot(...b)),
+        );
       close(
-        [Math.max(toLow, toHigh), Math.min(toLow, toHigh)],
-        sortedDown(angle + 0.5, 1 - angle),
+        [between(low!, high!), between(low!, now!), between(now!, high!)],
+        [0.9, angle + 0.3, 0.6 - angle],
         1e-3,
+        'radians',
       );
     }
   });
-});
 
-const sortedDown = (...values: number[]): number[] => values.sort((a, b) => b - a);
+  fact('has the way that the stops of a slider leave its body', async () => {
+    const w = await world();
+    const cart = still(w, { position: [1, 0, 0], geometry: [box(0.5)] });
+    const range = { minSeparation: -0.5, maxSeparation: 1.5 };
+    addJoint(w, 'SliderJoint', { body1: cart, axis: [1, 0, 0], ...range });
+    const drawn = await debugLines(w);
+    cart.set('linearVelocity', [0.5, 0, 0]);
+    w.advance(0.5);
+    const [from, to] = linesOf(drawn, COLOR.limit)[0]!;
+    close([...from, ...to], [0.5, 0, 0, 2.5, 0, 0], 1e-5, 'm');
+  });
+});

@@ -99,16 +99,19 @@ function slide({ lines, size, a, bounds }: Seen, row: number): void {
 const freeEverywhere = (bounds: Seen['bounds']): boolean =>
   [0, 1, 2, 3, 4, 5].every((row) => bounds(row)[0] > bounds(row)[1]);
 
-/** Axes about which the joint turns: x of B, and z of A. The angle of each is told by what is at right angles to both. */
+/**
+ * Axes about which the joint turns: x of B, and z of A. What is at right angles to both stands still when either body
+ * turns about its own, and so tells the angle of each. About x it is seen from z, which a hinge has along its arm.
+ */
 function turn(seen: Seen): void {
   const { a, b, bounds } = seen;
   const x = rotate(b.q, [1, 0, 0]);
   const z = rotate(a.q, [0, 0, 1]);
-  const pointer = normalize(cross(z, x));
-  const fromB = (angle: number): Vec3 => rotate(b.q, [0, Math.cos(angle), Math.sin(angle)]);
+  const across = normalize(cross(z, x));
+  const fromB = (angle: number): Vec3 => rotate(b.q, [0, -Math.sin(angle), Math.cos(angle)]);
   const fromA = (angle: number): Vec3 => rotate(a.q, [Math.sin(angle), Math.cos(angle), 0]);
-  if (!locked(bounds(3))) fan(seen, b.p, x, pointer, bounds(3), fromB);
-  if (!locked(bounds(5))) fan(seen, a.p, z, pointer, bounds(5), fromA);
+  if (!locked(bounds(3))) fan(seen, b.p, x, cross(x, across), bounds(3), fromB);
+  if (!locked(bounds(5))) fan(seen, a.p, z, across, bounds(5), fromA);
 }
 
 /** An axis; where it has stops an arc between them, and where the joint stands. */
