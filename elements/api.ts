@@ -8,7 +8,9 @@ export { explain, type Explanation };
 export type {
   EffectReport,
   Level,
+  LevelMeasurement,
   LevelName,
+  MeasureOptions,
   PhysicsNode,
   Problem,
   Stats,

@@ -40,6 +40,8 @@ export function minify() {
         target: TARGET,
         sourcemap: true,
         legalComments: 'eof',
+        // The chart library asks it in every browser.
+        define: { 'process.env.NODE_ENV': '"production"' },
         // Says that top-level names are private and may be shortened; in a classic script they are globals.
         format: format === 'es' ? 'esm' : undefined,
       });

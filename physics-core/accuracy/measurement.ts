@@ -126,7 +126,7 @@ export class Measurement {
   *#workOf(first: readonly Contender[]): Generator<number, number[][]> {
     const work = first.map((run) => [run.work]);
     for (let again = 1; again < MOST_TIMES; again++) {
-      const short = first.filter((_, i) => sum(work[i]!.flat()) < ENOUGH);
+      const short = first.filter((_, i) => workOf(work[i]!.flat()) < ENOUGH);
       const runs = yield* this.#make(short.map(({ level }) => level.name));
       yield* this.#race(runs);
       for (const run of runs)
@@ -172,4 +172,5 @@ function push({ bodies }: Contender): void {
   }
 }
 
-const sum = (values: readonly number[]): number => values.reduce((all, value) => all + value, 0);
+/** Milliseconds, without what disturbed it. */
+const workOf = (times: readonly number[]): number => workPerMoment(times) * times.length;

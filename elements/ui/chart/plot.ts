@@ -125,7 +125,7 @@ const levelsLine = (dots: readonly Dot[], errors: readonly number[], colors: Col
     },
     label: {
       show: true,
-      position: i === dots.length - 1 ? ('left' as const) : ('right' as const),
+      position: i === dots.length - 1 ? ('top' as const) : ('right' as const),
       distance: 8,
       color: colors.text,
       fontWeight: present ? ('bold' as const) : ('normal' as const),

@@ -15,9 +15,9 @@ const COLORS = ['text', 'quiet', 'line', 'accent', 'panel', 'warning'] as const;
 /** How often it looks for another world, milliseconds. */
 const INTERVAL = 500;
 
-/** Width over height of the drawing, and its least height, pixels. */
+/** Width over height of the drawing, and bounds of its height, pixels. */
 const SHAPE = 16 / 9;
-const LEAST = 240;
+const HEIGHTS = [240, 420] as const;
 
 class ChartView implements View, Actions {
   readonly #host: X3DUIElement;
@@ -126,7 +126,7 @@ class ChartView implements View, Actions {
       budget: FRAMES * (world?.get('timeBudget') as number),
       colors: this.#colors(place),
       width,
-      height: Math.max(LEAST, Math.round(width / SHAPE)),
+      height: Math.min(HEIGHTS[1], Math.max(HEIGHTS[0], Math.round(width / SHAPE))),
     });
     const { documentElement } = new DOMParser().parseFromString(svg, 'image/svg+xml');
     place.replaceChildren(document.importNode(documentElement, true));

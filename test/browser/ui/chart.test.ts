@@ -1,0 +1,88 @@
+import { expect } from 'chai';
+import type { World } from '../../../elements/index.js';
+import '../console.js';
+import { open, type PageWindow } from '../page.js';
+import { until } from '../bridge/scene.js';
+
+interface Chart extends HTMLElement {
+  world: World | undefined;
+}
+
+/** The chart of a page whose world has started. */
+async function chartOf(
+  page: PageWindow,
+): Promise<{ chart: Chart; root: ShadowRoot; world: World }> {
+  const chart = page.document.getElementById('chart') as Chart;
+  await until(() => chart.shadowRoot?.querySelector('[part=levels]') != null, 20_000);
+  const world = chart.world!;
+  world.paused = true;
+  return { chart, root: chart.shadowRoot!, world };
+}
+
+const radio = (root: ShadowRoot, level: string): HTMLInputElement =>
+  [...root.querySelectorAll<HTMLInputElement>('input[type=radio]')].find(
+    ({ value }) => value === level,
+  )!;
+const chosen = (root: ShadowRoot): string | undefined =>
+  [...root.querySelectorAll<HTMLInputElement>('input[type=radio]')].find(({ checked }) => checked)
+    ?.value;
+const button = (root: ShadowRoot): HTMLButtonElement => root.querySelector('button')!;
+const status = (root: ShadowRoot): string =>
+  root.querySelector('[role=status]')!.textContent!.trim();
+
+async function measure(root: ShadowRoot): Promise<void> {
+  button(root).click();
+  await until(() => root.querySelector('svg') !== null, 40_000);
+}
+
+describe('x3d-accuracy-chart', () => {
+  it('draws what was measured, with every level by name, in HTML and XHTML', async () => {
+    for (const path of ['chart.html', 'chart.xhtml']) {
+      const { root } = await chartOf(await open(path));
+      expect(status(root)).to.equal('Not measured yet.');
+      await measure(root);
+      const names = [...root.querySelectorAll('svg text')].map(({ textContent }) => textContent);
+      const levels = ['game', 'standard', 'fine', 'precise', 'reference'];
+      for (const name of [...levels, 'frame budget']) expect(names, path).to.include(name);
+      const rows = [...root.querySelectorAll('tbody tr')];
+      expect(rows.map((row) => row.querySelector('th')!.textContent)).to.deep.equal(levels);
+      expect(root.querySelector('tr[aria-current=true] th')!.textContent).to.equal('standard');
+      expect(root.querySelector('[part=chart]')!.getAttribute('aria-label')).to.contain('game');
+      expect(status(root)).to.equal('Measured.');
+    }
+  });
+
+  it('sets the level of the running scene, and follows where others set it', async () => {
+    const { root, world } = await chartOf(await open('chart.html'));
+    expect(chosen(root)).to.equal('standard');
+    radio(root, 'precise').click();
+    expect(world.accuracy).to.equal('precise');
+    world.accuracy = 'game';
+    expect(chosen(root)).to.equal('game');
+    radio(root, 'auto').click();
+    expect(world.get('accuracy')).to.equal('auto');
+    expect(chosen(root)).to.equal('auto');
+    expect(world.accuracy).to.equal('game');
+  });
+
+  it('draws the error that is asked for', async () => {
+    const { root } = await chartOf(await open('chart.html'));
+    await measure(root);
+    const select = root.querySelector('select')!;
+    const axes = (): string => root.querySelector('svg')!.textContent!;
+    expect(axes()).to.contain('farthest body');
+    select.value = 'joint';
+    select.dispatchEvent(new Event('change'));
+    expect(axes()).to.contain('widest gap');
+  });
+
+  it('stops measuring when it is told to', async () => {
+    const { root } = await chartOf(await open('chart.html'));
+    button(root).click();
+    await until(() => button(root).textContent!.trim() === 'Cancel');
+    button(root).click();
+    expect(button(root).textContent!.trim()).to.equal('Measure');
+    expect(status(root)).to.equal('Not measured yet.');
+    expect(root.querySelector('svg')).to.equal(null);
+  });
+});
