@@ -61,7 +61,7 @@ export class Contender {
   look(early = false): void {
     const { registry } = this.world;
     this.bodies.forEach((body, i) => this.positions.set(body.pose().p, 3 * i));
-    this.#lagging = this.bodies.filter((body) => registry.joints.launched(body));
+    this.#lagging = this.bodies.filter((body) => registry.joints.lastStep(body) > 0);
     this.#lag = motionOf(this.#lagging);
     this.#settled = motionOf(this.bodies) - this.#lag;
     this.#heightNow = this.bodies.reduce((sum, body) => sum + heightOf(body), 0);
