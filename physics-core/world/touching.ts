@@ -1,9 +1,12 @@
 import type { MovingNode } from '../nodes/body-motion.js';
 import type { BodyNode } from '../nodes/body.js';
 
-/** Wakes what touches a body that goes or jumps: it may have lost its support. */
-export function wakeTouching({ world, pointer }: MovingNode): void {
-  if (world.bodies.awake === world.bodies.count) return;
+/**
+ * Wakes what touches a body that goes or jumps: it may have lost its support. What is awake has nobody asleep around it,
+ * so that an edit of it looks at no contact.
+ */
+export function wakeTouching({ world, pointer, movable, sleeping }: MovingNode): void {
+  if (movable && !sleeping) return;
   world.bullet.eachManifold((manifold, a, b) => {
     if (manifold.getNumContacts() === 0 || (a !== pointer && b !== pointer)) return;
     world.bodyAt(a === pointer ? b : a)?.wake();

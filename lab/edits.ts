@@ -1,0 +1,96 @@
+// npm run lab:edits: whether one edit costs the same in a scene of 1000 bodies as in one of 10, interleaved in one run.
+//   --rounds <n>   edits of each kind in each scene (400)
+import { parseArgs } from 'node:util';
+import { createWorld, type PhysicsNode, type World } from '../physics-core/index.js';
+import type { BodyNode } from '../physics-core/nodes/body.js';
+
+const { values: options } = parseArgs({
+  options: { rounds: { type: 'string', default: '400' } },
+});
+const ROUNDS = Number(options.rounds);
+const SIZES = [10, 1000] as const;
+/** Edits that are timed as one, since a clock of microseconds sees no single one. */
+const BATCH = 5;
+
+const BOX = { type: 'Box', size: [0.5, 0.5, 0.5] };
+
+interface Scene {
+  world: World;
+  body: BodyNode;
+  shape: PhysicsNode;
+  joint: PhysicsNode;
+}
+
+/** Boxes on the ground, every fourth with another on a joint above it; and what is edited, which lies on the ground, too. */
+async function scene(bodies: number): Promise<Scene> {
+  const world = await createWorld({ rest: 'never' });
+  world.add('RigidBody', {
+    fixed: true,
+    position: [0, -0.5, 0],
+    geometry: [{ type: 'Box', size: [500, 1, 500] }],
+  });
+  for (let i = 0; i < bodies; i++) pile(world, i);
+  const shape = world.add('CollidableShape', { shape: [BOX] });
+  const body = world.add('RigidBody', { position: [-3, 0.25, 0], geometry: [shape] }) as BodyNode;
+  const arm = world.add('RigidBody', { position: [-5, 5, 0], geometry: [BOX] });
+  const joint = world.add('BallJoint', { body1: arm, anchorPoint: [-5, 6, 0] });
+  world.advance(0.5);
+  return { world, body, shape, joint };
+}
+
+function pile(world: World, i: number): void {
+  const [x, z] = [(i % 25) * 3, Math.floor(i / 25) * 3];
+  const hangs = i % 4 === 3;
+  const body1 = world.add('RigidBody', { position: [x, hangs ? 5 : 0.25, z], geometry: [BOX] });
+  if (hangs) world.add('BallJoint', { body1, anchorPoint: [x + 0.5, 6, z] });
+}
+
+/** Each does another edit every time. */
+const EDITS: Record<string, (scene: Scene, i: number) => void> = {
+  'mass, in place': ({ body }, i) => body.set('mass', 1 + (i % 7)),
+  'position, a jump': ({ body }, i) => body.set('position', [-3, 0.25 + (i % 7) / 100, 0]),
+  'position, a jump out of sleep': ({ body }, i) => {
+    body.sleep();
+    body.set('position', [-3, 0.25 + (i % 7) / 100, 0]);
+  },
+  'a size, another shape': ({ shape }, i) =>
+    shape.set('shape', [{ type: 'Box', size: [0.5, 0.5 + (i % 7) / 100, 0.5] }]),
+  'an anchor, the joint anew': ({ joint }, i) =>
+    joint.set('anchorPoint', [-5, 6 + (i % 7) / 100, 0]),
+  'a body added and removed': ({ world }) => {
+    const body = world.add('RigidBody', { position: [-9, 0.25, 0], geometry: [BOX] });
+    world.step(0);
+    body.remove();
+  },
+};
+
+const median = (values: number[]): number => {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[sorted.length >> 1]!;
+};
+
+/** Milliseconds of some edits and of their way to Bullet. */
+function timed(at: Scene, edit: (scene: Scene, i: number) => void, round: number): number {
+  const start = performance.now();
+  for (let i = 0; i < BATCH; i++) {
+    edit(at, round * BATCH + i);
+    at.world.step(0);
+  }
+  return (performance.now() - start) / BATCH;
+}
+
+const scenes = await Promise.all(SIZES.map(scene));
+const rows: string[][] = [];
+for (const [name, edit] of Object.entries(EDITS)) {
+  const times: number[][] = scenes.map(() => []);
+  for (let round = 0; round < ROUNDS; round++)
+    for (const [i, at] of scenes.entries()) times[i]!.push(timed(at, edit, round));
+  const medians = times.map(median);
+  const micro = medians.map((ms) => (ms * 1000).toFixed(1));
+  rows.push([name, ...micro, (medians[1]! / medians[0]!).toFixed(2)]);
+}
+
+console.log('microseconds of one edit, medians of interleaved rounds\n');
+console.log(`| edit | ${SIZES.map((size) => `${size} bodies`).join(' | ')} | ratio |`);
+console.log('| --- | ---: | ---: | ---: |');
+for (const row of rows) console.log(`| ${row.join(' | ')} |`);
