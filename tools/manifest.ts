@@ -69,6 +69,7 @@ function uiDeclaration({ tag, name, description }: (typeof uiClasses)[number]) {
   const described = (each: (typeof attributes)[number]) => ({
     name: each.name,
     type: { text: each.type },
+    default: each.default,
     description: each.doc,
   });
   return {

@@ -1,4 +1,4 @@
-import { keepInternals, setState, tellPage, worldShown } from '../bridge/index.js';
+import { camel, keepInternals, setState, tellPage, worldShown } from '../bridge/index.js';
 import type { View, ViewModule } from './view.js';
 
 // Servers that render pages may import this, too; they have no elements.
@@ -49,7 +49,8 @@ export abstract class X3DUIElement extends Base {
   }
 
   set for(name: string) {
-    this.setAttribute('for', name);
+    if (name) this.setAttribute('for', name);
+    else this.removeAttribute('for');
   }
 
   /** The world it shows, as the page is now; it may come later, or be another one after an edit. */
@@ -58,6 +59,7 @@ export abstract class X3DUIElement extends Base {
   }
 
   connectedCallback(): void {
+    this.#takeEarlyProperties();
     this.#sight ??= new IntersectionObserver((entries) => {
       this.#inSight = entries.at(-1)!.isIntersecting;
       this.#turn();
@@ -74,6 +76,18 @@ export abstract class X3DUIElement extends Base {
 
   attributeChangedCallback(_name: string, before: string | null, after: string | null): void {
     if (before !== after) this.#view?.changed();
+  }
+
+  /** Properties that a framework set before the element was defined hide our accessors: set them again. */
+  #takeEarlyProperties(): void {
+    const own = this as unknown as Record<string, unknown>;
+    const { observedAttributes } = this.constructor as typeof X3DUIElement;
+    for (const name of observedAttributes.map(camel)) {
+      if (!Object.hasOwn(own, name)) continue;
+      const value = own[name];
+      delete own[name];
+      own[name] = value;
+    }
   }
 
   async #load(): Promise<void> {

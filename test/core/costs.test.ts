@@ -43,6 +43,20 @@ describe('the costs of frames', () => {
     assert.equal(effect(w, 'monitor').active, false);
   });
 
+  fact('count each millisecond in one phase', async () => {
+    const w = await world();
+    addBody(w);
+    w.step(0);
+    const { now } = performance;
+    let ticks = 0;
+    performance.now = () => ticks++;
+    w.frame(1 / 120);
+    w.frameOver(performance.now());
+    performance.now = now;
+    // One tick lies between the readings of the clock around reading poses, and around writing them.
+    assert.deepEqual(w.stats.ms, { step: 2, read: 1, write: 1, events: 0 });
+  });
+
   fact('leave out frames in which no step was taken', async () => {
     const w = await world();
     addBody(w);

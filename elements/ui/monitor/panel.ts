@@ -8,20 +8,20 @@ import { whole } from './numbers.js';
 
 const COUNTS = ['bodies', 'awake', 'joints', 'contacts'] as const;
 
-/** All that the monitor shows. `refresh`: a control was used. */
-export function panel(world: World | undefined, refresh: () => void): TemplateResult {
+/** All that the monitor shows. `name`: what is to be shown; `refresh`: a control was used. */
+export function panel(world: World | undefined, name: string, refresh: () => void): TemplateResult {
   return html`<section part="base" aria-label="Physics monitor">
     <header>
       <h2>Physics</h2>
-      <span role="status" class="quiet">${statusOf(world)}</span>
+      <span role="status" class="quiet">${statusOf(world, name)}</span>
     </header>
     ${world ? details(world, refresh) : nothing}
   </section>`;
 }
 
 /** Only what a control changes: what changes by itself would be read out again and again. */
-function statusOf(world: World | undefined): string {
-  if (!world) return 'There is no physics here yet.';
+function statusOf(world: World | undefined, name: string): string {
+  if (!world) return `There is no physics ${name ? `at "${name}"` : 'here'} yet.`;
   if (!world.started) return 'Not started yet.';
   if (!world.enabled) return 'Frozen: enabled is false.';
   return world.paused ? 'Paused.' : 'Running.';

@@ -1,5 +1,5 @@
 import type { Problem, World } from '../../../physics-core/index.js';
-import { html, type TemplateResult } from '../lit.js';
+import { html, nothing, type TemplateResult } from '../lit.js';
 import { nameOf } from './names.js';
 import { whole } from './numbers.js';
 
@@ -11,8 +11,8 @@ export function problems({ problems: all }: World): TemplateResult {
   const rest = all.length - MOST;
   return html`<div>
     <h3 id="problems">${all.length === 0 ? 'No problems' : `Problems (${whole(all.length)})`}</h3>
-    <ul part="problems" aria-labelledby="problems" tabindex=${all.length > 0 ? 0 : -1}>
-      ${all.slice(0, MOST).map(item)} ${rest > 0 ? html`<li>and ${whole(rest)} more</li>` : ''}
+    <ul part="problems" aria-labelledby="problems" tabindex=${all.length > 0 ? 0 : nothing}>
+      ${all.slice(0, MOST).map(item)} ${rest > 0 ? html`<li>and ${whole(rest)} more</li>` : nothing}
     </ul>
   </div>`;
 }

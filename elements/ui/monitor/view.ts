@@ -46,7 +46,7 @@ class MonitorView implements View {
 
   #show(): void {
     this.#follow(this.#host.world);
-    render(panel(this.#world, this.#refresh), this.#host.shadowRoot!);
+    render(panel(this.#world, this.#host.for, this.#refresh), this.#host.shadowRoot!);
   }
 
   readonly #refresh = (): void => this.#show();

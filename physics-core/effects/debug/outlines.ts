@@ -6,8 +6,6 @@ import { length, subtract } from '../../math.js';
 import type { BtShape } from '../../shapes/build.js';
 import type { World } from '../../world/world.js';
 
-type Compound = Ammo['btCompoundShape']['prototype'];
-
 /** Numbers per line. */
 const LINE = 6;
 /** Lines are told apart when an end differs by more than this, metres. */
@@ -54,18 +52,20 @@ export class Outlines {
   /** Both ends of each edge, x y z, each edge once. */
   of(shape: BtShape): Float32Array {
     this.#draw(shape);
-    const drawn = this.#drawn;
-    if (this.#typeOf(shape) !== SHAPE_TYPE.compound)
-      return edges(this.#isHull(shape) ? this.#hull(drawn[0]!) : drawn[0]!);
-    const compound = this.#world.engine.ammo.castObject(
-      shape,
-      this.#world.engine.ammo.btCompoundShape,
-    ) as Compound;
-    const children = drawn.slice(1).toReversed();
-    const whole = children.flatMap((lines, i) =>
-      this.#isHull(compound.getChildShape(i)) ? this.#hull(lines) : lines,
+    const shapes = [shape, ...this.#childrenOf(shape).toReversed()];
+    const lines = this.#drawn.flatMap((drawn, i) =>
+      this.#isHull(shapes[i]) ? this.#hull(drawn) : drawn,
     );
-    return edges(whole);
+    return edges(lines);
+  }
+
+  #childrenOf(shape: BtShape): BtShape[] {
+    if (this.#typeOf(shape) !== SHAPE_TYPE.compound) return [];
+    const { ammo } = this.#world.engine;
+    const compound = ammo.castObject(shape, ammo.btCompoundShape);
+    return Array.from({ length: compound.getNumChildShapes() }, (_, i) =>
+      compound.getChildShape(i),
+    );
   }
 
   #typeOf(shape: BtShape): number {
@@ -73,8 +73,8 @@ export class Outlines {
     return heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
   }
 
-  #isHull(shape: BtShape): boolean {
-    return this.#typeOf(shape) === SHAPE_TYPE.hull;
+  #isHull(shape: BtShape | undefined): boolean {
+    return shape !== undefined && this.#typeOf(shape) === SHAPE_TYPE.hull;
   }
 
   #draw(shape: BtShape): void {

@@ -45,13 +45,13 @@ describe('the monitor', () => {
   it('waits for a target that comes late, and follows one that goes and comes again', async () => {
     document.body.innerHTML = '';
     const shown = addMonitor('for="collection"');
-    await until(() => shown.text.includes('no physics here yet'));
+    await until(() => shown.text.includes('no physics at "collection" yet'));
     document.body.insertAdjacentHTML('afterbegin', TWO_SCENES);
     await shown.shows('Bodies', '2');
     const second = document.getElementById('second')!;
     const before = worldOf(second);
     second.remove();
-    await until(() => shown.text.includes('no physics here yet'));
+    await until(() => shown.text.includes('no physics at "collection" yet'));
     document.body.append(second);
     await shown.shows('Bodies', '2');
     expect(worldOf(second)).to.not.equal(before);
@@ -176,6 +176,33 @@ describe('the monitor', () => {
     expect(shown.root.querySelectorAll('[aria-live]').length).to.equal(0);
     expect(shown.root.querySelectorAll('[role="status"]').length).to.equal(1);
     expect(getComputedStyle(shown.monitor).fontVariantNumeric).to.equal('tabular-nums');
+  });
+
+  it('is light or dark as the page says, in colours that the page may set', async () => {
+    await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    const { style } = document.documentElement;
+    const color = (): string => getComputedStyle(shown.monitor).color;
+    style.colorScheme = 'light';
+    expect(color()).to.equal('rgb(28, 39, 51)');
+    style.colorScheme = 'dark';
+    expect(color()).to.equal('rgb(230, 236, 242)');
+    style.colorScheme = '';
+    shown.monitor.style.setProperty('--x3d-ui-text', 'rgb(1, 2, 3)');
+    expect(color()).to.equal('rgb(1, 2, 3)');
+  });
+
+  it('takes a property that was set before it was defined, and none again', async () => {
+    await started();
+    const early = document.createElement('x3d-physics-monitor');
+    Object.defineProperty(early, 'for', { value: 'b', configurable: true, writable: true });
+    document.body.append(early);
+    expect(early.getAttribute('for')).to.equal('b');
+    await new Shown(early).shows('Bodies', '2');
+    early.for = null as never;
+    expect(early.hasAttribute('for')).to.equal(false);
+    await new Shown(early).shows('Bodies', '1');
   });
 
   it('stands in a shadow root, too', async () => {
