@@ -56,7 +56,7 @@ export class LineShape {
 
   /** Shows lines as they stand now. */
   show({ positions, colors, count }: DebugLines): void {
-    if (this.#index.length < 2 * count) this.#index = Uint32Array.from(positions, (_, i) => i);
+    if (this.#index.length < 2 * count) this.#index = upTo(positions.length / 3);
     const mesh = this.#mesh;
     mesh._positions[0] = positions.subarray(0, 6 * count);
     mesh._colors[0] = colors.subarray(0, 6 * count);
@@ -72,6 +72,10 @@ export class LineShape {
     if (this.#shape._parentNodes.length > 0) this.#scene.removeChild(this.#shape);
   }
 }
+
+/** Each end of each line is a point of its own. */
+const upTo = (length: number): Uint32Array<ArrayBuffer> =>
+  Uint32Array.from({ length }, (_, i) => i);
 
 type Make = (type: string) => X3DNode;
 
