@@ -7,7 +7,7 @@ const preview: Preview = {
     layout: 'fullscreen',
     // With what each control does.
     controls: { expanded: true },
-    options: { storySort: { order: ['Scenes', 'Shortcuts', 'Looking in', 'Nodes'] } },
+    options: { storySort: { order: ['Scenes', 'Accuracy', 'Shortcuts', 'Looking in', 'Nodes'] } },
     docs: {
       // Fetched with the first reference page; a story needs none of it.
       renderer: async () => (await import('../stories/reference/renderer.js')).renderer,

@@ -52,9 +52,10 @@ function startAgain({ currentTarget }: Event): void {
   for (const world of new Set(bodies.map((body) => body.world))) world?.reset();
 }
 
-/** Where a scene is seen from: the front, or further off and from above. */
+/** Where a scene is seen from: the front, further back for a pendulum, or further off and from above. */
 const VIEWS = {
   front: { position: '0 3.4 9', orientation: '1 0 0 -0.2', centerOfRotation: '0 1.5 0' },
+  pendulum: { position: '0 5.4 12.6', orientation: '1 0 0 -0.1', centerOfRotation: '0 4 0' },
   above: { position: '0 6.6 9.6', orientation: '1 0 0 -0.58', centerOfRotation: '0 0.5 0' },
 };
 

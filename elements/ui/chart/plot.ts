@@ -34,6 +34,9 @@ export interface Drawing {
   height: number;
 }
 
+/** Room for a level's name beside its dot: so much farther to the right. */
+const NAME = 4;
+
 interface Range {
   min: number;
   max: number;
@@ -61,7 +64,8 @@ function heights(dots: readonly Dot[]): { heights: number[]; range: Range } {
 export function plot({ dots, kind, budget, colors, width, height }: Drawing): string {
   const chart = init(null, null, { renderer: 'svg', ssr: true, width, height });
   const { heights: errors, range } = heights(dots);
-  const costs = decades([...dots.map(({ cost }) => cost), budget]);
+  const most = Math.max(...dots.map(({ cost }) => cost));
+  const costs = decades([...dots.map(({ cost }) => cost), budget, NAME * most]);
   const axis = (name: string, { min, max }: Range, formatter: (value: number) => string) => ({
     type: 'log' as const,
     name,
@@ -125,7 +129,7 @@ const levelsLine = (dots: readonly Dot[], errors: readonly number[], colors: Col
     },
     label: {
       show: true,
-      position: i === dots.length - 1 ? ('top' as const) : ('right' as const),
+      position: 'right' as const,
       distance: 8,
       color: colors.text,
       fontWeight: present ? ('bold' as const) : ('normal' as const),

@@ -1,0 +1,83 @@
+import type { Meta, StoryObj } from '@storybook/web-components-vite';
+import { html } from 'lit';
+import { BRASS, chain, GHOST } from './chain.js';
+import { besideReference } from './code/beside-reference.js';
+import { pour, tellLevel } from './code/pour.js';
+import { ground, scene } from './scene.js';
+
+const meta: Meta = { title: 'Accuracy' };
+export default meta;
+
+const value = (name: string, label: string) => html`
+  <div>
+    <dt>${label}</dt>
+    <dd data-value=${name}>–</dd>
+  </div>
+`;
+
+/** One pendulum at the level of the slider, and where it should be. */
+export const BesideReference: StoryObj = {
+  render: () =>
+    scene(
+      'The brass pendulum runs at the level that the slider sets; the blue ghost is the same one at reference, from the same start. What is seen of the ghost is error.',
+      html`
+        ${chain('level', 'standard', BRASS)} ${chain('ghost', 'reference', GHOST, besideReference)}
+      `,
+      {
+        view: 'pendulum',
+        beside: html`
+          <label class="slider">
+            <span>game</span>
+            <input type="range" min="0" max="4" step="1" value="1" aria-label="Accuracy level" />
+            <span>reference</span>
+          </label>
+          <dl class="values">
+            ${value('level', 'Level')} ${value('time', 'Since it was let go')}
+            ${value('drift', 'From the ghost now')} ${value('worst', 'At most')}
+            ${value('cost', 'Its work')} ${value('ghost', "The ghost's")}
+          </dl>
+        `,
+      },
+    ),
+};
+
+/** What every level costs in this scene, as it is. */
+export const Chart: StoryObj = {
+  render: () =>
+    scene(
+      'Measure re-runs this scene from the state it is in, at every level, in a worker: what each costs, and how far off it is. The buttons set the level of the running scene.',
+      html`${chain('measured', 'standard', BRASS)}`,
+      {
+        view: 'pendulum',
+        beside: html`<x3d-accuracy-chart for="measured"></x3d-accuracy-chart>`,
+      },
+    ),
+};
+
+/** The finest level that fits. */
+export const Auto: StoryObj<{ budget: number }> = {
+  args: { budget: 6 },
+  argTypes: {
+    budget: {
+      description: 'time-budget: milliseconds of a frame that the physics may take',
+      control: { type: 'range', min: 1, max: 12, step: 1 },
+    },
+  },
+  render: ({ budget }) =>
+    scene(
+      'accuracy="auto" takes the finest level whose frames fit the time budget, a level per second, and says so. Pour boxes, and it comes down.',
+      html`
+        <x3d-rigid-body-collection
+          default
+          accuracy="auto"
+          time-budget=${budget}
+          @physicsaccuracy=${tellLevel}
+        ></x3d-rigid-body-collection>
+        ${ground}
+      `,
+      {
+        buttons: html`<button type="button" @click=${pour}>Pour boxes</button>`,
+        beside: html`<ol class="log" aria-label="Levels"></ol>`,
+      },
+    ),
+};
