@@ -300,6 +300,6 @@ const STRETCH = 0.1;
 /** A hidden page gets a frame per second: its worlds take that in pieces. */
 function advance(world: PageWorld, seconds: number, hidden: boolean): boolean {
   let left = seconds;
-  for (; hidden && left > STRETCH; left -= STRETCH) world.frame(STRETCH);
-  return world.frame(left);
+  for (; hidden && left > STRETCH; left -= STRETCH) world.frame(STRETCH, false);
+  return world.frame(left, !hidden);
 }

@@ -1,6 +1,5 @@
 import { AutoLevel, type Verdict } from '../accuracy/auto-level.js';
 import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../accuracy/levels.js';
-import { Clock } from '../clock.js';
 import { JointNode } from '../nodes/joint.js';
 import { jointSettings, levelOf, solverSettings, type JointSettings } from './solver-settings.js';
 import type { World } from './world.js';
@@ -74,10 +73,10 @@ export class Accuracy {
     this.#auto.begin(levelNamed(name));
   }
 
-  /** A frame that stood for `seconds` took `ms`. Longer ones than the clock takes are those of a hidden page. */
+  /** A frame that stood for `seconds` took `ms`. */
   noteFrame(ms: number, seconds: number): void {
     const { settings } = this.#world;
-    if (levelOf(settings) || seconds >= Clock.LONGEST_FRAME) return;
+    if (levelOf(settings)) return;
     this.#verdict = this.#auto.note(ms, seconds, settings.asked('timeBudget'));
     if (!this.#verdict) return;
     this.#world.configure();

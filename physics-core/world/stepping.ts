@@ -189,14 +189,14 @@ export class Stepping {
 
   // ---- frames ---------------------------------------------------------------------------------------------------
 
-  frame(seconds: number): boolean {
+  frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
     if (!world.started) return false;
     const { step, read, events, write } = this.ms;
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#zeroCosts();
     world.flush();
-    if (this.#moving) world.control.noteFrame(step + read + events + write, seconds);
+    if (seen && this.#moving) world.control.noteFrame(step + read + events + write, seconds);
     if (this.running) this.#run(seconds * this.#timeScale);
     const fraction = this.#clock.fraction(world.timeStep, this.#last);
     world.poses.interpolate(this.#moving ? fraction : 1);

@@ -265,9 +265,12 @@ export class World extends NodeWorld {
     return this.step(Math.round(seconds / this.timeStep));
   }
 
-  /** Advances by wall time in fixed steps and places what is drawn between the last two. Returns `needsFrame`. */
-  frame(seconds: number): boolean {
-    return this.stepping.frame(seconds);
+  /**
+   * Advances by wall time in fixed steps and places what is drawn between the last two. Returns `needsFrame`. `seen`:
+   * somebody waits for the frame, so that accuracy auto is to judge by it.
+   */
+  frame(seconds: number, seen = true): boolean {
+    return this.stepping.frame(seconds, seen);
   }
 
   /** Whether time passes by itself. */

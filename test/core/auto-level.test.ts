@@ -127,6 +127,22 @@ fact('a world with accuracy auto changes its level as its frames allow, and says
   close((heard[0] as { p90: number }).p90, 0.8, 1e-9, 'ms');
 });
 
+fact(
+  'auto comes down on a page that draws slowly, too, and not for frames that nobody sees',
+  async () => {
+    const after = async (seen: boolean): Promise<LevelName> => {
+      const w = await world({ accuracy: 'auto' });
+      addBody(w, { position: [0, 1000, 0], useGlobalGravity: false });
+      const stop = slowSteps(w, () => 1);
+      for (let i = 0; i < 61; i++) w.frame(0.1, seen);
+      stop();
+      return w.accuracy;
+    };
+    assert.equal(await after(true), 'game');
+    assert.equal(await after(false), 'standard');
+  },
+);
+
 fact('timeBudget is what auto keeps to; an authored level, and none, leave it alone', async () => {
   const after = async (fields: Record<string, unknown>): Promise<LevelName> => {
     const w = await world(fields);
