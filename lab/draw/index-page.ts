@@ -65,7 +65,7 @@ export function indexPage(cases: readonly Case[], results: Results): string {
       </p>
       <p>
         Times are of stepping alone, in one thread. The runs of a case take turns and are repeated,
-        up to ten times or until a run has worked 0.15 s; its fastest repetition counts.
+        up to sixteen times or until a run has worked 0.15 s; its fastest repetition counts.
       </p>
       <ul>
         ${engines.map(({ name, says }) => html`<li><b>${name}</b>: ${says}</li>`)}

@@ -14,7 +14,7 @@ export interface Pains {
   rounds: number;
 }
 
-export const THOROUGH: Pains = { seconds: 0.15, rounds: 10 };
+export const THOROUGH: Pains = { seconds: 0.15, rounds: 16 };
 export const ONCE: Pains = { seconds: 0, rounds: 1 };
 
 /** One engine at one setting. */

@@ -4,7 +4,7 @@ import { measure, ONCE, type Entry, type Progress } from './measure.js';
 import type { Results, Row } from './row.js';
 
 /** Seconds that a run may take to be among those that are compared; our levels always are. */
-const CHEAP = 0.15;
+const CHEAP = 0.1;
 
 type Compared = Pick<Row, 'engine' | 'level' | 'step' | 'iterations'>;
 
