@@ -69,6 +69,14 @@ test('our engine falls at least as true as raw Ammo at each step, at levels and 
   }
 });
 
+test('our engine takes the step it is set to, at levels and between them', async () => {
+  for (const setting of engine('ours').settings) {
+    const running = await engine('ours').make(thrown.scene, setting);
+    assert.equal(running.timeStep, setting.step);
+    running.destroy();
+  }
+});
+
 test('a joint that an engine has no words for is not offered, and the reason is told', async () => {
   const slider = cases.find(({ id }) => id === 'A19')!;
   await assert.rejects(
