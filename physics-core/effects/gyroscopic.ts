@@ -10,6 +10,12 @@ const ALIKE = 1e-3;
 /** Radians per step below which the torque is left out: it grows with the square. */
 const SLOW = 1e-3;
 
+/**
+ * Thinness times the square of the radians per step. Kept as momentum, a turn that a joint forbids comes back half so
+ * many times as large in the next step: from 2 on it grows without bound.
+ */
+const MOST_TURN = 1;
+
 /** How a body with these moments turns freely: nearly as a top that is round about `axis`. */
 interface Top {
   axis: number;
@@ -19,6 +25,8 @@ interface Top {
   /** What is not round about it: a turn about `other` at this times its share of L. */
   other: number;
   uneven: number;
+  /** Its largest moment by its smallest. */
+  thinness: number;
 }
 
 /** Of a body in this step. */
@@ -29,13 +37,18 @@ interface Spin {
   end: Float64Array;
   /** The spin left to Bullet: as long as it stands, the momentum is known better than from there. */
   left: Float64Array;
+  /** Its axes at the start of the step. */
+  axes: Float64Array;
+  /** It turns little enough in the step that what joints give it may be kept as momentum. */
+  slow: boolean;
 }
 
 /**
  * Bullet keeps the spin of a free body; nature keeps its angular momentum. Before each step this gives the body the one
- * spin that turns it as far as its free motion would, after it the change to the spin at the end of that motion; what
- * contacts and joints did meanwhile is added as they did it (as momentum it would spin up thin bodies). The motion is that of a round top, which is known exactly, with half a turn for what is uneven before and after it:
- * momentum is kept to rounding, however thin the body and fast the spin, and the axis wanders as it should.
+ * spin that turns it as far as its free motion would, after it the change to the spin at the end of that motion. What
+ * joints did meanwhile is added to the momentum; what contacts did, to the spin (as momentum it would spin up thin
+ * bodies). The motion is that of a round top, which is known exactly, with half a turn for what is uneven before and
+ * after it: momentum is kept to rounding, however thin the body and fast the spin, and the axis wanders as it should.
  */
 export class Gyroscopic extends Effect {
   readonly name = 'gyroscopic torque';
@@ -46,6 +59,7 @@ export class Gyroscopic extends Effect {
   readonly #velocity = new Float64Array(6);
   readonly #axes = new Float64Array(9);
   readonly #spin = new Float64Array(3);
+  readonly #change = new Float64Array(3);
   readonly #orientation = new Float64Array(4);
   readonly #turn = new Float64Array(4);
 
@@ -96,20 +110,28 @@ export class Gyroscopic extends Effect {
   #lead(body: BodyNode, top: Top, dt: number): void {
     this.#read(body);
     const v = this.#velocity;
-    if (Math.hypot(v[3]!, v[4]!, v[5]!) * dt < SLOW) {
+    const turn = Math.hypot(v[3]!, v[4]!, v[5]!) * dt;
+    if (turn < SLOW) {
       this.#spinning.delete(body);
       return;
     }
     const state = this.#spinning.get(body) ?? newSpin();
     this.#spinning.set(body, state);
-    const { momentum, given, end, left } = state;
+    const { momentum, given, left } = state;
+    state.axes.set(this.#axes);
+    state.slow = top.thinness * turn * turn < MOST_TURN;
     const { moments } = body.mass;
     if (!same3(left, v, 3)) carried(momentum, 0, this.#axes, moments, v, 3);
     this.#turnFreely(top, momentum, dt);
     this.#writeSpin(given, dt);
-    writeAxes(this.#axes, this.#orientation, 0);
-    turned(end, 0, this.#axes, moments, momentum, 0);
+    this.#writeEnd(body, state, this.#orientation, 0);
     this.#give(body, given);
+  }
+
+  /** The spin that goes with the momentum at an orientation. */
+  #writeEnd({ mass }: BodyNode, { end, momentum }: Spin, q: Float64Array, at: number): void {
+    writeAxes(this.#axes, q, at);
+    turned(end, 0, this.#axes, mass.moments, momentum, 0);
   }
 
   /** Fills `#orientation` with that at the end of the step if nothing else acts. */
@@ -146,16 +168,31 @@ export class Gyroscopic extends Effect {
     for (let i = 0; i < 3; i++) out[i] = Math.fround(turn[i]! * per);
   }
 
-  #follow(body: BodyNode, { given, end, left }: Spin): void {
+  #follow(body: BodyNode, state: Spin): void {
+    const { given, end, left } = state;
+    const spin = this.#spin;
     const v = this.#velocity;
     this.#world.engine.reader.velocity(body.body, body.pointer, v, 0);
     const free = same3(given, v, 3);
-    const spin = this.#spin;
-    for (let i = 0; i < 3; i++) spin[i] = Math.fround(v[3 + i]! - given[i]! + end[i]!);
-    if (free) left.set(spin);
+    const alone = state.slow && this.#world.registry.joints.alone(body);
+    for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
+    if (alone) this.#takeMomentum(body, state);
+    else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
+    for (let i = 0; i < 3; i++) spin[i] = Math.fround(spin[i]!);
+    if (free || alone) left.set(spin);
     else left.fill(NaN);
     this.#give(body, spin);
     this.#world.bodies.readVelocity(body);
+  }
+
+  /** What only joints changed in the step is momentum: it stays as it is while the body turns. */
+  #takeMomentum(body: BodyNode, state: Spin): void {
+    const { axes, momentum, end } = state;
+    carried(this.#change, 0, axes, body.mass.moments, this.#spin, 0);
+    for (let i = 0; i < 3; i++) momentum[i]! += this.#change[i]!;
+    this.#world.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+    this.#writeEnd(body, state, this.#pose, 3);
+    this.#spin.set(end);
   }
 
   #give({ body }: BodyNode, spin: Float64Array): void {
@@ -182,6 +219,7 @@ function topOf(moments: readonly number[]): Top {
     own: 1 / moments[axis]! - 1 / across,
     other,
     uneven: 1 / moments[other]! - 1 / across,
+    thinness: Math.max(...moments) / Math.min(...moments),
   };
 }
 
@@ -190,6 +228,8 @@ const newSpin = (): Spin => ({
   given: new Float64Array(3),
   end: new Float64Array(3),
   left: new Float64Array(3).fill(NaN),
+  axes: new Float64Array(9),
+  slow: false,
 });
 
 const same3 = (a: Float64Array, b: Float64Array, at: number): boolean =>

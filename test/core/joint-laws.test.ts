@@ -1,10 +1,12 @@
 import { describe } from 'node:test';
-import { dot } from '../../physics-core/math.js';
+import { dot, quaternionOf, rotate } from '../../physics-core/math.js';
 import type { JointNode } from '../../physics-core/nodes/joint.js';
+import { turn } from './references/turning.js';
 import {
   addBody,
   below,
   close,
+  distance,
   fact,
   position,
   spin,
@@ -191,6 +193,52 @@ describe('a pendulum', () => {
       const swings = turning.length - 1;
       close((2 * (turning.at(-1)! - turning[0]!)) / swings / period, 1, 2e-4, 'of the period');
       below(gapOf(joint), 2e-5, 'm, gap');
+    });
+  }
+});
+
+/** Where a top on a ball joint leans to, each 1/60 s: its start and how it turns, for the world and for the truth. */
+const top = {
+  arm: 0.3,
+  lean: quaternionOf([0, 0, 1, -0.6]),
+  // Of a disc of 0.5 m radius and 0.1 m height, about its centre.
+  moments: [0.19 / 3, 0.125, 0.19 / 3] as Vec3,
+};
+
+describe('a top on a ball joint', () => {
+  // Half a radian of its own turn per step at game; the error goes with the square of the step (measured, × 1.5).
+  for (const [accuracy, tolerance] of [
+    ['game', 1.5e-2],
+    ['standard', 6e-3],
+    ['fine', 1.7e-3],
+    ['precise', 4.5e-4],
+  ] as const) {
+    fact(`nods and goes round as Euler says, at ${accuracy}`, async () => {
+      const w = await world({ accuracy, gravity: [0, -9.81, 0] });
+      const spinning = rotate(top.lean, [0, 30, 0]);
+      const disc = addBody(w, {
+        geometry: [],
+        inertia: [top.moments[0], 0, 0, 0, top.moments[1], 0, 0, 0, top.moments[2]],
+        position: rotate(top.lean, [0, top.arm, 0]),
+        orientation: [0, 0, 1, -0.6],
+        angularVelocity: spinning,
+      });
+      w.add('BallJoint', { body1: disc });
+      const [across, along] = top.moments;
+      const truth = turn({
+        moments: [across + top.arm ** 2, along, across + top.arm ** 2],
+        orientation: top.lean,
+        spin: spinning,
+        arm: [0, top.arm, 0],
+        weight: [0, -9.81, 0],
+      });
+      let worst = 0;
+      for (let frame = 1; frame <= 180; frame++) {
+        w.advance(1 / 60);
+        const leans = rotate(truth(frame), [0, top.arm, 0]);
+        worst = Math.max(worst, distance(position(disc), leans));
+      }
+      below(worst, tolerance, 'm');
     });
   }
 });

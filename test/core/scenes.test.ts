@@ -133,15 +133,15 @@ fact('scene 3: three hundred boxes stirred in a closed room stay inside, all fin
       );
     }
     w.step(2);
-    fastest = Math.max(fastest, spin(ball)[1]);
+    if (boxes.length === 300) fastest = Math.max(fastest, spin(ball)[1]);
     if (frame % 20) continue;
     for (const body of [ball, ...boxes]) {
       const [x, y, z] = position(body);
       close([x, y - 5, z], [0, 0, 0], 5, 'm from the middle of the room');
     }
   }
-  // Later it may jam among them: by the seed it goes on at 0.2 to 50 rad/s.
-  above(fastest, 1, 'rad/s, it stirs');
+  // How it fares among them at one moment is chance: 0.1 to 47 rad/s by the seed.
+  above(fastest, 1, 'rad/s, still stirring');
 });
 
 fact(

@@ -48,6 +48,7 @@ export class DirectJoints extends Effect {
   /** Those of this step: solved, and of them those that an edit had torn. */
   readonly #solved: Component[] = [];
   readonly #repaired: Component[] = [];
+  readonly #alone = new Set<BodyNode>();
   #stale = true;
 
   constructor(world: World) {
@@ -111,6 +112,11 @@ export class DirectJoints extends Effect {
     this.#bodies.relaunch(body);
   }
 
+  /** Whether nothing but joints and forces acted, in the last step, on a body and what it hangs together with. */
+  alone(body: BodyNode): boolean {
+    return this.#alone.has(body);
+  }
+
   /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
   on = true;
 
@@ -124,8 +130,11 @@ export class DirectJoints extends Effect {
 
   /** What contacts did to joints in the step, Bullet's iterations did not bring together: that is done here. */
   override settle(dt: number): void {
-    for (const component of this.#solved)
+    this.#alone.clear();
+    for (const component of this.#solved) {
       if (this.#aftermath.disturbed(component, dt)) this.#close(component, dt);
+      else for (const i of component.bodies) this.#alone.add(this.#bodies.bodies[i]!);
+    }
   }
 
   /** Moves the bodies of a component to where its joints are whole. */
