@@ -43,6 +43,7 @@ export class JointRows {
   #locked: readonly number[] = [];
   readonly #factors = new Float64Array(ROWS * ROWS);
   readonly #coupling = new Float64Array(ROWS);
+  readonly #held = new Float64Array(ROWS);
   readonly #impulse = new Float64Array(WIDTH);
 
   /** Rate of the row looked at. */
@@ -166,6 +167,34 @@ export class JointRows {
     this.rate = this.rateNow(row);
     this.ease = this.between(row, row);
     for (let i = 0; i < n; i++) this.ease -= this.#coupling[i]! ** 2;
+  }
+
+  /** What gravity and its bodies' steady forces do to the row looked at while the locked rows hold, per second. */
+  pull(row: number): number {
+    const rows = this.#locked;
+    const n = rows.length;
+    for (let i = 0; i < n; i++) this.#held[i] = this.#pulled(rows[i]!);
+    forward(this.#factors, this.#held, n);
+    let pull = this.#pulled(row);
+    for (let i = 0; i < n; i++) pull -= this.#coupling[i]! * this.#held[i]!;
+    return pull;
+  }
+
+  #pulled(row: number): number {
+    return (
+      this.#pulledOn(this.#joint.body1, row * WIDTH) +
+      this.#pulledOn(this.#joint.body2, row * WIDTH + 6)
+    );
+  }
+
+  #pulledOn(body: BodyNode | undefined, at: number): number {
+    if (!body?.movable) return 0;
+    const { force } = this.#world.registry.forces.constant(body);
+    const { gravity, mass } = body;
+    let sum = 0;
+    for (let i = 0; i < 3; i++)
+      sum += this.jacobian[at + i]! * (gravity[i]! + force[i]! / mass.mass);
+    return sum;
   }
 
   /** An impulse along the row looked at, as forces for this step; the locked rows hold against it. */

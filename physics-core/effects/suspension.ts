@@ -1,6 +1,7 @@
 import type { JointNode } from '../nodes/joint.js';
 import type { World } from '../world/world.js';
 import { Effect } from './effect.js';
+import { Swing } from './swing.js';
 
 /** A row of a joint that a spring and a damper hold at zero. */
 export interface Spring {
@@ -17,13 +18,14 @@ interface Sprung extends JointNode {
 }
 
 /**
- * Springs softer than what Bullet's solver can take as a row. The force of the spring is the one it has at the step's
- * start, so that what it carries sinks in as far as it should even where contacts and other joints bear the load; the
- * damper takes its exact share of the rate, whatever its strength.
+ * Springs softer than what Bullet's solver can take as a row. Where nothing but joints and gravity acts, spring and
+ * damper do exactly what they do in the time of the step. Where contacts bear the load, which are solved later, the
+ * spring has the force of the step's start, so that what it carries sinks in as far as it should.
  */
 export class Suspension extends Effect {
   readonly name = 'suspension';
   readonly #world: World;
+  readonly #swing = new Swing();
 
   constructor(world: World) {
     super();
@@ -35,10 +37,26 @@ export class Suspension extends Effect {
     for (const node of this.causes) {
       const joint = node as Sprung;
       if (!joint.spring || !rows.read(joint, dt)) continue;
-      const { row, stiffness, damping } = joint.spring;
-      rows.look(row);
-      const damped = (rows.rate * -Math.expm1(-damping * rows.ease * dt)) / rows.ease;
-      rows.push(row, -stiffness * rows.values[row]! * dt - damped);
+      rows.look(joint.spring.row);
+      rows.push(joint.spring.row, this.#change(joint, joint.spring, dt) / rows.ease);
     }
+  }
+
+  /** What spring and damper do to the rate of their row. */
+  #change(joint: Sprung, { row, stiffness, damping }: Spring, dt: number): number {
+    const { rows, joints } = this.#world.registry;
+    const { rate, ease } = rows;
+    const x = rows.values[row]!;
+    const [omega2, delta] = [stiffness * ease, (damping * ease) / 2];
+    const swing = this.#swing;
+    const body = joint.body1?.movable ? joint.body1 : joint.body2!;
+    const starts = joints.lastStep(body) === 0;
+    if (!starts && !joints.alone(body)) return Math.expm1(-2 * delta * dt) * rate - omega2 * x * dt;
+    if (starts) swing.start(omega2, delta, dt);
+    else swing.goOn(omega2, delta, dt);
+    // A body's first step takes half of all forces.
+    const share = starts ? 0.5 : 1;
+    const change = (swing.kept - 1) * rate - swing.pull * x;
+    return (change + (swing.load - share * dt) * rows.pull(row)) / share;
   }
 }
