@@ -3,9 +3,11 @@ import type { JointNode } from '../../nodes/joint.js';
 import type { Motor } from '../motors.js';
 import type { Stop } from '../stops.js';
 import { ROWS } from './blocks.js';
+import type { Component } from './forest.js';
 import type { LockedRows } from './locked-rows.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { RowSystem } from './row-system.js';
+import { StopBounce } from './stop-bounce.js';
 
 /** Below this rate (rad/s, m/s) a stop holds instead of bouncing. */
 const LEAST_BOUNCE = 0.01;
@@ -33,6 +35,12 @@ export class BoundedRows {
   /** Per row: where it stands, and on which side of a stop. */
   #values = new Float64Array(0);
   #sides = new Int8Array(0);
+  /** Per row: its rate in the last step and how a step changes it; its rate after a bounce, and the mean one meanwhile. */
+  #rates = new Float64Array(0);
+  #changes = new Float64Array(0);
+  #bounced = new Float64Array(0);
+  #landings = new Float64Array(0);
+  readonly #meeting = new StopBounce();
 
   constructor(system: RowSystem, bodies: JointedBodies, rows: LockedRows) {
     this.#system = system;
@@ -45,7 +53,13 @@ export class BoundedRows {
     if (this.#values.length < joints.length * ROWS) {
       this.#values = new Float64Array(joints.length * 2 * ROWS);
       this.#sides = new Int8Array(joints.length * 2 * ROWS);
+      this.#rates = new Float64Array(joints.length * 2 * ROWS);
+      this.#changes = new Float64Array(joints.length * 2 * ROWS);
+      this.#bounced = new Float64Array(joints.length * 2 * ROWS);
+      this.#landings = new Float64Array(joints.length * 2 * ROWS);
     }
+    this.#rates.fill(NaN);
+    this.#landings.fill(NaN);
     this.#joints.forEach(({ stops = [], motors = [] }, k) => {
       const first = k * ROWS + this.#rows.count(k);
       const count = stops.length + motors.length;
@@ -69,6 +83,7 @@ export class BoundedRows {
     const value = (this.#values[i] = this.#rows.fillRow(k, r, stop.row));
     const side = stop.high - value < value - stop.low ? 1 : -1;
     this.#sides[i] = side;
+    this.#noteChange(k, r);
     this.#system.compliance[i] = softnessAtStep(stop.softness, stop.correction, dt) / dt;
     this.#system.bounded(i, side > 0 ? -Infinity : 0, side > 0 ? 0 : Infinity);
     return Math.max(0, this.#beyond(i, stop));
@@ -123,8 +138,40 @@ export class BoundedRows {
     const held = -share * (beyond / dt);
     const closing = side * this.#bodies.rateNow(k, r);
     const bounces = stop.bounce > 0 && closing > LEAST_BOUNCE;
+    if (bounces) this.#meeting.meet(closing, side * this.#changes[i]!, -beyond / dt, stop.bounce);
+    this.#landings[i] = bounces ? side * this.#meeting.mean : NaN;
     this.#system.threshold[i] = side * held;
-    this.#system.wanted[i] = side * (bounces ? -stop.bounce * closing : held);
+    this.#bounced[i] = side * this.#meeting.rate;
+    this.#system.wanted[i] = bounces ? this.#bounced[i]! : side * held;
+  }
+
+  /** Once the motion is found: where the step takes what bounces in it. False: nothing does. */
+  wantLandings({ rows }: Component): boolean {
+    let bounced = false;
+    for (const k of rows) bounced = this.#wantLanding(k) || bounced;
+    return bounced;
+  }
+
+  #wantLanding(k: number): boolean {
+    const { wanted, rowCount } = this.#system;
+    let bounced = false;
+    for (let i = this.#firstStop(k); i < k * ROWS + rowCount[k]!; i++) {
+      if (Number.isNaN(this.#landings[i]!) || !this.#system.holds(i)) continue;
+      wanted[i] = this.#landings[i]!;
+      bounced = true;
+    }
+    return bounced;
+  }
+
+  #firstStop(k: number): number {
+    return k * ROWS + this.#joints[k]!.lockedRows.length;
+  }
+
+  /** How a step changes the rate of a row, by the last two. */
+  #noteChange(k: number, r: number): void {
+    const i = k * ROWS + r;
+    const known = this.#rows.launchShare(k) === 1 && !Number.isNaN(this.#rates[i]!);
+    this.#changes[i] = known ? this.#bodies.rateNow(k, r) - this.#rates[i]! : 0;
   }
 
   /** Once the motion is found: the same, and the share of the overshoot on top that is repaired, however soft the stop. */
@@ -155,6 +202,10 @@ export class BoundedRows {
     for (const stop of joint.stops) {
       const side = this.#system.holds(i) ? (this.#sides[i] as -1 | 1) : 0;
       listener.note(joint, stop, this.#values[i]!, side);
+      const bounced = side !== 0 && !Number.isNaN(this.#landings[i]!);
+      this.#rates[i] = bounced
+        ? this.#bounced[i]! - this.#changes[i]!
+        : this.#bodies.rateNow(k, i - k * ROWS);
       i++;
     }
   }

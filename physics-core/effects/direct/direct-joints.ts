@@ -167,7 +167,8 @@ export class DirectJoints extends Effect {
     const torn = this.#fill(component, dt) > TORN;
     this.#bodies.noteStep(component, dt);
     this.#want(component, dt, torn ? 0 : 1);
-    if (!this.#find(component, dt, torn ? 0 : 1) || (torn && !this.#repair(component, dt))) {
+    const found = this.#find(component, dt, torn ? 0 : 1);
+    if (!found || !(torn ? this.#repair(component, dt) : this.#land(component, dt))) {
       this.#leaveToBullet(component);
       return;
     }
@@ -228,10 +229,7 @@ export class DirectJoints extends Effect {
     return this.#bodies.sane(component);
   }
 
-  /**
-   * Corrects the rates by how far the step would miss, as long as that helps. Where bodies turn too far in the step it leads
-   * astray, and their energy with it (measured): there rows stay as they are.
-   */
+  /** Corrects the rates by how far the step would miss, as long as that helps: where bodies turn too far, energy suffers. */
   #bend(component: Component, dt: number, repair: 0 | 1): void {
     let first = Infinity;
     let before = Infinity;
@@ -270,6 +268,14 @@ export class DirectJoints extends Effect {
       this.#rows.want(k, dt, 1);
       this.#bounded.wantRepair(k, dt);
     }
+    return this.#find(component, dt, 1);
+  }
+
+  /** What meets a stop within the step is thrown back there: the step takes it elsewhere than its rate after it would. */
+  #land(component: Component, dt: number): boolean {
+    if (!this.#bounded.wantLandings(component)) return true;
+    this.#repaired.push(component);
+    this.#aftermath.keep(component);
     return this.#find(component, dt, 1);
   }
 
