@@ -3,6 +3,7 @@ import { cases as bounce } from './bounce.js';
 import { cases as chains } from './chains.js';
 import { cases as flight } from './flight.js';
 import { cases as hits } from './hits.js';
+import { cases as linkages } from './linkages.js';
 import { cases as machines } from './machines.js';
 import { cases as pendulums } from './pendulums.js';
 import { cases as rolling } from './rolling.js';
@@ -15,6 +16,7 @@ export const cases: readonly Case[] = [
   ...chains,
   ...flight,
   ...hits,
+  ...linkages,
   ...machines,
   ...pendulums,
   ...rolling,

@@ -14,6 +14,9 @@ export function worst(wrong: (time: number) => number): Watch {
   };
 }
 
+/** The inertia of what turns alike about all axes. */
+export const round = (moment: number): Vec3 => [moment, moment, moment];
+
 /** Metres between two places. */
 export const apart = (a: Vec3, b: Vec3): number => length(subtract(a, b));
 
