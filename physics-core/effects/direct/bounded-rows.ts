@@ -164,7 +164,7 @@ export class BoundedRows {
   }
 
   #firstStop(k: number): number {
-    return k * ROWS + this.#joints[k]!.lockedRows.length;
+    return k * ROWS + this.#rows.count(k);
   }
 
   /** How a step changes the rate of a row, by the last two. */
