@@ -64,7 +64,7 @@ export class ContactChains extends Effect {
   override beforeStep(dt: number): void {
     this.#dt = this.#until = dt;
     this.#count = 0;
-    this.#steps++;
+    this.#newRound();
   }
 
   /** What went through the points belongs to what listeners hear of them. */
@@ -207,36 +207,42 @@ export class ContactChains extends Effect {
   override settle(dt: number): void {
     const { engine, bullet } = this.#world;
     if (!engine.heapTrusted) return;
+    const struck = this.#strikes > 0;
     this.#makeUpAll(dt);
     engine.pairTest.clear(bullet.bullet);
-    if (!anyFast(this.#world, dt)) return;
-    this.#steps++;
     this.#until = 0;
-    this.#lookAgain(dt);
-    this.#makeUpAll(dt);
+    if (struck || anyFast(this.#world, dt)) this.#lookAgain(dt);
   }
 
   /**
-   * Bullet finds contacts at the start of a step: what comes fast would be seen inside the other body, or behind it, before
-   * it is turned back. So the fast ones are looked at once more.
+   * Bullet finds contacts at the start of a step, and balls only once they overlap: what comes fast would be seen inside the
+   * other body, or behind it, before it is turned back. So that is looked at once more, then what it was turned into.
    */
   #lookAgain(dt: number): void {
-    let struck = this.#strikes;
+    this.#newRound();
     this.#swept = true;
     this.#world.registry.continuous.look(this.#process);
     this.#swept = false;
-    this.#seen.clear();
     eachFastPair(this.#world, dt, this.#lookAt);
-    // Where one was turned back, what it lies against is hit next.
-    while (this.#strikes > struck) {
-      struck = this.#strikes;
+    this.#world.bullet.eachManifold(this.#lookBehind);
+    for (let i = 0; i < MOST_HITS && this.#strikes > 0; i++) {
+      this.#makeUpAll(dt);
+      this.#newRound();
       this.#world.bullet.eachManifold(this.#lookBehind);
     }
+    this.#touched.length = 0;
   }
 
+  #newRound(): void {
+    this.#steps++;
+    this.#strikes = 0;
+    this.#seen.clear();
+  }
+
+  /** What was turned back in the round before may lie against something. */
   readonly #lookBehind = (_: object, a: number, b: number): void => {
-    const [first, second] = [this.#world.bodyAt(a), this.#world.bodyAt(b)];
-    if ((first && this.struck(first)) || (second && this.struck(second))) this.#lookAt(_, a, b);
+    if (this.#struckIn(a, this.#steps - 1) || this.#struckIn(b, this.#steps - 1))
+      this.#lookAt(_, a, b);
   };
 
   readonly #lookAt = (_: object, a: number, b: number): void => {
@@ -255,10 +261,14 @@ export class ContactChains extends Effect {
   readonly #process = (point: number, a: number, b: number): void =>
     this.#world.registry.process(point, a, b);
 
-  /** Whether it was hit in this step. */
-  struck({ slot }: BodyNode): boolean {
-    const link = this.#links[slot];
-    return link !== undefined && link.step === this.#steps && link.struck;
+  /** Whether it was hit in this step, as far as it is known. */
+  struck({ pointer }: BodyNode): boolean {
+    return this.#struckIn(pointer, this.#steps);
+  }
+
+  #struckIn(pointer: number, round: number): boolean {
+    const body = this.#world.bodyAt(pointer);
+    return body !== undefined && this.#links[body.slot]?.struckIn === round;
   }
 
   #makeUpAll(dt: number): void {

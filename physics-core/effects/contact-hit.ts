@@ -28,6 +28,8 @@ export class Link {
   /** Whether its response is known in this step, and it was struck. */
   known = false;
   struck = false;
+  /** The step that it was last struck in. */
+  struckIn = -1;
   /** Linear velocity before it was struck. */
   readonly before = new Float64Array(3);
   /** What hits changed of its velocity, and how far that is not yet on its way at the start of the step. */
@@ -87,6 +89,7 @@ export class Link {
 
   #begin(heap: Float32Array): void {
     this.struck = true;
+    this.struckIn = this.step;
     const v = (this.body.pointer + BODY.linearVelocity) >> 2;
     for (let i = 0; i < 3; i++) this.before[i] = heap[v + i]!;
     this.change.fill(0);
