@@ -219,10 +219,15 @@ export class ContactChains extends Effect {
    * other body, or behind it, before it is turned back. So that is looked at once more, then what it was turned into.
    */
   #lookAgain(dt: number): void {
+    const { continuous } = this.#world.registry;
+    if (continuous.active) {
+      this.#newRound();
+      this.#swept = true;
+      continuous.look(this.#process);
+      this.#swept = false;
+      this.#makeUpAll(dt);
+    }
     this.#newRound();
-    this.#swept = true;
-    this.#world.registry.continuous.look(this.#process);
-    this.#swept = false;
     eachFastPair(this.#world, dt, this.#lookAt);
     this.#world.bullet.eachManifold(this.#lookBehind);
     for (let i = 0; i < MOST_HITS && this.#strikes > 0; i++) {

@@ -1,4 +1,14 @@
-import { addBody, addJoint, close, velocity, world, type Body } from '../helpers.js';
+import {
+  addBody,
+  addFloor,
+  addJoint,
+  box,
+  close,
+  sphere,
+  velocity,
+  world,
+  type Body,
+} from '../helpers.js';
 import type { Row } from './rows.js';
 
 interface Line {
@@ -92,6 +102,44 @@ export const chainRows: Row[] = [
       const second = (2 * m) / (m + n);
       close(speeds(balls)[0]!, (m - n) / (m + n), 0.01, 'm/s, the first');
       close(speeds(balls)[2]!, (second * 2 * n) / (m + n), 0.01, 'm/s, the last');
+    },
+  },
+  {
+    effect: 'chains of hits',
+    fact: 'a hit acts at its own time of the step: both are where their speeds lead from there',
+    run: async () => {
+      const { w, balls } = await line([1, 1]);
+      w.advance(0.5);
+      // The first goes 0.1 m in 0.1 s, which is no whole number of steps.
+      close(balls[0]!.get('position') as number[], [0, 0, 0], 1e-5, 'm');
+      close((balls[1]!.get('position') as number[])[0]!, 1.4, 1e-4, 'm');
+    },
+  },
+  {
+    effect: 'continuous collision',
+    fact: 'a bullet is stopped by a wall that it would pass in one step',
+    run: async () => {
+      const w = await world({ gravity: [0, 0, 0] });
+      addBody(w, { fixed: true, position: [10, 0, 0], geometry: [box(0.02, 4, 4)] });
+      const bullet = addBody(w, { geometry: [sphere(0.05)], linearVelocity: [300, 0, 0] });
+      w.advance(0.1);
+      close((bullet.get('position') as number[])[0]!, 9.94, 1e-3, 'm');
+    },
+  },
+  {
+    effect: 'contact surface',
+    fact: 'a block that slides far in a step leaves no contact points behind: it is braked by μ g alone',
+    run: async () => {
+      const w = await world({ accuracy: 'game', gravity: [0, -9.81, 0] });
+      addFloor(w);
+      w.add('CollisionCollection', { collidables: '*', frictionCoefficients: [0.4, 0.4] });
+      const block = addBody(w, {
+        position: [0, 0.1, 0],
+        linearVelocity: [6, 0, 0],
+        geometry: [box(1, 0.2, 1)],
+      });
+      w.advance(1);
+      close(velocity(block)[0], 6 - 0.4 * 9.81, 2e-3, 'm/s');
     },
   },
 ];
