@@ -5,7 +5,6 @@ import { isDirected, type ContactParameters } from '../nodes/contact-parameters.
 import type { World } from '../world/world.js';
 import { Hit, Link, OVER } from './contact-hit.js';
 import { isBallAt, isRound } from './contact-part.js';
-import type { Response } from './contact-response.js';
 import { leaveOut, type Pair } from './contact-rows.js';
 import { Effect } from './effect.js';
 import { keyOf } from './touches.js';
@@ -82,7 +81,7 @@ export class ContactChains extends Effect {
     const { ammo } = this.#world.engine;
     const { a, b } = pair;
     const round = isBallAt(ammo, a, at.pointer, 0) || isBallAt(ammo, b, at.pointer, 1);
-    if (!round && !this.#swept) return;
+    if (!round && !this.#swept && bounce === 0) return;
     const hit = (this.#hits[this.#count++] ??= new Hit(this.#world));
     hit.point.at(at.pointer, a.pointer, b.pointer);
     hit.a = this.#linkOf(a);
@@ -94,6 +93,26 @@ export class ContactChains extends Effect {
     hit.impulse = 0;
     hit.chained = false;
     hit.weigh(this.#dt);
+    if (round || this.#swept) this.#meet(hit);
+    else this.#leave(hit);
+  }
+
+  /** What touches in several points bounces in Bullet's solver, off all of them at once. */
+  #leave(hit: Hit): void {
+    const { point, a, b } = hit;
+    const { HEAPF32 } = this.#world.engine.ammo;
+    // After Bullet's step it is too late.
+    if (this.#until === 0) return;
+    const share = hit.comes(this.#dt, this.#until) ? hit.shareAt(this.#dt) : 0;
+    point.put(POINT.restitution, share);
+    if (share === 0) return;
+    // Neither a gap to close nor a depth to push out: the body is moved after the step.
+    point.put(POINT.distance, -this.#world.bullet.settings.linearSlop);
+    if (a.movable) a.bounce(HEAPF32, hit.time);
+    if (b.movable) b.bounce(HEAPF32, hit.time);
+  }
+
+  #meet(hit: Hit): void {
     if (hit.a.movable) hit.a.hits.push(hit);
     if (hit.b.movable) hit.b.hits.push(hit);
     if (hit.comes(this.#dt, this.#until)) this.#handOn(hit);
@@ -183,13 +202,10 @@ export class ContactChains extends Effect {
   /** How far both give way along a direction, 1/kg. */
   #ease({ point, a, b }: Hit, x: number, y: number, z: number): number {
     const { ammo } = this.#world.engine;
-    return this.#known(a).ease(point, ammo, x, y, z) + this.#known(b).ease(point, ammo, x, y, z);
-  }
-
-  #known(link: Link): Response {
-    if (!link.known) link.response.read(link.body, this.#world);
-    link.known = true;
-    return link.response;
+    return (
+      a.known(this.#world).ease(point, ammo, x, y, z) +
+      b.known(this.#world).ease(point, ammo, x, y, z)
+    );
   }
 
   #push({ a, b }: Hit, impulse: number, time: number): void {

@@ -26,12 +26,14 @@ export class Link {
   /** The step that it belongs to. */
   step = -1;
   /** Whether its response is known in this step, and it was struck. */
-  known = false;
+  #known = false;
   struck = false;
   /** The step that it was last struck in. */
   struckIn = -1;
-  /** Linear velocity before it was struck. */
-  readonly before = new Float64Array(3);
+  /** Velocity before it was struck. */
+  readonly before = new Float64Array(WIDTH);
+  /** When Bullet's solver lets it bounce, seconds; NaN: it does not. */
+  bounces = NaN;
   /** What hits changed of its velocity, and how far that is not yet on its way at the start of the step. */
   readonly change = new Float64Array(WIDTH);
   readonly late = new Float64Array(WIDTH);
@@ -41,7 +43,15 @@ export class Link {
     this.body = body;
     this.movable = body.movable;
     this.hits.length = 0;
-    this.known = this.struck = false;
+    this.#known = this.struck = false;
+    this.bounces = NaN;
+  }
+
+  /** What a push would do to it now. */
+  known(world: World): Response {
+    if (!this.#known) this.response.read(this.body, world);
+    this.#known = true;
+    return this.response;
   }
 
   /** Applies an impulse of `response` at a time of the step. */
@@ -52,6 +62,23 @@ export class Link {
       const change = impulse * this.response.change[i]!;
       this.change[i]! += change;
       this.late[i]! -= time * change;
+    }
+  }
+
+  /** Bullet's solver will let it bounce, in several points together; the first of them tells the time. */
+  bounce(heap: Float32Array, time: number): void {
+    if (!this.struck) this.#begin(heap);
+    if (!(this.bounces <= time)) this.bounces = time;
+  }
+
+  /** What Bullet's solver did beside what weight did. */
+  #noteBounce(dt: number): void {
+    const { gravity } = this.body;
+    for (let i = 0; i < WIDTH; i++) {
+      const weight = i < 3 ? gravity[i]! * dt : 0;
+      const change = velocity[i]! - this.before[i]! - this.change[i]! - weight;
+      this.change[i]! += change;
+      this.late[i]! -= this.bounces * change;
     }
   }
 
@@ -76,6 +103,7 @@ export class Link {
     if (!this.struck || !body.active || hangsOnMoving(body)) return;
     reader.pose(body.body, body.pointer, pose, 0);
     reader.velocity(body.body, body.pointer, velocity, 0);
+    if (this.bounces === this.bounces && body.joints.size === 0) this.#noteBounce(dt);
     for (let i = 0; i < 3; i++) {
       pose[i]! += late[i]!;
       // The joint solve has its own account of weight.
@@ -91,7 +119,11 @@ export class Link {
     this.struck = true;
     this.struckIn = this.step;
     const v = (this.body.pointer + BODY.linearVelocity) >> 2;
-    for (let i = 0; i < 3; i++) this.before[i] = heap[v + i]!;
+    const w = (this.body.pointer + BODY.angularVelocity) >> 2;
+    for (let i = 0; i < 3; i++) {
+      this.before[i] = heap[v + i]!;
+      this.before[3 + i] = heap[w + i]!;
+    }
     this.change.fill(0);
     this.late.fill(0);
   }
@@ -166,6 +198,12 @@ export class Hit {
     else return false;
     if (this.time < -dt) this.time = 0;
     return this.time < until && Math.max(2 * this.returned, this.speed / 2) > this.#pull * dt;
+  }
+
+  /** The share of the approach that has to stand in Bullet's row, so that weight leaves what is due after `dt`. */
+  shareAt(dt: number): number {
+    const { approach, returned, time } = this;
+    return approach > 0 ? Math.max(0, returned - this.#pull * (dt - time)) / approach : 0;
   }
 
   /** m/s. */

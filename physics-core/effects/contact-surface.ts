@@ -11,7 +11,7 @@ import { isJointed, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect } from './effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
-import { demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
+import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
 /** Numbers of a linear velocity. */
 const VELOCITY = 3;
@@ -27,6 +27,7 @@ export class ContactSurface extends Effect {
   readonly name = 'contact surface';
   readonly #world: World;
   readonly #demands = new Map<PhysicsNode, SolverDemands>();
+  readonly #count = new DemandCount();
   /** Of the contacts that set_contacts gave for the step that runs. */
   #given = NO_DEMANDS;
   /** Of all that need it. */
@@ -90,11 +91,11 @@ export class ContactSurface extends Effect {
 
   #demand(node: PhysicsNode, reason: string, demands: SolverDemands[]): void {
     this.need(node, reason);
-    this.#demands.set(node, union(demands));
-    this.#sumUp();
+    this.#setDemands(node, union(demands));
   }
 
   demandGiven(demands: SolverDemands): void {
+    this.#count.replace(this.#given, demands);
     this.#given = demands;
     this.#sumUp();
   }
@@ -103,12 +104,19 @@ export class ContactSurface extends Effect {
     super.drop(node);
     this.#pairs.clear();
     this.#leaving.delete(node as BodyNode);
-    if (this.#demands.delete(node)) this.#sumUp();
+    if (this.#demands.has(node)) this.#setDemands(node, undefined);
+  }
+
+  #setDemands(node: PhysicsNode, demands: SolverDemands | undefined): void {
+    this.#count.replace(this.#demands.get(node), demands);
+    if (demands) this.#demands.set(node, demands);
+    else this.#demands.delete(node);
+    this.#sumUp();
   }
 
   #sumUp(): void {
     const before = this.demands;
-    this.demands = union([this.#given, ...this.#demands.values()]);
+    this.demands = this.#count.union;
     const { pushing, directed } = this.demands;
     if (pushing !== before.pushing || directed !== before.directed) this.#world.configureSolver();
   }

@@ -37,6 +37,7 @@ export interface EffectReport {
 
 /** The effects of one world. Those without a cause are never called. */
 export class EffectRegistry {
+  readonly #world: World;
   readonly forces: AuthoredForces;
   readonly damping: AxisDamping;
   readonly flight: Flight;
@@ -63,6 +64,7 @@ export class EffectRegistry {
   readonly all: readonly Effect[];
 
   constructor(world: World) {
+    this.#world = world;
     this.forces = new AuthoredForces(world);
     this.damping = new AxisDamping(world);
     this.flight = new Flight(world);
@@ -116,8 +118,10 @@ export class EffectRegistry {
     for (const effect of this.all) run(effect, 'settle', dt);
   }
 
+  /** A listener may have reset the world: what comes then is no longer of this step. */
   afterStep(dt: number): void {
-    for (const effect of this.all) run(effect, 'afterStep', dt);
+    const { bullet } = this.#world;
+    for (const effect of this.all) if (this.#world.bullet === bullet) run(effect, 'afterStep', dt);
     for (const effect of this.all) if (effect.active) effect.noteCost();
   }
 

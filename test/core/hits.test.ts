@@ -196,3 +196,15 @@ fact('a pendulum that is hit hard stays on its joint', async () => {
   // It weighs I / L² = 1 + 0.4 · 0.2² / 2² at its joint: nearly as much as the other.
   close(Math.hypot(...velocity(hanging)), 40, 0.2, 'm/s');
 });
+
+fact('a box that falls flat bounces as high as a ball', async () => {
+  for (const accuracy of levelNames) {
+    const w = await world({ accuracy, gravity: [0, -GRAVITY, 0] });
+    addFloor(w);
+    w.add('CollisionCollection', { collidables: '*', bounce: 0.5, minBounceSpeed: 0 });
+    const stone = addBody(w, { position: [0, 2.5, 0], geometry: [box(1)] });
+    w.advance(0.9);
+    // 0.557 m at game and 0.527 m at standard when Bullet took the hit for one at the end of its step.
+    close(flight(stone), 0.5, 1e-3, 'm');
+  }
+});
