@@ -9,9 +9,6 @@ import { Effect } from './effect.js';
 /** What passes more than this share of its least extent in a step could pass through something thin. */
 const SHARE = 0.5;
 
-/** Ways that are short for anything, metres. */
-const SHORT = 1e-4;
-
 /** Of the greatest ball within a body: a little less does not catch on the floor that it slides along. */
 const BALL = 0.9;
 
@@ -35,7 +32,7 @@ export class ContinuousCollision extends Effect {
 
   /** A body will go so many metres, squared, in the next step. */
   judge(body: BodyNode, square: number): void {
-    const fast = square > SHORT ** 2 && square > (SHARE * this.#extentOf(body)) ** 2;
+    const fast = square > (SHARE * this.#extentOf(body)) ** 2;
     if (fast) this.need(body, 'passes more than half its size in a step');
     else if (this.active) this.drop(body);
   }

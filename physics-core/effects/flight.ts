@@ -155,11 +155,11 @@ export class Flight extends Effect {
    * more than what acts by itself could be; its speed Bullet takes at once. What page code pushes may be a spring.
    */
   #glide(body: BodyNode, acceleration: Float64Array, dt: number): boolean {
-    const { chains, forces } = this.#world.registry;
-    if (chains.struck(body) || forces.pending(body)) return false;
     const v = this.#world.bodies.velocities;
     const at = body.slot * VELOCITY;
-    let [change, most, speed] = [0, 0, 0];
+    let change = 0;
+    let most = 0;
+    let speed = 0;
     for (let i = 0; i < 3; i++) {
       const gained = this.#now[i]! - v[at + i]!;
       speed += this.#now[i]! ** 2;
@@ -167,7 +167,9 @@ export class Flight extends Effect {
       most += (acceleration[i]! * dt) ** 2;
       this.#way[i] = (-dt / 2) * gained;
     }
-    return speed >= RESTING ** 2 && change <= most * EVEN;
+    if (speed < RESTING ** 2 || change > most * EVEN) return false;
+    const { chains, forces } = this.#world.registry;
+    return !chains.struck(body) && !forces.pending(body);
   }
 
   /** With another orientation. */

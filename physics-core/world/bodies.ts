@@ -9,6 +9,9 @@ import type { World } from './world.js';
 /** Numbers per velocity: linear, then angular. */
 const VELOCITY = 6;
 
+/** A way in a step that is short for anything, as a square: 0.1 mm. */
+const SHORT = 1e-8;
+
 /** No body is sane at this speed or spin, m/s or rad/s. */
 const WILD = 1e6;
 
@@ -119,8 +122,8 @@ export class Bodies {
     const { timeStep, registry } = this.#world;
     const v = this.#velocities;
     const at = slot * VELOCITY;
-    const square = v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2;
-    registry.continuous.judge(body, square * timeStep ** 2);
+    const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
+    if (square > SHORT || registry.continuous.active) registry.continuous.judge(body, square);
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------
