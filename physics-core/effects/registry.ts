@@ -125,11 +125,16 @@ export class EffectRegistry {
     for (const effect of this.all) if (effect.active) effect.noteCost();
   }
 
-  /** What sees every contact point, if anything does. */
+  /** What sees every contact point, if anything does: first what takes contacts back, last what writes into them. */
   get processor(): ContactProcessor | null {
-    const surface = this.surface.active ? this.surface : null;
-    if (!this.filter.active) return surface;
-    this.filter.next = surface;
+    let first: ContactProcessor | null = this.surface.active ? this.surface : null;
+    const { standby } = this.joints;
+    if (this.joints.active && standby.waits) {
+      standby.next = first;
+      first = standby;
+    }
+    if (!this.filter.active) return first;
+    this.filter.next = first;
     return this.filter;
   }
 

@@ -130,15 +130,25 @@ export class BulletWorld {
 
   /** Where a locked row of a 6-DoF is to stand. On an unknown Ammo build it stays as it is. */
   setRowTarget(constraint: number, row: number, value: number): void {
+    this.#setRow(constraint, row, value, value);
+  }
+
+  /** A row whose bounds cross is free. */
+  releaseRow(constraint: number, row: number): void {
+    this.#setRow(constraint, row, 1, -1);
+  }
+
+  #setRow(constraint: number, row: number, lower: number, upper: number): void {
     if (!this.engine.heapTrusted) return;
     const heap = this.engine.ammo.HEAPF32;
     if (row < 3) {
-      heap[((constraint + SIX_DOF.linearLower) >> 2) + row] = value;
-      heap[((constraint + SIX_DOF.linearUpper) >> 2) + row] = value;
+      heap[((constraint + SIX_DOF.linearLower) >> 2) + row] = lower;
+      heap[((constraint + SIX_DOF.linearUpper) >> 2) + row] = upper;
       return;
     }
     const at = (constraint + SIX_DOF.angularLower + (row - 3) * SIX_DOF.angularSize) >> 2;
-    heap[at] = heap[at + 1] = value;
+    heap[at] = lower;
+    heap[at + 1] = upper;
   }
 
   addConstraint(constraint: BtConstraint): void {

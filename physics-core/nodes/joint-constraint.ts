@@ -49,6 +49,7 @@ export class JointConstraint {
   readonly #bullet: SixDof;
   readonly #frameA: Pose;
   readonly pointer: number;
+  #released = false;
   /** What Bullet's value of a row lacks of its own. */
   readonly #shifts = new Float64Array(6);
 
@@ -86,6 +87,7 @@ export class JointConstraint {
   /** Of all six rows. Bullet's angles are of A against B, its distances of B against A. */
   setLimits(limits: readonly Limit[]): void {
     const { scratch } = this.#world.engine;
+    this.#released = false;
     const held = this.#lockAtZero(limits);
     const seen = held.map((limit, row) => (row < 3 === this.swapped ? limit : flipped(limit)));
     const bound = (from: number, end: 0 | 1) =>
@@ -121,8 +123,16 @@ export class JointConstraint {
 
   /** Asks a locked row to stand elsewhere after the step: Bullet's distances are of B against A, its angles of A. */
   setTarget(row: number, value: number): void {
+    this.#released = false;
     const shifted = row === MIDDLE ? value : value - this.#shifts[row]!;
     this.#world.bullet.setRowTarget(this.pointer, row, shifted || LOCKED[0]);
+  }
+
+  /** Lets go of locked rows until they are told a target or limits. */
+  release(rows: readonly number[]): void {
+    if (this.#released) return;
+    this.#released = true;
+    for (const row of rows) this.#world.bullet.releaseRow(this.pointer, row);
   }
 
   /** Share of a row's error repaired per step, and its softness in Bullet's own terms. */

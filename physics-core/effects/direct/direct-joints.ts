@@ -12,6 +12,7 @@ import { LockedRows } from './locked-rows.js';
 import { JointedBodies } from './jointed-bodies.js';
 import { isPin, PinPoints } from './pin-points.js';
 import { RowSystem } from './row-system.js';
+import { Standby } from './standby.js';
 import { Tension } from './tension.js';
 
 /**
@@ -43,7 +44,8 @@ export class DirectJoints extends Effect {
   readonly #rows: LockedRows;
   readonly #bounded: BoundedRows;
   readonly #tension: Tension;
-  readonly #targets: BulletTargets;
+  /** Bullet's own rows. */
+  readonly standby: Standby;
   #joints: (JointNode | undefined)[] = [];
   /** Those of this step: solved, and of them those that an edit had torn. */
   readonly #solved: Component[] = [];
@@ -60,7 +62,8 @@ export class DirectJoints extends Effect {
     this.#rows = new LockedRows(this.#system, this.#bodies, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.#bodies, this.#rows);
     this.#tension = new Tension(this.#system, this.#bodies);
-    this.#targets = new BulletTargets(this.#system, this.#bodies, this.#ends);
+    const targets = new BulletTargets(this.#system, this.#bodies, this.#ends);
+    this.standby = new Standby(world, this.#bodies, targets);
   }
 
   /** Stops or motors of some joint are others. */
@@ -126,6 +129,7 @@ export class DirectJoints extends Effect {
     this.#solved.length = 0;
     for (const component of this.#forest.components)
       if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
+      else this.standby.hold(component);
   }
 
   /** What contacts did to joints in the step, Bullet's iterations did not bring together: that is done here. */
@@ -175,10 +179,8 @@ export class DirectJoints extends Effect {
     this.#bodies.write(component, dt);
     this.#aftermath.note(component);
     this.#solved.push(component);
-    for (const k of component.joints) {
-      this.#targets.tell(k, this.#joints[k]!, dt);
-      this.#bounded.tell(k, this.#world.registry.stops);
-    }
+    this.standby.solved(component, dt);
+    for (const k of component.rows) this.#bounded.tell(k, this.#world.registry.stops);
   }
 
   /** Returns the worst error of a joint. */
@@ -281,7 +283,7 @@ export class DirectJoints extends Effect {
 
   /** For this step: Bullet's own rows and velocities stand. */
   #leaveToBullet(component: Component): void {
-    for (const k of component.joints) this.#joints[k]!.resetTargets();
+    this.standby.reset(component);
     // Who brought numbers that are none is told so by another.
     if (!this.#bodies.finite) return;
     const joint = this.#joints[component.joints[0]!]!;
@@ -317,6 +319,7 @@ export class DirectJoints extends Effect {
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#tension.take(this.#joints, joints);
+    this.standby.take(joints, this.#forest);
     this.#joints = joints;
   }
 }

@@ -77,6 +77,12 @@ export class JointedBodies {
     return true;
   }
 
+  /** Whether all of it are awake. */
+  awake({ bodies }: Component): boolean {
+    for (const i of bodies) if (this.#world.bodies.asleep(this.bodies[i]!)) return false;
+    return true;
+  }
+
   mass(i: number): number {
     return this.#traits[i * TRAITS]!;
   }
