@@ -54,6 +54,9 @@ const TURN = 10;
 async function pair(scene: Scene, oursFirst: boolean) {
   const [ours, raw] = [await made(scene), await made(scene)];
   const { bullet } = raw.bullet;
+  // Its own rows of joints hold from here on.
+  raw.registry.joints.on = false;
+  raw.step();
   const step = {
     ours: () => ours.step(),
     bullet: () => bullet.stepSimulation(raw.timeStep, 0),

@@ -79,10 +79,11 @@ function fillRow(system: RowSystem, joint: number, r: number, dense: Dense, soft
 /** A pin: the child's point against the parent's, as three rows of full matrices. */
 function fillPin(system: RowSystem, pin: number, dense: Dense): void {
   const { pins, forest, edges } = system;
+  const { arms } = pins.factors;
   const child = forest.jointOf.indexOf(pin);
   const parent = forest.parentOf[child]!;
   assert.ok([edges[pin]!.a, edges[pin]!.b].includes(child));
-  for (let i = 0; i < 6; i++) pins.arms[pin * 6 + i] = between(-1, 1);
+  for (let i = 0; i < 6; i++) arms[pin * 6 + i] = between(-1, 1);
   for (let x = 0; x < 3; x++) {
     const row: number[] = new Array<number>(dense.p.length).fill(0);
     for (const [body, at, sign] of [
@@ -90,7 +91,7 @@ function fillPin(system: RowSystem, pin: number, dense: Dense): void {
       [parent, 3, -1],
     ] as const) {
       if (body < 0) continue;
-      const arm = pins.arms.subarray(pin * 6 + at);
+      const arm = arms.subarray(pin * 6 + at);
       row[body * SIDE + x] = sign;
       // (ω × r) along x.
       row[body * SIDE + 3 + ((x + 1) % 3)] = sign * arm[(x + 2) % 3]!;

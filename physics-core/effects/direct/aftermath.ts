@@ -18,8 +18,7 @@ export class Aftermath {
   readonly #world: World;
   readonly #system: RowSystem;
   readonly #jointed: JointedBodies;
-  /** Velocities given to Bullet, and those of them that are motion: the rest closes what an edit tore. */
-  #given = new Float64Array(0);
+  /** Of velocities given to Bullet, what is motion: the rest closes what an edit tore. Then that rest. */
   #kept = new Float64Array(0);
   readonly #pose = new Float64Array(POSE);
   readonly #now = new Float64Array(SIDE);
@@ -33,16 +32,8 @@ export class Aftermath {
   }
 
   take(bodies: number): void {
-    if (this.#given.length >= bodies * SIDE) return;
-    this.#given = new Float64Array(bodies * 2 * SIDE);
+    if (this.#kept.length >= bodies * SIDE) return;
     this.#kept = new Float64Array(bodies * 2 * SIDE);
-  }
-
-  /** Notes the velocities that Bullet is given. */
-  note({ bodies }: Component): void {
-    const { velocity } = this.#system;
-    for (const i of bodies)
-      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#given[x] = velocity[x]!;
   }
 
   /** Notes the velocities found: what is found beyond them is taken back after the step. */
@@ -52,18 +43,22 @@ export class Aftermath {
       for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x] = velocity[x]!;
   }
 
+  /** Those that close joints are found: notes what of them is to be taken back. */
+  note({ bodies }: Component): void {
+    const { velocity } = this.#system;
+    for (const i of bodies)
+      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x]! -= velocity[x]!;
+  }
+
   takeBack({ bodies }: Component): void {
     const { engine, bodies: all } = this.#world;
-    const { scratch } = engine;
     const now = this.#now;
     for (const i of bodies) {
       const node = this.#jointed.bodies[i]!;
       if (!node.active) continue;
       engine.reader.velocity(node.body, node.pointer, now, 0);
-      for (let x = 0; x < SIDE; x++)
-        now[x]! += this.#kept[i * SIDE + x]! - this.#given[i * SIDE + x]!;
-      node.body.setLinearVelocity(scratch.vector(now[0]!, now[1]!, now[2]!));
-      node.body.setAngularVelocity(scratch.vector(now[3]!, now[4]!, now[5]!));
+      for (let x = 0; x < SIDE; x++) now[x]! += this.#kept[i * SIDE + x]!;
+      engine.velocities.write(node.body, node.pointer, now, 0);
       all.readVelocity(node);
     }
   }
@@ -75,13 +70,14 @@ export class Aftermath {
   }
 
   #swerved(i: number): boolean {
+    const { velocity } = this.#system;
     const now = this.#now;
     const { body, pointer } = this.#jointed.bodies[i]!;
     this.#world.engine.reader.velocity(body, pointer, now, 0);
     let off = 0;
     let size = 1;
     for (let x = 0; x < SIDE; x++) {
-      off += Math.abs(now[x]! - this.#given[i * SIDE + x]!);
+      off += Math.abs(now[x]! - velocity[i * SIDE + x]!);
       size += Math.abs(now[x]!);
     }
     return off > SAME * size;
@@ -89,13 +85,14 @@ export class Aftermath {
 
   /** Out of a contact it had sunk into: Bullet moves a body for that without giving it a velocity. */
   #pushed(i: number, dt: number): boolean {
+    const { velocity } = this.#system;
     const { body, pointer } = this.#jointed.bodies[i]!;
     this.#world.engine.reader.pose(body, pointer, this.#pose, 0);
     let off = 0;
     let size = 1;
     for (let x = 0; x < 3; x++) {
       const now = this.#pose[x]!;
-      off += Math.abs(now - this.#jointed.place[i * 3 + x]! - dt * this.#given[i * SIDE + x]!);
+      off += Math.abs(now - this.#jointed.place[i * 3 + x]! - dt * velocity[i * SIDE + x]!);
       size += Math.abs(now);
     }
     return off > SAME * size;

@@ -10,6 +10,7 @@ import { Forest, type Component, type Edge } from './forest.js';
 import { JointEnds } from './joint-ends.js';
 import { LockedRows } from './locked-rows.js';
 import { JointedBodies } from './jointed-bodies.js';
+import { NextPoses } from './next-poses.js';
 import { isPin, PinPoints } from './pin-points.js';
 import { RowSystem } from './row-system.js';
 import { Standby } from './standby.js';
@@ -39,6 +40,7 @@ export class DirectJoints extends Effect {
   readonly #forest = new Forest();
   readonly #ends = new JointEnds();
   readonly #bodies: JointedBodies;
+  readonly #next: NextPoses;
   readonly #aftermath: Aftermath;
   readonly #pins: PinPoints;
   readonly #rows: LockedRows;
@@ -57,9 +59,10 @@ export class DirectJoints extends Effect {
     super();
     this.#world = world;
     this.#bodies = new JointedBodies(world, this.#system);
+    this.#next = new NextPoses(this.#system, this.#bodies);
     this.#aftermath = new Aftermath(world, this.#system, this.#bodies);
-    this.#pins = new PinPoints(this.#system.pins, this.#bodies);
-    this.#rows = new LockedRows(this.#system, this.#bodies, this.#ends);
+    this.#pins = new PinPoints(this.#system.pins, this.#bodies, this.#next);
+    this.#rows = new LockedRows(this.#system, this.#bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.#bodies, this.#rows);
     this.#tension = new Tension(this.#system, this.#bodies);
     const targets = new BulletTargets(this.#system, this.#bodies, this.#ends);
@@ -177,7 +180,7 @@ export class DirectJoints extends Effect {
       return;
     }
     this.#bodies.write(component, dt);
-    this.#aftermath.note(component);
+    if (torn) this.#aftermath.note(component);
     this.#solved.push(component);
     this.standby.solved(component, dt);
     for (const k of component.rows) this.#bounded.tell(k, this.#world.registry.stops);
@@ -247,7 +250,7 @@ export class DirectJoints extends Effect {
 
   /** Returns by how much the velocities found miss. */
   #correct(component: Component, dt: number, repair: 0 | 1): number {
-    this.#bodies.predict(component, dt);
+    this.#next.predict(component, dt);
     let worst = 0;
     for (const k of component.pins) worst = Math.max(worst, this.#pins.correct(k, dt, repair));
     for (const k of component.rows) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
@@ -312,7 +315,8 @@ export class DirectJoints extends Effect {
     }));
     this.#forest.build(numbers.size, edges);
     this.#system.resize(numbers.size, edges, this.#forest);
-    this.#bodies.take([...numbers.keys()], edges);
+    this.#bodies.take([...numbers.keys()]);
+    this.#next.take(numbers.size, edges, this.#forest.components);
     this.#aftermath.take(numbers.size);
     this.#ends.take(joints, edges);
     this.#pins.take(joints, edges, this.#forest);

@@ -2,22 +2,18 @@ import type { BodyNode } from '../../nodes/body.js';
 import type { PhysicsNode } from '../../nodes/node.js';
 import type { World } from '../../world/world.js';
 import { INERTIA, SIDE } from './blocks.js';
-import type { Component, Edge } from './forest.js';
+import type { Component } from './forest.js';
 import { MATRIX, writeMatrix } from './matrix.js';
 import type { RowSystem } from './row-system.js';
 
 const POSE = 7;
-const QUATERNION = 4;
 
 /** Of a body: mass, three moments, and the shares of linear and angular velocity that damping leaves in a step. */
 const TRAITS = 6;
 const MOMENTS = 1;
 const DAMPED = 4;
 
-/** Bullet turns no body by more than this in a step, radians. */
-const MOST_TURN = Math.PI / 4;
-
-/** The movable bodies that joints hold, in flat arrays of double precision: now, and where the step will take them. */
+/** The movable bodies that joints hold, in flat arrays of double precision. */
 export class JointedBodies {
   readonly #world: World;
   readonly #system: RowSystem;
@@ -25,21 +21,14 @@ export class JointedBodies {
   /** Centres of mass, and principal axes as the columns of a matrix. */
   place = new Float64Array(0);
   turn = new Float64Array(0);
-  /** The same after the step, of bodies that joints hold by rows. */
-  nextPlace = new Float64Array(0);
-  nextTurn = new Float64Array(0);
-  #hasRows = new Uint8Array(0);
   /** Linear and angular velocity. */
   velocity = new Float64Array(0);
-  /** The turn of the step. */
-  #step = new Float64Array(0);
   /** Force and torque of this step, without gravity. */
   #load = new Float64Array(0);
   #traits = new Float64Array(0);
   /** Bodies that have made their first half step, and the length of their last step, seconds. */
   readonly #lastStep = new Map<BodyNode, number>();
   readonly #pose = new Float64Array(POSE);
-  readonly #matrix = new Float64Array(MATRIX);
   readonly #out = new Float64Array(SIDE);
 
   constructor(world: World, system: RowSystem) {
@@ -47,27 +36,13 @@ export class JointedBodies {
     this.#system = system;
   }
 
-  take(bodies: readonly BodyNode[], edges: readonly Edge[]): void {
+  take(bodies: readonly BodyNode[]): void {
     this.bodies = bodies;
-    if (this.velocity.length < bodies.length * SIDE) this.#grow(bodies.length * 2);
-    this.#hasRows.fill(0);
-    for (const { rows } of this.#system.forest.components) {
-      for (const row of rows) {
-        const { a, b } = edges[row]!;
-        if (a >= 0) this.#hasRows[a] = 1;
-        if (b >= 0) this.#hasRows[b] = 1;
-      }
-    }
-  }
-
-  #grow(room: number): void {
+    if (this.velocity.length >= bodies.length * SIDE) return;
+    const room = bodies.length * 2;
     this.place = new Float64Array(room * 3);
-    this.nextPlace = new Float64Array(room * 3);
     this.turn = new Float64Array(room * MATRIX);
-    this.nextTurn = new Float64Array(room * MATRIX);
-    this.#hasRows = new Uint8Array(room);
     this.velocity = new Float64Array(room * SIDE);
-    this.#step = new Float64Array(room * QUATERNION);
     this.#load = new Float64Array(room * SIDE);
     this.#traits = new Float64Array(room * TRAITS);
   }
@@ -238,74 +213,7 @@ export class JointedBodies {
     to[into + 2] = m[o + 6]! * x + m[o + 7]! * y + m[o + 8]! * z;
   }
 
-  // ---- where the step will take them ----------------------------------------------------------------------------------
-
-  /** Where the velocities found will take the bodies, as Bullet will turn them. */
-  predict({ bodies }: Component, dt: number): void {
-    for (const i of bodies) {
-      this.#turnOn(i, dt);
-      if (this.#hasRows[i]) this.#moveOn(i, dt);
-    }
-  }
-
-  #turnOn(i: number, dt: number): void {
-    const { velocity } = this.#system;
-    const q = i * QUATERNION;
-    const x = velocity[i * SIDE + 3]!;
-    const y = velocity[i * SIDE + 4]!;
-    const z = velocity[i * SIDE + 5]!;
-    const speed = Math.sqrt(x * x + y * y + z * z);
-    const half = Math.min(speed * dt, MOST_TURN) / 2;
-    const s = speed > 1e-12 ? Math.sin(half) / speed : dt / 2;
-    this.#step[q] = x * s;
-    this.#step[q + 1] = y * s;
-    this.#step[q + 2] = z * s;
-    this.#step[q + 3] = Math.cos(half);
-  }
-
-  #moveOn(i: number, dt: number): void {
-    const { velocity } = this.#system;
-    const m = this.#matrix;
-    for (let x = 0; x < 3; x++)
-      this.nextPlace[i * 3 + x] = this.place[i * 3 + x]! + dt * velocity[i * SIDE + x]!;
-    writeMatrix(m, 0, this.#step, i * QUATERNION);
-    const o = i * MATRIX;
-    for (let c = o; c < o + 3; c++) {
-      const x = this.turn[c]!;
-      const y = this.turn[c + 3]!;
-      const z = this.turn[c + 6]!;
-      this.nextTurn[c] = m[0]! * x + m[1]! * y + m[2]! * z;
-      this.nextTurn[c + 3] = m[3]! * x + m[4]! * y + m[5]! * z;
-      this.nextTurn[c + 6] = m[6]! * x + m[7]! * y + m[8]! * z;
-    }
-  }
-
-  /** `out` += `sign` times the way that the point at the end of `arms[at]` will go. */
-  addWay(
-    i: number,
-    arms: Float64Array,
-    at: number,
-    dt: number,
-    sign: 1 | -1,
-    out: Float64Array,
-  ): void {
-    const { velocity } = this.#system;
-    const v = i * SIDE;
-    const q = i * QUATERNION;
-    const a = this.#step[q]!;
-    const b = this.#step[q + 1]!;
-    const c = this.#step[q + 2]!;
-    const w = this.#step[q + 3]!;
-    const x = arms[at]!;
-    const y = arms[at + 1]!;
-    const z = arms[at + 2]!;
-    const tx = 2 * (b * z - c * y);
-    const ty = 2 * (c * x - a * z);
-    const tz = 2 * (a * y - b * x);
-    out[0]! += sign * (dt * velocity[v]! + w * tx + b * tz - c * ty);
-    out[1]! += sign * (dt * velocity[v + 1]! + w * ty + c * tx - a * tz);
-    out[2]! += sign * (dt * velocity[v + 2]! + w * tz + a * ty - b * tx);
-  }
+  // ---- after the solution ---------------------------------------------------------------------------------------------
 
   /** Whether the velocities found are finite. */
   sane({ bodies }: Component): boolean {

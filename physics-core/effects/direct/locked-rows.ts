@@ -3,6 +3,7 @@ import { Gimbal } from '../gimbal.js';
 import { ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { JointEnds } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
+import type { NextPoses } from './next-poses.js';
 import type { RowSystem } from './row-system.js';
 
 /** The first three rows are along axes, the others about them. */
@@ -16,6 +17,7 @@ const LINEAR = 3;
 export class LockedRows {
   readonly #system: RowSystem;
   readonly #bodies: JointedBodies;
+  readonly #next: NextPoses;
   readonly #ends: JointEnds;
   /** Per joint: how many of its rows are locked. Per row: its number, where it is locked, and the share of its error repaired per step. */
   #counts = new Uint8Array(0);
@@ -29,9 +31,10 @@ export class LockedRows {
   /** Of the joint that was read last. */
   readonly #gimbal = new Gimbal();
 
-  constructor(system: RowSystem, bodies: JointedBodies, ends: JointEnds) {
+  constructor(system: RowSystem, bodies: JointedBodies, next: NextPoses, ends: JointEnds) {
     this.#system = system;
     this.#bodies = bodies;
+    this.#next = next;
     this.#ends = ends;
   }
 
@@ -134,8 +137,8 @@ export class LockedRows {
    * Returns the worst miss, metres or radians.
    */
   correct(k: number, dt: number, repair: 0 | 1): number {
-    const { nextPlace, nextTurn } = this.#bodies;
-    this.#read(k, nextPlace, nextTurn);
+    const { place, turn } = this.#next;
+    this.#read(k, place, turn);
     const { wanted, compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {

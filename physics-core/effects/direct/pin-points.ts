@@ -1,6 +1,7 @@
 import type { JointNode } from '../../nodes/joint.js';
 import type { Edge, Forest } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
+import type { NextPoses } from './next-poses.js';
 import type { Pins } from './pins.js';
 
 /** Numbers of both points of a pin; the parent's begins half-way. */
@@ -21,6 +22,7 @@ export const isPin = ({ corrections, limits }: JointNode): boolean =>
 export class PinPoints {
   readonly #pins: Pins;
   readonly #bodies: JointedBodies;
+  readonly #next: NextPoses;
   #forest!: Forest;
   /** Both points from the centres of mass of child and parent, in their bodies; in the world if that holds it. */
   #points = new Float64Array(0);
@@ -32,9 +34,10 @@ export class PinPoints {
   #bends = new Float64Array(0);
   readonly #apart = new Float64Array(3);
 
-  constructor(pins: Pins, bodies: JointedBodies) {
+  constructor(pins: Pins, bodies: JointedBodies, next: NextPoses) {
     this.#pins = pins;
     this.#bodies = bodies;
+    this.#next = next;
   }
 
   take(joints: readonly JointNode[], edges: readonly Edge[], forest: Forest): void {
@@ -65,7 +68,7 @@ export class PinPoints {
 
   /** Its points where the step begins; returns the worst error, metres. */
   fill(pin: number): number {
-    const { arms } = this.#pins;
+    const { arms } = this.#pins.factors;
     const { place } = this.#bodies;
     const e = pin * 3;
     const at = pin * POINTS;
@@ -115,7 +118,8 @@ export class PinPoints {
 
   /** As that of `LockedRows`. Returns by how much the step would miss, metres. */
   correct(pin: number, dt: number, repair: 0 | 1): number {
-    const { arms, wanted } = this.#pins;
+    const { wanted } = this.#pins;
+    const { arms } = this.#pins.factors;
     const child = this.#forest.childOf[pin]!;
     const parent = this.#forest.parentOf[child]!;
     const apart = this.#apart;
@@ -123,8 +127,8 @@ export class PinPoints {
     const e = pin * 3;
     // What is left of the error now, less what shall be left.
     for (let x = 0; x < 3; x++) apart[x] = share * this.#errors[e + x]!;
-    this.#bodies.addWay(child, arms, pin * POINTS, dt, 1, apart);
-    if (parent >= 0) this.#bodies.addWay(parent, arms, pin * POINTS + PARENT, dt, -1, apart);
+    this.#next.addWay(child, arms, pin * POINTS, dt, 1, apart);
+    if (parent >= 0) this.#next.addWay(parent, arms, pin * POINTS + PARENT, dt, -1, apart);
     for (let x = 0; x < 3; x++) {
       wanted[e + x]! -= apart[x]! / dt;
       this.#bends[e + x]! -= apart[x]! / dt;

@@ -79,8 +79,9 @@ export class Tension {
     const child = forest.childOf[pin]!;
     const parent = forest.parentOf[child]!;
     const sign = this.#signOf(pin, child);
-    this.#stiffen(pin, child, pins.arms, pin * SIDE, sign, dt);
-    if (parent >= 0) this.#stiffen(pin, parent, pins.arms, pin * SIDE + 3, sign === 1 ? -1 : 1, dt);
+    this.#stiffen(pin, child, pins.factors.arms, pin * SIDE, sign, dt);
+    if (parent >= 0)
+      this.#stiffen(pin, parent, pins.factors.arms, pin * SIDE + 3, sign === 1 ? -1 : 1, dt);
   }
 
   /** At the end of an arm of the body, which is the joint's first one (`sign` 1) or its second. */

@@ -71,7 +71,7 @@ export class TreeSolver {
     const parent = this.#system.forest.parentOf[body]!;
     const pin = this.#isPin(joint);
     const given = pin
-      ? this.#pins.factor(joint, this.#bodies, body, parent)
+      ? this.#pins.factors.factor(joint, this.#bodies, body, parent)
       : factorBlock(this.#bodies, body * BODY_BLOCK, SIDE);
     if (!given) return false;
     if (joint < 0 || this.#system.heldCount[joint] === 0) return true;
