@@ -138,7 +138,7 @@ fact(
       for (const joint of joints) gap = Math.max(gap, joint.gap);
       for (const body of bodies) fastest = Math.max(fastest, distance(velocity(body), [0, 0, 0]));
     }
-    below(gap, 0.05, 'm, of a link of 1 m');
+    below(gap, 1e-4, 'm, of a link of 1 m');
     // The energy of the whole fall in one of the light balls.
     const fall = 9.81 * (2 * 8 + 0.1 * 28);
     below(fastest, Math.sqrt((2 * fall) / 0.1), 'm/s');

@@ -28,6 +28,9 @@ const NO_MISS = 1e-6;
 /** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
 const TORN = 1e-4;
 
+/** Misses (m, rad) that a step may leave where its rounds do not find together. */
+const LEFT_OPEN = 1e-5;
+
 /**
  * Solves all joints directly, before each step of Bullet: the velocities it hands over carry the bodies, along their
  * round ways, to where every joint is whole (SHAKE, with the direct solution of its rows in place of iterations).
@@ -53,6 +56,8 @@ export class DirectJoints extends Effect {
   readonly #solved: Component[] = [];
   readonly #repaired: Component[] = [];
   readonly #alone = new Set<BodyNode>();
+  /** And those whose round ways could not be met: the step leaves them open. */
+  readonly #open = new Set<Component>();
   #stale = true;
 
   constructor(world: World) {
@@ -130,22 +135,25 @@ export class DirectJoints extends Effect {
     if (this.#stale) this.#rebuild();
     this.#repaired.length = 0;
     this.#solved.length = 0;
+    this.#open.clear();
     for (const component of this.#forest.components)
       if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
       else this.standby.hold(component);
   }
 
-  /** What contacts did to joints in the step, Bullet's iterations did not bring together: that is done here. */
+  /** What contacts did to joints in the step, and what the step itself left open, is brought together here. */
   override settle(dt: number): void {
     this.#alone.clear();
     for (const component of this.#solved) {
-      if (this.#aftermath.disturbed(component, dt)) this.#close(component, dt);
-      else for (const i of component.bodies) this.#alone.add(this.#bodies.bodies[i]!);
+      const disturbed = this.#aftermath.disturbed(component, dt);
+      if (!disturbed) for (const i of component.bodies) this.#alone.add(this.#bodies.bodies[i]!);
+      if (this.#open.has(component)) this.#close(component, dt, LEFT_OPEN);
+      else if (disturbed) this.#close(component, dt, TORN);
     }
   }
 
-  /** Moves the bodies of a component to where its joints are whole. */
-  #close(component: Component, dt: number): void {
+  /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
+  #close(component: Component, dt: number, least: number): void {
     for (let round = 0; round < ROUNDS; round++) {
       let worst = 0;
       this.#read(component, dt);
@@ -158,7 +166,7 @@ export class DirectJoints extends Effect {
         this.#rows.wantWhole(k);
         this.#bounded.wantWhole(k);
       }
-      if (worst < TORN) return;
+      if (worst < least) return;
       this.#aftermath.clearMomentum(component);
       if (!this.#system.solve(component) || !this.#bodies.sane(component)) return;
       this.#aftermath.move(component);
@@ -241,6 +249,8 @@ export class DirectJoints extends Effect {
     for (let round = 0; round < ROUNDS; round++) {
       const worst = this.#correct(component, dt, repair);
       if (worst > first) this.#straighten(component, dt, repair);
+      if (worst < LEFT_OPEN) this.#open.delete(component);
+      else this.#open.add(component);
       if (worst < NO_MISS || worst > before) return;
       this.#system.again(component);
       if (round === 0) first = worst;
@@ -268,11 +278,8 @@ export class DirectJoints extends Effect {
   #repair(component: Component, dt: number): boolean {
     this.#repaired.push(component);
     this.#aftermath.keep(component);
-    for (const k of component.pins) this.#pins.want(k, dt, 1);
-    for (const k of component.rows) {
-      this.#rows.want(k, dt, 1);
-      this.#bounded.wantRepair(k, dt);
-    }
+    this.#want(component, dt, 1);
+    for (const k of component.rows) this.#bounded.wantRepair(k, dt);
     return this.#find(component, dt, 1);
   }
 
