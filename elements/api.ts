@@ -6,6 +6,7 @@ export const worldOf = (element: Element | null | undefined) => page.worldOf(ele
 
 export { explain, type Explanation };
 export type {
+  Drag,
   EffectReport,
   Level,
   LevelMeasurement,

@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../physics-core/index.js';
+import type { Drag, PhysicsNode } from '../physics-core/index.js';
 import { X3DNodeElement } from './node-element.js';
 
 type Vector = ArrayLike<number>;
@@ -9,6 +9,7 @@ interface Body extends PhysicsNode {
   applyTorque(torque: Vector): void;
   applyImpulse(impulse: Vector, at?: Vector): void;
   teleport(position: Vector, orientation?: Vector): void;
+  drag(point: Vector): Drag | undefined;
   wake(): void;
   sleep(): void;
   readonly sleeping: boolean;
@@ -39,6 +40,11 @@ export class X3DBodyElement extends X3DNodeElement {
   /** Jumps there, keeping its velocity. */
   teleport(position: Vector, orientation?: Vector): void {
     this.#body?.teleport(position, orientation);
+  }
+
+  /** Takes hold of it at a point of the world, as `dragMode` says, until `end` or `cancel`. */
+  drag(point: Vector): Drag | undefined {
+    return this.#body?.drag(point);
   }
 
   wake(): void {

@@ -45,10 +45,8 @@ export class Scene implements Driven {
 
   constructor(x3d: Element) {
     this.x3d = x3d;
-    this.worlds.onmake = (world) => {
-      this.events.listen(world);
-      this.draggables.listen(world);
-    };
+    const listeners = [this.events, this.draggables];
+    this.worlds.onmake = (world) => listeners.forEach((each) => each.listen(world));
     this.#view = new IntersectionObserver((entries) =>
       this.#viewed(entries.at(-1)!.isIntersecting),
     );
@@ -233,8 +231,6 @@ export class Scene implements Driven {
     }
     return undefined;
   }
-
-  // ---- drawing ----------- -------------------------------------------------------------------------------------
 
   /** A collidable that no body moves is drawn where its fields say. */
   valueChanged(binding: Binding): void {

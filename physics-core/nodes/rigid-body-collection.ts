@@ -270,15 +270,6 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       patch: (collection) => collection.updateColliders(),
       doc: '`strict` follows the standard to the letter: without a collider nothing collides but the contacts of a CollisionSensor that page code hands to set_contacts, and friction is what frictionCoefficients say.',
     },
-    draggableBody: {
-      type: 'SFBool',
-      access: 'inputOutput',
-      default: false,
-      own: true,
-      edit: 'live',
-      patch: (collection) => collection.eachBody('draggableBody'),
-      doc: 'TRUE: people may drag all of its bodies that move.',
-    },
     dragMode: {
       type: 'SFString',
       access: 'inputOutput',
@@ -288,6 +279,15 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       edit: 'live',
       patch: (collection) => collection.eachBody('dragMode'),
       doc: 'How its bodies are dragged: spring (default), kinematic, teleport.',
+    },
+    draggableBody: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'live',
+      patch: (collection) => collection.eachBody('draggableBody'),
+      doc: 'TRUE: people may drag all of its bodies that move.',
     },
     runHidden: {
       type: 'SFBool',

@@ -242,15 +242,6 @@ export const rigidBody = defineNode<RigidBodyNode>({
       patch: rest,
       doc: 'Angular speed below which it may sleep, rad/s.',
     },
-    draggableBody: {
-      type: 'SFBool',
-      access: 'inputOutput',
-      default: false,
-      own: true,
-      edit: 'live',
-      patch: (body) => body.updateDraggable(),
-      doc: 'TRUE: people may drag it by mouse, touch, pen and keyboard. Not authored: as its collection, if it moves.',
-    },
     dragMode: {
       type: 'SFString',
       access: 'inputOutput',
@@ -260,6 +251,15 @@ export const rigidBody = defineNode<RigidBodyNode>({
       edit: 'live',
       patch: (body) => body.updateDragMode(),
       doc: '`spring` pulls it at the grabbed point, `kinematic` carries it, pushing others aside, `teleport` sets it down. Not authored: as its collection.',
+    },
+    draggableBody: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'live',
+      patch: (body) => body.updateDraggable(),
+      doc: 'TRUE: people may drag it by mouse, touch, pen and keyboard. Not authored: as its collection, if it moves.',
     },
     useFiniteRotation: {
       type: 'SFBool',

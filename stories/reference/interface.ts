@@ -25,6 +25,7 @@ const BODY: Record<Exclude<Own<X3DBodyElement>, Own<X3DNodeElement>>, string> = 
   applyTorque: '`applyTorque(torque)`: newton metres, for the next step only.',
   applyImpulse: '`applyImpulse(impulse, at?)`: newton seconds, at once.',
   teleport: '`teleport(position, orientation?)`: jumps there, keeping its velocity.',
+  drag: '`drag(point)`: takes hold of it at a point of the world; what it answers has `move(point)`, `end()` and `cancel()`.',
   wake: '`wake()`: moves again.',
   sleep: '`sleep()`: stands still until something wakes it.',
   sleeping: 'Whether it sleeps.',

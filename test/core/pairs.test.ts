@@ -281,7 +281,7 @@ fact(
     w.advance(1);
     // 9 kg on wheels of m r²/2 = 0.08 kg·m²; both driven wheels together 6 N·m.
     const a = (6 * 0.4) / (9 * 0.16 + 4 * 0.08);
-    // Of 10 iterations some error stays, by the order of the joints 0.2 to 0.8 % at `standard` (measured).
+    // By where exactly the wheels touch, friction is 0.2 to 0.8 % off (measured).
     close(velocity(chassis)[2] - v, a, 0.01 * a, 'm/s more in a second');
     close(position(chassis)[2] - z, v + a / 2, 0.01 * a, 'm on in a second');
     close(height(chassis), 0.5, 5e-3, 'm, on its wheels');
