@@ -14,6 +14,8 @@ async function stage(mode = 'teleport') {
     ${body('id="b1" title="The crate"', -2)}${body('id="b2"', 0)}${body('', 2)}`,
     '#b2',
   );
+  // Where Tab goes on to: behind the last thing of a page the focus would leave it.
+  document.body.append(document.createElement('button'));
   await draggable(x3d);
   const root = x3d.querySelector('.x3d-physics-handles')!.shadowRoot!;
   return { x3d, world, root, events: listen(x3d), crate: world.node('b1')! };
