@@ -89,7 +89,8 @@ function stateOf(node: PhysicsNode, child: boolean): NodeState {
     heard: node.heardEvents,
     child,
     asked: encoded(asked),
-    authored: [...authored],
+    // What was only sent in is spent.
+    authored: [...authored].filter((name) => node.type.fields[name]!.access !== 'inputOnly'),
     beforeEvent: encoded(beforeEvent),
     ...(node instanceof BodyNode && { start: structuredClone(node.start) }),
     ...(node instanceof BodyNode && node.built ? { body: bodyState(node) } : {}),

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import type { LevelMeasurement, LevelName, World } from '../../physics-core/index.js';
+import { workPerMoment } from '../../physics-core/accuracy/work.js';
 import {
   above,
   addBody,
@@ -207,6 +208,20 @@ fact('what is listened to switches the same effects on where it is measured', as
   assert.equal(heard.length, 12);
 });
 
+fact('contacts that page code once handed over do not act again where it is measured', async () => {
+  const w = await world();
+  addFloor(w);
+  addBody(w, { position: [0, 0.5, 0] });
+  w.advance(0.5);
+  w.settings.event('set_contacts', []);
+  w.step();
+  w.advance(0.5);
+  const state = w.snapshot().nodes.find(({ type }) => type === 'RigidBodyCollection')!;
+  assert.ok(!state.authored.includes('set_contacts'));
+  const [row] = await w.measureAccuracy({ seconds: 0.2, levels: ['standard'] });
+  below(row!.error.penetration, 2e-4, 'm: nothing sank in');
+});
+
 fact('what acts from outside is named', async () => {
   const w = await pendulum();
   const body = [...w.bodies][0]!;
@@ -220,6 +235,18 @@ fact('what acts from outside is named', async () => {
   );
   assert.equal(row!.leftOut[1]!.element, body);
   assert.equal(row!.inWorker, false);
+});
+
+fact('work is the mean of what is usual, whatever else the machine does, by any clock', () => {
+  const steady = Array.from({ length: 100 }, (_, i) => 2 + (i % 2));
+  close(workPerMoment(steady), 2.5, 1e-9, 'ms');
+  const disturbed = steady.map((ms, i) => (i % 10 === 0 ? 80 : ms));
+  // Ten of the moments that take 2 ms count as the usual 3.
+  close(workPerMoment(disturbed), 2.6, 1e-9, 'ms');
+  // A clock that ticks once a millisecond shows 0.2 ms as 0 or 1.
+  const ticks = Array.from({ length: 100 }, (_, i) => (i % 5 === 0 ? 1 : 0));
+  close(workPerMoment(ticks), 0.2, 0.01, 'ms');
+  above(workPerMoment([0, 0, 0]), 0, 'ms');
 });
 
 // ---- how it is asked -------------------------------------------------------------------------------------------------
