@@ -53,7 +53,7 @@ export const bodyEdits: Record<string, Edit> = {
   angularVelocity: { values: POINTS, changes: [], stays: ['.angularVelocity'] },
   forces: { values: [[[1, 2, 3]], [[3, 2, 1]]], changes: ['~effects'] },
   torques: { values: [[[1, 2, 3]], [[3, 2, 1]]], changes: ['~effects'] },
-  useGlobalGravity: { values: OFF, changes: ['~gravity'] },
+  useGlobalGravity: { values: OFF, changes: ['~gravity', '~effects'] },
   autoDamp: { values: ON, changes: ['~damping', '~effects'] },
   linearDampingFactor: { values: SHARES, given: DAMPED, changes: ['~damping'] },
   angularDampingFactor: {
