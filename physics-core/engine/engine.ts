@@ -1,6 +1,6 @@
 import { compileAmmo, loadAmmo, type Ammo, type LoadOptions } from './ammo.js';
 import { ContactHook } from './contact-hook.js';
-import { bodyOffsetsHold } from './heap-check.js';
+import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
@@ -26,7 +26,7 @@ export class Engine {
     this.source = source;
     this.scratch = new Scratch(ammo);
     this.contacts = new ContactHook(ammo);
-    this.heapTrusted = bodyOffsetsHold(ammo);
+    this.heapTrusted = bodyOffsetsHold(ammo) && manifoldOffsetsHold(ammo);
     this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
     this.velocities = this.heapTrusted
       ? new HeapVelocityWriter(ammo)

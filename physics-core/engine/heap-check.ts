@@ -1,7 +1,7 @@
 import type { Ammo } from './ammo.js';
 import { HeapReader, ApiReader } from './heap.js';
 import { Owner } from './owner.js';
-import { BODY, SHAPE, SHAPE_TYPE, SIX_DOF, SOLVER } from './offsets.js';
+import { BODY, MANIFOLD, MANIFOLD_POINT, SHAPE, SHAPE_TYPE, SIX_DOF, SOLVER } from './offsets.js';
 
 /** Bytes of a btMatrix3x3, which a btTransform's origin follows. */
 const MATRIX = 48;
@@ -127,5 +127,59 @@ export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
     close(at(SOLVER.splitImpulseThreshold), -0.04) &&
     close(at(SOLVER.warmstarting), 0.85) &&
     ammo.HEAP32[(pointer + SOLVER.mode) >> 2] === 260
+  );
+}
+
+/** Of two cubes of 2 m, one of which has sunk 0.1 m into the other: where their contact points are, and how they live. */
+export function manifoldOffsetsHold(ammo: Ammo): boolean {
+  const owner = new Owner(ammo);
+  try {
+    const vector = owner.own(new ammo.btVector3(1, 1, 1));
+    const shape = owner.own(new ammo.btBoxShape(vector));
+    const configuration = owner.own(new ammo.btDefaultCollisionConfiguration());
+    const dispatcher = owner.own(new ammo.btCollisionDispatcher(configuration));
+    const broadphase = owner.own(new ammo.btDbvtBroadphase());
+    const solver = owner.own(new ammo.btSequentialImpulseConstraintSolver());
+    const world = owner.own(
+      new ammo.btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
+    );
+    const transform = owner.own(new ammo.btTransform());
+    transform.setIdentity();
+    const bodies = [0, 1].map((mass) => {
+      const info = owner.own(
+        new ammo.btRigidBodyConstructionInfo(mass, null as never, shape, vector),
+      );
+      const body = owner.own(new ammo.btRigidBody(info));
+      vector.setValue(0, 1.9 * mass, 0);
+      transform.setOrigin(vector);
+      body.setCenterOfMassTransform(transform);
+      world.addRigidBody(body);
+      return body;
+    });
+    world.stepSimulation(1e-3, 0);
+    const holds = dispatcher.getNumManifolds() === 1 && layoutHolds(ammo, dispatcher);
+    for (const body of bodies) world.removeRigidBody(body);
+    return holds;
+  } finally {
+    owner.dispose();
+  }
+}
+
+function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prototype']): boolean {
+  const manifold = dispatcher.getManifoldByIndexInternal(0);
+  const at = ammo.getPointer(manifold);
+  const first = at + MANIFOLD.points;
+  const count = manifold.getNumContacts();
+  const { HEAP32, HEAPF32 } = ammo;
+  return (
+    count > 1 &&
+    HEAP32[(at + MANIFOLD.bodyA) >> 2] === ammo.getPointer(manifold.getBody0()) &&
+    HEAP32[(at + MANIFOLD.bodyB) >> 2] === ammo.getPointer(manifold.getBody1()) &&
+    HEAP32[(at + MANIFOLD.pointCount) >> 2] === count &&
+    // A fiftieth of the way from the middle to a corner.
+    close(HEAPF32[(at + MANIFOLD.breaking) >> 2]!, 0.02 * Math.sqrt(3)) &&
+    ammo.getPointer(manifold.getContactPoint(0)) === first &&
+    ammo.getPointer(manifold.getContactPoint(1)) === first + MANIFOLD_POINT.size &&
+    HEAPF32[(first + MANIFOLD_POINT.distance) >> 2] === manifold.getContactPoint(0).getDistance()
   );
 }
