@@ -3,7 +3,7 @@ import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import { isDirected, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { World } from '../world/world.js';
-import { Hit, Link, OVER } from './contact-hit.js';
+import { hangsOnMoving, Hit, Link, OVER } from './contact-hit.js';
 import { isBallAt, isRound } from './contact-part.js';
 import { leaveOut, type Pair } from './contact-rows.js';
 import { Effect } from './effect.js';
@@ -93,11 +93,12 @@ export class ContactChains extends Effect {
     hit.impulse = 0;
     hit.chained = false;
     hit.weigh(this.#dt);
-    if (round || this.#swept) this.#meet(hit);
+    const alone = round && !hangsOnMoving(a) && !hangsOnMoving(b);
+    if (alone || this.#swept) this.#meet(hit);
     else this.#leave(hit);
   }
 
-  /** What touches in several points bounces in Bullet's solver, off all of them at once. */
+  /** What touches in several points, or has others hanging on it, bounces in Bullet's solver: off all of them at once. */
   #leave(hit: Hit): void {
     const { point, a, b } = hit;
     const { HEAPF32 } = this.#world.engine.ammo;

@@ -129,7 +129,8 @@ export class Link {
   }
 }
 
-const hangsOnMoving = (body: BodyNode): boolean => {
+/** Whether a joint ties it to another body that moves. */
+export const hangsOnMoving = (body: BodyNode): boolean => {
   for (const { body1, body2 } of body.joints)
     if ((body1 === body ? body2 : body1)?.movable) return true;
   return false;

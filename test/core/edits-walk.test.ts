@@ -63,9 +63,9 @@ for (const [type, field] of ALL_FIELDS) {
   });
 }
 
-/** Damping is felt in motion only; the others are kept. */
+/** Damping is felt in motion only, and dragging by who is dragged; the others are kept. */
 const SLEEPS_ON = new Set([
-  ...['autoDamp', 'linearDampingFactor', 'angularDampingFactor'],
+  ...['autoDamp', 'linearDampingFactor', 'angularDampingFactor', 'dragMode', 'draggableBody'],
   ...Object.entries(nodeTypes.RigidBody!.fields)
     .filter(([, { edit }]) => edit === 'passive')
     .map(([name]) => name),

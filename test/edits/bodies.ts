@@ -67,6 +67,8 @@ export const bodyEdits: Record<string, Edit> = {
   disableAngularSpeed: { values: [2, 3], changes: ['~rest'] },
   useFiniteRotation: kept(ON),
   finiteRotationAxis: kept(POINTS),
+  dragMode: kept(['kinematic', 'teleport']),
+  draggableBody: kept(ON),
 };
 
 /** Of a pole that flies, made of an offset shape and a foot. */

@@ -39,6 +39,10 @@ export const worldEdits: Record<string, Edit> = {
     changes: ['*~groups', '*~effects', '@meeting', '@touching', 'stone~awake'],
     stays: ['stone~awake', '*~groups', '*~effects'],
   },
+  timeBudget: kept([3, 5]),
+  dragMode: kept(['kinematic', 'teleport']),
+  draggableBody: kept(ON),
+  debug: { values: ON, changes: ['~effects'] },
   runHidden: kept(ON),
   heapLimit: kept([256, 1024]),
 };

@@ -50,7 +50,8 @@ export function markJoint(lines: DebugLines, joint: JointNode): void {
     size: sizeOf(lines, [body1, body2]),
     a: frame(bodyA, 'A'),
     b: frame(bodyB, 'B'),
-    bounds: (row) => softBounds(joint, row) ?? view.bounds(constraint.pointer, row),
+    bounds: (row) =>
+      lockedBounds(joint, row) ?? softBounds(joint, row) ?? view.bounds(constraint.pointer, row),
   };
   hold(seen, bodyA, seen.a);
   hold(seen, bodyB, seen.b);
@@ -62,6 +63,10 @@ function sizeOf(lines: DebugLines, bodies: readonly (BodyNode | undefined)[]): n
   const movable = bodies.filter((body) => body?.movable) as BodyNode[];
   return SIZE * Math.min(...movable.map((body) => lines.markOn(body)));
 }
+
+/** Bullet's rows that lock are let go as long as nothing touches their bodies. */
+const lockedBounds = (joint: JointNode, row: number): readonly [number, number] | undefined =>
+  joint.lockedRows.includes(row) ? [0, 0] : undefined;
 
 /** Stops that give way are kept by an effect; Bullet's row is free there. They are of body1 against body2, A and B. */
 function softBounds(joint: JointNode, row: number): readonly [number, number] | undefined {

@@ -188,7 +188,7 @@ export class DirectJoints extends Effect {
       return;
     }
     this.#bodies.write(component, dt);
-    if (torn) this.#aftermath.note(component);
+    if (this.#repaired.includes(component)) this.#aftermath.note(component);
     this.#solved.push(component);
     this.standby.solved(component, dt);
     for (const k of component.rows) this.#bounded.tell(k, this.#world.registry.stops);
