@@ -2,14 +2,14 @@
 import base64 from 'virtual:ammo-wasm-base64';
 import { begin } from './begin.js';
 import { setEngineSource } from './engine-source.js';
-import { scriptAddress } from './script-address.js';
+import { besideScript, scriptAddress } from './script-address.js';
 import { setViewFolder } from './ui/view.js';
 
 const address = scriptAddress();
 
 setEngineSource(() => ({
   wasmBinary: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
-  workerUrl: new URL('accuracy-worker.js', address).href,
+  workerUrl: besideScript('accuracy-worker.js', address),
 }));
 setViewFolder(address);
 begin();

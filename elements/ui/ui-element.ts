@@ -70,8 +70,9 @@ export abstract class X3DUIElement extends Base {
 
   disconnectedCallback(): void {
     this.#sight?.disconnect();
-    this.#inSight = false;
-    this.#turn();
+    this.#inSight = this.#running = false;
+    // Out of sight, too, work may be under way.
+    this.#view?.stop();
   }
 
   attributeChangedCallback(_name: string, before: string | null, after: string | null): void {

@@ -27,7 +27,10 @@ export async function inWorker(
 function startWorker(url: string): Worker {
   if (new URL(url).origin === location.origin) return new Worker(url, { type: 'module' });
   const source = new Blob([`import ${JSON.stringify(url)};`], { type: 'text/javascript' });
-  return new Worker(URL.createObjectURL(source), { type: 'module' });
+  const address = URL.createObjectURL(source);
+  const worker = new Worker(address, { type: 'module' });
+  worker.addEventListener('message', () => URL.revokeObjectURL(address), { once: true });
+  return worker;
 }
 
 /** A worker that answers. */

@@ -35,6 +35,8 @@ export class Drag {
   #moments: [before: Moment, last: Moment] | undefined;
   readonly #onend: Ended;
   #over = false;
+  /** What its end leaves the body with, before anybody hears of it. */
+  #leave = (): void => {};
 
   constructor(body: BodyNode, point: Vec3, onend: Ended) {
     this.body = body;
@@ -93,20 +95,24 @@ export class Drag {
   end(still = false): void {
     if (this.#over) return;
     const velocity = this.mode === 'kinematic' && !still ? this.#thrown() : REST;
-    const sets = still || this.mode !== 'spring';
+    if (still || this.mode !== 'spring') this.#leave = () => this.#goOn(velocity);
     this.body.world.registry.dragging.release(this, 'released');
-    if (sets && this.body.active && this.body.movable)
-      this.body.setVelocityAtOrigin({ linear: velocity, angular: REST });
   }
 
   /** Lets go; what was not moved by a spring returns to where it was grabbed. */
   cancel(): void {
     if (this.#over) return;
-    const returns = this.mode !== 'spring' && this.body.active;
+    if (this.mode !== 'spring' && this.body.active)
+      this.#leave = () => {
+        this.body.moveTo(this.#start);
+        this.#goOn(REST);
+      };
     this.body.world.registry.dragging.release(this, 'cancelled');
-    if (!returns) return;
-    this.body.moveTo(this.#start);
-    if (this.body.movable) this.body.setVelocityAtOrigin({ linear: REST, angular: REST });
+  }
+
+  #goOn(velocity: Vec3): void {
+    if (this.body.active && this.body.movable)
+      this.body.setVelocityAtOrigin({ linear: velocity, angular: REST });
   }
 
   /** The velocity of its last move. */
@@ -123,6 +129,7 @@ export class Drag {
   over(reason: DragEnd): void {
     this.#over = true;
     this.body.hold(false);
+    this.#leave();
     this.#onend(reason);
   }
 }

@@ -44,6 +44,11 @@ export class Dragging extends Effect {
     drag.over(reason);
   }
 
+  /** The world begins anew, or ends. */
+  reset(reason: DragEnd): void {
+    for (const drag of [...this.#drags]) this.release(drag, reason);
+  }
+
   /** All hands off a body. */
   letGo(body: PhysicsNode, reason: DragEnd): void {
     for (const drag of this.#of(body)) this.release(drag, reason);

@@ -285,7 +285,7 @@ export class BodyNode extends HeldNode {
   /** Gravity, rest and who it collides with are those of its collection. */
   override belongTo(collection: CollectionNode | undefined): void {
     super.belongTo(collection);
-    for (const field of ['useGlobalGravity', 'autoDisable']) this.touch(field);
+    for (const field of ['useGlobalGravity', 'autoDisable', 'dragMode']) this.touch(field);
     this.world.pairs.refreshBody(this);
   }
 

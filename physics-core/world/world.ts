@@ -152,6 +152,7 @@ export class World extends NodeWorld {
   /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
   rebuild(between: () => void): void {
     this.registry.contacts.reset();
+    this.registry.dragging.reset('reset');
     this.#unbuild();
     between();
     this.#build();
@@ -174,6 +175,7 @@ export class World extends NodeWorld {
   destroy(): void {
     if (this.started) {
       this.registry.contacts.reset('removed');
+      this.registry.dragging.reset('removed');
       this.#unbuild();
     }
     for (const node of [...this.nodes]) node.remove();

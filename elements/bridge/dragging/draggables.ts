@@ -42,11 +42,28 @@ export class Draggables {
   async #load(): Promise<void> {
     if (this.#hands || this.#loading) return;
     this.#loading = true;
-    const { Hands } = await import('./hands.js');
-    this.#loading = false;
-    if (this.bodies.size === 0 || !this.#scene.live) return;
-    this.#hands = new Hands(this.#scene);
-    for (const body of this.bodies) this.#hands.add(body);
+    try {
+      const { Hands } = await import('./hands.js');
+      if (this.bodies.size === 0 || !this.#scene.live) return;
+      this.#hands = new Hands(this.#scene);
+      for (const body of this.bodies) this.#hands.add(body);
+    } catch (error) {
+      this.#reportMissing(error);
+    } finally {
+      this.#loading = false;
+    }
+  }
+
+  #reportMissing(error: unknown): void {
+    const [body] = this.bodies;
+    body?.report({
+      code: 'drag-load-failed',
+      severity: 'error',
+      attribute: 'draggableBody',
+      value: String(error),
+      used: 'nothing',
+      message: `what bodies are dragged with could not be loaded: ${String(error)}`,
+    });
   }
 
   destroy(): void {

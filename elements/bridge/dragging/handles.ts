@@ -139,6 +139,8 @@ export class Handles {
 
   #key(handle: Handle, event: KeyboardEvent): void {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
+    // A key held down presses a button again and again.
+    if (event.key === 'Enter' && event.repeat) return event.preventDefault();
     if (!(this.#held ? this.#move(event) : this.#choose(handle, event))) return;
     event.preventDefault();
     event.stopPropagation();

@@ -33,6 +33,8 @@ export class Pointers {
   readonly #listening = new AbortController();
   /** While something is held. */
   #holding: AbortController | undefined;
+  /** Since something was grabbed, until nothing is down any more: x3dom did not hear how all of it began. */
+  #pressing = false;
   #hover = 0;
   #shown: string | undefined;
 
@@ -52,6 +54,8 @@ export class Pointers {
     listen('dblclick', this.#doubleClick);
     for (const type of TURNING) listen(type, this.#rest, false);
     for (const type of TOUCHING) listen(type, this.#rest, false);
+    // Bubbling: x3dom's own listener on the canvas comes first.
+    addEventListener.call(scene.x3d, 'mousedown', this.#pressed, { signal: this.#listening.signal });
   }
 
   destroy(): void {
@@ -82,6 +86,7 @@ export class Pointers {
     if (!held) return;
     const anchor = scaled(picked.point, 1 / metresOf(picked.binding));
     this.#grips.set(pointerId, { held, anchor, x, y });
+    this.#pressing = true;
     this.#show('grabbing');
     if (!this.#holding) this.#watch();
     capture(this.#view.canvas!, pointerId);
@@ -97,7 +102,9 @@ export class Pointers {
 
   readonly #move = (event: PointerEvent): void => {
     const grip = this.#grips.get(event.pointerId);
-    if (grip) this.#moveGrip(grip, event);
+    // It went up where nobody saw it.
+    if (grip && event.buttons === 0) grip.held.end();
+    else if (grip) this.#moveGrip(grip, event);
     else if (event.pointerType === 'mouse' && event.buttons === 0) this.#lookLater(event);
   };
 
@@ -148,9 +155,17 @@ export class Pointers {
 
   // ---- x3dom ------------------------------------------------------------------------------------------------------
 
+  /** It heard the press, so that clicks count; but no navigation is to begin with it. */
+  readonly #pressed = (): void => {
+    if (this.#grips.size > 0) this.#view.forgetPress();
+  };
+
   /** Neither x3dom nor the page's scrolling hears of what moves a body. */
   readonly #rest = (event: Event): void => {
-    if (this.#grips.size === 0) return;
+    if (this.#grips.size === 0) {
+      this.#pressing &&= isDown(event as MouseEvent | TouchEvent);
+      if (!this.#pressing) return;
+    }
     event.stopImmediatePropagation();
     if (event.cancelable && event.type !== 'mousemove') event.preventDefault();
   };
@@ -178,6 +193,10 @@ export class Pointers {
     else canvas.style.removeProperty('cursor');
   }
 }
+
+/** Whether a button or a finger is down still. */
+const isDown = (event: MouseEvent | TouchEvent): boolean =>
+  'touches' in event ? event.touches.length > 0 : event.buttons > 0;
 
 /** Its moves go on outside the canvas; a pointer that is up already can't be captured. */
 function capture(canvas: HTMLCanvasElement, pointerId: number): void {

@@ -45,6 +45,15 @@ export class View {
     return this.#x3d.runtime?.canvas?.doc?._viewarea;
   }
 
+  /** To x3dom no button is down. */
+  forgetPress(): void {
+    const canvas = this.canvas as (HTMLCanvasElement & { mouse_dragging?: boolean }) | undefined;
+    const area = this.#area;
+    if (canvas) canvas.mouse_dragging = false;
+    // It takes a release where it was pressed for a click that turns the camera.
+    if (area) [area._lastButton, area._pressX] = [0, NaN];
+  }
+
   /** Through a point of the page, CSS pixels of the window. */
   sight(clientX: number, clientY: number): Sight | undefined {
     const { canvas } = this;

@@ -64,9 +64,11 @@ function unpatch(element: Element): void {
   if (Object.hasOwn(own, '_x3domNode')) delete own._x3domNode;
 }
 
-/** An `<x3d>` pasted or cloned brings the old one's canvas along. */
+/** An `<x3d>` pasted or cloned brings the old one's canvas along, and an empty box that was for handles of bodies. */
 export function removeCopies(x3d: Element): void {
   for (const copied of x3d.querySelectorAll(COPIED)) copied.remove();
+  for (const box of x3d.querySelectorAll(':scope > .x3d-physics-handles'))
+    if (!box.shadowRoot) box.remove();
 }
 
 export const wasRead = (x3d: Element): boolean => (x3d as X3DElement).hasRuntime !== undefined;

@@ -77,6 +77,8 @@ export interface X3DProjection {
 }
 
 export interface X3DViewarea {
+  _lastButton: number;
+  _pressX: number;
   /** From the scene to the picture, each of x, y, z from -1 to 1, and back. */
   getWCtoCCMatrix(): X3DProjection;
   getCCtoWCMatrix(): X3DProjection;

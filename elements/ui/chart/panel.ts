@@ -26,7 +26,7 @@ export function panel(state: State, actions: Actions): TemplateResult {
       <h2>What accuracy costs here</h2>
       <span role="status" class="quiet">${statusOf(state)}</span>
     </header>
-    ${world?.started ? [levels(world), controls(state, actions)] : nothing}
+    ${world?.started ? [levels(world, () => actions.show(kind)), controls(state, actions)] : nothing}
     <div part="chart" role="img" aria-label=${summary(measured, kind)} ?hidden=${!measured}></div>
     ${measured ? [remarks(measured), data(measured, world)] : nothing}
   </section>`;
@@ -41,7 +41,7 @@ function statusOf({ world, measured, progress, failed }: State): string {
 }
 
 /** Of the running scene. */
-function levels(world: World): TemplateResult {
+function levels(world: World, show: () => void): TemplateResult {
   const asked = world.get('accuracy');
   const names = [...world.levels.map(({ name }) => name), 'auto' as const];
   const inForce = (name: string): boolean =>
@@ -56,7 +56,10 @@ function levels(world: World): TemplateResult {
             name="level"
             .value=${name}
             .checked=${inForce(name)}
-            @change=${() => (world.accuracy = name)}
+            @change=${() => {
+              world.accuracy = name;
+              show();
+            }}
           />${name}${name === 'auto' && asked === 'auto' ? ` (now ${world.accuracy})` : ''}</label
         >`,
     )}

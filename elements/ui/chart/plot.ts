@@ -65,7 +65,7 @@ export function plot({ dots, kind, budget, colors, width, height }: Drawing): st
   const chart = init(null, null, { renderer: 'svg', ssr: true, width, height });
   const { heights: errors, range } = heights(dots);
   const most = Math.max(...dots.map(({ cost }) => cost));
-  const costs = decades([...dots.map(({ cost }) => cost), budget, NAME * most]);
+  const costs = decades([...dots.map(({ cost }) => cost), budget || most, NAME * most]);
   const axis = (name: string, { min, max }: Range, formatter: (value: number) => string) => ({
     type: 'log' as const,
     name,
@@ -87,7 +87,10 @@ export function plot({ dots, kind, budget, colors, width, height }: Drawing): st
     grid: { left: 76, right: 24, top: 28, bottom: 48 },
     xAxis: { ...axis('ms of work per simulated second', costs, String), nameGap: 30 },
     yAxis: { ...axis(ERRORS[kind].axis, range, floorLabel), nameGap: 58 },
-    series: [budgetLine(budget, range, colors), levelsLine(dots, errors, colors)],
+    series: [
+      ...(budget > 0 ? [budgetLine(budget, range, colors)] : []),
+      levelsLine(dots, errors, colors),
+    ],
   });
   const svg = chart.renderToSVGString();
   chart.dispose();

@@ -47,19 +47,27 @@ class ChartView implements View, Actions {
     this.#timer = setInterval(() => this.#follow(), INTERVAL);
     this.#dark.addEventListener('change', this.#draw);
     this.#show();
+    this.#hear();
     this.#follow();
     this.#size.observe(this.#host);
   }
 
   stop(): void {
     clearInterval(this.#timer);
+    this.#timer = undefined;
+    this.#stopHearing?.();
     this.#size.disconnect();
     this.#dark.removeEventListener('change', this.#draw);
     if (!this.#host.isConnected) this.cancel();
   }
 
   changed(): void {
-    this.#follow();
+    if (this.#timer) this.#follow();
+  }
+
+  #hear(): void {
+    this.#stopHearing?.();
+    this.#stopHearing = this.#state.world?.on('accuracy', () => this.#show());
   }
 
   /** The page may have another world for it by now, or the one it has may have started. */
@@ -67,9 +75,8 @@ class ChartView implements View, Actions {
     const { world } = this.#host;
     if (world !== this.#state.world) {
       this.cancel();
-      this.#stopHearing?.();
-      this.#stopHearing = world?.on('accuracy', () => this.#show());
       this.#show({ world, measured: undefined, failed: undefined });
+      this.#hear();
     } else if (world?.started && !this.#root.querySelector('fieldset')) this.#show();
   }
 
