@@ -12,6 +12,13 @@ const SHARE = 0.5;
 /** Of the greatest ball within a body: a little less does not catch on the floor that it slides along. */
 const BALL = 0.9;
 
+/** Two bodies of one joint don't collide, which a sweep does not know. */
+function areJoined({ joints }: BodyNode, other: BodyNode): boolean {
+  for (const { attached, body1, body2 } of joints)
+    if (attached && (body1 === other || body2 === other)) return true;
+  return false;
+}
+
 /**
  * Looks what lies on the way of bodies that pass more than half their own size in a step. Bullet's own way stops them
  * short and takes much of the speed that they should bounce with; here what they passed is a hit at its own time, as any
@@ -55,6 +62,8 @@ export class ContinuousCollision extends Effect {
       engine.reader.pose(body.body, body.pointer, this.#pose, 0);
       if (!engine.sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;
       const { met } = engine.sweep;
+      const other = this.#world.bodyAt(met);
+      if (other && areJoined(body, other)) continue;
       const pointer = engine.pairTest.add(body.pointer, met);
       if (pointer === 0) return;
       this.#write(pointer, body.pointer, radius);
@@ -76,6 +85,8 @@ export class ContinuousCollision extends Effect {
       point.put(POINT.positionA, position[i]! + normal[i]! * gap, i);
     }
     point.put(POINT.distance, gap);
+    for (const offset of [POINT.impulse, POINT.lateralImpulse1, POINT.lateralImpulse2])
+      point.put(offset, 0);
     // No triangle and no child of a compound: where there are several, the first speaks.
     for (const offset of [POINT.part0, POINT.part1]) point.putInt(offset, -1);
     for (const offset of [POINT.index0, POINT.index1]) point.putInt(offset, 0);

@@ -53,8 +53,12 @@ export class AxisDamping extends Effect {
   }
 }
 
+/** The most that single precision tells from all: nothing left would be no velocity to reckon with. */
+const MOST = 1 - 2 ** -24;
+const share = (value: number): number => Math.min(Math.fround(value), MOST);
+
 /** Shares of the velocities that Bullet takes per second. */
 function setDamping(body: BodyNode, linear: number, angular: number): void {
-  body.body.setDamping(linear, angular);
-  body.dampedShare = { linear, angular };
+  body.dampedShare = { linear: share(linear), angular: share(angular) };
+  body.body.setDamping(body.dampedShare.linear, body.dampedShare.angular);
 }

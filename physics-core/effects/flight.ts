@@ -152,7 +152,7 @@ export class Flight extends Effect {
 
   /**
    * What slides or rolls is pushed evenly over the step, and goes on with the mean of the speeds at its ends. A hit is
-   * more than what acts by itself could be; its speed Bullet takes at once. What page code pushes may be a spring.
+   * more than what acts by itself could be; its speed Bullet takes at once. What page code or a hand pulls may hang on a spring.
    */
   #glide(body: BodyNode, acceleration: Float64Array, dt: number): boolean {
     const v = this.#world.bodies.velocities;
@@ -168,8 +168,8 @@ export class Flight extends Effect {
       this.#way[i] = (-dt / 2) * gained;
     }
     if (speed < RESTING ** 2 || change > most * EVEN) return false;
-    const { chains, forces } = this.#world.registry;
-    return !chains.struck(body) && !forces.pending(body);
+    const { chains, forces, dragging } = this.#world.registry;
+    return !chains.struck(body) && !forces.pending(body) && !dragging.isNeededBy(body);
   }
 
   /** With another orientation. */

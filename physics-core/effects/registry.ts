@@ -110,15 +110,17 @@ export class EffectRegistry {
     ];
   }
 
+  /** A listener may reset the world: what comes then is none of the new one's. */
   beforeStep(dt: number): void {
-    for (const effect of this.all) run(effect, 'beforeStep', dt);
+    const { bullet } = this.#world;
+    for (const effect of this.all) if (this.#world.bullet === bullet) run(effect, 'beforeStep', dt);
   }
 
   settle(dt: number): void {
     for (const effect of this.all) run(effect, 'settle', dt);
   }
 
-  /** A listener may have reset the world: what comes then is no longer of this step. */
+  /** The same. */
   afterStep(dt: number): void {
     const { bullet } = this.#world;
     for (const effect of this.all) if (this.#world.bullet === bullet) run(effect, 'afterStep', dt);

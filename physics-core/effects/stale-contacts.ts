@@ -10,11 +10,7 @@ const LONG = 0.5;
 const SHORT = 0.005;
 
 /** Whether any body moves so far in a step that contact points may not keep up. */
-export function anyFast({ bodies }: World, dt: number): boolean {
-  for (const { slot, movable } of bodies)
-    if (movable && !bodies.slower(slot, SHORT / dt, Infinity)) return true;
-  return false;
-}
+export const anyFast = ({ bodies }: World, dt: number): boolean => bodies.anyFaster(SHORT / dt);
 
 /** Visits pairs near each other that move farther along each other in a step than their contact points live for. */
 export function eachFastPair(

@@ -33,6 +33,11 @@ export class Engine {
       : new ApiVelocityWriter(this.scratch);
   }
 
+  /** A step begins: points that were found after the last one are of the past. */
+  forgetFound(world: Parameters<PairTest['clear']>[0]): void {
+    this.#pairTest?.clear(world);
+  }
+
   /** One more of the same wasm, with a heap of its own. */
   another(): Promise<Engine> {
     return makeEngine(this.source);

@@ -17,6 +17,7 @@ import {
 } from '../math.js';
 import { POSE } from '../world/poses.js';
 import { wakeTouching } from '../world/touching.js';
+import type { JointNode } from './joint.js';
 import { PhysicsNode } from './node.js';
 
 /** Metres that a fixed body is carried at once; at 60 frames per second that is 30 m/s. */
@@ -36,6 +37,8 @@ export abstract class MovingNode extends PhysicsNode {
   protected fresh = false;
   /** Carried along by its author: it pushes others. */
   kinematic = false;
+
+  abstract readonly joints: ReadonlySet<JointNode>;
 
   /** Whether it is simulated at all. */
   abstract get active(): boolean;

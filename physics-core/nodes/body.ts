@@ -189,6 +189,11 @@ export class BodyNode extends HeldNode {
     if (this.movable && !this.moves) return this.updateFixed();
     this.#setMass();
     this.updateGravity();
+    // Put into the world again meanwhile, Bullet would have it among what never moves.
+    if (this.movable && this.#inWorld) {
+      this.partContacts();
+      this.wake();
+    }
   }
 
   #momentsChanged(): void {
@@ -253,6 +258,7 @@ export class BodyNode extends HeldNode {
   #goOut(): void {
     for (const joint of this.joints) joint.bodyGone();
     this.#leaveWorld();
+    this.world.registry.continuous.drop(this);
   }
 
   /** Only to come back at once, with other groups or another shape. */

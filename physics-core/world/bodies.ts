@@ -107,6 +107,13 @@ export class Bodies {
     return speed < linear * linear && spin < angular * angular;
   }
 
+  /** Whether any body that moves is faster, m/s. */
+  anyFaster(speed: number): boolean {
+    for (let slot = 0; slot < this.#bySlot.length; slot++)
+      if (this.#bySlot[slot]?.moves && !this.slower(slot, speed, Infinity)) return true;
+    return false;
+  }
+
   readVelocity(body: MovingNode): void {
     this.#world.engine.reader.velocity(
       body.body,

@@ -107,14 +107,14 @@ export class Kinds {
   }
 
   #keyOf(body: BodyNode): string {
-    const { settings, movable } = body;
+    const { settings, moves } = body;
     const rules = body.isObstacle
       ? 'obstacle'
       : [idOf(settings.asked('collider')), settings.asked('collisionRules')].join();
     const lists = body.parts.map(({ collidable }) =>
       this.#pairs.listing(collidable).map(idOf).join(),
     );
-    return [rules, movable, ...new Set(lists.sort())].join(' ');
+    return [rules, moves, ...new Set(lists.sort())].join(' ');
   }
 
   /** Of two kinds the one with the higher bit leaves the other out; either side of a pair may refuse it. */

@@ -10,7 +10,7 @@ import type { World } from './world.js';
 export const DEFAULT_FRICTION = 0.5;
 
 /** What of a body decides whom it collides with, beside its collidables. */
-export type Side = Pick<BodyNode, 'movable' | 'isObstacle' | 'settings'>;
+export type Side = Pick<BodyNode, 'moves' | 'isObstacle' | 'settings'>;
 
 /** Whether contacts act; `where given`: those that set_contacts hands on. */
 type Acting = 'always' | 'where given' | 'never';
@@ -148,7 +148,7 @@ export class Pairs {
   }
 
   #acting(sideA: Side, a: CollidableNode, sideB: Side, b: CollidableNode): Acting {
-    if (!sideA.movable && !sideB.movable) return 'never';
+    if (!sideA.moves && !sideB.moves) return 'never';
     const both = [this.#allowed(sideA, a, b), this.#allowed(sideB, b, a)];
     if (both.includes('never') || this.#switchedOff(a, b)) return 'never';
     return both.includes('where given') ? 'where given' : 'always';

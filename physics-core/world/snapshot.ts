@@ -5,6 +5,7 @@ import type { Pose } from '../math.js';
 import { BodyNode } from '../nodes/body.js';
 import { JointNode } from '../nodes/joint.js';
 import { PhysicsNode } from '../nodes/node.js';
+import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 import { Said } from '../nodes/said.js';
 import type { World } from './world.js';
 
@@ -158,7 +159,9 @@ export function* copyInto(
     yield;
   }
   const found = new Lookup(world, snapshot);
-  for (const { id, heard } of snapshot.nodes) {
+  for (const { id, heard, collection } of snapshot.nodes) {
+    // It may have been born after those that belong to it.
+    if (collection !== undefined) born.get(id)!.collection = born.get(collection) as CollectionNode;
     loadNode(born.get(id)!, found);
     for (const event of heard) born.get(id)!.on(event, () => {});
     yield;

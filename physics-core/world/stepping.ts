@@ -159,7 +159,10 @@ export class Stepping {
   #stepBullet(): void {
     const start = performance.now();
     const { registry, timeStep, engine, bullet, bodies } = this.#world;
+    engine.forgetFound(bullet.bullet);
     registry.beforeStep(timeStep);
+    // A listener may have reset the world: this step is none of the new one's.
+    if (this.#world.bullet !== bullet) return;
     // It writes into the heap, which only a known layout allows.
     engine.contacts.listen(bullet.bullet, engine.heapTrusted ? registry.processor : null);
     bullet.step(timeStep);
@@ -173,7 +176,7 @@ export class Stepping {
     const stepped = performance.now();
     bodies.read();
     const read = this.#spent('read', stepped);
-    registry.afterStep(timeStep);
+    if (this.#world.bullet === bullet) registry.afterStep(timeStep);
     this.#spent('step', start);
     // That one lies within it.
     this.ms.step -= read;

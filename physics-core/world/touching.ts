@@ -2,11 +2,13 @@ import type { MovingNode } from '../nodes/body-motion.js';
 import type { BodyNode } from '../nodes/body.js';
 
 /**
- * Wakes what touches a body that goes or jumps: it may have lost its support. What is awake has nobody asleep around it,
+ * Wakes what touches a body that goes or jumps, or hangs on it: it may have lost its support. What is awake has nobody asleep around it,
  * so that an edit of it looks at no contact.
  */
-export function wakeTouching({ world, pointer, movable, sleeping }: MovingNode): void {
+export function wakeTouching({ world, pointer, movable, sleeping, joints }: MovingNode): void {
   if (movable && !sleeping) return;
+  for (const { attached, body1, body2 } of joints)
+    if (attached) for (const end of [body1, body2]) end?.wake();
   world.bullet.eachManifold((manifold, a, b) => {
     if (manifold.getNumContacts() === 0 || (a !== pointer && b !== pointer)) return;
     world.bodyAt(a === pointer ? b : a)?.wake();

@@ -125,7 +125,7 @@ export class DirectJoints extends Effect {
 
   /** Whether nothing but joints and forces acted, in the last step, on a body and what it hangs together with. */
   alone(body: BodyNode): boolean {
-    return this.#alone.has(body);
+    return this.active && this.#alone.has(body);
   }
 
   /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
@@ -293,6 +293,8 @@ export class DirectJoints extends Effect {
 
   /** For this step: Bullet's own rows and velocities stand. */
   #leaveToBullet(component: Component): void {
+    const at = this.#repaired.indexOf(component);
+    if (at >= 0) this.#repaired.splice(at, 1);
     this.standby.reset(component);
     // Who brought numbers that are none is told so by another.
     if (!this.#bodies.finite) return;
