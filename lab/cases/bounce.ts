@@ -7,6 +7,10 @@ const DROP = 2;
 const RADIUS = 0.5;
 const SECONDS = 3;
 
+/** Why the error of small bounces does not shrink. */
+const LAST_BOUNCES =
+  "below X3D's minBounceSpeed, 0.1 m/s, nothing bounces: where the exact path still goes up 0.13 mm, the ball lies, 0.1 mm deep, at every level; what a look sees of that moment is chance";
+
 const floor: CaseBody = {
   name: 'floor',
   fixed: true,
@@ -51,6 +55,7 @@ const drop = (bounce: number, i: number): Case => ({
   size: DROP,
   singlePrecision: roundingOf(RADIUS + DROP, SECONDS),
   watch: offPaths({ ball: path(bounce) }),
+  ...(bounce === 0.5 && { exception: LAST_BOUNCES }),
 });
 
 export const cases: Case[] = [1, 0.8, 0.5, 0].map(drop);
