@@ -38,7 +38,6 @@ export const STRUCTURE: Record<string, string[]> = {
   CollidableShape: ['for'],
 };
 
-
 export function known(type: NodeType, name: string): boolean {
   const lower = name.toLowerCase();
   return (

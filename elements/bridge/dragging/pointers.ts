@@ -55,7 +55,9 @@ export class Pointers {
     for (const type of TURNING) listen(type, this.#rest, false);
     for (const type of TOUCHING) listen(type, this.#rest, false);
     // Bubbling: x3dom's own listener on the canvas comes first.
-    addEventListener.call(scene.x3d, 'mousedown', this.#pressed, { signal: this.#listening.signal });
+    addEventListener.call(scene.x3d, 'mousedown', this.#pressed, {
+      signal: this.#listening.signal,
+    });
   }
 
   destroy(): void {
