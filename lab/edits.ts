@@ -17,13 +17,15 @@ const BOX = { type: 'Box', size: [0.5, 0.5, 0.5] };
 interface Scene {
   world: World;
   body: BodyNode;
+  /** As many more on the ground as are timed at once. */
+  lying: BodyNode[];
   shape: PhysicsNode;
   joint: PhysicsNode;
 }
 
 /** Boxes on the ground, every fourth with another on a joint above it; and what is edited, which lies on the ground, too. */
-async function scene(bodies: number): Promise<Scene> {
-  const world = await createWorld({ rest: 'never' });
+async function scene(bodies: number, rest: 'auto' | 'never'): Promise<Scene> {
+  const world = await createWorld({ rest });
   world.add('RigidBody', {
     fixed: true,
     position: [0, -0.5, 0],
@@ -34,8 +36,12 @@ async function scene(bodies: number): Promise<Scene> {
   const body = world.add('RigidBody', { position: [-3, 0.25, 0], geometry: [shape] }) as BodyNode;
   const arm = world.add('RigidBody', { position: [-5, 5, 0], geometry: [BOX] });
   const joint = world.add('BallJoint', { body1: arm, anchorPoint: [-5, 6, 0] });
+  const lying = Array.from(
+    { length: BATCH },
+    (_, i) => world.add('RigidBody', { position: [-8 - i, 0.25, 0], geometry: [BOX] }) as BodyNode,
+  );
   world.advance(0.5);
-  return { world, body, shape, joint };
+  return { world, body, lying, shape, joint };
 }
 
 function pile(world: World, i: number): void {
@@ -49,20 +55,32 @@ function pile(world: World, i: number): void {
 const EDITS: Record<string, (scene: Scene, i: number) => void> = {
   'mass, in place': ({ body }, i) => body.set('mass', 1 + (i % 7)),
   'position, a jump': ({ body }, i) => body.set('position', [-3, 0.25 + (i % 7) / 100, 0]),
-  'position, a jump out of sleep': ({ body }, i) => {
-    body.sleep();
-    body.set('position', [-3, 0.25 + (i % 7) / 100, 0]);
-  },
   'a size, another shape': ({ shape }, i) =>
     shape.set('shape', [{ type: 'Box', size: [0.5, 0.5 + (i % 7) / 100, 0.5] }]),
   'an anchor, the joint anew': ({ joint }, i) =>
     joint.set('anchorPoint', [-5, 6 + (i % 7) / 100, 0]),
   'a body added and removed': ({ world }) => {
-    const body = world.add('RigidBody', { position: [-9, 0.25, 0], geometry: [BOX] });
+    const body = world.add('RigidBody', { position: [-20, 0.25, 0], geometry: [BOX] });
     world.step(0);
     body.remove();
   },
 };
+
+/** In a world at rest: it is timed by itself, and then everything comes to rest again. */
+const OUT_OF_REST = 'position, a jump out of rest';
+const REST = 3;
+const RESTED_ROUNDS = ROUNDS / 10;
+
+function timedOutOfRest({ world, lying }: Scene, round: number): number {
+  world.advance(REST);
+  if (lying.some(({ sleeping }) => !sleeping)) throw new Error('a box does not rest');
+  const start = performance.now();
+  for (const [i, body] of lying.entries()) {
+    body.set('position', [-8 - i, 0.25 + (round % 7) / 100, 0]);
+    world.step(0);
+  }
+  return (performance.now() - start) / BATCH;
+}
 
 const median = (values: number[]): number => {
   const sorted = [...values].sort((a, b) => a - b);
@@ -79,18 +97,27 @@ function timed(at: Scene, edit: (scene: Scene, i: number) => void, round: number
   return (performance.now() - start) / BATCH;
 }
 
-const scenes = await Promise.all(SIZES.map(scene));
-const rows: string[][] = [];
-for (const [name, edit] of Object.entries(EDITS)) {
+type Time = (scene: Scene, round: number) => number;
+
+function row(name: string, scenes: readonly Scene[], rounds: number, time: Time): string[] {
   const times: number[][] = scenes.map(() => []);
-  for (let round = 0; round < ROUNDS; round++)
-    for (const [i, at] of scenes.entries()) times[i]!.push(timed(at, edit, round));
+  for (let round = 0; round < rounds; round++)
+    for (const [i, at] of scenes.entries()) times[i]!.push(time(at, round));
   const medians = times.map(median);
   const micro = medians.map((ms) => (ms * 1000).toFixed(1));
-  rows.push([name, ...micro, (medians[1]! / medians[0]!).toFixed(2)]);
+  return [name, ...micro, (medians[1]! / medians[0]!).toFixed(2)];
 }
+
+const scenes = await Promise.all(SIZES.map((size) => scene(size, 'never')));
+const rested = await Promise.all(SIZES.map((size) => scene(size, 'auto')));
+const rows = [
+  ...Object.entries(EDITS).map(([name, edit]) =>
+    row(name, scenes, ROUNDS, (at, round) => timed(at, edit, round)),
+  ),
+  row(OUT_OF_REST, rested, RESTED_ROUNDS, timedOutOfRest),
+];
 
 console.log('microseconds of one edit, medians of interleaved rounds\n');
 console.log(`| edit | ${SIZES.map((size) => `${size} bodies`).join(' | ')} | ratio |`);
 console.log('| --- | ---: | ---: | ---: |');
-for (const row of rows) console.log(`| ${row.join(' | ')} |`);
+for (const cells of rows) console.log(`| ${cells.join(' | ')} |`);

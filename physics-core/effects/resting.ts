@@ -19,6 +19,8 @@ export class Resting extends Effect {
   /** Seconds each body was slow, and the pose it was slow at, by slot. */
   #quiet = new Float64Array(16);
   #anchor = new Float64Array(16 * POSE);
+  /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
+  readonly #islands: (readonly BodyNode[] | undefined)[] = [];
   /** Seconds since islands were looked at. */
   sinceLook = 0;
 
@@ -28,6 +30,7 @@ export class Resting extends Effect {
   }
 
   update(body: BodyNode): void {
+    this.leaveIsland(body.slot);
     if (body.slot >= this.#quiet.length) this.#grow(body.slot);
     if (body.rest.mode === 'never') this.drop(body);
     else
@@ -57,7 +60,17 @@ export class Resting extends Effect {
   }
 
   restart(slot: number): void {
+    this.leaveIsland(slot);
     if (slot < this.#quiet.length) this.#quiet[slot] = 0;
+  }
+
+  leaveIsland(slot: number): void {
+    this.#islands[slot] = undefined;
+  }
+
+  /** What a sleeping body fell asleep with: nothing has touched it since. Undefined: that is not known. */
+  islandOf(slot: number): readonly BodyNode[] | undefined {
+    return this.#islands[slot];
   }
 
   override afterStep(dt: number): void {
@@ -113,16 +126,23 @@ export class Resting extends Effect {
     const awake = new Set<number>();
     const islands = new Map<number, BodyNode[]>();
     for (const body of this.#world.bodies) {
-      if (!body.active || !body.movable || body.sleeping) continue;
+      if (!body.active || !body.movable) continue;
       const island = reader.island(body.body, body.pointer);
-      if (island < 0 || !this.#mayRest(body)) {
+      if (!body.sleeping && (island < 0 || !this.#mayRest(body))) {
         awake.add(island);
         continue;
       }
       islands.set(island, [...(islands.get(island) ?? []), body]);
     }
-    for (const [island, bodies] of islands) {
-      if (!awake.has(island)) for (const body of bodies) body.sleep();
+    for (const [island, bodies] of islands)
+      if (!awake.has(island) && bodies.some((body) => !body.sleeping)) this.#sleep(bodies);
+  }
+
+  /** Those that slept already belong to it, too. */
+  #sleep(island: readonly BodyNode[]): void {
+    for (const body of island) {
+      if (!body.sleeping) body.sleep();
+      this.#islands[body.slot] = island;
     }
   }
 }

@@ -150,6 +150,7 @@ export class Bodies {
 
   sleep(body: BodyNode): void {
     body.body.forceActivationState(ACTIVATION.sleeping);
+    this.#world.registry.resting.leaveIsland(body.slot);
     if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
   }
 

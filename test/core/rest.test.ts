@@ -148,6 +148,25 @@ fact(
   },
 );
 
+for (const byHand of [false, true])
+  fact(
+    `what lies on a sleeping body that jumps away falls${byHand ? ', put to sleep by hand too' : ''}`,
+    async () => {
+      const { w, stone } = await asleep();
+      const upper = addBody(w, { position: [0, 1.5, 0], geometry: [box(1)] });
+      const aside = addBody(w, { position: [5, 0.5, 0], geometry: [box(1)] });
+      w.advance(0.5);
+      if (byHand) upper.sleep();
+      w.advance(4);
+      assert.deepEqual([stone.sleeping, upper.sleeping, aside.sleeping], [true, true, true]);
+      stone.set('position', [20, 0.5, 0]);
+      w.step();
+      assert.deepEqual([stone.sleeping, upper.sleeping, aside.sleeping], [false, false, true]);
+      w.advance(1);
+      close(height(upper), 0.5, 5e-3, 'm');
+    },
+  );
+
 fact('a sleeping body wakes when gravity changes', async () => {
   const { w, stone } = await asleep();
   w.set('gravity', [0, 5, 0]);
