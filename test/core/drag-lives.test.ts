@@ -51,6 +51,53 @@ fact('a teleport sets the body down at rest, and holds it there', async () => {
   close(velocity(body), [0, 0, 0], 1e-9, 'let go');
 });
 
+for (const dragMode of ['kinematic', 'teleport']) {
+  fact(`what was held still in a ${dragMode} drag falls when it is let go`, async () => {
+    const w = await world({ dragMode });
+    const body = addBody(w, { position: [0, 5, 0] });
+    const drag = body.drag([0, 5, 0])!;
+    drag.move([0, 6, 0]);
+    w.advance(1);
+    close(position(body), [0, 6, 0], 1e-6, 'm, held');
+    drag.end();
+    w.advance(1);
+    close(position(body)[1], 6 - 9.8 / 2, 1e-3, 'm, fallen');
+  });
+
+  fact(`what a ${dragMode} drag puts on a floor stands on it`, async () => {
+    const w = await world({ dragMode });
+    w.add('CollisionCollection', { collidables: '*', bounce: 0, frictionCoefficients: [0.5, 0.5] });
+    addFloor(w);
+    const body = addBody(w, { position: [0, 5, 0], geometry: [box(1)] });
+    const drag = body.drag([0, 5, 0])!;
+    drag.move([0, 0.5, 0]);
+    w.advance(0.5);
+    drag.end();
+    w.advance(1);
+    close(position(body), [0, 0.5, 0], 2e-3, 'm');
+  });
+
+  fact(
+    `a joint that comes while a ${dragMode} drag lasts does not stop what it holds`,
+    async () => {
+      const w = await world({ dragMode });
+      const [body, other] = [0, 0.9].map((x) =>
+        addBody(w, { position: [x, 5, 0], geometry: [box(1)], useGlobalGravity: x === 0 }),
+      ) as [Body, Body];
+      const drag = body.drag([0, 5, 0])!;
+      w.advance(0.2);
+      claim(w, 'initial-overlap');
+      const joint = w.add('BallJoint', { body1: body, body2: other, anchorPoint: [0.45, 5, 0] });
+      w.advance(0.2);
+      joint.remove();
+      other.remove();
+      drag.end();
+      w.advance(0.5);
+      above(5 - position(body)[1], 1.1, 'm, fallen');
+    },
+  );
+}
+
 for (const dragMode of ['kinematic', 'teleport'])
   fact(`what joints hold follows a body in a ${dragMode} drag`, async () => {
     const { w, links, gap } = await chain(2);

@@ -208,3 +208,49 @@ fact('a box that falls flat bounces as high as a ball', async () => {
     close(flight(stone), 0.5, 1e-3, 'm');
   }
 });
+
+fact('what a bullet hit by itself is over when it has flown on', async () => {
+  const w = await world({ gravity: [0, 0, 0] });
+  const wall = addBody(w, { fixed: true, geometry: [box(0.02, 4, 4)] });
+  const bullet = addBody(w, {
+    position: [-2.9, 0, 0],
+    geometry: [sphere(0.05)],
+    linearVelocity: [300, 0, 0],
+  });
+  const log: string[] = [];
+  wall.on('collisionstart', () => log.push('start'));
+  wall.on('collisionend', () => log.push('end'));
+  w.advance(0.1);
+  below(position(bullet)[0], 0, 'm, before the wall');
+  bullet.set('linearVelocity', [-1, 0, 0]);
+  w.advance(0.5);
+  assert.deepEqual(log, ['start', 'end']);
+});
+
+fact('a fast link does not hit the one that it hangs on', async () => {
+  const w = await world({ gravity: [0, 0, 0] });
+  const [one, two] = [0, 0.09].map((x) =>
+    addBody(w, { position: [x, 0, 0], geometry: [sphere(0.05)], linearVelocity: [0, 40, 0] }),
+  ) as [Body, Body];
+  addJoint(w, 'BallJoint', { body1: one, body2: two, anchorPoint: [0.045, 0, 0] });
+  for (const body of [one, two]) body.set('angularVelocity', [0, 0, 0]);
+  w.advance(0.5);
+  for (const [i, body] of [one, two].entries()) close(position(body), [0.09 * i, 20, 0], 1e-3, 'm');
+});
+
+fact('a tiny body on a joint that is damped away at once keeps numbers', async () => {
+  const w = await world();
+  const grain = addBody(w, {
+    position: [0.1, 0, 0],
+    mass: 0.001,
+    geometry: [sphere(0.01)],
+    autoDamp: true,
+    linearDampingFactor: 1,
+    angularDampingFactor: 1,
+  });
+  const joint = addJoint(w, 'BallJoint', { body1: grain, anchorPoint: [0, 0, 0] });
+  w.advance(1);
+  below(joint.gap, 1e-4, 'm');
+  // Its speed is at most what weight gives it in the time that damping takes, m / factor.
+  below(Math.hypot(...velocity(grain)), 0.02, 'm/s');
+});
