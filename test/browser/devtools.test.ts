@@ -85,6 +85,7 @@ async function added(world: World, action: () => Promise<unknown>): Promise<numb
   return counts(world).map((count, i) => count - before[i]!);
 }
 
+// Only Chromium's driver lends its DevTools session to a test.
 (inChromium ? describe : describe.skip)('somebody at the devtools', () => {
   before(() => send('enable'));
 
