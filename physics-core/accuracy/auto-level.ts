@@ -25,6 +25,7 @@ export interface Verdict {
 export class AutoLevel {
   level: Level = levelNamed(DEFAULT_LEVEL);
   readonly #costs = new Float64Array(FRAMES);
+  readonly #sorted = new Float64Array(FRAMES);
   #frames = 0;
   #seconds = 0;
   /** How often a level costs what the one before it does, as last seen. */
@@ -50,7 +51,8 @@ export class AutoLevel {
     this.#frames++;
     this.#seconds += seconds;
     if (this.#frames < FRAMES || this.#seconds < INTERVAL) return undefined;
-    const p90 = this.#costs.slice().sort()[FRAMES * 0.9 - 1]!;
+    this.#sorted.set(this.#costs);
+    const p90 = this.#sorted.sort()[FRAMES * 0.9 - 1]!;
     this.#learn(p90);
     const index = levels.indexOf(this.level);
     if (p90 > budget && index > 0) return this.#change(index - 1, 'over budget', p90);
