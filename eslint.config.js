@@ -43,7 +43,7 @@ const noOnly = {
 };
 
 export default tseslint.config(
-  { ignores: ['dist/', 'storybook-static/', 'coverage/'] },
+  { ignores: ['dist/', 'storybook-static/', 'coverage/', 'test-bundles/'] },
   js.configs.recommended,
   ...tseslint.configs.recommended,
   {

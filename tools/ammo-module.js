@@ -1,6 +1,6 @@
 /**
  * The Ammo glue (`ammojs-typed/wasm`) is a CommonJS script. Here it becomes an ES module, for Rollup and for
- * the test server alike. Node running the sources needs none of this: it imports CommonJS as it is.
+ * the bundles of tests alike. Node running the sources needs none of this: it imports CommonJS as it is.
  *
  * Two edits:
  * - the export block at the end becomes `export default`;
@@ -28,16 +28,6 @@ export function ammoModule() {
     transform(code, id) {
       if (isGlue(id.replaceAll('\\', '/')))
         return { code: glueToModule(code), map: { mappings: '' } };
-    },
-  };
-}
-
-/** For the server of Web Test Runner. */
-export function ammoModuleForServer() {
-  return {
-    name: 'ammo-module',
-    transform(context) {
-      if (isGlue(context.path)) return glueToModule(context.body);
     },
   };
 }

@@ -1,18 +1,19 @@
 import { writeFileSync } from 'node:fs';
 import { relative } from 'node:path';
 
+const none = () => ({ passed: 0, failed: 0, skipped: 0 });
+
 const countSuite = (suite) => {
-  const total = { passed: 0, failed: 0 };
+  const total = none();
   for (const test of suite?.tests ?? []) {
-    if (!test.skipped) total[test.passed ? 'passed' : 'failed']++;
+    total[test.skipped ? 'skipped' : test.passed ? 'passed' : 'failed']++;
   }
   for (const inner of suite?.suites ?? []) add(total, countSuite(inner));
   return total;
 };
 
 function add(total, more) {
-  total.passed += more.passed;
-  total.failed += more.failed;
+  for (const key of Object.keys(total)) total[key] += more[key];
   return total;
 }
 
@@ -24,21 +25,25 @@ function countSession(session) {
 }
 
 /**
- * Reporter of Web Test Runner: one line per test file as progress, and at the end the counts as JSON in the
+ * Reporter of Web Test Runner: one line per test file as progress (seconds since the one before), and at the end the counts as JSON in the
  * file that tools/test.js names.
  */
-export function countReporter(outputFile) {
+export function countReporter(outputFile, sourceOf) {
+  let last = Date.now();
   return {
     reportTestFileResults({ logger, sessionsForTestFile, testFile }) {
-      const { passed, failed } = sessionsForTestFile
-        .map(countSession)
-        .reduce(add, { passed: 0, failed: 0 });
-      const name = relative(process.cwd(), testFile);
-      logger.log(`${failed ? '✗' : '✓'} ${name}: ${passed} passed, ${failed} failed`);
+      const { passed, failed, skipped } = sessionsForTestFile.map(countSession).reduce(add, none());
+      const name = sourceOf(relative(process.cwd(), testFile));
+      const left = skipped ? `, ${skipped} skipped` : '';
+      const time = ((Date.now() - last) / 1000).toFixed(1);
+      last = Date.now();
+      logger.log(
+        `${failed ? '✗' : '✓'} ${name}: ${passed} passed, ${failed} failed${left}, ${time} s`,
+      );
     },
     stop({ sessions }) {
       if (!outputFile) return;
-      const total = sessions.map(countSession).reduce(add, { passed: 0, failed: 0 });
+      const total = sessions.map(countSession).reduce(add, none());
       writeFileSync(outputFile, JSON.stringify(total));
     },
   };

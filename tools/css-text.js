@@ -19,21 +19,3 @@ export function cssText() {
     },
   };
 }
-
-/** For the server of Web Test Runner: a module imports it as text, a page links it as it is. */
-export function cssTextForServer() {
-  return {
-    name: 'css-text',
-    transformImport({ source }) {
-      return source.endsWith('.css') ? `${source}?text` : undefined;
-    },
-    resolveMimeType(context) {
-      return isText(context) ? 'js' : undefined;
-    },
-    transform(context) {
-      return isText(context) ? `export default ${JSON.stringify(context.body)};` : undefined;
-    },
-  };
-}
-
-const isText = ({ path, URL }) => path.endsWith('.css') && URL.searchParams.has('text');

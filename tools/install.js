@@ -7,12 +7,12 @@ const changed = (file) => statSync(file).mtimeMs;
 /** Installs the packages where there are none, or where the lock file changed since. */
 export async function ensurePackages() {
   if (existsSync(INSTALLED) && changed(INSTALLED) >= changed('package-lock.json')) return;
-  console.log('Installing packages (npm install) …');
+  console.log('Installing packages (npm ci) …');
   const windows = process.platform === 'win32';
-  const command = windows ? ['cmd', ['/c', 'npm', 'install']] : ['npm', ['install']];
+  const command = windows ? ['cmd', ['/c', 'npm', 'ci']] : ['npm', ['ci']];
   const { ok } = await run(...command);
-  if (!ok) throw new Error('npm install failed: see above; the npm registry must be reachable.');
-  // npm leaves the file alone when nothing changed, and we would ask again each time.
+  if (!ok) throw new Error('npm ci failed: see above; the npm registry must be reachable.');
+  // The lock file may be newer than the packages in it, and we would ask again each time.
   const now = new Date();
   utimesSync(INSTALLED, now, now);
 }

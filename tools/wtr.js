@@ -1,9 +1,7 @@
 // What the three configurations of Web Test Runner share.
-import { esbuildPlugin } from '@web/dev-server-esbuild';
 import { defaultReporter } from '@web/test-runner';
-import { ammoModuleForServer } from './ammo-module.js';
-import { cssTextForServer } from './css-text.js';
 import { countReporter } from './count-reporter.js';
+import { CONTENT } from './stages.js';
 import { findFile } from './static-files.js';
 import { touchPlugin } from './touch.js';
 
@@ -11,13 +9,13 @@ const WASM = '/node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
 /** Where a URL's file is taken as it is, unseen by the plugins that rewrite modules and pages. */
 function rawFile(path) {
-  if (path.startsWith('/shared-content/')) {
-    return findFile('../shared/content', path.slice('/shared-content'.length));
+  if (path.startsWith('/content/')) {
+    return findFile(CONTENT, path.slice('/content'.length));
   }
   if (path.startsWith('/dist/') || path.startsWith('/node_modules/x3dom/')) {
     return findFile('.', path);
   }
-  // The sources say `new URL('./ammo.wasm', import.meta.url)`, which is right in dist/ only.
+  // The code says `new URL('./ammo.wasm', import.meta.url)`, which is right in dist/ only.
   if (path.endsWith('/ammo.wasm')) return findFile('.', WASM);
   if (/\.(html|xhtml|x3d|wasm)$/.test(path)) return findFile('.', path);
 }
@@ -31,13 +29,7 @@ async function rawFiles(context, next) {
   context.body = createReadStream(found.file);
 }
 
-/** Our core imports Node's own modules in branches that a page never takes: leave the names alone. */
-const nodeModulesAsTheyAre = {
-  name: 'node-modules-as-they-are',
-  resolveImport: ({ source }) => (source.startsWith('node:') ? source : undefined),
-};
-
-/** x3dom as a page has it, before the test; our library is imported by the tests themselves. */
+/** x3dom as a page has it, before the test; our library is bundled with the tests themselves. */
 const page = (testFramework) => `<!DOCTYPE html>
 <html>
   <head>
@@ -49,25 +41,22 @@ const page = (testFramework) => `<!DOCTYPE html>
   <body></body>
 </html>`;
 
+/** Of a bundle, the source by its name. */
+const sourceOf = (file) => file.replace('test-bundles/browser/', '').replace(/\.js$/, '.ts');
+
 /** `plugins`: what only this browser can do. */
 export function config(browser, plugins = []) {
   return {
     rootDir: process.cwd(),
-    files: 'test/browser/**/*.test.ts',
+    // tools/test.js bundles them and says which.
+    files: 'test-bundles/browser/**/*.test.js',
     browsers: [browser],
     // One page at a time: WebGL in software takes both cores, and a second page would halve the frame rate.
     concurrency: 1,
     concurrentBrowsers: 1,
-    // 'production': Lit's development build writes to the console.
-    nodeResolve: { exportConditions: ['production', 'default'] },
-    plugins: [
-      ...plugins,
-      nodeModulesAsTheyAre,
-      ammoModuleForServer(),
-      cssTextForServer(),
-      touchPlugin(),
-      esbuildPlugin({ ts: true, target: 'es2022', tsconfig: './tsconfig.json' }),
-    ],
+    // Bundled already, by tools/bundle-tests.js.
+    nodeResolve: false,
+    plugins: [...plugins, touchPlugin()],
     middleware: [rawFiles],
     testRunnerHtml: page,
     testFramework: { config: { ui: 'bdd', timeout: 60_000, retries: 0 } },
@@ -76,7 +65,7 @@ export function config(browser, plugins = []) {
     testsFinishTimeout: 10 * 60_000,
     reporters: [
       defaultReporter({ reportTestProgress: false }),
-      countReporter(process.env.TEST_COUNTS),
+      countReporter(process.env.TEST_COUNTS, sourceOf),
     ],
   };
 }

@@ -146,7 +146,7 @@ describe('collisionstart and collisionend', () => {
   });
 
   it('of an Inline fire at the Inline', async () => {
-    const x3d = place('<inline id="file" url="/shared-content/sim-collision.x3d"></inline>');
+    const x3d = place('<inline id="file" url="/test/pages/settling-crate.x3d"></inline>');
     const inline = x3d.querySelector('inline')!;
     const starts: CustomEvent[] = [];
     inline.addEventListener('collisionstart', (event) => starts.push(event as CustomEvent));

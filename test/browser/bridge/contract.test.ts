@@ -207,7 +207,7 @@ describe('shared-world at an Inline', () => {
   it('may change at run time, and the Inline is in the world of its own collection', async () => {
     const { x3d, world } = await show(`
       <x3d-rigid-body-collection id="c" shared-world="w"><x3d-rigid-body></x3d-rigid-body></x3d-rigid-body-collection>
-      <inline url="/shared-content/sim-collision.x3d"></inline>`);
+      <inline url="/test/pages/settling-crate.x3d"></inline>`);
     const inline = x3d.querySelector('inline')!;
     await until(() => worldOf(inline) !== world);
     const own = worldOf(inline)!;

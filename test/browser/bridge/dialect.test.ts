@@ -6,6 +6,10 @@ import { worldOf } from '../../../elements/index.js';
 const codes = (world: { problems: { code: string }[] }): string[] =>
   world.problems.map(({ code }) => code);
 
+function expectNear(actual: number[], expected: number[], tolerance: number): void {
+  for (const [i, value] of expected.entries()) expect(actual[i]).to.be.closeTo(value, tolerance);
+}
+
 /** As X3DOM's own physics wants it. */
 const older = `
   <transform DEF="ground"><shape><box size="10 1 10"></box></shape></transform>
@@ -59,28 +63,44 @@ describe("X3DOM's older dialect", () => {
   });
 });
 
-describe('KineticPendulum.x3d', () => {
-  it('its bodies stay where the hinges hold them', async () => {
-    const x3d = place('<inline url="/shared-content/KineticPendulum.x3d"></inline>');
+describe('lamps on hinges, in a file that counts angles in degrees', () => {
+  it('swing about their hooks, and are drawn where they are', async () => {
+    const x3d = place('<inline url="/test/pages/swinging-lamps.x3d"></inline>');
     const event = await new Promise<CustomEvent>((resolve) =>
       x3d.addEventListener('physicsready', (e) => resolve(e as CustomEvent)),
     );
     const world = worldOf(event.detail.element)!;
     world.paused = true;
-    const before = (world.node('_40')!.get('position') as number[]).slice();
+    world.reset();
+    const file = (event.detail.element as Element).ownerDocument;
+    const bulbs = ['LeftBulb', 'RightBulb'].map((name) => file.querySelector(`[DEF=${name}]`)!);
     await drawn();
-    const balls = [
-      ...(event.detail.element as Element).ownerDocument.querySelectorAll(
-        'CollidableOffset > CollidableShape',
-      ),
-    ];
-    expect(drawnAt(balls[1])[1]).to.be.closeTo(-2, 0.05);
+    // 2.5 m from their hooks, to the left and at 45°.
+    const side = 2.5 * Math.SQRT1_2;
+    expectNear(drawnAt(bulbs[0]!), [-4.5, 6, 0], 1e-5);
+    expectNear(drawnAt(bulbs[1]!), [2 + side, 6 - side, 0], 1e-5);
     expect(codes(world)).to.eql([]);
-    world.advance(3);
-    const after = world.node('_40')!.get('position') as number[];
-    expect(Math.hypot(after[0] - before[0], after[1] - before[1])).to.be.below(3);
-    expect(Math.abs(after[2])).to.be.below(0.05);
-    expect(Math.hypot(after[0] - 1, after[1] - 2)).to.be.closeTo(2, 0.05);
+    let swung = 0;
+    for (let i = 0; i < 60; i++) {
+      world.advance(0.05);
+      for (const [name, hook] of [
+        ['Left', -2],
+        ['Right', 2],
+      ] as const) {
+        const [x, y, z] = world.node(name)!.get('position') as [number, number, number];
+        expect(Math.hypot(x - hook, y - 6)).to.be.closeTo(1, 1e-5);
+        expect(z).to.be.closeTo(0, 1e-5);
+        swung = Math.max(swung, Math.abs(x - hook));
+      }
+    }
+    expect(swung).to.be.above(0.5);
+    await drawn();
+    const [x, y] = world.node('Left')!.get('position') as [number, number, number];
+    // The lamp hangs as one rigid piece: its bulb 1.5 m from the body, on the line through its own down.
+    expect(Math.hypot(drawnAt(bulbs[0]!)[0]! - x, drawnAt(bulbs[0]!)[1]! - y)).to.be.closeTo(
+      1.5,
+      1e-4,
+    );
   });
 });
 

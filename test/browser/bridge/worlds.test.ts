@@ -50,7 +50,7 @@ describe('worlds', () => {
   it('shared-world at an Inline joins its collections with those of the page', async () => {
     const x3d = place(`
       <RigidBodyCollection id="c" shared-world="w"><RigidBody DEF="page"></RigidBody></RigidBodyCollection>
-      <inline url="/shared-content/sim-collision.x3d" shared-world="w"></inline>`);
+      <inline url="/test/pages/settling-crate.x3d" shared-world="w"></inline>`);
     await world(x3d, '#c').ready;
     expect(world(x3d, '#c').stats.bodies).to.equal(3);
   });

@@ -1,12 +1,12 @@
 import { expect } from 'chai';
 import type { World } from '../../physics-core/index.js';
 import { worldOf } from '../../elements/index.js';
-import { claim } from './console.js';
-import { place } from './bridge/scene.js';
+import { claim } from '../browser/console.js';
+import { place } from '../browser/bridge/scene.js';
 
 /**
- * Scenes that were written for other X3D browsers. They lie beside the project and not in it; where they are missing
- * these tests say so and pass over.
+ * Scenes that were written for other X3D browsers. They lie beside the project and not in it: tools/stages.js leaves
+ * these tests out where they are missing, and says so.
  */
 interface Content {
   world: World;
@@ -16,13 +16,8 @@ interface Content {
 type Numbers = number[];
 type Joint = { gap: number; get(field: string): number };
 
-async function load(this: Mocha.Context, file: string): Promise<Content> {
-  const url = `/shared-content/${file}`;
-  if (!(await fetch(url)).ok) {
-    console.info(`${file} is not beside the project; its test is left out`);
-    this.skip();
-  }
-  const x3d = place(`<inline url="${url}"></inline>`);
+async function load(file: string): Promise<Content> {
+  const x3d = place(`<inline url="/content/${file}"></inline>`);
   const inline = x3d.querySelector('inline')!;
   const world = await collectionWorld(inline);
   world.paused = true;
@@ -88,9 +83,44 @@ function write(inline: Element, tag: string, attributes: Record<string, string>)
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
 }
 
+/** Metres that a joint may gape: a few times what is seen where wheels and balls strike (2.4e-5). */
+const WHOLE = 1e-4;
+
+/** What each file is told of itself. */
+const PROBLEMS: Record<string, string[]> = {
+  BallBounceSimple: [],
+  BallJoint: [],
+  SingleAxisHingeJoint: [],
+  KineticPendulum: [],
+  'sim-collision': [],
+  // Its collider lists the chassis only, with friction for the wheels: it is taken as it is meant.
+  'sim-vehicle': ['one-sided-collider'],
+};
+
 describe('X3D content written for other browsers', () => {
-  it('BallBounceSimple: the ball falls on the floor and comes to rest without bouncing', async function () {
-    const { world } = await load.call(this, 'BallBounceSimple.x3d');
+  for (const [file, expected] of Object.entries(PROBLEMS)) {
+    it(`${file} starts and moves, and nothing in it is lost`, async () => {
+      claim(...expected);
+      const { world } = await load(`${file}.x3d`);
+      const bodies = [...world.nodes].filter(({ type }) => type.name === 'RigidBody');
+      const poses = (): Numbers[] =>
+        bodies.map((body) => [
+          ...(body.get('position') as Numbers),
+          ...(body.get('orientation') as Numbers),
+        ]);
+      const before = poses();
+      world.advance(1);
+      const after = poses();
+      expect(after.flat().every(Number.isFinite)).to.equal(true);
+      const moved = after.map((pose, k) => Math.hypot(...pose.map((v, i) => v - before[k]![i]!)));
+      expect(Math.max(...moved)).to.be.above(0.05);
+      const told = world.problems.filter(({ severity }) => severity !== 'info');
+      expect(told.map(({ code }) => code)).to.eql(expected);
+    });
+  }
+
+  it('BallBounceSimple: the ball falls on the floor and comes to rest without bouncing', async () => {
+    const { world } = await load('BallBounceSimple.x3d');
     // The floor's upper side lies at -1 + 0.0219 / 2, the ball's radius is 0.1 m.
     const rest = -1 + 0.0219 / 2 + 0.1;
     world.advance(0.3);
@@ -100,18 +130,18 @@ describe('X3D content written for other browsers', () => {
     expect(speed(world, 'BallBody')).to.be.below(0.01);
   });
 
-  it('BallJoint: both joints hold, and degrees are degrees', async function () {
-    const { world } = await load.call(this, 'BallJoint.x3d');
+  it('BallJoint: both joints hold, and degrees are degrees', async () => {
+    const { world } = await load('BallJoint.x3d');
     const turned = world.node('Cylinder1')!.get('orientation') as Numbers;
     expect(turned[3]).to.be.closeTo(Math.PI / 2, 1e-3);
     for (let i = 0; i < 50; i++) {
       world.advance(0.1);
-      for (const joint of joints(world, 'BallJoint')) expect(joint.gap).to.be.below(0.02);
+      for (const joint of joints(world, 'BallJoint')) expect(joint.gap).to.be.below(WHOLE);
     }
   });
 
-  it('SingleAxisHingeJoint: turns about its axis only', async function () {
-    const { world } = await load.call(this, 'SingleAxisHingeJoint.x3d');
+  it('SingleAxisHingeJoint: turns about its axis only', async () => {
+    const { world } = await load('SingleAxisHingeJoint.x3d');
     const [hinge] = joints(world, 'SingleAxisHingeJoint');
     const before = hinge!.get('angle');
     world.advance(0.5);
@@ -121,11 +151,11 @@ describe('X3D content written for other browsers', () => {
       const [x, , z] = body.get('angularVelocity') as Numbers;
       expect(Math.hypot(x!, z!)).to.be.below(0.02);
     }
-    expect(hinge!.gap).to.be.below(0.02);
+    expect(hinge!.gap).to.be.below(WHOLE);
   });
 
-  it('sim-collision: the box comes to rest on the fixed floor, and the sensor reports', async function () {
-    const { world, inline } = await load.call(this, 'sim-collision.x3d');
+  it('sim-collision: the box comes to rest on the fixed floor, and the sensor reports', async () => {
+    const { world, inline } = await load('sim-collision.x3d');
     const sensor = world.node('Sensor')!;
     const heard: unknown[] = [];
     sensor.on('isActive', (active) => heard.push(active));
@@ -140,46 +170,46 @@ describe('X3D content written for other browsers', () => {
     expect(inline.isConnected).to.equal(true);
   });
 
-  it('KineticPendulum: hinges hold, balls stay in their plane, the hit sets the row moving', async function () {
-    const { world } = await load.call(this, 'KineticPendulum.x3d');
+  it('KineticPendulum: hinges hold, balls stay in their plane, the hit sets the row moving', async () => {
+    const { world } = await load('KineticPendulum.x3d');
     const row = ['_40', '_42', '_44', '_46'];
-    const before = row.map((name) => position(world, name));
     let moved = 0;
     for (let i = 0; i < 30; i++) {
       world.advance(0.1);
       for (const joint of joints(world, 'SingleAxisHingeJoint'))
-        expect(joint.gap).to.be.below(0.02);
+        expect(joint.gap).to.be.below(WHOLE);
       for (const [k, name] of ['_38', ...row].entries()) {
         expect(Math.abs(position(world, name)[2]!)).to.be.below(0.01);
         if (k > 0) moved = Math.max(moved, turned(world, name));
       }
     }
-    expect(before.length).to.equal(4);
     expect(moved).to.be.above(0.05);
   });
 
-  it('KineticPendulum: with bounce 1, set at run time, the far ball takes over what friction leaves', async function () {
-    const { world, inline } = await load.call(this, 'KineticPendulum.x3d');
+  it('KineticPendulum: with bounce 1, set at run time, the far ball takes over what friction leaves', async () => {
+    const { world, inline } = await load('KineticPendulum.x3d');
     write(inline, 'CollisionCollection', { bounce: '1' });
     const shares = swings(world, 10);
     tell(shares);
     // The file says nothing of friction, so that it is 0.5: the balls slide on each other, half a metre beside their
     // hinges, 4 m up, and 1 - 0.5 · 0.5 / 4 of the speed goes on with each of four hits.
     expect(shares[0]).to.be.closeTo((15 / 16) ** 4, 0.02);
-    for (const share of shares) expect(share).to.be.within(0.08, 0.79);
+    // Each time less than a cradle without losses between the hits would pass on, until the row swings as one.
+    for (let k = 1; k < 5; k++) expect(shares[k]! / shares[k - 1]!).to.be.within(0.58, 0.8);
+    for (const share of shares.slice(5)) expect(share).to.be.closeTo(shares[5]!, 0.03);
   });
 
-  it('KineticPendulum: without friction the far ball takes over the swing, ten times over', async function () {
-    const { world, inline } = await load.call(this, 'KineticPendulum.x3d');
+  it('KineticPendulum: without friction the far ball takes over the swing, ten times over', async () => {
+    const { world, inline } = await load('KineticPendulum.x3d');
     write(inline, 'CollisionCollection', { bounce: '1', frictionCoefficients: '0 0' });
     const shares = swings(world, 10);
     tell(shares);
     for (const share of shares) expect(share).to.be.closeTo(1, 0.03);
   });
 
-  it('sim-vehicle: the torque on its rear wheels drives it forward', async function () {
+  it('sim-vehicle: the torque on its rear wheels drives it forward', async () => {
     claim('one-sided-collider');
-    const { world } = await load.call(this, 'sim-vehicle.x3d');
+    const { world } = await load('sim-vehicle.x3d');
     world.advance(3);
     const [x, y, z] = position(world, 'Chassis');
     // 6 N m on wheels of 0.4 m push 9 kg and the wheels' inertia, 2 kg at the rim: 15 N / 11 kg for 3 s.
@@ -187,6 +217,6 @@ describe('X3D content written for other browsers', () => {
     expect(z).to.be.within(0.7 * way, 1.1 * way);
     expect(Math.abs(x!)).to.be.below(0.2);
     expect(y).to.be.closeTo(0.5, 0.1);
-    for (const joint of joints(world, 'SingleAxisHingeJoint')) expect(joint.gap).to.be.below(0.02);
+    for (const joint of joints(world, 'SingleAxisHingeJoint')) expect(joint.gap).to.be.below(WHOLE);
   });
 });

@@ -1,0 +1,96 @@
+// What the tests consist of. `quick` stages are `npm test`; the others follow in `npm run test:all`.
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { canShowWindows, findFirefox, findWebKit } from './browsers.js';
+import { bundleTests } from './bundle-tests.js';
+import { BIN, runNode } from './processes.js';
+
+/** Scenes that others made for other X3D browsers. They are no part of the project. */
+export const CONTENT = process.env.X3D_CONTENT ?? '../shared/content';
+
+const isSoak = (file) => file.endsWith('.soak.test.ts');
+const isQuick = (file) => !isSoak(file);
+
+/** The core in Node, by Node's own runner; its counts are read from a second, TAP report. */
+async function coreTests(files, temporary) {
+  const report = join(temporary, 'core.tap');
+  const { ok } = await runNode([
+    ...['--enable-source-maps', '--test', '--test-concurrency=2'],
+    ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
+    ...['--test-reporter=tap', `--test-reporter-destination=${report}`],
+    ...(await bundleTests(files, 'node')),
+  ]);
+  const tap = readFileSync(report, 'utf8');
+  const count = (word) => Number(tap.match(new RegExp(`^# ${word} (\\d+)$`, 'm'))?.[1] ?? 0);
+  return {
+    ok,
+    passed: count('pass'),
+    failed: count('fail') + count('cancelled'),
+    skipped: count('skipped'),
+  };
+}
+
+/** A script that closes with `N passed, N failed`, or another two words of its own. */
+const script =
+  (args, counts = /(\d+) passed, (\d+) failed/) =>
+  async () => {
+    const { ok, output } = await runNode(args, { quiet: true });
+    const [passed, failed] = output.match(counts)?.slice(1).map(Number) ?? [0, 1];
+    if (!ok) console.log(output);
+    return { ok, passed, failed };
+  };
+
+const inBrowser = (config) => async (files, temporary) => {
+  const report = join(temporary, `${config}.json`);
+  const bundles = await bundleTests(files, 'browser');
+  const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...bundles], {
+    env: { TEST_COUNTS: report },
+  });
+  try {
+    return { ok, ...JSON.parse(readFileSync(report, 'utf8')) };
+  } catch {
+    return { ok: false, passed: 0, failed: 1 }; // The runner itself did not come to its end.
+  }
+};
+
+const noWindow = () => (canShowWindows() ? null : 'no display, and Xvfb is not installed');
+const noFirefox = () => noWindow() ?? (findFirefox() ? null : 'Firefox is not installed');
+const noWebKit = () =>
+  noWindow() ?? (findWebKit() ? null : 'WebKitGTK (webkit2gtk-driver) is not installed');
+const noContent = () => (existsSync(CONTENT) ? null : `${CONTENT} is not there`);
+
+const CHROMIUM = inBrowser('web-test-runner.config.js');
+const FIREFOX = inBrowser('web-test-runner.firefox.config.js');
+const WEBKIT = inBrowser('web-test-runner.webkit.config.js');
+
+/**
+ * `folder`: below test/; `takes`: which of its files. `missing` says why a stage can't run here; it is left out then,
+ * which counts as skipped.
+ */
+export const STAGES = [
+  { name: 'core', quick: true, folder: 'core', takes: isQuick, run: coreTests },
+  { name: 'chromium', quick: true, folder: 'browser', takes: isQuick, run: CHROMIUM },
+
+  { name: 'core-soak', folder: 'core', takes: isSoak, run: coreTests },
+  { name: 'chromium-soak', folder: 'browser', takes: isSoak, run: CHROMIUM },
+  {
+    name: 'mutants',
+    folder: 'core',
+    run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
+  },
+  { name: 'firefox', folder: 'browser', missing: noFirefox, run: FIREFOX },
+  { name: 'webkit', folder: 'browser', missing: noWebKit, run: WEBKIT },
+  { name: 'content', folder: 'content', missing: noContent, run: CHROMIUM },
+  {
+    name: 'content-firefox',
+    folder: 'content',
+    missing: () => noContent() ?? noFirefox(),
+    run: FIREFOX,
+  },
+  {
+    name: 'content-webkit',
+    folder: 'content',
+    missing: () => noContent() ?? noWebKit(),
+    run: WEBKIT,
+  },
+];
