@@ -119,6 +119,7 @@ export class BodyNode extends HeldNode {
 
   #makeShape(): BtShape {
     this.moves = this.movable;
+    this.world.registry.filter.forget();
     const { shape, parts } = shapeOf(this, this.#shapeOwner);
     this.solidParts = parts;
     return shape;
