@@ -7,7 +7,7 @@ import type { PhysicsNode } from '../nodes/node.js';
 import { carriedBy } from '../world/contact-order.js';
 import type { World } from '../world/world.js';
 import { partAt, partsAt } from './contact-part.js';
-import { isJointed, writeDepth } from './contact-depth.js';
+import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect } from './effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
@@ -195,7 +195,7 @@ export class ContactSurface extends Effect {
     writeSurface(point, pair, parameters, this.#step);
     this.#world.registry.chains.note(point, pair, parameters);
     if (point.get(POINT.distance) >= FAR) return;
-    const gently = parameters.bounce > 0 && isJointed(pair);
+    const gently = parameters.bounce > 0 && isJointedPair(pair);
     if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
       writeDepth(point, pair, parameters, this.#step);
   }
