@@ -3,7 +3,7 @@ import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import { isDirected, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { World } from '../world/world.js';
-import { hangsOnMoving, Hit, Link, OVER } from './contact-hit.js';
+import { Hit, Link, OVER } from './contact-hit.js';
 import { isBallAt, isRound } from './contact-part.js';
 import { leaveOut, type Pair } from './contact-rows.js';
 import { Effect } from './effect.js';
@@ -93,7 +93,7 @@ export class ContactChains extends Effect {
     hit.impulse = 0;
     hit.chained = false;
     hit.weigh(this.#dt);
-    const alone = round && !hangsOnMoving(a) && !hangsOnMoving(b);
+    const alone = round && !hit.a.hangs && !hit.b.hangs;
     if (alone || this.#swept) this.#meet(hit);
     else this.#leave(hit);
   }

@@ -4,6 +4,7 @@ import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { ContactParameters } from '../nodes/contact-parameters.js';
 import { thicknessOf } from './contact-part.js';
 import { FAR, freeSpeed, type Pair, type StepState } from './contact-rows.js';
+import { isJointed } from './direct/jointed.js';
 
 /** Share of an overlap that Bullet pushes apart per step without adding velocity (its own m_erp2). */
 const PUSH_SHARE = 0.8;
@@ -54,9 +55,10 @@ export function writeDepth(
 }
 
 const usualShare = (pair: Pair, dt: number): number =>
-  isJointed(pair) ? perStep(JOINTED_PUSH_SHARE, dt) : PUSH_SHARE;
+  isJointedPair(pair) ? perStep(JOINTED_PUSH_SHARE, dt) : PUSH_SHARE;
 
-export const isJointed = ({ a, b }: Pair): boolean => a.joints.size > 0 || b.joints.size > 0;
+/** Whether the joint solve moves one of them. */
+export const isJointedPair = ({ a, b }: Pair): boolean => isJointed(a) || isJointed(b);
 
 /** How deep softness may let a pair overlap, metres. */
 const deepest = (pair: Pair): number =>

@@ -4,6 +4,7 @@ import { BODY } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { World } from '../world/world.js';
 import { Response } from './contact-response.js';
+import { hangsOnMoving, isJointed } from './direct/jointed.js';
 import { multiply4, writeTurn } from './flat.js';
 
 /** Below this approach a hit is over: what bounces less and less would go on for ever, m/s. */
@@ -23,6 +24,9 @@ export class Link {
   readonly hits: Hit[] = [];
   body!: BodyNode;
   movable = false;
+  /** Whether the joint solve moves it, and whether others that move hang on it. */
+  jointed = false;
+  hangs = false;
   /** The step that it belongs to. */
   step = -1;
   /** Whether its response is known in this step, and it was struck. */
@@ -42,6 +46,8 @@ export class Link {
     this.step = step;
     this.body = body;
     this.movable = body.movable;
+    this.jointed = isJointed(body);
+    this.hangs = hangsOnMoving(body);
     this.hits.length = 0;
     this.#known = this.struck = false;
     this.bounces = NaN;
@@ -98,16 +104,16 @@ export class Link {
 
   /** Moves the body from where Bullet has taken it to where its hits take it. */
   makeUp({ reader, scratch }: Engine, dt: number): void {
-    const { body, before, change, late } = this;
+    const { body, jointed, before, change, late } = this;
     // Those that hang on others that move had their blow alone: the joint solve brings the rest along.
-    if (!this.struck || !body.active || hangsOnMoving(body)) return;
+    if (!this.struck || !body.active || this.hangs) return;
     reader.pose(body.body, body.pointer, pose, 0);
     reader.velocity(body.body, body.pointer, velocity, 0);
-    if (this.bounces === this.bounces && body.joints.size === 0) this.#noteBounce(dt);
+    if (this.bounces === this.bounces && !jointed) this.#noteBounce(dt);
     for (let i = 0; i < 3; i++) {
       pose[i]! += late[i]!;
       // The joint solve has its own account of weight.
-      if (body.joints.size === 0) pose[i]! -= (dt / 2) * (velocity[i]! - before[i]! - change[i]!);
+      if (!jointed) pose[i]! -= (dt / 2) * (velocity[i]! - before[i]! - change[i]!);
       way[i] = late[3 + i]!;
     }
     writeTurn(turn, way, 1);
@@ -128,13 +134,6 @@ export class Link {
     this.late.fill(0);
   }
 }
-
-/** Whether a joint ties it to another body that moves. */
-export const hangsOnMoving = (body: BodyNode): boolean => {
-  for (const { body1, body2 } of body.joints)
-    if ((body1 === body ? body2 : body1)?.movable) return true;
-  return false;
-};
 
 /** A point where something round touches: whether it hits in this step, when, and how hard. */
 export class Hit {
@@ -175,12 +174,12 @@ export class Hit {
   }
 
   /** Of bodies in joints the joint solve hands over velocities of the step's middle, less what Bullet will add. */
-  #weigh({ body, movable }: Link, sign: 1 | -1, dt: number): void {
+  #weigh({ body, movable, jointed }: Link, sign: 1 | -1, dt: number): void {
     if (!movable) return;
     const { point } = this;
     const [x, y, z] = body.gravity;
     const pull = sign * (x * point.normal(0) + y * point.normal(1) + z * point.normal(2));
-    if (body.joints.size > 0) this.#lead += pull * dt;
+    if (jointed) this.#lead += pull * dt;
     else this.#pull += pull;
   }
 

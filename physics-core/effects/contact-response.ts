@@ -3,6 +3,7 @@ import type { ContactPoint } from '../engine/contact-point.js';
 import { BODY } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { World } from '../world/world.js';
+import { holds, otherEnd } from './direct/jointed.js';
 
 /** Linear, then angular. */
 const WIDTH = 6;
@@ -24,9 +25,8 @@ export class Response {
     if (!body.movable) return;
     this.#readFree(world.engine.ammo);
     for (const joint of body.joints) {
+      if (!holds(joint) || otherEnd(joint, body)?.movable) continue;
       const first = joint.body1 === body;
-      const other = first ? joint.body2 : joint.body1;
-      if (!joint.attached || other?.movable) continue;
       const { rows } = world.registry;
       rows.fill(joint, 0);
       for (const row of joint.lockedRows)

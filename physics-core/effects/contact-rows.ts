@@ -22,8 +22,8 @@ export interface Pair {
   b: BodyNode;
   /** Undefined: they differ from collidable to collidable. Null: contacts wait for set_contacts. */
   parameters: ContactParameters | null | undefined;
-  /** Those already looked up, by the numbers of both parts. */
-  byPart: Map<number, ContactParameters | null>;
+  /** Those already looked up, by the number of both parts. */
+  byParts: Map<number, ContactParameters | null>;
   /** Where the changes of the velocities of A and B stand. */
   atA: number;
   atB: number;

@@ -6,8 +6,8 @@ import { isPlain, isSoft, PLAIN, type ContactParameters } from '../nodes/contact
 import type { PhysicsNode } from '../nodes/node.js';
 import { carriedBy } from '../world/contact-order.js';
 import type { World } from '../world/world.js';
-import { partAt } from './contact-part.js';
-import { isJointed, writeDepth } from './contact-depth.js';
+import { partAt, partsAt } from './contact-part.js';
+import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect } from './effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
@@ -15,9 +15,6 @@ import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from '.
 
 /** Numbers of a linear velocity. */
 const VELOCITY = 3;
-
-/** Contact points know their parts by numbers; beyond this many parts a pair is not remembered. */
-const MOST_PARTS = 4096;
 
 /**
  * Writes a CollisionCollection's parameters into every contact of its pairs, between Bullet's contact search and its
@@ -198,7 +195,7 @@ export class ContactSurface extends Effect {
     writeSurface(point, pair, parameters, this.#step);
     this.#world.registry.chains.note(point, pair, parameters);
     if (point.get(POINT.distance) >= FAR) return;
-    const gently = parameters.bounce > 0 && isJointed(pair);
+    const gently = parameters.bounce > 0 && isJointedPair(pair);
     if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
       writeDepth(point, pair, parameters, this.#step);
   }
@@ -223,7 +220,7 @@ export class ContactSurface extends Effect {
       a,
       b,
       parameters: this.#common(a, b),
-      byPart: new Map(),
+      byParts: new Map(),
       atA: a.slot * VELOCITY,
       atB: b.slot * VELOCITY,
       impulse: new Float64Array(3),
@@ -256,11 +253,9 @@ export class ContactSurface extends Effect {
 
   #parametersAt(point: ContactPoint, pair: Pair): ContactParameters | null {
     if (pair.parameters !== undefined) return pair.parameters;
-    const i = point.int(POINT.index0);
-    const j = point.int(POINT.index1);
-    const key = i < MOST_PARTS && j < MOST_PARTS ? (i + 1) * MOST_PARTS + j + 1 : -1;
-    let found = key < 0 ? undefined : pair.byPart.get(key);
-    if (found === undefined) pair.byPart.set(key, (found = this.#ofParts(point, pair)));
+    const parts = partsAt(this.#world.engine.ammo, pair.a, pair.b, point.pointer);
+    let found = pair.byParts.get(parts);
+    if (found === undefined) pair.byParts.set(parts, (found = this.#ofParts(point, pair)));
     return found;
   }
 

@@ -1,9 +1,9 @@
 import type { Vec3 } from '../fields/types.js';
 import { add, compose, conjugate, cross, length, rotate, scale, subtract } from '../math.js';
 import type { BodyNode } from '../nodes/body.js';
-import type { JointNode } from '../nodes/joint.js';
 import { backward, factor, forward } from './cholesky.js';
 import { BODY_BLOCK, rowOf, SIDE } from './direct/blocks.js';
+import { holds, isJointed, otherEnd } from './direct/jointed.js';
 import type { RowSystem } from './direct/row-system.js';
 import { Hand, TOP_SPEED } from './hand.js';
 
@@ -184,21 +184,13 @@ export class DragSpring {
   }
 }
 
-/** Whether the joint solve moves a body. */
-export function isJointed(body: BodyNode): boolean {
-  for (const joint of body.joints) if (holds(joint)) return true;
-  return false;
-}
-
-const holds = ({ attached, lockedRows }: JointNode): boolean => attached && lockedRows.length > 0;
-
 /** Of a body and of all movable ones that joints tie to it. */
 function hangingMass(body: BodyNode): number {
   const found = new Set([body]);
   for (const each of found)
     for (const joint of each.joints) {
-      if (!holds(joint)) continue;
-      for (const end of [joint.body1, joint.body2]) if (end?.movable) found.add(end);
+      const other = otherEnd(joint, each);
+      if (holds(joint) && other?.movable) found.add(other);
     }
   return [...found].reduce((sum, each) => sum + each.mass.mass, 0);
 }

@@ -2,9 +2,9 @@ import type { Vec3 } from '../fields/types.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
+import { isJointed } from './direct/jointed.js';
 import type { RowSystem } from './direct/row-system.js';
 import { Drag, type DragEnd } from './drag.js';
-import { isJointed } from './drag-spring.js';
 import { Effect } from './effect.js';
 
 /**

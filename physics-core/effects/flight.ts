@@ -92,7 +92,7 @@ export class Flight extends Effect {
 
   /** The joint solve keeps its velocity in the middle of each step, which is exact enough. */
   #held(body: BodyNode): boolean {
-    return body.joints.size > 0 && this.#world.registry.joints.lastStep(body) > 0;
+    return this.#world.registry.joints.lastStep(body) > 0;
   }
 
   #fly(flyer: Flyer, dt: number): void {

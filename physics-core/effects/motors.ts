@@ -29,12 +29,13 @@ export class Motors extends Effect {
 
   override need(node: PhysicsNode, reason: string): void {
     super.need(node, reason);
-    this.#world.registry.joints.changed();
+    this.#world.registry.joints.update(node as JointNode);
   }
 
   override drop(node: PhysicsNode): void {
+    if (!this.isNeededBy(node)) return;
     super.drop(node);
-    this.#world.registry.joints.changed();
+    this.#world.registry.joints.update(node as JointNode);
   }
 
   override beforeStep(dt: number): void {

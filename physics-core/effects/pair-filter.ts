@@ -3,14 +3,18 @@ import { MANIFOLD_POINT as POINT } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
-import { partAt } from './contact-part.js';
+import { partAt, partsAt } from './contact-part.js';
 import { Effect } from './effect.js';
 
 /** Farther than any contact that Bullet's solver looks at (its own threshold is 1e18), metres. */
 const APART = 1e30;
 
-/** Parts of one body that are told apart by their numbers. */
-const MOST_PARTS = 4096;
+/** Two bodies, and which of their parts meet, by the number of both. */
+interface Neighbours {
+  a: BodyNode;
+  b: BodyNode;
+  byParts: Map<number, boolean>;
+}
 
 /**
  * Takes contacts back whose collidables do not collide, where Bullet's 15 group bits can't keep their bodies apart: a
@@ -21,17 +25,17 @@ export class PairFilter extends Effect implements ContactProcessor {
   readonly #world: World;
   /** What contacts go to that stay. */
   next: ContactProcessor | null = null;
-  /** By pointer of the first body, of the second, and both parts: whether they meet. */
-  #known = new Map<number, Map<number, Map<number, boolean>>>();
+  /** By pointer of the first body, then of the second. */
+  readonly #known = new Map<number, Map<number, Neighbours>>();
 
   constructor(world: World) {
     super();
     this.#world = world;
   }
 
-  /** Who meets whom is to be asked again. */
+  /** Who meets whom is to be asked again: membership or parts are others. */
   forget(): void {
-    this.#known = new Map();
+    this.#known.clear();
   }
 
   override need(node: PhysicsNode, reason: string): void {
@@ -46,32 +50,32 @@ export class PairFilter extends Effect implements ContactProcessor {
 
   /** Called by Bullet for every contact point of every step. */
   process(point: number, a: number, b: number): void {
-    const { ammo } = this.#world.engine;
-    const heap = ammo.HEAP32;
-    // A triangle's number says nothing of the part it belongs to.
-    const mesh = heap[(point + POINT.part0) >> 2]! >= 0 || heap[(point + POINT.part1) >> 2]! >= 0;
-    const i = heap[(point + POINT.index0) >> 2]!;
-    const j = heap[(point + POINT.index1) >> 2]!;
-    const meets = mesh ? this.#find(a, b, point) : this.#meets(a, b, i, j, point);
-    if (meets) this.next?.process(point, a, b);
-    else ammo.HEAPF32[(point + POINT.distance) >> 2] = APART;
+    if (this.#meet(point, a, b)) this.next?.process(point, a, b);
+    else this.#world.engine.ammo.HEAPF32[(point + POINT.distance) >> 2] = APART;
   }
 
-  #meets(a: number, b: number, i: number, j: number, point: number): boolean {
-    let byB = this.#known.get(a);
-    if (!byB) this.#known.set(a, (byB = new Map()));
-    let byParts = byB.get(b);
-    if (!byParts) byB.set(b, (byParts = new Map()));
-    const key = (i + 1) * MOST_PARTS + j + 1;
-    let meets = byParts.get(key);
-    if (meets === undefined) byParts.set(key, (meets = this.#find(a, b, point)));
-    return meets;
+  #meet(point: number, pointerA: number, pointerB: number): boolean {
+    const neighbours = this.#neighbours(pointerA, pointerB);
+    if (!neighbours) return true;
+    const { a, b, byParts } = neighbours;
+    const parts = partsAt(this.#world.engine.ammo, a, b, point);
+    let meet = byParts.get(parts);
+    if (meet === undefined) byParts.set(parts, (meet = this.#ask(neighbours, point)));
+    return meet;
   }
 
-  #find(pointerA: number, pointerB: number, point: number): boolean {
-    const bodies = [pointerA, pointerB].map((pointer) => this.#world.bodyAt(pointer));
-    const [a, b] = bodies as [BodyNode | undefined, BodyNode | undefined];
-    if (!a || !b) return true;
+  #neighbours(pointerA: number, pointerB: number): Neighbours | undefined {
+    let byB = this.#known.get(pointerA);
+    if (!byB) this.#known.set(pointerA, (byB = new Map()));
+    let found = byB.get(pointerB);
+    if (found) return found;
+    const [a, b] = [this.#world.bodyAt(pointerA), this.#world.bodyAt(pointerB)];
+    if (!a || !b) return undefined;
+    byB.set(pointerB, (found = { a, b, byParts: new Map() }));
+    return found;
+  }
+
+  #ask({ a, b }: Neighbours, point: number): boolean {
     const { ammo } = this.#world.engine;
     const [first, second] = [partAt(ammo, a, point, 0), partAt(ammo, b, point, 1)];
     return !first || !second || this.#world.pairs.meet(a, first, b, second);

@@ -56,7 +56,7 @@ export class Stops extends Effect {
 
   override need(node: PhysicsNode, reason: string): void {
     super.need(node, reason);
-    this.#world.registry.joints.changed();
+    this.#world.registry.joints.update(node as JointNode);
   }
 
   /** `side`: where a stop was in the way in this step; 0: nowhere. */

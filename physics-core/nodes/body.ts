@@ -119,6 +119,7 @@ export class BodyNode extends HeldNode {
 
   #makeShape(): BtShape {
     this.moves = this.movable;
+    this.world.registry.filter.forget();
     const { shape, parts } = shapeOf(this, this.#shapeOwner);
     this.solidParts = parts;
     return shape;
@@ -184,7 +185,7 @@ export class BodyNode extends HeldNode {
   protected override mobilityChanged(): void {
     this.kinematic = false;
     this.world.registry.carrying.drop(this);
-    this.world.registry.joints.changed();
+    for (const joint of this.joints) this.world.registry.joints.update(joint);
     // Its shape was made anew while it was held.
     if (this.movable && !this.moves) return this.updateFixed();
     this.#setMass();

@@ -52,8 +52,9 @@ export class Kinds {
     for (const body of this.#world.bodies)
       if (body.built && this.#of.get(body)?.key !== this.#keyOf(body)) this.leave(body);
     for (const body of this.#world.bodies) if (body.built) this.#join(body);
+    // With itself, too: its bodies meet each other.
     for (const kind of this.#byIndex)
-      if (kind) this.#compare(kind, this.#byIndex.slice(0, kind.index));
+      if (kind) this.#compare(kind, this.#byIndex.slice(0, kind.index + 1));
   }
 
   /** The body goes, or will be of another kind. */
@@ -71,6 +72,7 @@ export class Kinds {
     const known = this.#of.get(body);
     if (known?.key === key) return known;
     this.leave(body);
+    this.#world.registry.filter.forget();
     const same = this.#byKey.get(key);
     const kind = same ?? this.#begin(key);
     this.#of.set(body, kind);

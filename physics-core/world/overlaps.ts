@@ -1,3 +1,4 @@
+import { isFiltered } from '../effects/contact-points.js';
 import { ContactPoint } from '../engine/contact-point.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { World } from './world.js';
@@ -14,9 +15,10 @@ function eachDepth(world: World, visit: (depth: number, a: BodyNode, b: BodyNode
     if (!first || !second || !(first.movable || second.movable)) return;
     let depth = -Infinity;
     for (let i = 0; i < manifold.getNumContacts(); i++) {
+      const pointer = ammo.getPointer(manifold.getContactPoint(i));
+      if (isFiltered(ammo, pointer)) continue;
       // Not the distance that Bullet holds: contact parameters write into it.
-      const { distance } = point.at(ammo.getPointer(manifold.getContactPoint(i)), a, b);
-      depth = Math.max(depth, -distance);
+      depth = Math.max(depth, -point.at(pointer, a, b).distance);
     }
     visit(depth, first, second);
   });

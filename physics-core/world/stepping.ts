@@ -23,6 +23,8 @@ export class Stepping {
   /** Seconds of the last step. */
   #last: number | undefined;
   #stepping = false;
+  /** Steps of Bullet so far, whatever became of time. */
+  done = 0;
   /** The next step is the first one: bodies may begin inside each other. */
   #first = true;
   /** Milliseconds of the last frame. */
@@ -168,6 +170,7 @@ export class Stepping {
     bullet.step(timeStep);
     // What is told of the step is told with the time at its end; a listener may reset it.
     this.#steps++;
+    this.done++;
     this.#last = timeStep;
     registry.settle(timeStep);
     this.#world.rays.moved();

@@ -8,6 +8,7 @@ import { BoundedRows, isBounded } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
 import { Forest, type Component, type Edge } from './forest.js';
 import { JointEnds } from './joint-ends.js';
+import { holds } from './jointed.js';
 import { LockedRows } from './locked-rows.js';
 import { JointedBodies } from './jointed-bodies.js';
 import { NextPoses } from './next-poses.js';
@@ -74,29 +75,24 @@ export class DirectJoints extends Effect {
     this.standby = new Standby(world, this.#bodies, targets);
   }
 
-  /** Stops or motors of some joint are others. */
-  changed(): void {
-    this.#stale = true;
-  }
-
-  /** A joint came, went, or holds otherwise than before. */
+  /** A joint came, went, or holds otherwise than before; its stops or motors are others, or who of its bodies moves. */
   update(joint: JointNode): void {
+    if (!holds(joint)) {
+      this.drop(joint);
+      return;
+    }
     this.#stale = true;
-    if (joint.attached && joint.lockedRows.length > 0) this.need(joint, 'joint');
-    else this.#forget(joint);
+    this.need(joint, 'joint');
   }
 
-  /** What it did is not to be known when it comes again. */
-  #forget(joint: JointNode): void {
-    super.drop(joint);
-    const k = this.#joints.indexOf(joint);
-    if (k >= 0) this.#joints[k] = undefined;
-  }
-
+  /** What a joint did is not to be known when it comes again. Bodies lose their joints before they go. */
   override drop(node: PhysicsNode): void {
+    this.relaunch(node);
+    if (!this.isNeededBy(node)) return;
     this.#stale = true;
-    if (this.#bodies.relaunch(node)) return;
-    this.#forget(node as JointNode);
+    super.drop(node);
+    const k = this.#joints.indexOf(node as JointNode);
+    if (k >= 0) this.#joints[k] = undefined;
   }
 
   /** An immovable body was moved: its ends of joints go along. */
@@ -120,7 +116,7 @@ export class DirectJoints extends Effect {
 
   /** Its velocity is given anew. */
   relaunch(body: PhysicsNode): void {
-    this.#bodies.relaunch(body);
+    this.#bodies.relaunch(body as BodyNode);
   }
 
   /** Whether nothing but joints and forces acted, in the last step, on a body and what it hangs together with. */

@@ -1,5 +1,4 @@
 import type { BodyNode } from '../../nodes/body.js';
-import type { PhysicsNode } from '../../nodes/node.js';
 import type { World } from '../../world/world.js';
 import { INERTIA, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
@@ -12,6 +11,12 @@ const POSE = 7;
 const TRAITS = 6;
 const MOMENTS = 1;
 const DAMPED = 4;
+
+/** A step in which the joint solve moved a body: its number, and its length in seconds. */
+interface Moved {
+  step: number;
+  seconds: number;
+}
 
 /** The movable bodies that joints hold, in flat arrays of double precision. */
 export class JointedBodies {
@@ -26,8 +31,8 @@ export class JointedBodies {
   /** Force and torque of this step, without gravity. */
   #load = new Float64Array(0);
   #traits = new Float64Array(0);
-  /** Bodies that have made their first half step, and the length of their last step, seconds. */
-  readonly #lastStep = new Map<BodyNode, number>();
+  /** Bodies that have made their first half step, and the last one. */
+  readonly #moved = new Map<BodyNode, Moved>();
   readonly #pose = new Float64Array(POSE);
   readonly #out = new Float64Array(SIDE);
 
@@ -69,27 +74,35 @@ export class JointedBodies {
 
   // ---- the first step -------------------------------------------------------------------------------------------------
 
-  /** Seconds of its last step; 0 before its first. */
+  /** Seconds of its last step; 0 before its first. A step without the joint solve leaves a velocity of that moment. */
   lastStep(body: BodyNode): number {
-    return this.#lastStep.get(body) ?? 0;
+    const moved = this.#moved.get(body);
+    return moved && moved.step >= this.#world.stepping.done ? moved.seconds : 0;
   }
 
   setLastStep(body: BodyNode, seconds: number): void {
-    this.#lastStep.set(body, seconds);
+    this.#note(body, this.#world.stepping.done, seconds);
   }
 
   /** Its velocity is given anew, or it begins to move: the next step is a first half step again. */
-  relaunch(body: PhysicsNode): boolean {
-    return this.#lastStep.delete(body as BodyNode);
+  relaunch(body: BodyNode): void {
+    this.#moved.delete(body);
   }
 
   /** Whether this is the first step of a body. */
   launching(i: number): boolean {
-    return i >= 0 && !this.#lastStep.has(this.bodies[i]!);
+    return i >= 0 && this.lastStep(this.bodies[i]!) === 0;
   }
 
+  /** The step that begins. */
   noteStep({ bodies }: Component, dt: number): void {
-    for (const i of bodies) this.#lastStep.set(this.bodies[i]!, dt);
+    for (const i of bodies) this.#note(this.bodies[i]!, this.#world.stepping.done + 1, dt);
+  }
+
+  #note(body: BodyNode, step: number, seconds: number): void {
+    const moved = this.#moved.get(body);
+    if (!moved) this.#moved.set(body, { step, seconds });
+    else [moved.step, moved.seconds] = [step, seconds];
   }
 
   // ---- before a step --------------------------------------------------------------------------------------------------
