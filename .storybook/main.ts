@@ -3,11 +3,19 @@ import type { StorybookConfig } from '@storybook/web-components-vite';
 
 /**
  * Served as they are, at the addresses they have in the repository. The stories show the built library, the file
- * that a page would load; and they show the pages of stories/pages, which name their files from there.
+ * that a page would load; they show the pages of stories/pages, which name their files from there; and they lead on to
+ * the report of the accuracy lab.
  */
-const staticDirs = ['node_modules/x3dom', 'dist', 'stories/assets', 'styles', 'stories/pages'].map(
-  (folder) => ({ from: `../${folder}`, to: `/${folder}` }),
-);
+const FOLDERS = [
+  'node_modules/x3dom',
+  'dist',
+  'stories/assets',
+  'styles',
+  'stories/pages',
+  'lab/report',
+];
+
+const staticDirs = FOLDERS.map((folder) => ({ from: `../${folder}`, to: `/${folder}` }));
 
 const config: StorybookConfig = {
   framework: '@storybook/web-components-vite',
@@ -15,6 +23,14 @@ const config: StorybookConfig = {
   stories: ['../stories/**/*.stories.ts'],
   staticDirs: staticDirs.filter(({ from }) => existsSync(new URL(from, import.meta.url))),
   core: { disableTelemetry: true, disableWhatsNewNotifications: true },
+  // Nothing of these works on a 3D scene, or no story uses it.
+  features: {
+    actions: false,
+    backgrounds: false,
+    interactions: false,
+    measure: false,
+    outline: false,
+  },
 };
 
 export default config;

@@ -7,7 +7,21 @@ const preview: Preview = {
     layout: 'fullscreen',
     // With what each control does.
     controls: { expanded: true },
-    options: { storySort: { order: ['Scenes', 'Accuracy', 'Shortcuts', 'Looking in', 'Nodes'] } },
+    // The first is what opens.
+    options: {
+      storySort: {
+        order: [
+          'Start here',
+          'Scenes',
+          'Dragging',
+          'Accuracy',
+          'Shortcuts',
+          'Looking in',
+          'Nodes',
+          'In XHTML',
+        ],
+      },
+    },
     docs: {
       // Fetched with the first reference page; a story needs none of it.
       renderer: async () => (await import('../stories/reference/renderer.js')).renderer,

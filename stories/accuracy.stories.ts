@@ -1,7 +1,7 @@
 import type { Meta, StoryObj } from '@storybook/web-components-vite';
 import { html } from 'lit';
-import { BRASS, chain, GHOST } from './chain.js';
-import { besideReference } from './code/beside-reference.js';
+import { BRASS, chain, GHOST, PENDULUM, WHIP } from './chain.js';
+import { besideReference, LEVELS } from './code/beside-reference.js';
 import { pour, tellLevel } from './code/pour.js';
 import { ground, scene } from './scene.js';
 
@@ -15,26 +15,28 @@ const value = (name: string, label: string) => html`
   </div>
 `;
 
-/** One pendulum at the level of the slider, and where it should be. */
+/** One chain at the level of the slider, and where it should be. */
 export const BesideReference: StoryObj = {
   render: () =>
     scene(
-      'The brass pendulum runs at the level that the slider sets; the blue ghost is the same one at reference, from the same start. What is seen of the ghost is error.',
+      'The brass chain runs at the level that the slider sets, the blue ghost at reference. Let go level it whips, and the little that a step gets wrong grows until they part: at game within seconds.',
       html`
-        ${chain('level', 'standard', BRASS)} ${chain('ghost', 'reference', GHOST, besideReference)}
+        ${chain('level', 'game', WHIP, BRASS)}
+        ${chain('ghost', 'reference', WHIP, GHOST, besideReference)}
       `,
       {
-        view: 'pendulum',
         beside: html`
           <label class="slider">
-            <span>game</span>
-            <input type="range" min="0" max="4" step="1" value="1" aria-label="Accuracy level" />
-            <span>reference</span>
+            <span>Level: <b data-value="level"></b></span>
+            <input type="range" min="0" max=${LEVELS.length - 1} step="1" value="0" />
+            <span class="marks" aria-hidden="true">
+              ${LEVELS.map((name) => html`<span>${name}</span>`)}
+            </span>
           </label>
           <dl class="values">
-            ${value('level', 'Level')} ${value('time', 'Since it was let go')}
-            ${value('drift', 'From the ghost now')} ${value('worst', 'At most')}
-            ${value('cost', 'Its work')} ${value('ghost', "The ghost's")}
+            ${value('time', 'Since it was let go')} ${value('drift', 'From the ghost now')}
+            ${value('together', 'Within 10 cm of it for')} ${value('cost', 'Its work')}
+            ${value('ghost', "The ghost's")}
           </dl>
         `,
       },
@@ -46,7 +48,7 @@ export const Chart: StoryObj = {
   render: () =>
     scene(
       'Measure re-runs this scene from the state it is in, at every level, in a worker: what each costs, and how far off it is. The buttons set the level of the running scene.',
-      html`${chain('measured', 'standard', BRASS)}`,
+      html`${chain('measured', 'standard', PENDULUM, BRASS)}`,
       {
         view: 'pendulum',
         beside: html`<x3d-accuracy-chart for="measured"></x3d-accuracy-chart>`,

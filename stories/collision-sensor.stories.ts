@@ -68,7 +68,7 @@ const meta: Meta<Args> = {
         <x3d-ball-joint body1="arm" body2="roller" anchorPoint="${RADIUS} 0.42 0"></x3d-ball-joint>
         <x3d-motor-joint body2="arm" motor1Axis="0 -1 0" axis1Torque=${torque}></x3d-motor-joint>
       `,
-      { view: 'above', beside: html`<p>Contacts: <output aria-live="off">0</output></p>` },
+      { view: 'above', after: html`<p>Contacts: <output aria-live="off">0</output></p>` },
     ),
 };
 export default meta;

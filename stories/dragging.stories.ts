@@ -56,7 +56,11 @@ const heap = [5, 4, 3, 2].flatMap((count, row) =>
 export const Heap: StoryObj = {
   render: () =>
     scene(
-      'Pull boxes out, push with one into the others, throw them. Hold Shift to move a box away or nearer; drag beside the boxes to look around.',
+      html`
+        Pull boxes out, push with one into the others, throw them; drag beside the boxes to look
+        around.
+        <span class="with-mouse">With Shift held, up and down move a box away and nearer.</span>
+      `,
       html`
         <x3d-rigid-body-collection default draggable-body></x3d-rigid-body-collection>
         ${ground}

@@ -128,7 +128,7 @@ export const Snapshot: StoryObj = {
           <button type="button" @click=${throwBall}>Throw</button>
           <button type="button" @click=${putBack}>Put back</button>
         `,
-        beside: html`<p><output>Nothing saved yet.</output></p>`,
+        after: html`<p><output>Nothing saved yet.</output></p>`,
       },
     ),
 };
@@ -201,6 +201,6 @@ export const DebugDrawing: StoryObj<{ debug: boolean }> = {
           stopBounce="0.6"
         ></x3d-single-axis-hinge-joint>
       `,
-      { beside: html`<x3d-physics-monitor></x3d-physics-monitor>` },
+      { after: html`<x3d-physics-monitor></x3d-physics-monitor>` },
     ),
 };

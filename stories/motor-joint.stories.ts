@@ -53,7 +53,7 @@ const meta: Meta<Args> = {
           axis2Torque=${axis2Torque}
         ></x3d-motor-joint>
       `,
-      { beside: html`<p><output aria-live="off"></output></p>` },
+      { after: html`<p><output aria-live="off"></output></p>` },
     ),
 };
 export default meta;

@@ -1,5 +1,7 @@
 /// <reference types="vite/client" />
 // The pages beside it as stories: what stands in their <main>, and the markup to read.
+import { html, render } from 'lit';
+import { copyable } from './copyable.js';
 
 /** Pages name their files from where they are in the repository; a story is served from its root. */
 const fromRoot = (source: string) => source.replaceAll('../../', './');
@@ -14,8 +16,12 @@ function runnable(script: HTMLScriptElement): HTMLScriptElement {
 function markup(source: string): HTMLElement {
   const [main] = /(?<=<\/p>\n)[^]*(?=\n {4}<\/main>)/.exec(source)!;
   const details = document.createElement('details');
-  details.innerHTML = '<summary>The markup</summary><pre tabindex="0"></pre>';
-  details.querySelector('pre')!.textContent = main.replace(/^ {6}/gm, '');
+  const text = main!.replace(/^ {6}/gm, '');
+  render(
+    html`<summary>The markup</summary>
+      ${copyable(text)}`,
+    details,
+  );
   return details;
 }
 

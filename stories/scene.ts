@@ -63,40 +63,46 @@ interface Page {
   view?: keyof typeof VIEWS;
   /** Beside the one that every page has. */
   buttons?: Content;
-  /** What comes after the scene: numbers, a log. */
+  /** Numbers, a log: beside the scene where there is room, else after it. */
   beside?: Content;
+  after?: Content;
 }
+
+/** Where everything is drawn: camera, lights, and what stands in the scene. */
+export const stage = (view: keyof typeof VIEWS, content: Content) => html`
+  <x3d>
+    <scene>
+      <viewpoint
+        position=${VIEWS[view].position}
+        orientation=${VIEWS[view].orientation}
+        centerOfRotation=${VIEWS[view].centerOfRotation}
+      ></viewpoint>
+      <background transparency="1"></background>
+      <navigationinfo headlight="false"></navigationinfo>
+      <directionallight
+        direction="-0.4 -1 -0.6"
+        intensity="0.8"
+        ambientIntensity="0.3"
+      ></directionallight>
+      <directionallight direction="0.7 -0.2 -0.6" intensity="0.4"></directionallight>
+      ${content}
+    </scene>
+  </x3d>
+`;
 
 /** A page with one scene. Lit renders controls into it as edits of the running elements. */
 export const scene = (
-  text: string,
+  text: string | TemplateResult,
   content: Content,
-  { view = 'front', buttons = nothing, beside = nothing }: Page = {},
+  { view = 'front', buttons = nothing, beside = nothing, after = nothing }: Page = {},
 ) => html`
   <main>
     <p>${text}</p>
-    <x3d>
-      <scene>
-        <viewpoint
-          position=${VIEWS[view].position}
-          orientation=${VIEWS[view].orientation}
-          centerOfRotation=${VIEWS[view].centerOfRotation}
-        ></viewpoint>
-        <background transparency="1"></background>
-        <navigationinfo headlight="false"></navigationinfo>
-        <directionallight
-          direction="-0.4 -1 -0.6"
-          intensity="0.8"
-          ambientIntensity="0.3"
-        ></directionallight>
-        <directionallight direction="0.7 -0.2 -0.6" intensity="0.4"></directionallight>
-        ${content}
-      </scene>
-    </x3d>
+    ${stage(view, content)}
     <div>
       <button type="button" @click=${startAgain}>Start again</button>
       ${buttons}
     </div>
-    ${beside}
+    ${beside === nothing ? nothing : html`<div class="beside">${beside}</div>`} ${after}
   </main>
 `;

@@ -1,12 +1,15 @@
 // Takes two worlds through the same 60ths of a second, and writes down how far they are apart and what each costs.
 type World = NonNullable<HTMLElementTagNameMap['x3d-rigid-body']['world']>;
 
-const LEVELS = ['game', 'standard', 'fine', 'precise', 'reference'] as const;
+export const LEVELS = ['game', 'standard', 'fine', 'precise', 'reference'] as const;
 
 const MOMENT = 1 / 60;
 
 /** Weight of the newest moment in the running mean of what a level costs. */
 const NEWEST = 0.02;
+
+/** Metres that tell them apart at a glance. */
+const APART = 0.1;
 
 interface Runner {
   world: World;
@@ -17,7 +20,7 @@ interface Runner {
 }
 
 const runner = (main: Element, id: string): Runner => {
-  const end = main.querySelector<Runner['end']>(`#${id}7`)!;
+  const end = main.querySelector<Runner['end']>(`#${id} .end`)!;
   return { world: end.world!, end, cost: 0 };
 };
 
@@ -28,15 +31,20 @@ function advance(one: Runner): void {
   one.cost += (cost - one.cost) * (one.cost ? NEWEST : 1);
 }
 
-const metres = (value: number): string =>
-  value >= 1e-3 ? `${(value * 1e3).toFixed(1)} mm` : `${(value * 1e6).toFixed(0)} µm`;
+function metres(value: number): string {
+  if (value >= 0.1) return `${value.toFixed(2)} m`;
+  return value >= 1e-3 ? `${(value * 1e3).toFixed(1)} mm` : `${(value * 1e6).toFixed(0)} µm`;
+}
+
+const seconds = (value: number): string => `${value.toFixed(1)} s`;
 
 /** When both worlds have started. */
 export async function besideReference(event: Event): Promise<void> {
   const main = (event.currentTarget as Element).closest('main')!;
   const [level, ghost] = [runner(main, 'level'), runner(main, 'ghost')];
   await Promise.all([level.world.ready, ghost.world.ready]);
-  let worst = 0;
+  /** When they came apart. */
+  let parted: number | undefined;
   let shown = 0;
   const write = (name: string, text: string): void => {
     main.querySelector(`[data-value=${name}]`)!.textContent = text;
@@ -59,11 +67,12 @@ export async function besideReference(event: Event): Promise<void> {
     const apart = Math.hypot(...a.map((x, i) => x - b[i]!));
     const { time } = level.world;
     // The button starts the scene again.
-    worst = time < shown ? apart : Math.max(worst, apart);
+    if (time < shown) parted = undefined;
+    if (apart > APART) parted ??= time;
     shown = time;
-    write('time', `${time.toFixed(1)} s`);
+    write('time', seconds(time));
     write('drift', metres(apart));
-    write('worst', metres(worst));
+    write('together', parted === undefined ? 'so far' : seconds(parted));
     write('cost', `${level.cost.toFixed(1)} ms per s`);
     write('ghost', `${ghost.cost.toFixed(1)} ms per s`);
   }

@@ -1,9 +1,9 @@
 // The table of a node's fields, from the same table that the code runs on.
 import { html, nothing } from 'lit';
-import { attributeOf, holdsNodes } from '../../elements/bridge/nodes/fields.js';
-import { codecs } from '../../physics-core/fields/values.js';
+import { attributeOf } from '../../elements/bridge/nodes/fields.js';
 import type { Dimension } from '../../physics-core/fields/types.js';
 import type { Field, NodeType } from '../../physics-core/nodes/table.js';
+import { defaultText, withPi } from './default-text.js';
 
 const EDITS: Record<Field['edit'], string> = {
   live: 'in place',
@@ -19,8 +19,6 @@ const unitOf = (dimension: Dimension = {}): string =>
     .map(([name, power]) => name + EXPONENTS[power])
     .join(' × ');
 
-const withPi = (text: string): string => text.replace(`${Math.PI}`, 'π');
-
 const bound = (number: number): string =>
   Number.isFinite(number) ? withPi(String(number)) : number > 0 ? '∞' : '−∞';
 
@@ -30,17 +28,6 @@ function rangeOf({ range, open, values }: Field): string {
   const [low, high] = range;
   const left = open || !Number.isFinite(low) ? '(' : '[';
   return `${left}${bound(low)}, ${bound(high)}${Number.isFinite(high) ? ']' : ')'}`;
-}
-
-const valueText = (field: Field, value: unknown): string => {
-  if (holdsNodes(field)) return value === null ? 'NULL' : '[]';
-  return withPi(codecs[field.type].format(value)) || (field.type === 'SFString' ? '""' : '[]');
-};
-
-function defaultOf(field: Field): string {
-  const text = valueText(field, field.default);
-  const { default3 } = field;
-  return default3 === undefined ? text : `${text}; in X3D 3: ${valueText(field, default3)}`;
 }
 
 const cell = (label: string, text: string) => html`<td data-label=${label}>${text || nothing}</td>`;
@@ -61,7 +48,7 @@ const row = (name: string, field: Field) => html`
       field.access === 'outputOnly'
         ? nothing
         : [
-            cell('Default', defaultOf(field)),
+            cell('Default', defaultText(field)),
             cell('Range', rangeOf(field)),
             cell('UNIT', unitOf(field.dimension)),
             cell('Edit', EDITS[field.edit]),

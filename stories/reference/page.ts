@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { tagOf } from '../../elements/bridge/document/dom.js';
 import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { copyable } from '../copyable.js';
 import { fieldTables } from './fields.js';
 import { interfaceOf } from './interface.js';
 import { markupOf } from './markup.js';
@@ -16,7 +17,7 @@ const highlighted = (text: string) =>
 const code = (summary: string, text: string, open = false) => html`
   <details ?open=${open}>
     <summary>${summary}</summary>
-    <pre tabindex="0">${highlighted(text)}</pre>
+    ${copyable(highlighted(text))}
   </details>
 `;
 

@@ -27,10 +27,17 @@ export function panel(state: State, actions: Actions): TemplateResult {
       <span role="status" class="quiet">${statusOf(state)}</span>
     </header>
     ${world?.started ? [levels(world, () => actions.show(kind)), controls(state, actions)] : nothing}
+    ${world?.started && !measured ? HINT : nothing}
     <div part="chart" role="img" aria-label=${summary(measured, kind)} ?hidden=${!measured}></div>
-    ${measured ? [remarks(measured), data(measured, world)] : nothing}
+    ${measured ? [remarks(measured), data(measured, world, kind)] : nothing}
   </section>`;
 }
+
+/** What there will be to see. */
+const HINT = html`<p class="quiet">
+  Measure runs a copy of the scene at every level, from the state it is in. Then each level has a
+  dot: farther left is cheaper, farther down is nearer to the truth.
+</p>`;
 
 function statusOf({ world, measured, progress, failed }: State): string {
   if (!world) return 'There is no physics here yet.';

@@ -134,6 +134,8 @@ const levelsLine = (dots: readonly Dot[], errors: readonly number[], colors: Col
       show: true,
       position: 'right' as const,
       distance: 8,
+      // Above the axis, where there is no error.
+      offset: [0, dots[i]!.error > 0 ? 0 : -9],
       color: colors.text,
       fontWeight: present ? ('bold' as const) : ('normal' as const),
       formatter: level,

@@ -30,6 +30,10 @@ const button = (root: ShadowRoot): HTMLButtonElement => root.querySelector('butt
 const status = (root: ShadowRoot): string =>
   root.querySelector('[role=status]')!.textContent!.trim();
 
+/** What it says in sentences, without the breaks of the source. */
+const hint = (root: ShadowRoot): string =>
+  [...root.querySelectorAll('p')].map((p) => p.textContent!.replace(/\s+/g, ' ')).join(' ');
+
 async function measure(root: ShadowRoot): Promise<void> {
   button(root).click();
   await until(() => root.querySelector('svg') !== null, 40_000);
@@ -40,7 +44,9 @@ describe('x3d-accuracy-chart', () => {
     for (const path of ['chart.html', 'chart.xhtml']) {
       const { root } = await chartOf(await open(path));
       expect(status(root)).to.equal('Not measured yet.');
+      expect(hint(root)).to.contain('each level has a dot');
       await measure(root);
+      expect(hint(root)).not.to.contain('each level has a dot');
       const names = [...root.querySelectorAll('svg text')].map(({ textContent }) => textContent);
       const levels = ['game', 'standard', 'fine', 'precise', 'reference'];
       for (const name of [...levels, 'frame budget']) expect(names, path).to.include(name);
@@ -74,6 +80,22 @@ describe('x3d-accuracy-chart', () => {
     select.value = 'joint';
     select.dispatchEvent(new Event('change'));
     expect(axes()).to.contain('widest gap');
+  });
+
+  it('on a phone lists of the errors the one that is drawn, and no number is cut off', async () => {
+    const { root } = await chartOf(await open('chart.html'));
+    await measure(root);
+    const columns = (): (string | null)[] =>
+      [...root.querySelectorAll('thead th')]
+        .filter((head) => head.getClientRects().length > 0)
+        .map(({ textContent }) => textContent);
+    expect(columns()).to.eql(['Level', 'Step', 'ms per s', 'Position']);
+    const select = root.querySelector('select')!;
+    select.value = 'penetration';
+    select.dispatchEvent(new Event('change'));
+    expect(columns()).to.eql(['Level', 'Step', 'ms per s', 'Overlap']);
+    const { scrollWidth, clientWidth } = root.querySelector('.scroll')!;
+    expect(scrollWidth).to.equal(clientWidth);
   });
 
   it('stops measuring when it is told to', async () => {
