@@ -6,21 +6,39 @@ export class Clock {
   #rest = 0;
 
   /**
-   * Longest stretch of simulated time one frame may catch up, seconds. A frame slower than this drops time
-   * (reported as lag) instead of taking ever more steps.
+   * Longest stretch one frame may catch up, seconds of the clock. A frame slower than this drops time (reported as lag)
+   * instead of taking ever more steps.
    */
   static readonly LONGEST_FRAME = 0.1;
 
-  /** Takes `seconds` of wall time; returns how many steps of `dt` are due and how many seconds were dropped. */
-  advance(seconds: number, dt: number): { steps: number; dropped: number } {
+  /** `seconds` of wall time have passed, each worth `scale` of simulated time. Returns how much of that is dropped. */
+  add(seconds: number, scale = 1): number {
     // A page's clock may stand still or go back; NaN would stop the world for good.
-    if (!(seconds > 0)) return { steps: 0, dropped: 0 };
-    const taken = guards.frameTime(seconds, Clock.LONGEST_FRAME);
+    if (!(seconds > 0)) return 0;
+    // In slow motion a slow frame is little work.
+    const longest = Clock.LONGEST_FRAME * Math.max(1, scale);
+    const taken = guards.frameTime(seconds * scale, longest);
     this.#rest += taken;
-    // A hair of tolerance, so that 60 Hz frames against 1/120 s always make two steps in spite of rounding.
-    const steps = Math.max(0, Math.floor(this.#rest / dt + 1e-6));
-    this.#rest -= steps * dt;
-    return { steps, dropped: seconds - taken };
+    return seconds * scale - taken;
+  }
+
+  /** Takes a step of `dt` where one is due. */
+  take(dt: number): boolean {
+    if (this.#due(dt) < 1) return false;
+    this.#rest -= dt;
+    return true;
+  }
+
+  /** Drops the steps that are due; returns how long they would have been, seconds. */
+  drop(dt: number): number {
+    const dropped = Math.max(0, this.#due(dt)) * dt;
+    this.#rest -= dropped;
+    return dropped;
+  }
+
+  /** A hair of tolerance, so that 60 Hz frames against 1/120 s always make two steps in spite of rounding. */
+  #due(dt: number): number {
+    return Math.floor(this.#rest / dt + 1e-6);
   }
 
   /**

@@ -19,9 +19,7 @@ export class Events {
   readonly #steps = new WeakMap<Element, Map<string, CustomEvent<Record<string, unknown>>>>();
   readonly #worlds = new Map<PageWorld, Map<string, Stop>>();
   /** By node: one that is made anew is listened to anew. */
-  readonly #nodes = new Map<Binding, { node: PhysicsNode; heard: Map<string, Stop> }>();
-  /** What a node touches, where its collisions are heard. */
-  readonly #touching = new WeakMap<Binding, Set<unknown>>();
+  readonly #nodes = new Map<Binding, Heard>();
 
   constructor(scene: Scene) {
     this.#scene = scene;
@@ -58,45 +56,44 @@ export class Events {
 
   /** The node was made, moved or went, or somebody began or ceased to listen. */
   update(binding: Binding): void {
-    const known = this.#nodes.get(binding);
+    this.#letGo(binding);
     const { node } = binding;
-    if (known && known.node !== node) {
-      for (const stop of known.heard.values()) stop();
-      this.#nodes.delete(binding);
-      this.#forgetTouching(binding);
-      setState(binding.element, 'sleeping', false);
-    }
-    if (!node) return;
-    const heard = this.#nodes.get(binding)?.heard ?? new Map<string, Stop>();
+    if (node) this.#listenTo(binding, node);
+    this.#showStates(binding);
+  }
+
+  #listenTo(binding: Binding, node: PhysicsNode): void {
+    const heard: Heard = this.#nodes.get(binding) ?? { from: binding, node, stops: new Map() };
     for (const type of nodeEvents(binding.type.name))
-      toggle(heard, type, wanted(binding, type), () => this.#subscribe(binding, node, type));
-    if (heard.size > 0) this.#nodes.set(binding, { node, heard });
+      toggle(heard.stops, type, wanted(binding, type), () => this.#subscribe(heard, type));
+    if (heard.stops.size > 0) this.#nodes.set(binding, heard);
     else this.#nodes.delete(binding);
-    if (!heard.has('collisionstart')) this.#forgetTouching(binding);
   }
 
-  #subscribe(binding: Binding, node: PhysicsNode, type: string): Stop {
-    if (type === 'sleep') setState(binding.element, 'sleeping', !!(node as Sleeper).sleeping);
-    return node.on(type, (detail) => this.#nodeEvent(binding, type, detail as object));
+  /** Its node went, and may still have to tell of it: from where it stood. */
+  #letGo(binding: Binding): void {
+    const known = this.#nodes.get(binding);
+    if (!known || known.node === binding.node) return;
+    const { element, name, scope, leftFrom } = binding;
+    known.from = { element, name, scope, leftFrom, node: known.node };
+    this.#nodes.delete(binding);
   }
 
-  #nodeEvent(binding: Binding, type: string, detail: object): void {
-    if (type === 'sleep' || type === 'wake')
-      setState(binding.element, 'sleeping', type === 'sleep');
-    else if (COLLISIONS.includes(type)) this.#noteTouching(binding, type, detail);
-    if (isHeard(binding, type)) this.#fireAt(binding, type, inElements(detail));
+  #subscribe(heard: Heard, type: string): Stop {
+    return heard.node.on(type, (detail) => {
+      // Another listener may have taken it out of the page a moment ago: what it was taken out of hears it, too.
+      if (!placeOf(heard.from).isConnected) this.#scene.observed.takeRecords();
+      this.#showStates(ownBinding(heard.from.element)!);
+      if (isHeard(heard.from, type)) this.#fireAt(heard.from, type, inElements(detail as object));
+    });
   }
 
-  #noteTouching(binding: Binding, type: string, detail: { other?: unknown }): void {
-    const others = this.#touching.get(binding) ?? new Set();
-    this.#touching.set(binding, others);
-    if (type === 'collisionstart') others.add(detail.other);
-    else others.delete(detail.other);
-    setState(binding.element, 'colliding', others.size > 0);
-  }
-
-  #forgetTouching(binding: Binding): void {
-    if (this.#touching.delete(binding)) setState(binding.element, 'colliding', false);
+  /** They show what is, and not what is told: that may have passed. */
+  #showStates(binding: Binding): void {
+    const { element } = binding;
+    const { node, stops } = this.#nodes.get(binding) ?? {};
+    setState(element, 'sleeping', !!stops?.has('sleep') && !!(node as Sleeper).sleeping);
+    setState(element, 'colliding', !!stops?.has('collisionstart') && !!node?.colliding);
   }
 
   /** Somebody began or ceased to listen at `target`. */
@@ -123,15 +120,11 @@ export class Events {
   }
 
   /** What has left the page is heard by its own listeners, and by those around its last place. */
-  #fireAt(binding: Binding, type: string, detail: object): boolean {
-    const { element, leftFrom } = binding;
-    const place = placeOf(binding);
-    const allowed = this.#fire(
-      place,
-      type,
-      place === element ? detail : withNames(binding, detail),
-    );
-    if (leftFrom) this.#fire(leftFrom, type, withNames(binding, detail));
+  #fireAt(from: Sender, type: string, detail: object): boolean {
+    const { element, leftFrom } = from;
+    const place = placeOf(from);
+    const allowed = this.#fire(place, type, place === element ? detail : withNames(from, detail));
+    if (leftFrom) this.#fire(leftFrom, type, withNames(from, detail));
     return allowed;
   }
 
@@ -163,7 +156,8 @@ export class Events {
       for (const collection of world.collections) setState(collection.element, 'problem', true);
       return this.#atCollections(world, 'physicsproblem', problem);
     }
-    setState(element, 'problem', true);
+    // It may be settled by now.
+    setState(element, 'problem', world.problemsOf(element).length > 0);
     const binding = ownBinding(element);
     if (binding) this.#fireAt(binding, 'physicsproblem', problem);
     else this.#fire(element, 'physicsproblem', problem);
@@ -174,24 +168,35 @@ interface Sleeper {
   sleeping?: boolean;
 }
 
+/** Whose events fire, and where it stands or stood. */
+type Sender = Pick<Binding, 'element' | 'name' | 'scope' | 'leftFrom' | 'node'>;
+
+/** What of a node is listened to. */
+interface Heard {
+  /** Its binding; where it stood, once that has another node or none. */
+  from: Sender;
+  readonly node: PhysicsNode;
+  readonly stops: Map<string, Stop>;
+}
+
 /** Where events of a node fire. */
-const placeOf = (binding: Binding): Element => binding.scope?.pageHost ?? binding.element;
+const placeOf = ({ scope, element }: Sender): Element => scope?.pageHost ?? element;
 
 /** There, or where that was taken out of. */
-function isHeard(binding: Binding, type: string): boolean {
-  const { leftFrom } = binding;
+function isHeard(from: Sender, type: string): boolean {
+  const { leftFrom } = from;
   return (
-    listening.heard(placeOf(binding), type) ||
+    listening.heard(placeOf(from), type) ||
     (leftFrom !== undefined && listening.heard(leftFrom, type))
   );
 }
 
 /** Where it does not fire at its own element it says whose it is. */
-const withNames = (binding: Binding, detail: object): object => ({
+const withNames = ({ node, name, element }: Sender, detail: object): object => ({
   ...detail,
-  node: binding.node,
-  def: binding.name,
-  element: binding.element,
+  node,
+  def: name,
+  element,
 });
 
 /**

@@ -189,10 +189,21 @@ export class Scene implements Driven {
     for (const scope of this.scopes) yield* bindingsIn(scope);
   }
 
-  /** Everything seen so far, brought to the core. */
+  /** Everything seen so far, brought to the core. What that brings about is told when all of it is there. */
   drain(): void {
     this.observed.takeRecords();
-    this.updates.run();
+    if (this.updates.pending) this.#asWhole(() => this.updates.run());
+    else this.updates.run();
+  }
+
+  #asWhole(work: () => void): void {
+    const worlds = [...this.worlds.all];
+    for (const { events } of worlds) events.hold();
+    try {
+      work();
+    } finally {
+      for (const { events } of worlds) events.release();
+    }
   }
 
   /** The document is read: nodes are made, and later changes are followed. */
@@ -206,8 +217,10 @@ export class Scene implements Driven {
   destroy(): void {
     this.live = false;
     for (const scope of [...this.scopes]) this.removeScope(scope);
-    this.updates.dropAll();
-    this.worlds.destroy();
+    this.#asWhole(() => {
+      this.updates.dropAll();
+      this.worlds.destroy();
+    });
     this.draggables.destroy();
     this.#view?.disconnect();
     loop.delete(this);

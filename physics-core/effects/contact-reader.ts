@@ -19,6 +19,14 @@ const TOUCHING = 0.0005;
 
 type Visit = (pointer: number, a: BodyNode, b: BodyNode) => void;
 
+/** What of its collisions is listened to. */
+const heardBy = (node: PhysicsNode): string | undefined =>
+  node.heard('collisionstart')
+    ? 'collisionstart'
+    : node.heard('collisionend')
+      ? 'collisionend'
+      : undefined;
+
 /** Reads what touches after each step, for CollisionSensors and for listeners to collisions of bodies. */
 export class ContactReader extends Effect {
   readonly name = 'contact reading';
@@ -27,6 +35,8 @@ export class ContactReader extends Effect {
   readonly #sensors = new Set<CollisionSensorNode>();
   /** Whether anybody listens to collisions at all. */
   #listening = false;
+  /** Somebody ceased to listen: the next step finds out whether another does. */
+  #ceased = false;
   #readPoint: ContactPoint | undefined;
 
   constructor(world: World) {
@@ -41,14 +51,21 @@ export class ContactReader extends Effect {
 
   // ---- who needs it -----------------------------------------------------------------------------------------------
 
-  /** Somebody began or ceased to listen to a body, or to a collidable without one. */
+  /**
+   * Somebody began or ceased to listen to a body, or to a collidable without one. Frameworks cease and begin again with
+   * each rendering: a touch goes on meanwhile.
+   */
   update(node: PhysicsNode): void {
-    const event = ['collisionstart', 'collisionend'].find((name) => node.heard(name));
-    if (event && !node.removed) {
-      this.need(node, event);
-      return;
-    }
-    super.drop(node);
+    const event = heardBy(node);
+    if (event && !node.removed) this.need(node, event);
+    else this.#ceased = true;
+  }
+
+  override beforeStep(): void {
+    if (!this.#ceased) return;
+    this.#ceased = false;
+    for (const node of this.causes as Iterable<PhysicsNode>)
+      if (!(node instanceof CollisionSensorNode) && !heardBy(node)) super.drop(node);
     this.#sortCauses();
   }
 
@@ -80,14 +97,9 @@ export class ContactReader extends Effect {
     if (!this.#listening) this.#touches.forget();
   }
 
-  #listensTo(body: BodyNode): boolean {
-    const node = body.standsFor;
-    return node.heard('collisionstart') || node.heard('collisionend');
-  }
-
-  /** Whether the body touches another; known while somebody listens to its collisions. */
-  colliding(body: BodyNode): boolean {
-    return this.#touches.touching(body);
+  /** Whether the node touches another; known while somebody listens to its collisions. */
+  colliding(node: PhysicsNode): boolean {
+    return this.#touches.touching(node);
   }
 
   /** The body is no longer in the world. */
@@ -97,7 +109,6 @@ export class ContactReader extends Effect {
 
   /** The world begins anew, or ends. */
   reset(reason: 'reset' | 'removed' = 'reset'): void {
-    this.#world.registry.given.forget();
     this.#touches.endAll(reason, this.#world.time);
   }
 
@@ -109,14 +120,14 @@ export class ContactReader extends Effect {
     this.#touches.begin();
     for (const sensor of this.#sensors) sensor.beginSensing();
     eachContactPoint(this.#world, this.#read);
-    for (const sensor of [...this.#sensors]) sensor.finishSensing();
+    for (const sensor of this.#sensors) sensor.finishSensing();
     this.#touches.finish(this.#world.time);
   }
 
   readonly #read: Visit = (pointer, a, b) => {
     const point = this.#point.at(pointer, a.pointer, b.pointer);
     const { distance } = point;
-    if (this.#listening && (this.#listensTo(a) || this.#listensTo(b)))
+    if (this.#listening && (heardBy(a.standsFor) || heardBy(b.standsFor)))
       this.#touches.note(a, b, distance, point.get(POINT.impulse));
     if (distance > TOUCHING) return;
     for (const sensor of this.#sensors) this.#sense(sensor, pointer, a, b);

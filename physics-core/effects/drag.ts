@@ -1,3 +1,4 @@
+import { Emitter } from '../emitter.js';
 import type { Vec3 } from '../fields/types.js';
 import { add, compose, invert, length, scale, subtract, type Pose } from '../math.js';
 import type { BodyNode } from '../nodes/body.js';
@@ -33,7 +34,7 @@ export class Drag {
   #from!: Pose;
   #point!: Vec3;
   #moments: [before: Moment, last: Moment] | undefined;
-  readonly #onend: Ended;
+  readonly #emitter = new Emitter();
   #over = false;
   /** What its end leaves the body with, before anybody hears of it. */
   #leave = (): void => {};
@@ -43,7 +44,7 @@ export class Drag {
     this.#start = body.pose();
     this.target = [...point];
     this.spring = new DragSpring(body, compose(invert(body.pose()), at(point)).p);
-    this.#onend = onend;
+    this.#emitter.on('end', (reason) => onend(reason as DragEnd));
     this.engage();
   }
 
@@ -72,7 +73,15 @@ export class Drag {
 
   /** The grabbed point is to be here, world frame, metres. */
   move(point: Vec3): void {
-    if (this.#over) return;
+    this.#whole(() => this.#move(point));
+  }
+
+  /** What a call brings about is told when it is over. */
+  #whole(call: () => void): void {
+    if (!this.#over) this.body.world.events.during(call);
+  }
+
+  #move(point: Vec3): void {
     const { registry } = this.body.world;
     if (!registry.dragging.holds(this)) return registry.dragging.release(this, 'disabled');
     this.target = [...point];
@@ -93,7 +102,10 @@ export class Drag {
 
   /** Lets go. `still`: at rest, whatever it was doing. */
   end(still = false): void {
-    if (this.#over) return;
+    this.#whole(() => this.#end(still));
+  }
+
+  #end(still: boolean): void {
     const velocity = this.mode === 'kinematic' && !still ? this.#thrown() : REST;
     if (still || this.mode !== 'spring') this.#leave = () => this.#goOn(velocity);
     this.body.world.registry.dragging.release(this, 'released');
@@ -101,7 +113,10 @@ export class Drag {
 
   /** Lets go; what was not moved by a spring returns to where it was grabbed. */
   cancel(): void {
-    if (this.#over) return;
+    this.#whole(() => this.#cancel());
+  }
+
+  #cancel(): void {
     if (this.mode !== 'spring' && this.body.active)
       this.#leave = () => {
         this.body.moveTo(this.#start);
@@ -130,7 +145,7 @@ export class Drag {
     this.#over = true;
     this.body.hold(false);
     this.#leave();
-    this.#onend(reason);
+    this.body.world.events.tell(this.#emitter, 'end', reason);
   }
 }
 

@@ -66,6 +66,12 @@ export class GivenContacts extends Effect {
     this.#reported.clear();
   }
 
+  /** The world begins anew: lists were meant for the step that would have come. */
+  reset(): void {
+    this.forget();
+    if (this.active) this.#letGo();
+  }
+
   give(collection: CollectionNode, list: ContactNode[]): void {
     this.#lists.set(collection, list);
     this.need(collection, 'set_contacts');
@@ -123,8 +129,16 @@ export class GivenContacts extends Effect {
     else this.#said.set(key, [said]);
   }
 
-  override afterStep(): void {
+  /** Before bodies are read: one that is taken out of the world takes its points with it. */
+  override settle(): void {
     this.#restore();
+  }
+
+  override afterStep(): void {
+    this.#letGo();
+  }
+
+  #letGo(): void {
     this.#said.clear();
     for (const collection of [...this.#lists.keys()]) this.drop(collection);
     this.#world.registry.surface.demandGiven(NO_DEMANDS);

@@ -37,7 +37,6 @@ export interface EffectReport {
 
 /** The effects of one world. Those without a cause are never called. */
 export class EffectRegistry {
-  readonly #world: World;
   readonly forces: AuthoredForces;
   readonly damping: AxisDamping;
   readonly flight: Flight;
@@ -64,7 +63,6 @@ export class EffectRegistry {
   readonly all: readonly Effect[];
 
   constructor(world: World) {
-    this.#world = world;
     this.forces = new AuthoredForces(world);
     this.damping = new AxisDamping(world);
     this.flight = new Flight(world);
@@ -110,20 +108,16 @@ export class EffectRegistry {
     ];
   }
 
-  /** A listener may reset the world: what comes then is none of the new one's. */
   beforeStep(dt: number): void {
-    const { bullet } = this.#world;
-    for (const effect of this.all) if (this.#world.bullet === bullet) run(effect, 'beforeStep', dt);
+    for (const effect of this.all) run(effect, 'beforeStep', dt);
   }
 
   settle(dt: number): void {
     for (const effect of this.all) run(effect, 'settle', dt);
   }
 
-  /** The same. */
   afterStep(dt: number): void {
-    const { bullet } = this.#world;
-    for (const effect of this.all) if (this.#world.bullet === bullet) run(effect, 'afterStep', dt);
+    for (const effect of this.all) run(effect, 'afterStep', dt);
     for (const effect of this.all) if (effect.active) effect.noteCost();
   }
 

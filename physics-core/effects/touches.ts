@@ -78,25 +78,20 @@ export class Touches {
     touch.impulse += impulse;
   }
 
-  /** The pass is over: tells what began and what ended in it. Listeners may remove bodies meanwhile. */
+  /** The pass is over: tells what began and what ended in it. */
   finish(time: number): void {
-    let news: Touch[] | undefined;
     for (const [key, touch] of this.#touches) {
       const gone = touch.pass < this.#pass - UNSEEN;
-      if (gone || (touch.begun && touch.nearest > END)) this.#touches.delete(key);
-      if (touch.begun ? gone || touch.nearest > END : !gone && touch.nearest <= BEGIN)
-        (news ??= []).push(touch);
-    }
-    if (!news) return;
-    for (const touch of news) {
-      if (touch.begun) this.#end(touch, 'separated', time);
-      else if (this.#touches.get(keyOf(touch.a, touch.b)) === touch) this.#start(touch, time);
+      const over = gone || (touch.begun && touch.nearest > END);
+      if (over) this.#touches.delete(key);
+      if (over && touch.begun) this.#end(touch, 'separated', time);
+      if (!over && !touch.begun && touch.nearest <= BEGIN) this.#start(touch, time);
     }
   }
 
-  touching(body: BodyNode): boolean {
+  touching(node: PhysicsNode): boolean {
     for (const { a, b, begun } of this.#touches.values())
-      if (begun && (a === body || b === body)) return true;
+      if (begun && (a.standsFor === node || b.standsFor === node)) return true;
     return false;
   }
 
@@ -115,35 +110,32 @@ export class Touches {
   }
 
   endAll(reason: CollisionEnd, time: number): void {
-    const all = [...this.#touches.values()];
+    for (const touch of this.#touches.values()) if (touch.begun) this.#end(touch, reason, time);
     this.#touches.clear();
-    for (const touch of all) if (touch.begun) this.#end(touch, reason, time);
   }
 
   #start(touch: Touch, time: number): void {
     touch.begun = true;
     const { impulse } = touch;
-    this.#tell('collisionstart', touch, (contacts) => ({ impulse, contacts, time }));
+    eachSide(touch, (body, node, other) => {
+      const contacts = node.heard('collisionstart') ? this.#pointsOf(touch, body) : [];
+      node.emit('collisionstart', { other, impulse, contacts, time } satisfies Collision);
+    });
   }
 
   #end(touch: Touch, reason: CollisionEnd, time: number): void {
-    this.#tell('collisionend', touch, () => ({ impulse: 0, contacts: [], time, reason }));
+    eachSide(touch, (_, node, other) => {
+      const detail: Collision = { other, impulse: 0, contacts: [], time, reason };
+      node.emit('collisionend', detail);
+    });
   }
+}
 
-  #tell(
-    event: 'collisionstart' | 'collisionend',
-    touch: Touch,
-    detail: (contacts: TouchPoint[]) => Omit<Collision, 'other'>,
-  ): void {
-    const { a, b } = touch;
-    for (const [body, other] of [
-      [a, b],
-      [b, a],
-    ] as const) {
-      if (!body.standsFor.heard(event)) continue;
-      const contacts = event === 'collisionstart' ? this.#pointsOf(touch, body) : [];
-      const told: Collision = { other: other.standsFor, ...detail(contacts) };
-      body.standsFor.emit(event, told);
-    }
-  }
+/** Both are told, each of the other. */
+function eachSide(
+  { a, b }: Touch,
+  tell: (body: BodyNode, node: PhysicsNode, other: PhysicsNode) => void,
+): void {
+  tell(a, a.standsFor, b.standsFor);
+  tell(b, b.standsFor, a.standsFor);
 }

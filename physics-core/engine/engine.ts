@@ -66,7 +66,9 @@ let loading: Promise<Engine> | undefined;
 
 /** One engine per page, worker or process. A failed load may be tried again. */
 export function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  loading ??= makeEngine(options);
+  if (loading) return loading;
+  loading = makeEngine(options);
+  // Once, and before anybody else hears of it: who then tries again is not to lose that load.
   loading.catch(() => (loading = undefined));
   return loading;
 }

@@ -74,9 +74,11 @@ export abstract class HeldNode extends MovingNode {
    * held: not simulated, fixed and held by a spring, or held already by another mode.
    */
   drag(point: Vec3, onend: (reason: DragEnd) => void = () => {}): Drag | undefined {
-    this.world.flush();
-    const at = this.argument<Vec3>('drag', 'SFVec3f', point);
-    return at && this.world.registry.dragging.grab(this as unknown as BodyNode, at, onend);
+    return this.world.events.during(() => {
+      this.world.flush();
+      const at = this.argument<Vec3>('drag', 'SFVec3f', point);
+      return at && this.world.registry.dragging.grab(this as unknown as BodyNode, at, onend);
+    });
   }
 
   /** Half the diagonal of the box around it, metres. */

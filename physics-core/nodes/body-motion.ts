@@ -103,6 +103,10 @@ export abstract class MovingNode extends PhysicsNode {
 
   /** Jumps to a pose; velocities stay. World frame, metres, axis and angle. */
   teleport(position: Vec3, orientation?: Rotation): void {
+    this.world.events.during(() => this.#teleport(position, orientation));
+  }
+
+  #teleport(position: Vec3, orientation?: Rotation): void {
     this.world.flush();
     const p = this.argument<Vec3>('teleport', 'SFVec3f', position);
     const turned = orientation === undefined ? rotationOf(this.pose().q) : orientation;
@@ -192,32 +196,37 @@ export abstract class MovingNode extends PhysicsNode {
 
   /** Newtons in the world frame for the next timeStep, at a world point or the centre of mass. */
   applyForce(force: Vec3, at?: Vec3): void {
-    const load = this.#load('applyForce', force, at);
-    if (load) this.world.push(this, ...load);
+    this.#apply('applyForce', force, at, (f, moment) => this.world.push(this, f, moment));
   }
 
   /** Newton metres in the world frame for the next timeStep. */
   applyTorque(torque: Vec3): void {
-    const load = this.#load('applyTorque', torque);
-    if (load) this.world.push(this, [0, 0, 0], load[0]);
+    this.#apply('applyTorque', torque, undefined, (t) => this.world.push(this, [0, 0, 0], t));
   }
 
   /** Newton seconds at once, at a world point or the centre of mass. */
   applyImpulse(impulse: Vec3, at?: Vec3): void {
-    const load = this.#load('applyImpulse', impulse, at);
-    if (!load) return;
-    const { scratch } = this.world.engine;
-    this.body.applyCentralImpulse(scratch.vector(...load[0]));
-    this.body.applyTorqueImpulse(scratch.vector(...load[1]));
-    this.world.bodies.readVelocity(this);
+    this.#apply('applyImpulse', impulse, at, (j, moment) => {
+      const { scratch } = this.world.engine;
+      this.body.applyCentralImpulse(scratch.vector(...j));
+      this.body.applyTorqueImpulse(scratch.vector(...moment));
+      this.world.bodies.readVelocity(this);
+    });
   }
 
-  /** A force or impulse and its moment about the centre of mass; undefined where it can't act. */
-  #load(method: string, value: Vec3, at?: Vec3): [Vec3, Vec3] | undefined {
-    const force = this.argument<Vec3>(method, 'SFVec3f', value);
-    const point = at === undefined ? undefined : this.argument<Vec3>(method, 'SFVec3f', at);
-    if (!force || (at !== undefined && !point) || !this.#pushable()) return undefined;
-    return [force, point ? cross(subtract(point, this.centerOfMassWorld()), force) : [0, 0, 0]];
+  /** Hands `act` a force or impulse and its moment about the centre of mass, where it can act. */
+  #apply(
+    method: string,
+    value: Vec3,
+    at: Vec3 | undefined,
+    act: (force: Vec3, moment: Vec3) => void,
+  ): void {
+    this.world.events.during(() => {
+      const force = this.argument<Vec3>(method, 'SFVec3f', value);
+      const point = at === undefined ? undefined : this.argument<Vec3>(method, 'SFVec3f', at);
+      if (!force || (at !== undefined && !point) || !this.#pushable()) return;
+      act(force, point ? cross(subtract(point, this.centerOfMassWorld()), force) : [0, 0, 0]);
+    });
   }
 
   #pushable(): boolean {

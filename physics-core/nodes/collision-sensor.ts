@@ -67,10 +67,11 @@ export class CollisionSensorNode extends PhysicsNode {
     if (changed) this.emit('isActive', active);
   }
 
+  /** Of a world that begins anew: what it said of the old one holds no longer. */
   protected override destroy(): void {
     this.world.registry.dropAll(this);
-    this.#touching.clear();
-    this.#silence();
+    this.beginSensing();
+    this.finishSensing();
   }
 }
 

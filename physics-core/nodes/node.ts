@@ -100,11 +100,15 @@ export class PhysicsNode {
 
   /** Asks for a value. Equal to the one last asked for: nothing happens. `text`: how the author wrote it. */
   set(spelling: string, value: unknown, text: unknown = value): void {
+    this.world.events.during(() => this.#set(spelling, value, text));
+  }
+
+  #set(spelling: string, value: unknown, text: unknown): void {
     const name = fieldName(this.type, spelling);
     const field = writable(this, name);
     if (!field) return;
     if (field.access === 'inputOnly') {
-      this.event(name, value);
+      this.#event(name, value);
       return;
     }
     const accepted = accept(this, name, field, value, text);
@@ -127,6 +131,10 @@ export class PhysicsNode {
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
   event(spelling: string, value: unknown): void {
+    this.world.events.during(() => this.#event(spelling, value));
+  }
+
+  #event(spelling: string, value: unknown): void {
     const name = fieldName(this.type, spelling);
     const field = writable(this, name);
     if (!field) return;
@@ -243,7 +251,10 @@ export class PhysicsNode {
 
   /** Takes the node out of its world for good. */
   remove(): void {
-    if (this.removed) return;
+    if (!this.removed) this.world.events.during(() => this.#remove());
+  }
+
+  #remove(): void {
     this.removed = true;
     this.unmake();
     this.children.remove();
@@ -286,8 +297,14 @@ export class PhysicsNode {
     return this.#emitter.events;
   }
 
+  /** Tells those who listen, as soon as what is under way is over. */
   emit(event: string, detail: unknown): void {
-    this.#emitter.emit(event, detail);
+    this.world.events.tell(this.#emitter, event, detail);
+  }
+
+  /** Whether it touches another; known while somebody listens to its collisions. */
+  get colliding(): boolean {
+    return this.world.registry.contacts.colliding(this);
   }
 
   report(report: ProblemReport): void {

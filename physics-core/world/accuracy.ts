@@ -78,9 +78,12 @@ export class Accuracy {
     const { settings } = this.#world;
     if (levelOf(settings)) return;
     this.#verdict = this.#auto.note(ms, seconds, settings.asked('timeBudget'));
-    if (!this.#verdict) return;
+    if (this.#verdict) this.#world.events.during(this.#carryOut);
+  }
+
+  readonly #carryOut = (): void => {
     this.#world.configure();
     this.tell();
     this.#verdict = undefined;
-  }
+  };
 }

@@ -29,6 +29,10 @@ export abstract class NodeWorld extends Telling {
   /** Adds a node of an X3D type. Field values are X3D's, in SI units; nodes may be given as nodes or plain data. */
   add(type: string, fields: Record<string, unknown> = {}, options: AddOptions = {}): PhysicsNode {
     if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${type}`);
+    return this.events.during(() => this.#add(type, fields, options));
+  }
+
+  #add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode {
     const node = this.make(type, options);
     this.#nodes.add(node);
     if (type === 'RigidBodyCollection') this.#collections.add(node as CollectionNode);

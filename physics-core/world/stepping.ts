@@ -3,10 +3,13 @@ import type { Phase } from '../effects/costs.js';
 import { reportOverlaps } from './overlaps.js';
 import type { World } from './world.js';
 
-/** Wall time that the steps of one frame may take, milliseconds; what is left over is dropped and reported. */
+/**
+ * Wall time that the steps of one frame may take, milliseconds; what is left over is dropped and reported. This, and no
+ * number of steps, bounds the work of a frame: a world that runs ten times as fast does so while the machine keeps up.
+ */
 const FRAME_BUDGET = 50;
 
-/** Seconds dropped before authors are told: the first frames of any page are slow. */
+/** Seconds of the clock dropped before authors are told: the first frames of any page are slow. */
 const MUCH_LOST = 1;
 
 /** How a world passes time: fixed steps, as many as the clock or the caller asks for. */
@@ -15,7 +18,7 @@ export class Stepping {
   readonly #clock = new Clock();
   #paused = false;
   #timeScale = 1;
-  /** Seconds dropped so far. */
+  /** Seconds of the clock dropped so far. */
   #lost = 0;
   /** Steps since the step last changed its length, and the time that was then: sums of steps would round. */
   #steps = 0;
@@ -102,8 +105,18 @@ export class Stepping {
     if (n === Infinity) this.#reportSteps(n, steps);
     this.#zeroCosts();
     world.flush();
-    for (let i = 0; i < steps && world.started; i++) this.#stepOnce();
-    return steps * world.timeStep;
+    return this.#stepTimes(steps);
+  }
+
+  /** Seconds taken: fewer where a listener ends the world. Added up step by step they would round. */
+  #stepTimes(n: number): number {
+    let [seconds, count, length] = [0, 0, 0];
+    for (let i = 0; i < n && this.#world.started; i++) {
+      const taken = this.#stepOnce();
+      if (taken !== length) [seconds, count, length] = [seconds + count * length, 0, taken];
+      count++;
+    }
+    return seconds + count * length;
   }
 
   #reportSteps(asked: number, used: number): void {
@@ -137,25 +150,52 @@ export class Stepping {
     this.#world.registry.costs.frameOver(this.ms);
   }
 
-  #stepOnce(): void {
+  /** A step and what is told of it; the order stands in event-queue.ts. Seconds it took: none where the world ended. */
+  #stepOnce(): number {
+    const world = this.#world;
     this.#stepping = true;
     try {
-      this.#event('beforestep');
-      if (this.#world.started) this.#stepAwake();
-      this.#event('afterstep');
+      this.#tell('beforestep');
+      if (!world.started) return 0;
+      const { bullet } = world;
+      const seconds = this.#stepHeld();
+      if (world.started && world.bullet === bullet) this.#tell('afterstep');
+      return seconds;
     } finally {
       this.#stepping = false;
     }
   }
 
+  /** Meanwhile nobody hears of it. */
+  #stepHeld(): number {
+    this.#world.events.hold();
+    try {
+      return this.#stepAwake();
+    } finally {
+      this.#release();
+    }
+  }
+
+  #release(): void {
+    const { events } = this.#world;
+    if (!events.waiting) return events.release();
+    const start = performance.now();
+    events.release();
+    // A listener of something else may have asked for the step.
+    events.deliver();
+    this.#spent('events', start);
+  }
+
   /** Where nothing is awake, only time goes on. */
-  #stepAwake(): void {
+  #stepAwake(): number {
     const { bodies, poses } = this.#world;
     this.#world.flush();
+    const { timeStep } = this.#world;
     if (bodies.awake > 0 || bodies.countAwake() > 0) {
       poses.shift();
       this.#stepBullet();
     } else this.#steps++;
+    return timeStep;
   }
 
   #stepBullet(): void {
@@ -163,12 +203,10 @@ export class Stepping {
     const { registry, timeStep, engine, bullet, bodies } = this.#world;
     engine.forgetFound(bullet.bullet);
     registry.beforeStep(timeStep);
-    // A listener may have reset the world: this step is none of the new one's.
-    if (this.#world.bullet !== bullet) return;
     // It writes into the heap, which only a known layout allows.
     engine.contacts.listen(bullet.bullet, engine.heapTrusted ? registry.processor : null);
     bullet.step(timeStep);
-    // What is told of the step is told with the time at its end; a listener may reset it.
+    // What is told of the step is told with the time at its end.
     this.#steps++;
     this.done++;
     this.#last = timeStep;
@@ -179,17 +217,18 @@ export class Stepping {
     const stepped = performance.now();
     bodies.read();
     const read = this.#spent('read', stepped);
-    if (this.#world.bullet === bullet) registry.afterStep(timeStep);
+    registry.afterStep(timeStep);
     this.#spent('step', start);
     // That one lies within it.
     this.ms.step -= read;
   }
 
-  #event(name: 'beforestep' | 'afterstep'): void {
+  #tell(name: 'beforestep' | 'afterstep'): void {
     const world = this.#world;
     if (!world.heard(name)) return;
     const start = performance.now();
     world.emit(name, { time: this.time, timeStep: world.timeStep });
+    world.events.deliver();
     this.#spent('events', start);
   }
 
@@ -197,35 +236,42 @@ export class Stepping {
 
   frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
-    if (!world.started) return false;
+    if (!world.started || this.#stepping) return this.needsFrame;
     const { step, read, events, write } = this.ms;
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#zeroCosts();
     world.flush();
     if (seen && this.#moving) world.control.noteFrame(step + read + events + write, seconds);
-    if (this.running) this.#run(seconds * this.#timeScale);
+    if (this.running) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#last);
     world.poses.interpolate(this.#moving ? fraction : 1);
     return this.needsFrame;
   }
 
   #run(seconds: number): void {
-    const { timeStep } = this.#world;
-    const { steps, dropped } = this.#clock.advance(seconds, timeStep);
+    const scale = this.#timeScale;
+    let lost = this.#clock.add(seconds, scale);
     const start = performance.now();
-    let done = 0;
-    while (done < steps && (done === 0 || performance.now() - start < FRAME_BUDGET)) {
+    let first = true;
+    while (this.#stepIsDue(first, start)) {
       this.#stepOnce();
-      done++;
+      first = false;
     }
-    const lost = dropped + (steps - done) * timeStep;
-    if (lost > 0) this.#lag(lost);
+    const left = this.#clock.drop(this.#world.timeStep);
+    // Where a listener stopped the world, the rest of the frame is not missed.
+    if (this.running) lost += left;
+    if (lost > 0) this.#lag(lost, scale);
     this.#world.heapLimit.watch();
   }
 
-  #lag(seconds: number): void {
+  #stepIsDue(first: boolean, start: number): boolean {
+    if (!this.running || !(first || performance.now() - start < FRAME_BUDGET)) return false;
+    return this.#clock.take(this.#world.timeStep);
+  }
+
+  #lag(seconds: number, scale: number): void {
     this.#world.emit('lag', { dropped: seconds, time: this.time });
-    this.#lost += seconds;
+    this.#lost += seconds / scale;
     if (this.#lost < MUCH_LOST) return;
     this.#world.report({
       code: 'lag',

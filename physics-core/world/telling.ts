@@ -1,4 +1,5 @@
 import { Emitter, type Listener } from '../emitter.js';
+import { EventQueue } from '../event-queue.js';
 import { PhysicsNode } from '../nodes/node.js';
 import { ProblemLog, type Problem, type ProblemReport } from '../problems.js';
 
@@ -6,10 +7,12 @@ import { ProblemLog, type Problem, type ProblemReport } from '../problems.js';
 export abstract class Telling {
   readonly #problems: ProblemLog;
   readonly #emitter = new Emitter();
+  /** Its own events and those of its nodes, on their way to listeners. */
+  readonly events = new EventQueue();
 
   constructor(logToConsole: boolean) {
     this.#problems = new ProblemLog(logToConsole);
-    this.#problems.onreport = (problem) => this.#emitter.emit('problem', problem);
+    this.#problems.onreport = (problem) => this.emit('problem', problem);
   }
 
   get problems(): Problem[] {
@@ -37,6 +40,6 @@ export abstract class Telling {
   }
 
   emit(event: string, detail: unknown): void {
-    this.#emitter.emit(event, detail);
+    this.events.tell(this.#emitter, event, detail);
   }
 }

@@ -62,11 +62,14 @@ export class World extends NodeWorld {
 
   /** Applies pending edits. */
   flush(): void {
-    if (!this.started) return;
+    if (this.started) this.events.during(this.#applyAll);
+  }
+
+  readonly #applyAll = (): void => {
     do this.edits.applyAll(this.#apply);
     while (this.obstacles.update());
     this.control.tell();
-  }
+  };
 
   readonly #apply = (node: PhysicsNode): void => {
     try {
@@ -83,11 +86,13 @@ export class World extends NodeWorld {
   start(engine: Engine): void {
     if (this.started) return;
     this.engine = engine;
-    this.#build();
-    this.flush();
-    this.#settleReady.resolve(this);
-    this.emit('ready', this);
-    this.work();
+    this.events.during(() => {
+      this.#build();
+      this.flush();
+      this.#settleReady.resolve(this);
+      this.emit('ready', this);
+      this.work();
+    });
   }
 
   /** The same in pieces, unheard: each `next` makes one node, so that nobody need be held up. */
@@ -125,15 +130,17 @@ export class World extends NodeWorld {
   reset(): void {
     if (!this.started) return;
     this.flush();
-    const tellWoken = this.bodies.sleepers();
-    this.rebuild(() => {
-      this.stepping.setTime(0);
-      this.registry.resting.sinceLook = 0;
-      this.control.begin();
-      for (const node of this.nodes) node.forgetEvents();
+    this.events.anew(() => {
+      const tellWoken = this.bodies.sleepers();
+      this.rebuild(() => {
+        this.stepping.setTime(0);
+        this.registry.resting.sinceLook = 0;
+        this.control.begin();
+        for (const node of this.nodes) node.forgetEvents();
+      });
+      tellWoken();
+      this.emit('reset', this);
     });
-    tellWoken();
-    this.emit('reset', this);
   }
 
   /** The state of everything, as plain data: it may be kept, cloned, or sent elsewhere. */
@@ -146,12 +153,13 @@ export class World extends NodeWorld {
    * added since starts from its markup; what was removed since stays away.
    */
   restore(snapshot: Snapshot): void {
-    restoreSnapshot(this, snapshot);
+    this.events.anew(() => restoreSnapshot(this, snapshot));
   }
 
   /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
   rebuild(between: () => void): void {
     this.registry.contacts.reset();
+    this.registry.given.reset();
     this.registry.dragging.reset('reset');
     this.#unbuild();
     between();
@@ -173,12 +181,14 @@ export class World extends NodeWorld {
   }
 
   destroy(): void {
-    if (this.started) {
-      this.registry.contacts.reset('removed');
-      this.registry.dragging.reset('removed');
-      this.#unbuild();
-    }
-    for (const node of [...this.nodes]) node.remove();
+    this.events.anew(() => {
+      if (this.started) {
+        this.registry.contacts.reset('removed');
+        this.registry.dragging.reset('removed');
+        this.#unbuild();
+      }
+      for (const node of [...this.nodes]) node.remove();
+    });
   }
 
   // ---- accuracy ---------------------------------------------------------------------------------------------------
@@ -254,7 +264,7 @@ export class World extends NodeWorld {
 
   /**
    * Advances n steps at once, paused or not; returns the seconds advanced. `step(0)` applies pending edits. Within a
-   * step (a `beforestep` listener) it does nothing.
+   * step (a listener of what it brought about) it does nothing.
    */
   step(n = 1): number {
     return this.stepping.step(n);

@@ -146,6 +146,7 @@ fact('nothing is read where nobody listens, and nothing any more when they cease
   stop[0]!();
   assert.equal(reading(), true);
   stop[1]!();
+  w.step();
   assert.equal(reading(), false);
   ball.on('sleep', () => {});
   assert.equal(reading(), false);

@@ -211,6 +211,31 @@ fact(
   },
 );
 
+fact('points that a list moved are written no more once Bullet has taken them back', async () => {
+  const { w, stones, sensor } = await watched(1);
+  claim(w, 'nan-state');
+  const [stone] = stones as [Body];
+  w.advance(0.2);
+  const contacts = sensor.contacts;
+  for (const contact of contacts) contact.set('position', [0.1, 0.005, 0.1]);
+  w.settings.event('set_contacts', contacts);
+  for (let i = 0; i < 4; i++) stone.applyImpulse([0, -1e38, 0]);
+  const { ammo } = w.engine;
+  const manifolds: number[] = [];
+  w.bullet.eachManifold((manifold) => manifolds.push(ammo.getPointer(manifold)));
+  const read = (): number[] =>
+    manifolds.flatMap((at) => [...ammo.HEAP32.subarray(at >> 2, (at >> 2) + 64)]);
+  const park = stone.park.bind(stone);
+  let taken: number[] | undefined;
+  stone.park = () => {
+    park();
+    taken = read();
+  };
+  w.step();
+  assert.equal(w.bullet.manifoldCount, 0);
+  assert.deepEqual(read(), taken);
+});
+
 // ---- several worlds --------------------------------------------------------------------------------------------------
 
 fact('worlds with different parameters step in turn, each by its own', async () => {

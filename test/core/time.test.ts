@@ -304,6 +304,65 @@ fact('timeScale stretches time, paused stops it; steps asked for act all the sam
   close(w.time, 2, 1e-9, 's');
 });
 
+fact(
+  'at timeScale 10 a world runs ten times as fast, at 60 frames per second and at 20',
+  async () => {
+    for (const rate of [20, 60]) {
+      const w = await world();
+      const ball = addBody(w);
+      w.timeScale = 10;
+      let lag = 0;
+      w.on('lag', () => lag++);
+      for (let i = 0; i < rate / 2; i++) w.frame(1 / rate);
+      close(w.time, 5, 1e-6, 's in half a second');
+      close(height(ball), -4.9 * 25, 0.5, 'm');
+      assert.equal(lag, 0);
+    }
+  },
+);
+
+fact('in slow motion a slow frame loses nothing', async () => {
+  const w = await world();
+  w.timeScale = 0.1;
+  w.frame(0.5);
+  close(w.time, 0.05, 1e-9, 's');
+});
+
+fact(
+  'a machine that does not keep up drops time and takes ever the same work (no spiral)',
+  async () => {
+    const w = await world();
+    claim(w, 'lag');
+    addBody(w);
+    w.step();
+    const { now } = performance;
+    let clock = 0;
+    let steps = 0;
+    w.on('beforestep', () => {
+      clock += 20;
+      steps++;
+    });
+    performance.now = () => clock;
+    w.timeScale = 100;
+    try {
+      let dropped = 0;
+      w.on('lag', (lag) => (dropped += (lag as { dropped: number }).dropped));
+      const start = w.time;
+      for (let i = 0; i < 50; i++) {
+        steps = 0;
+        const before = clock;
+        w.frame(0.1);
+        // 50 ms are over within the third step of 20 ms.
+        assert.equal(steps, 3);
+        assert.equal(clock - before, 60);
+      }
+      close(w.time - start + dropped, 100 * 50 * 0.1, 0.01, 's, taken or dropped');
+    } finally {
+      performance.now = now;
+    }
+  },
+);
+
 // ---- reset -----------------------------------------------------------------------------------------------------------
 
 fact('reset and n steps are the first n steps, bit for bit', async () => {

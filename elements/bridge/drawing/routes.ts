@@ -1,5 +1,6 @@
 import { codecs, type PhysicsNode } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
+import { inPage } from '../nodes/in-page.js';
 import type { PageWorld } from '../nodes/worlds.js';
 import type { PhysicsX3DNode } from '../x3dom/node-types.js';
 import { nodeOf } from '../x3dom/x3dom.js';
@@ -74,7 +75,7 @@ export class Routes {
     if (!source) return;
     for (const name of fields) {
       if (heard.has(name)) continue;
-      const stop = source.on(name, () => node.emit(name, binding.get(name)));
+      const stop = source.on(name, (value) => node.emit(name, inPage(value, binding.units)));
       heard.set(name, { node: source, stop });
       // What it began before.
       const value = binding.get(name);

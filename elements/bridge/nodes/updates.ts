@@ -77,6 +77,12 @@ export class Updates {
     });
   }
 
+  /** Whether the core has yet to hear of anything. */
+  get pending(): boolean {
+    const { size } = this.#queue;
+    return size + this.#left.size + this.#edited.size + this.#arrived.length > 0;
+  }
+
   run(): void {
     if (this.#running || !this.#scene.live) return;
     this.#running = true;

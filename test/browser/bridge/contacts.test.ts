@@ -82,6 +82,7 @@ describe('collisionstart and collisionend', () => {
         expect(details.at(-1)!.reason).to.equal('separated');
         for (const name of ['collisionstart', 'collisionend'])
           target.removeEventListener(name, note);
+        world.step(1);
         expect(reading(world)).to.equal(false);
       });
 
@@ -142,8 +143,74 @@ describe('collisionstart and collisionend', () => {
     expect(explain(ball).touches).to.eql([x3d.querySelector('#floor')]);
     ball.removeEventListener('collisionend', note);
     expect(ball.matches(':state(colliding)')).to.equal(false);
+    world.step(1);
     expect(reading(world)).to.equal(false);
   });
+
+  for (const [spelling, markup] of scene(0.5)) {
+    it(`${spelling} tags: listeners replaced with each rendering hear a lasting contact start once`, async () => {
+      const { x3d, world } = await paused(markup);
+      const ball = x3d.querySelector('#ball')!;
+      let starts = 0;
+      const inline = (): EventListener => () => void starts++;
+      let listener = inline();
+      ball.addEventListener('collisionstart', listener);
+      for (let frame = 0; frame < 60; frame++) {
+        world.step(2);
+        // Between frames in two tasks, or within one.
+        ball.removeEventListener('collisionstart', listener);
+        if (frame % 20 === 0) await wait(0);
+        listener = inline();
+        ball.addEventListener('collisionstart', listener);
+      }
+      expect(starts).to.equal(1);
+      if (spelling === 'custom') expect(ball.matches(':state(colliding)')).to.equal(true);
+    });
+
+    it(`${spelling} tags: a listener that takes a body away within a step is told of its end, and so is what stands around`, async () => {
+      for (const event of ['collisionstart', 'beforestep', 'afterstep']) {
+        const { x3d, world } = await paused(markup);
+        const ball = x3d.querySelector('#ball')!;
+        const around = x3d.querySelector('#c')!;
+        const heard: string[] = [];
+        for (const name of ['collisionstart', 'collisionend'])
+          around.addEventListener(name, ({ type, target, detail }: CustomEventInit & Event) => {
+            const { element = target, reason, other } = detail;
+            const { id } = element as Element;
+            heard.push(`${id} ${type} ${reason ?? ''} ${other.id}`);
+          });
+        if (event !== 'collisionstart') world.advance(0.1);
+        around.addEventListener(event, () => ball.remove());
+        world.advance(0.2);
+        expect(heard, event).to.have.members([
+          'ball collisionstart  floor',
+          'floor collisionstart  ball',
+          'ball collisionend removed floor',
+          'floor collisionend removed ball',
+        ]);
+        x3d.remove();
+      }
+    });
+
+    it(`${spelling} tags: who hears that one of several bodies went finds all of them gone`, async () => {
+      const more = '<x3d-rigid-body id="more" position="3 0.5 0"></x3d-rigid-body>';
+      const [[, custom], [, plain]] = bothSpellings(more) as [[string, string], [string, string]];
+      const end = spelling === 'custom' ? '</x3d-rigid-body-collection>' : '</RigidBodyCollection>';
+      const { x3d, world } = await paused(
+        markup.replace(end, `${spelling === 'custom' ? custom : plain}${end}`),
+      );
+      const bodies: number[] = [];
+      x3d.querySelector('#floor')!.addEventListener('collisionend', () => {
+        world.step(1);
+        bodies.push(world.stats.bodies);
+      });
+      world.advance(0.1);
+      expect(world.stats.bodies).to.equal(3);
+      for (const id of ['ball', 'more']) x3d.querySelector(`#${id}`)!.remove();
+      await wait(0);
+      expect(bodies).to.eql([1]);
+    });
+  }
 
   it('of an Inline fire at the Inline', async () => {
     const x3d = place('<inline id="file" url="/test/pages/settling-crate.x3d"></inline>');
@@ -197,6 +264,32 @@ describe('CollisionSensor', () => {
       }
     });
   }
+});
+
+describe('a ROUTE from a CollisionSensor', () => {
+  for (const [spelling, markup] of scene(
+    0.5,
+    `${SENSOR}<ROUTE fromNode="S" fromField="isActive" toNode="FREE" toField="fixed"></ROUTE>`,
+  ))
+    it(`${spelling} tags: sends each change once, and FALSE where the world begins anew`, async () => {
+      const free = bothSpellings(
+        '<x3d-rigid-body def="FREE" id="free" position="9 9 0"></x3d-rigid-body>',
+      );
+      const [, body] = free.find(([name]) => name === spelling)!;
+      const { x3d, world } = await paused(`${markup}${body}`);
+      const sensor = x3d.querySelector('#sensor')!;
+      const sent: unknown[] = [];
+      sensor.addEventListener('outputchange', (event) => {
+        const { fieldName, value } = event as unknown as { fieldName: string; value: unknown };
+        if (fieldName === 'isActive') sent.push(value);
+      });
+      world.advance(0.2);
+      expect(sent).to.eql([true]);
+      world.reset();
+      expect(sent).to.eql([true, false]);
+      world.advance(0.2);
+      expect(sent).to.eql([true, false, true]);
+    });
 });
 
 describe('set_contacts', () => {
