@@ -66,14 +66,6 @@ export class ContactChains extends Effect {
     this.#newRound();
   }
 
-  /** What went through the points belongs to what listeners hear of them. */
-  override afterStep(): void {
-    for (let i = 0; i < this.#count; i++) {
-      const { point, impulse } = this.#hits[i]!;
-      if (impulse > 0) point.refresh().put(POINT.impulse, point.get(POINT.impulse) + impulse);
-    }
-  }
-
   /** A contact point of this step, called before Bullet solves it. */
   note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
     const { bounce, minBounceSpeed, softness } = parameters;
@@ -229,6 +221,18 @@ export class ContactChains extends Effect {
     engine.pairTest.clear(bullet.bullet);
     this.#until = 0;
     if (struck || anyFast(this.#world, dt)) this.#lookAgain(dt);
+    this.#noteImpulses();
+  }
+
+  /**
+   * What went through the points belongs to what listeners hear of them. It is written before bodies are read: the points
+   * of one that is taken out then, since it has no finite numbers, are freed.
+   */
+  #noteImpulses(): void {
+    for (let i = 0; i < this.#count; i++) {
+      const { point, impulse } = this.#hits[i]!;
+      if (impulse > 0) point.refresh().put(POINT.impulse, point.get(POINT.impulse) + impulse);
+    }
   }
 
   /**

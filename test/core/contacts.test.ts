@@ -236,6 +236,39 @@ fact('points that a list moved are written no more once Bullet has taken them ba
   assert.deepEqual(read(), taken);
 });
 
+fact('what a hit passed on is written into no point that Bullet has taken back', async () => {
+  const w = await world();
+  claim(w, 'nan-state');
+  w.add('CollisionCollection', { collidables: '*', bounce: 0.5 });
+  addFloor(w);
+  const ball = addBody(w, { position: [0, 0.505, 0], linearVelocity: [0, -2, 0] });
+  w.step(1);
+  ball.teleport([0, 0.501, 0]);
+  ball.set('linearVelocity', [0, -3, 0]);
+  const { ammo } = w.engine;
+  let taken: number[] | undefined;
+  const manifolds: number[] = [];
+  const read = (): number[] =>
+    manifolds.flatMap((at) => [...ammo.HEAP32.subarray(at >> 2, (at >> 2) + 256)]);
+  const { bodies } = w;
+  const readBodies = bodies.read.bind(bodies);
+  let pushed = 0;
+  bodies.read = () => {
+    w.bullet.eachManifold((manifold) => {
+      manifolds.push(ammo.getPointer(manifold));
+      for (let i = 0; i < manifold.getNumContacts(); i++)
+        pushed += manifold.getContactPoint(i).getAppliedImpulse();
+    });
+    readBodies();
+    ball.park();
+    taken = read();
+  };
+  w.step();
+  assert.ok(pushed > 0, 'it was hit in that step');
+  assert.equal(w.bullet.manifoldCount, 0);
+  assert.deepEqual(read(), taken);
+});
+
 // ---- several worlds --------------------------------------------------------------------------------------------------
 
 fact('worlds with different parameters step in turn, each by its own', async () => {
