@@ -3,12 +3,18 @@ import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/ammo-module.js';
 import { cssText } from './tools/css-text.js';
-import { copyWasm, minify, typescript, wasmAsBase64 } from './tools/rollup-plugins.js';
+import { copyWasm, minify, typescript, WASM_MODULE, wasmAsText } from './tools/rollup-plugins.js';
 
 const common = {
-  // Node's own modules are only reached by dynamic imports that a page never runs.
-  external: /^node:/,
-  plugins: [typescript(), cssText(), wasmAsBase64(), nodeResolve(), ammoModule(), minify()],
+  // No module of Node either: bundlers for pages could not resolve it.
+  plugins: [
+    typescript(),
+    cssText(),
+    wasmAsText(),
+    nodeResolve({ preferBuiltins: false }),
+    ammoModule(),
+    minify(),
+  ],
   onLog(level, log, handle) {
     // A bundle with an import that nobody can resolve is no bundle.
     if (log.code === 'UNRESOLVED_IMPORT') throw new Error(log.message);
@@ -17,6 +23,9 @@ const common = {
 };
 
 const views = () => globSync('elements/ui/*/view.ts');
+
+/** What only views need lies in their folder, so that it is whole: Ammo's glue is the only other package inside. */
+const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\//.test(id);
 
 /** One build for all modules, so that the page's entry, the core and each element share their chunks. */
 const modules = {
@@ -35,16 +44,17 @@ const modules = {
     dir: 'dist',
     format: 'es',
     sourcemap: true,
-    // Flat beside ammo.wasm: `new URL('./ammo.wasm', import.meta.url)` holds in whichever chunk it lands.
-    chunkFileNames: 'chunk-[name]-[hash].js',
+    // The others flat beside ammo.wasm: `new URL('./ammo.wasm', import.meta.url)` holds in whichever chunk it lands.
+    chunkFileNames: ({ moduleIds }) =>
+      `${moduleIds.every(ofViews) ? 'ui/' : ''}chunk-[name]-[hash].js`,
   },
   plugins: [...common.plugins, copyWasm()],
 };
 
 /** The views of the ui are no part of the classic scripts, which load them from beside themselves. */
-const classic = (input, file) => ({
+const classic = (input, file, ...external) => ({
   ...common,
-  external: [common.external, /\/elements\/ui\/\w+\/view\.ts$/],
+  external: [/\/elements\/ui\/\w+\/view\.ts$/, ...external],
   input,
   output: {
     file,
@@ -57,6 +67,6 @@ const classic = (input, file) => ({
 
 export default [
   modules,
-  classic('elements/classic.ts', 'dist/x3d-physics.classic.js'),
+  classic('elements/classic.ts', 'dist/x3d-physics.classic.js', WASM_MODULE),
   classic('elements/single.ts', 'dist/x3d-physics.single.js'),
 ];

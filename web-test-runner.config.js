@@ -1,5 +1,5 @@
 import { playwrightLauncher } from '@web/test-runner-playwright';
-import { findChromium } from './tools/browsers.js';
+import { CHROMIUM_ARGUMENTS, findChromium } from './tools/browsers.js';
 import { devtoolsCommand } from './tools/devtools-command.js';
 import { config } from './tools/wtr.js';
 
@@ -8,15 +8,7 @@ export default config(
     product: 'chromium',
     launchOptions: {
       executablePath: await findChromium(),
-      args: [
-        // As root, and in containers with a small /dev/shm.
-        '--no-sandbox',
-        '--disable-dev-shm-usage',
-        // WebGL without a graphics card.
-        '--use-gl=angle',
-        '--use-angle=swiftshader',
-        '--enable-unsafe-swiftshader',
-      ],
+      args: CHROMIUM_ARGUMENTS,
     },
   }),
   [devtoolsCommand()],

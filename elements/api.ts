@@ -4,10 +4,12 @@ import { explain, page, type Explanation } from './bridge/index.js';
 /** The world that an element lives in: custom, plain or inlined, also before it has started. */
 export const worldOf = (element: Element | null | undefined) => page.worldOf(element);
 
+export { configure } from '../physics-core/index.js';
 export { explain, type Explanation };
 export type {
   Drag,
   EffectReport,
+  EngineSource,
   Level,
   LevelMeasurement,
   LevelName,

@@ -1,9 +1,11 @@
 import type { DebugLines } from './effects/debug/debug-lines.js';
 import { loadEngine } from './engine/engine.js';
+import type { EngineSource } from './engine/wasm.js';
 import type { WorldOptions } from './world/types.js';
 import { World } from './world/world.js';
 
 export { loadEngine } from './engine/engine.js';
+export { configure, type EngineSource } from './engine/wasm.js';
 export type { Engine } from './engine/engine.js';
 export { bulletHas, touchedBy } from './world/bullet-has.js';
 export { World } from './world/world.js';
@@ -32,10 +34,7 @@ export async function debugLines(world: World): Promise<DebugLines> {
   return new Lines(world);
 }
 
-export interface CreateOptions extends WorldOptions {
-  /** Where ammo.wasm is; by default beside this file. */
-  wasmUrl?: string;
-  wasmBinary?: Uint8Array;
+export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
   [field: string]: unknown;
 }
 

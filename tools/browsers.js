@@ -59,6 +59,15 @@ export function findWebKit() {
 export const canShowWindows = () =>
   process.platform !== 'linux' || !!process.env.DISPLAY || !!onPath('Xvfb');
 
+/** For Chromium as root, in containers with a small /dev/shm, and with WebGL without a graphics card. */
+export const CHROMIUM_ARGUMENTS = [
+  '--no-sandbox',
+  '--disable-dev-shm-usage',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+];
+
 /** Chromium's path. Where there is none: from the distribution, else from Playwright. */
 export async function ensureChromium() {
   const found = await findChromium();

@@ -31,9 +31,18 @@ const sourceUrls = {
   },
 };
 
+/** What only the build of the package makes, for pages that find no ammo.wasm. */
+const NOT_BUILT = ['virtual:*'];
+
 const PLATFORMS = {
   /** Packages stay outside: they are loaded as in any program of Node. */
-  node: { platform: 'node', target: 'node20', packages: 'external', plugins: [sourceUrls] },
+  node: {
+    platform: 'node',
+    target: 'node20',
+    packages: 'external',
+    external: NOT_BUILT,
+    plugins: [sourceUrls],
+  },
   browser: {
     platform: 'browser',
     // What files have in common once for all of them, and what a scene may do without when it is needed.
@@ -43,8 +52,8 @@ const PLATFORMS = {
     // Lit's development build writes to the console.
     conditions: ['production'],
     loader: { '.css': 'text' },
-    // Node's own modules stand in branches that a page never takes; the last ones come from the test server.
-    external: ['node:*', 'fs', 'path', '/__web-dev-server__*'],
+    // The glue asks for Node's own modules in branches that a page never takes; the last ones come from the test server.
+    external: [...NOT_BUILT, 'fs', 'path', '/__web-dev-server__*'],
     plugins: [ammoModule],
   },
 };

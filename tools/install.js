@@ -1,5 +1,5 @@
 import { existsSync, statSync, utimesSync } from 'node:fs';
-import { run } from './processes.js';
+import { npm } from './processes.js';
 
 const INSTALLED = 'node_modules/.package-lock.json';
 const changed = (file) => statSync(file).mtimeMs;
@@ -8,9 +8,7 @@ const changed = (file) => statSync(file).mtimeMs;
 export async function ensurePackages() {
   if (existsSync(INSTALLED) && changed(INSTALLED) >= changed('package-lock.json')) return;
   console.log('Installing packages (npm ci) …');
-  const windows = process.platform === 'win32';
-  const command = windows ? ['cmd', ['/c', 'npm', 'ci']] : ['npm', ['ci']];
-  const { ok } = await run(...command);
+  const { ok } = await npm(['ci']);
   if (!ok) throw new Error('npm ci failed: see above; the npm registry must be reachable.');
   // The lock file may be newer than the packages in it, and we would ask again each time.
   const now = new Date();

@@ -154,7 +154,10 @@ const INDEX = 'dist/types/elements/index.d.ts';
 if (existsSync(INDEX)) {
   writeFileSync('dist/types/elements/properties.d.ts', `export {};\n\n${propertyTypes}\n`);
   appendFileSync(INDEX, "import './properties.js';\n");
-  for (const [name, text] of Object.entries(frameworkTypes(types, uiClasses)))
+  for (const [name, text] of Object.entries(frameworkTypes(types, uiClasses))) {
     writeFileSync(`dist/types/${name}.d.ts`, text);
+    // Programs import them by name, and what they import must be there when they run.
+    writeFileSync(`dist/types/${name}.js`, 'export {};\n');
+  }
 }
 console.log(`${declarations.length} elements in dist/custom-elements.json`);

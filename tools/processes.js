@@ -4,11 +4,12 @@ import { spawn } from 'node:child_process';
  * Runs a command to its end. `quiet` keeps what it says for the answer instead of showing it.
  * A command that takes longer than `timeout` is stopped and counts as failed.
  */
-export function run(command, args, { env, quiet = false, timeout = 20 * 60_000 } = {}) {
+export function run(command, args, { env, cwd, quiet = false, timeout = 20 * 60_000 } = {}) {
   return new Promise((resolve) => {
     const child = spawn(command, args, {
       stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
       env: { ...process.env, ...env },
+      cwd,
     });
     let output = '';
     child.stdout?.on('data', (text) => (output += text));
@@ -28,6 +29,12 @@ export function run(command, args, { env, quiet = false, timeout = 20 * 60_000 }
     child.on('close', (code) => end(code === 0));
   });
 }
+
+/** npm itself: on Windows a script of the command line's. */
+export const npm = (args, options) =>
+  process.platform === 'win32'
+    ? run('cmd', ['/c', 'npm', ...args], options)
+    : run('npm', args, options);
 
 /** Runs a script with the Node that runs us: needs neither the executable bit nor a shell. */
 export const runNode = (args, options) => run(process.execPath, args, options);

@@ -49,16 +49,20 @@ export function minify() {
   };
 }
 
-/** `import base64 from 'virtual:ammo-wasm-base64'`, see types/virtual.d.ts. */
-export function wasmAsBase64() {
-  const NAME = 'virtual:ammo-wasm-base64';
+/** `import wasm from 'virtual:ammo-wasm'`, see types/virtual.d.ts: as text, which any script can hold. */
+export const WASM_MODULE = 'virtual:ammo-wasm';
+/** Its chunk is called so. */
+const WASM_TEXT = 'ammo-wasm-as-text';
+
+export function wasmAsText() {
   return {
-    name: 'wasm-as-base64',
-    resolveId: (source) => (source === NAME ? `\0${NAME}` : null),
+    name: 'wasm-as-text',
+    resolveId: (source) => (source === WASM_MODULE ? WASM_TEXT : null),
     load(id) {
-      if (id !== `\0${NAME}`) return null;
+      if (id !== WASM_TEXT) return null;
       const base64 = readFileSync(AMMO_WASM, 'base64');
-      return { code: `export default '${base64}';`, map: { mappings: '' } };
+      const code = `export default () => Uint8Array.from(atob('${base64}'), (c) => c.charCodeAt(0));`;
+      return { code, map: { mappings: '' } };
     },
   };
 }

@@ -11,7 +11,7 @@ async function main() {
   const args = ['build', '--output-dir', 'storybook-static', '--disable-telemetry', '--quiet'];
   const stories = await runNode([BIN.storybook, ...args], { quiet: true });
   if (!stories.ok) throw new Error(`${stories.output}\nThe stories did not build: see above.`);
-  const port = await serve('storybook-static', 6006);
+  const { port } = await serve('storybook-static', 6006);
   console.log(`\nThe stories are at http://localhost:${port}/   (Ctrl+C ends)`);
 }
 

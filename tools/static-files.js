@@ -1,6 +1,5 @@
 // Files as they are, for the test server and for `npm start`.
-import { createReadStream, statSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { statSync } from 'node:fs';
 import { extname, join, resolve, sep } from 'node:path';
 
 const TYPES = {
@@ -20,10 +19,19 @@ const TYPES = {
   '.xhtml': 'application/xhtml+xml; charset=utf-8',
 };
 
+/** What can't be decoded is the name of no file. */
+function decoded(urlPath) {
+  try {
+    return decodeURIComponent(urlPath);
+  } catch {
+    return urlPath;
+  }
+}
+
 /** The file for a URL path below `folder`, with its media type; undefined where there is none. */
 export function findFile(folder, urlPath) {
   const root = resolve(folder);
-  const file = join(root, decodeURIComponent(urlPath));
+  const file = join(root, decoded(urlPath));
   if (file !== root && !file.startsWith(root + sep)) return undefined;
   const stat = statSync(file, { throwIfNoEntry: false });
   if (stat?.isDirectory()) return findFile(folder, join(urlPath, 'index.html'));
@@ -31,20 +39,16 @@ export function findFile(folder, urlPath) {
   return { file, type: TYPES[extname(file)] ?? 'application/octet-stream' };
 }
 
-/** Serves a folder on `port`, or on the next one that is free. Answers the port. */
-export function serve(folder, port) {
-  const server = createServer((request, response) => {
-    const found = findFile(folder, new URL(request.url, 'http://localhost').pathname);
-    if (!found) return response.writeHead(404).end('Not found');
-    response.writeHead(200, { 'content-type': found.type, 'cache-control': 'no-cache' });
-    createReadStream(found.file).pipe(response);
+/** Serves a folder on `port`, or on the next one that is free. */
+export async function serve(folder, port) {
+  const { preview } = await import('vite');
+  const server = await preview({
+    configFile: false,
+    logLevel: 'error',
+    // What is not there is answered by 404, and not by the folder's index.html.
+    appType: 'mpa',
+    build: { outDir: resolve(folder) },
+    preview: { port, host: true },
   });
-  return new Promise((resolvePort, reject) => {
-    server.once('listening', () => resolvePort(server.address().port));
-    server.on('error', (error) => {
-      if (error.code === 'EADDRINUSE') server.listen(++port);
-      else reject(error);
-    });
-    server.listen(port);
-  });
+  return { port: server.httpServer.address().port, close: () => server.close() };
 }

@@ -1,7 +1,6 @@
-/** ammo.wasm as base64 text, put in by Rollup (tools/rollup-plugins.js) for the single-file bundle. */
-declare module 'virtual:ammo-wasm-base64' {
-  const base64: string;
-  export default base64;
+/** ammo.wasm inside a script, put in by Rollup (tools/rollup-plugins.js). */
+declare module 'virtual:ammo-wasm' {
+  export default function wasm(): Uint8Array;
 }
 
 /** A style sheet as text (tools/css-text.js). */

@@ -5,6 +5,7 @@ export { STRUCTURE } from './document/markup.js';
 export { camel, kebab, tagOf, type Field, type NodeType } from './document/dom.js';
 export { explain, type Explanation } from './nodes/explain.js';
 export { attributeNames } from './nodes/fields.js';
+export { adoptStyles } from './sheets.js';
 export { checkPlace, tellPage } from './document/misplaced.js';
 export { worldShown } from './shown.js';
 export { page } from './page.js';

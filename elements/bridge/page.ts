@@ -4,6 +4,7 @@ import { makeUnread, removeCopies, setUpDropped, wasLetGo, wasRead } from './x3d
 import { listening } from './listening.js';
 import { registerNodeTypes, type Listener, type PhysicsX3DNode } from './x3dom/node-types.js';
 import { Scene } from './scene.js';
+import { adoptStyles } from './sheets.js';
 import { hasPhysics, prefetchEngine, Start } from './start.js';
 import { worldFor } from './document/structure.js';
 import type { PageWorld } from './nodes/worlds.js';
@@ -241,9 +242,7 @@ class Page implements Listener {
  * 17 ms per frame at 1000 bodies.
  */
 function hideSceneTags(): void {
-  const style = document.createElementNS('http://www.w3.org/1999/xhtml', 'style');
-  style.textContent = 'x3d > scene, X3D > Scene { display: none; }';
-  (document.head ?? document.documentElement).append(style);
+  adoptStyles(document, 'x3d > scene, X3D > Scene { display: none; }');
 }
 
 /** All copies of the library on a page, say the module and a classic script, work through the first one's. */

@@ -1,5 +1,4 @@
 import { loadEngine } from '../../physics-core/index.js';
-import { engineSource } from '../engine-source.js';
 import { attribute, isInline, isPhysics, subtree } from './document/dom.js';
 import type { Scene } from './scene.js';
 import { nodeOf, x3dom, type X3DElement } from './x3dom/x3dom.js';
@@ -15,7 +14,7 @@ let loading: Promise<Engine> | undefined;
 
 /** The engine is fetched when the first physics element appears, once per page. */
 function engine(): Promise<Engine> {
-  loading ??= engineSource().then(loadEngine);
+  loading ??= loadEngine();
   return loading;
 }
 

@@ -1,4 +1,11 @@
-import { camel, keepInternals, setState, tellPage, worldShown } from '../bridge/index.js';
+import {
+  adoptStyles,
+  camel,
+  keepInternals,
+  setState,
+  tellPage,
+  worldShown,
+} from '../bridge/index.js';
 import type { View, ViewModule } from './view.js';
 
 // Servers that render pages may import this, too; they have no elements.
@@ -56,6 +63,11 @@ export abstract class X3DUIElement extends Base {
   /** The world it shows, as the page is now; it may come later, or be another one after an edit. */
   get world() {
     return worldShown(this, this.for);
+  }
+
+  /** What a view looks like. */
+  applyStyles(...texts: string[]): void {
+    adoptStyles(this.shadowRoot!, ...texts);
   }
 
   connectedCallback(): void {

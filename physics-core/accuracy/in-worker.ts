@@ -5,16 +5,16 @@ import type { Answer, Order } from './worker.js';
 /** Milliseconds that a worker may take to load. */
 const LATEST = 10_000;
 
-/** Beside this file, where the entry file does not say otherwise. */
+/** Beside this file, where nobody says otherwise. */
 const besides = (): string => new URL('./accuracy-worker.js', import.meta.url).href;
 
 /** Measures in a worker. Undefined: the page allows none (its security policy, opened from disk), or there is no file for it. */
 export async function inWorker(
   order: Order,
-  workerUrl: string | undefined,
+  workerUrl: string | URL | undefined,
   watching: Watching,
 ): Promise<Measured[] | undefined> {
-  const worker = await loaded(workerUrl ?? besides()).catch(() => undefined);
+  const worker = await loaded(workerUrl).catch(() => undefined);
   if (!worker) return undefined;
   try {
     return await answered(worker, order, watching);
@@ -24,9 +24,9 @@ export async function inWorker(
 }
 
 /** Scripts of another server are only taken from within one of the page's own. */
-function startWorker(url: string): Worker {
-  if (new URL(url).origin === location.origin) return new Worker(url, { type: 'module' });
-  const source = new Blob([`import ${JSON.stringify(url)};`], { type: 'text/javascript' });
+function startWorker({ origin, href }: URL): Worker {
+  if (origin === location.origin) return new Worker(href, { type: 'module' });
+  const source = new Blob([`import ${JSON.stringify(href)};`], { type: 'text/javascript' });
   const address = URL.createObjectURL(source);
   const worker = new Worker(address, { type: 'module' });
   worker.addEventListener('message', () => URL.revokeObjectURL(address), { once: true });
@@ -34,8 +34,8 @@ function startWorker(url: string): Worker {
 }
 
 /** A worker that answers. */
-async function loaded(url: string): Promise<Worker> {
-  const worker = startWorker(url);
+async function loaded(url: string | URL | undefined): Promise<Worker> {
+  const worker = startWorker(new URL(url ?? besides(), location.href));
   await new Promise((resolve, reject) => {
     setTimeout(reject, LATEST);
     worker.onmessage = resolve;

@@ -1,4 +1,4 @@
-import { compileAmmo, loadAmmo, type Ammo, type LoadOptions } from './ammo.js';
+import { loadAmmo, type Ammo } from './ammo.js';
 import { ContactHook } from './contact-hook.js';
 import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
@@ -6,6 +6,7 @@ import { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 import { Sweep } from './sweep.js';
+import { compileAmmo, type LoadOptions } from './wasm.js';
 
 /** Ammo and what all worlds share of it: argument objects and the way state is read. */
 export class Engine {
@@ -58,8 +59,8 @@ export class Engine {
 }
 
 async function makeEngine(options: LoadOptions): Promise<Engine> {
-  const program = await compileAmmo(options);
-  return new Engine(await loadAmmo(program), { program, workerUrl: options.workerUrl });
+  const source = await compileAmmo(options);
+  return new Engine(await loadAmmo(source.program), source);
 }
 
 let loading: Promise<Engine> | undefined;

@@ -43,7 +43,7 @@ export class XIte {
   }
 
   static async start(): Promise<XIte> {
-    const port = (await serve('.', 8200)) as number;
+    const { port } = (await serve('.', 8200)) as { port: number };
     const executablePath = await findChromium();
     const browser = await chromium.launch({ executablePath, args: ARGUMENTS });
     return new XIte(browser, `http://localhost:${port}/x-ite.html`);

@@ -1,3 +1,5 @@
+import { adoptStyles } from '../sheets.js';
+
 /** Where a button shows: its middle in the window, and its radius; CSS pixels. */
 interface Circle {
   x: number;
@@ -41,15 +43,14 @@ export class HandleBox {
 
   constructor(x3d: Element) {
     this.#box.className = 'x3d-physics-handles';
-    const style = html('style');
-    style.textContent = CSS;
+    adoptStyles(this.#root, CSS);
     const help = html('p');
     help.id = 'help';
     help.textContent = HELP;
     this.#group.setAttribute('role', 'group');
     this.#group.setAttribute('aria-label', 'Bodies to drag');
     this.#status.setAttribute('role', 'status');
-    this.#root.append(style, help, this.#group, this.#status);
+    this.#root.append(help, this.#group, this.#status);
     x3d.append(this.#box);
   }
 

@@ -1,0 +1,53 @@
+// The packed package, installed into an empty project, works by each of its entries. dist/ must be built.
+import { rmSync } from 'node:fs';
+import { chromium } from 'playwright';
+import { CHROMIUM_ARGUMENTS, ensureChromium } from './browsers.js';
+import { install } from './package/application.js';
+import * as entries from './package/entries.js';
+import * as pages from './package/pages.js';
+
+/** Each is called with the application's folder and a browser, and throws where the package falls short. */
+const CHECKS = [
+  ['each export is a file of the package', entries.everyExportIsThere],
+  ["no file imports a module of Node's", entries.noModuleOfNode],
+  ['each module can be imported in Node', entries.everyModuleRunsInNode],
+  ['the core runs in Node', entries.coreRuns],
+  ['the core runs in Node as a bundle without ammo.wasm', entries.coreRunsBundled],
+  ['types: programs, React, Solid, Svelte, Vue', entries.everyTypeCompiles],
+  ['module build, by an import map, with its ui', pages.moduleBuild],
+  ['elements by themselves', pages.singleElements],
+  ['classic script with ammo.wasm and ui/ alone, with its ui', pages.classicScript],
+  ['single script from disk, alone', pages.singleScript],
+  ["Vite's server", pages.viteServer],
+  ["Vite's build", pages.viteBuild],
+  ['Rollup', pages.rollupModules],
+  ['esbuild, one script', pages.esbuildScript],
+  ['esbuild, modules', pages.esbuildModules],
+];
+
+async function main() {
+  const executablePath = await ensureChromium();
+  console.log('Packing and installing …');
+  const application = await install();
+  const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
+  let failed = 0;
+  for (const [name, check] of CHECKS) {
+    try {
+      await check(application, browser);
+      console.log(`✓ ${name}`);
+    } catch (error) {
+      failed++;
+      console.log(`✗ ${name}\n    ${error.message}`);
+    }
+  }
+  await browser.close();
+  rmSync(application, { recursive: true, force: true });
+  console.log(`${CHECKS.length - failed} passed, ${failed} failed`);
+  process.exit(failed === 0 ? 0 : 1);
+}
+
+main().catch((error) => {
+  console.error(error.message);
+  console.log('0 passed, 1 failed');
+  process.exit(1);
+});

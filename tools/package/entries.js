@@ -1,0 +1,122 @@
+// The package's entries as Node and TypeScript meet them.
+import assert from 'node:assert/strict';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { build } from 'esbuild';
+import { matches } from '../files.js';
+import { BIN, runNode } from '../processes.js';
+import { folderOf } from './application.js';
+
+const packageOf = (application) => join(application, 'node_modules/x3d-physics');
+
+/** All files of the package. */
+const filesOf = (application) =>
+  readdirSync(packageOf(application), { recursive: true }).map((file) =>
+    file.replaceAll('\\', '/'),
+  );
+
+const exportsOf = (application) =>
+  JSON.parse(readFileSync(join(packageOf(application), 'package.json'), 'utf8')).exports;
+
+/** A program that Node runs in the application; what it prints. */
+async function inNode(application, name, text) {
+  const folder = folderOf(application, name, { 'program.js': { text } });
+  const { ok, output } = await runNode(['program.js'], { cwd: folder, quiet: true });
+  assert.ok(ok, output);
+  return output;
+}
+
+/** Every address that `exports` answers is a file of the package. */
+export function everyExportIsThere(application) {
+  const files = filesOf(application);
+  const targets = Object.values(exportsOf(application)).flatMap((target) =>
+    typeof target === 'string' ? [target] : Object.values(target),
+  );
+  for (const target of targets) {
+    const pattern = target.replace('./', '');
+    assert.ok(
+      files.some((file) => matches(file, pattern)),
+      `${target} is not in the package`,
+    );
+  }
+}
+
+/** Where there is no page, importing does nothing. */
+export async function everyModuleRunsInNode(application) {
+  const elements = readdirSync(join(packageOf(application), 'dist/elements'))
+    .filter((file) => file.endsWith('.js'))
+    .map((file) => `./elements/${file}`);
+  const modules = Object.entries(exportsOf(application))
+    .filter(([name, { default: file }]) => file?.endsWith('.js') && !name.includes('*'))
+    .map(([name]) => name);
+  assert.ok(modules.includes('./react') && elements.length > 14);
+  const imports = [...modules, ...elements, './elements/x3d-rigid-body'].map(
+    (name) => `await import('${name.replace('.', 'x3d-physics')}');`,
+  );
+  await inNode(application, 'modules', imports.join('\n'));
+}
+
+const FALL = `
+  import { createWorld } from 'x3d-physics/core';
+  const world = await createWorld();
+  const ball = world.add('RigidBody', { geometry: [{ type: 'Sphere', radius: 0.5 }] });
+  world.advance(1);
+  console.log(ball.get('position')[1]);`;
+
+/** Half of g: what falls for a second. */
+const assertFallen = (text) => assert.ok(Math.abs(Number(text) + 4.9) < 0.05, `fell to ${text}`);
+
+export const coreRuns = async (application) =>
+  assertFallen(await inNode(application, 'core', FALL));
+
+/** The bundle has no ammo.wasm beside it. */
+export async function coreRunsBundled(application) {
+  const bundle = await build({
+    stdin: { contents: FALL, resolveDir: application },
+    platform: 'node',
+    format: 'esm',
+    bundle: true,
+    write: false,
+    logLevel: 'silent',
+  });
+  assertFallen(await inNode(application, 'core-bundled', bundle.outputFiles[0].text));
+}
+
+/** The addresses of Node's own modules, which no bundler for pages can resolve. */
+export function noModuleOfNode(application) {
+  for (const file of filesOf(application).filter((name) => /^dist\/.*\.js$/.test(name))) {
+    const text = readFileSync(join(packageOf(application), file), 'utf8');
+    const found = text.match(/(?:\bfrom|\bimport|\bimport\(|\brequire\()\s*["'`]node:[^"'`]*/);
+    assert.ok(!found, `${file} has ${found}`);
+  }
+}
+
+/** Each template takes our tags, and refuses an attribute that they do not have. */
+export async function everyTypeCompiles(application) {
+  const folder = folderOf(application, 'types', {
+    ...Object.fromEntries(
+      readdirSync('tools/package/types').map((file) => [
+        file,
+        { from: join('tools/package/types', file) },
+      ]),
+    ),
+    'tsconfig.json': {
+      text: JSON.stringify({
+        compilerOptions: {
+          target: 'es2022',
+          module: 'esnext',
+          moduleResolution: 'bundler',
+          lib: ['es2023', 'dom', 'dom.iterable'],
+          types: [],
+          jsx: 'preserve',
+          strict: true,
+          skipLibCheck: true,
+          noEmit: true,
+        },
+      }),
+    },
+  });
+  const { ok, output } = await runNode([resolve(BIN.tsc), '-p', folder], { quiet: true });
+  assert.ok(ok, output);
+  assert.ok(existsSync(join(folder, 'react.tsx')));
+}

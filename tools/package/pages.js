@@ -1,0 +1,209 @@
+// The package in pages: its builds as they are, and through bundlers without any configuration.
+/* global customElements, document */
+import assert from 'node:assert/strict';
+import { cpSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import nodeResolve from '@rollup/plugin-node-resolve';
+import { build as esbuild } from 'esbuild';
+import { rollup } from 'rollup';
+import { build as vite, createServer } from 'vite';
+import { serve } from '../static-files.js';
+import { folderOf, html } from './application.js';
+
+const PORT = 8400;
+const DIST = 'node_modules/x3d-physics/dist';
+/** Milliseconds that a page on a busy machine may take. */
+const PATIENCE = 60_000;
+
+const MAIN = "import { worldOf } from 'x3d-physics';\nglobalThis.worldOf = worldOf;\n";
+const MODULE = '<script type="module" src="main.js"></script>';
+const IMPORT_MAP = JSON.stringify({
+  imports: { 'x3d-physics': './x3d-physics/x3d-physics.js', 'x3d-physics/': './x3d-physics/' },
+});
+
+/** Runs in a page: how far a ball has fallen after a second, in a world that the page finds by itself. */
+async function fallen() {
+  await customElements.whenDefined('x3d-rigid-body');
+  const ball = document.querySelector('#ball');
+  const world = await ball.world.ready;
+  world.paused = true;
+  world.reset();
+  world.advance(1);
+  return ball.position[1] - 5;
+}
+
+/** Opens a page in which the ball must fall. Answers what it loaded. */
+async function falls(browser, address, more = async () => {}) {
+  const page = await browser.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  const loaded = [];
+  const errors = [];
+  page.on('response', (response) => loaded.push(`${response.status()} ${response.url()}`));
+  page.on('pageerror', (error) => errors.push(error.message));
+  try {
+    await page.goto(address);
+    const height = await page.evaluate(fallen);
+    assert.ok(Math.abs(height + 4.9) < 0.05, `the ball fell by ${height} m`);
+    await more(page);
+    assert.deepEqual(errors, []);
+  } catch (error) {
+    throw new Error([error.message, ...errors, ...loaded].join('\n    '), { cause: error });
+  } finally {
+    await page.close();
+  }
+  return loaded;
+}
+
+const came = (loaded, file) => loaded.some((line) => line.startsWith('200') && line.includes(file));
+
+/** Serves a folder as it is: what is not there is a 404. */
+async function served(browser, folder, more) {
+  const { port, close } = await serve(folder, PORT);
+  try {
+    return await falls(browser, `http://localhost:${port}/`, more);
+  } finally {
+    await close();
+  }
+}
+
+/** A folder with a page, x3dom and these files. */
+const site = (application, name, page, files = {}) =>
+  folderOf(application, name, {
+    'index.html': { text: page },
+    'x3dom.js': { from: join(application, 'node_modules/x3dom/x3dom.js') },
+    ...files,
+  });
+
+/** Copies files and folders of the package's dist/ into a folder. */
+function copy(application, folder, ...names) {
+  for (const name of names)
+    cpSync(join(application, DIST, name), join(folder, name), { recursive: true });
+}
+
+/** The monitor and the chart show something, once they are in sight. */
+async function showsViews(page) {
+  for (const tag of ['x3d-physics-monitor', 'x3d-accuracy-chart']) {
+    await page.locator(tag).scrollIntoViewIfNeeded();
+    await page.locator(`${tag} button`).first().waitFor();
+  }
+}
+
+const VIEWS =
+  '<x3d-physics-monitor></x3d-physics-monitor><x3d-accuracy-chart></x3d-accuracy-chart>';
+
+/** All of dist/ by an import map; the wasm is found, and its spare stays where it is. */
+export async function moduleBuild(application, browser) {
+  const head = `<script type="importmap">${IMPORT_MAP}</script>`;
+  const folder = site(application, 'module', html(head + MODULE, VIEWS), {
+    'main.js': { text: MAIN },
+  });
+  copy(application, join(folder, 'x3d-physics'), '.');
+  const loaded = await served(browser, folder, showsViews);
+  assert.ok(came(loaded, 'ammo.wasm'), 'ammo.wasm is loaded');
+  assert.ok(!came(loaded, 'wasm-as-text'), 'its spare is not');
+}
+
+/** Only the elements that a page imports. */
+export async function singleElements(application, browser) {
+  const folder = site(
+    application,
+    'elements',
+    html(`<script type="importmap">${IMPORT_MAP}</script>${MODULE}`),
+    {
+      'main.js': {
+        text: `import { X3DRigidBodyElement } from 'x3d-physics/elements/x3d-rigid-body.js';
+          customElements.define('x3d-rigid-body', X3DRigidBodyElement);`,
+      },
+    },
+  );
+  copy(application, join(folder, 'x3d-physics'), '.');
+  await served(browser, folder);
+}
+
+/** With what the README says must lie beside it, and nothing else. */
+export async function classicScript(application, browser) {
+  const page = html('', VIEWS).replace(
+    '</head>',
+    '<script src="x3d-physics.classic.js"></script>$&',
+  );
+  const folder = site(application, 'classic', page);
+  copy(application, folder, 'x3d-physics.classic.js', 'ammo.wasm', 'ui');
+  const loaded = await served(browser, folder, showsViews);
+  assert.ok(came(loaded, 'ui/monitor.js') && came(loaded, 'ui/chart.js'));
+}
+
+/** Opened from disk, with nothing beside it. */
+export async function singleScript(application, browser) {
+  const page = html('').replace('</head>', '<script src="x3d-physics.single.js"></script>$&');
+  const folder = site(application, 'single', page);
+  copy(application, folder, 'x3d-physics.single.js');
+  await falls(browser, pathToFileURL(join(folder, 'index.html')).href);
+}
+
+/** What bundlers are given; a type's entry is nothing when it runs. */
+const PROGRAM = `${MAIN}import 'x3d-physics/react';\n`;
+
+const bundled = (application, name, script) =>
+  site(application, name, html(script), { 'main.js': { text: PROGRAM } });
+
+async function withEsbuild(folder, options) {
+  const { warnings } = await esbuild({
+    entryPoints: [join(folder, 'main.js')],
+    outdir: join(folder, 'out'),
+    bundle: true,
+    logLevel: 'silent',
+    ...options,
+  });
+  assert.deepEqual(warnings, []);
+}
+
+export async function esbuildScript(application, browser) {
+  const folder = bundled(application, 'esbuild-script', '<script src="out/main.js"></script>');
+  await withEsbuild(folder, {});
+  await served(browser, folder);
+}
+
+export async function esbuildModules(application, browser) {
+  const folder = bundled(application, 'esbuild-modules', MODULE.replace('main', 'out/main'));
+  await withEsbuild(folder, { format: 'esm', splitting: true });
+  const loaded = await served(browser, folder);
+  assert.ok(came(loaded, 'wasm-as-text'), 'the spare comes in place of ammo.wasm');
+}
+
+export async function rollupModules(application, browser) {
+  const folder = bundled(application, 'rollup', MODULE.replace('main', 'out/main'));
+  const bundle = await rollup({ input: join(folder, 'main.js'), plugins: [nodeResolve()] });
+  await bundle.write({ dir: join(folder, 'out'), format: 'es' });
+  await bundle.close();
+  await served(browser, folder);
+}
+
+const VITE = { configFile: false, logLevel: 'silent' };
+const viteSite = (application, name) =>
+  folderOf(application, name, {
+    'index.html': { text: html(MODULE) },
+    'main.js': { text: PROGRAM },
+    'public/x3dom.js': { from: join(application, 'node_modules/x3dom/x3dom.js') },
+  });
+
+/** Its server answers what it does not find with the page itself. */
+export async function viteServer(application, browser) {
+  const root = viteSite(application, 'vite-server');
+  const server = await createServer({ ...VITE, root, server: { port: PORT } });
+  await server.listen();
+  try {
+    const [address] = server.resolvedUrls.local;
+    const loaded = await falls(browser, address);
+    assert.ok(came(loaded, 'wasm-as-text'), 'the spare comes in place of ammo.wasm');
+  } finally {
+    await server.close();
+  }
+}
+
+export async function viteBuild(application, browser) {
+  const root = viteSite(application, 'vite-build');
+  await vite({ ...VITE, root });
+  const loaded = await served(browser, join(root, 'dist'));
+  assert.ok(!came(loaded, 'wasm-as-text'), 'ammo.wasm is found');
+}
