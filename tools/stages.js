@@ -30,7 +30,7 @@ async function coreTests(files, temporary) {
   };
 }
 
-/** A script that closes with `N passed, N failed`, or another two words of its own. */
+/** A script that closes with `N passed, N failed`, or with two numbers in words of its own. */
 const script =
   (args, counts = /(\d+) passed, (\d+) failed/) =>
   async () => {
@@ -39,6 +39,14 @@ const script =
     if (!ok) console.log(output);
     return { ok, passed, failed };
   };
+
+/** Without the lab's whole hour: its errors come out again to the last bit. */
+async function labErrors() {
+  const args = ['--import', 'tsx', 'lab/run.ts', '--quick'];
+  const { ok, failed, passed: compared } = await script(args, LAB_COUNTS)();
+  return { ok, passed: compared - failed, failed };
+}
+const LAB_COUNTS = /(\d+) runs compared in \d+ s, (\d+) came out otherwise/;
 
 const inBrowser = (config) => async (files, temporary) => {
   const report = join(temporary, `${config}.json`);
@@ -75,9 +83,10 @@ export const STAGES = [
   { name: 'chromium-soak', folder: 'browser', takes: isSoak, run: CHROMIUM },
   {
     name: 'mutants',
-    folder: 'core',
     run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
   },
+  { name: 'package', run: script(['tools/package.js']) },
+  { name: 'lab', run: labErrors },
   { name: 'firefox', folder: 'browser', missing: noFirefox, run: FIREFOX },
   { name: 'webkit', folder: 'browser', missing: noWebKit, run: WEBKIT },
   { name: 'content', folder: 'content', missing: noContent, run: CHROMIUM },
