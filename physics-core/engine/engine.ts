@@ -1,11 +1,15 @@
 import { compileAmmo, loadAmmo, type Ammo, type LoadOptions } from './ammo.js';
 import { ContactHook } from './contact-hook.js';
+import { HeapExhausted } from './exhausted.js';
 import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 import { Sweep } from './sweep.js';
+
+/** A heap that has not even this many bytes left is full. */
+const BLOCK = 65536;
 
 /** Ammo and what all worlds share of it: argument objects and the way state is read. */
 export class Engine {
@@ -49,6 +53,13 @@ export class Engine {
 
   get sweep(): Sweep {
     return (this.#sweep ??= new Sweep(this.ammo, this.scratch));
+  }
+
+  /** Whether that is why Ammo gave up: what runs out of room may also stop as a trap of the wasm. */
+  isExhaustion(error: unknown): boolean {
+    if (error instanceof HeapExhausted) return true;
+    // A block that is given is never returned, but traps are rare.
+    return error instanceof WebAssembly.RuntimeError && this.ammo._malloc(BLOCK) === 0;
   }
 
   /** Bytes of the wasm heap, shared by all worlds of the page. It never shrinks. */

@@ -225,9 +225,13 @@ export class PhysicsNode {
 
   /** Takes the object out of Bullet; the node and what was asked of it stay. */
   unmake(): void {
-    if (!this.#built) return;
+    if (this.#built) this.abandon();
+  }
+
+  /** The same, however far its making came. */
+  abandon(): void {
+    if (this.#built && this.counted) this.world.counts.destroyed++;
     this.#built = false;
-    if (this.counted) this.world.counts.destroyed++;
     this.destroy();
   }
 
@@ -239,6 +243,7 @@ export class PhysicsNode {
   /** After creation and the first patches. */
   protected created(): void {}
 
+  /** It may have been made in part only. */
   protected destroy(): void {}
 
   /** Takes the node out of its world for good. */
