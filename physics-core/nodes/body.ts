@@ -366,8 +366,8 @@ export class BodyNode extends HeldNode {
     this.updateMembership();
   }
 
-  /** An edit of pose or velocity gives a parked body another try. */
-  unpark(): void {
+  /** An edit of its pose gives a parked body another try. */
+  override unpark(): void {
     if (!this.parked) return;
     this.parked = false;
     this.world.settle(this, undefined, 'nan-state');
