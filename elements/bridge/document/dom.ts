@@ -15,6 +15,16 @@ export function attribute(element: Element, name: string): string | null {
   return getAttribute.call(element, name) ?? getAttribute.call(element, name.toLowerCase());
 }
 
+/** What it is called by: its DEF, else its id. */
+export const nameOf = (element: Element): string | undefined =>
+  attribute(element, 'DEF') ?? attribute(element, 'id') ?? undefined;
+
+/** Its tag and its name, as `querySelector` takes them. */
+export function selectorOf(element: Element): string {
+  const named = ['id', 'DEF', 'def'].find((name) => getAttribute.call(element, name) !== null);
+  return element.localName + (named ? `[${named}="${getAttribute.call(element, named)}"]` : '');
+}
+
 export const lowerName = (element: Element): string => element.localName.toLowerCase();
 
 export const isX3D = (element: Element): boolean => lowerName(element) === 'x3d';
