@@ -7,7 +7,7 @@ import type { World } from './world.js';
  */
 export class Failures {
   readonly #world: World;
-  readonly #failed = new Set<PhysicsNode>();
+  readonly #failed = new WeakSet<PhysicsNode>();
 
   constructor(world: World) {
     this.#world = world;

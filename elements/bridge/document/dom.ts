@@ -22,7 +22,9 @@ export const nameOf = (element: Element): string | undefined =>
 /** Its tag and its name, as `querySelector` takes them. */
 export function selectorOf(element: Element): string {
   const named = ['id', 'DEF', 'def'].find((name) => getAttribute.call(element, name) !== null);
-  return element.localName + (named ? `[${named}="${getAttribute.call(element, named)}"]` : '');
+  if (!named) return element.localName;
+  const name = getAttribute.call(element, named)!.replace(/["\\]/g, '\\$&');
+  return `${element.localName}[${named}="${name}"]`;
 }
 
 export const lowerName = (element: Element): string => element.localName.toLowerCase();
