@@ -3,12 +3,18 @@ import { X3DNodeElement } from './node-element.js';
 
 type Vector = ArrayLike<number>;
 
+/** World frame, m/s and rad/s. */
+export interface BodyVelocities {
+  linearVelocity?: Vector;
+  angularVelocity?: Vector;
+}
+
 /** What a body's node can do. */
 interface Body extends PhysicsNode {
   applyForce(force: Vector, at?: Vector): void;
   applyTorque(torque: Vector): void;
   applyImpulse(impulse: Vector, at?: Vector): void;
-  teleport(position: Vector, orientation?: Vector): void;
+  teleport(position: Vector, orientation?: Vector, velocities?: BodyVelocities): void;
   drag(point: Vector): Drag | undefined;
   wake(): void;
   sleep(): void;
@@ -37,9 +43,12 @@ export class X3DBodyElement extends X3DNodeElement {
     this.#body?.applyImpulse(impulse, at);
   }
 
-  /** Jumps there, keeping its velocity. */
-  teleport(position: Vector, orientation?: Vector): void {
-    this.#body?.teleport(position, orientation);
+  /**
+   * Jumps there. What is left out stays as it is: its orientation (axis and angle), and each of its velocities. No edit of
+   * the fields: `position` set to what it was last set to before does nothing after it, either.
+   */
+  teleport(position: Vector, orientation?: Vector, velocities?: BodyVelocities): void {
+    this.#body?.teleport(position, orientation, velocities);
   }
 
   /** Takes hold of it at a point of the world, as `dragMode` says, until `end` or `cancel`. */

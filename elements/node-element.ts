@@ -55,7 +55,8 @@ export class X3DNodeElement extends Base {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before !== after) ownBinding(this)?.attributeChanged(name);
+    if (before === after) ownBinding(this)?.attributeRepeated(name);
+    else ownBinding(this)?.attributeChanged(name);
   }
 }
 

@@ -2,6 +2,9 @@ import type { FieldCodec } from './fields/values.js';
 import type { Value } from './fields/types.js';
 import type { Field } from './nodes/table.js';
 
+/** From here on a number is infinite in single precision. */
+export const LARGEST = '3.4e38';
+
 /**
  * What keeps bad numbers away from Bullet, each as one function, so that the mutation tests can let one through at a
  * time and see that a test notices.
@@ -17,7 +20,7 @@ export const guards = {
     return numbers.every((n) => n >= low && n <= high && !(field.open && n === low));
   },
 
-  /** Arguments of methods, in Bullet's single precision. */
+  /** Numbers that come in by fields, geometry and methods, in Bullet's single precision. */
   finiteVector: (vector: readonly number[]): boolean =>
     vector.every((value) => Number.isFinite(Math.fround(value))),
 

@@ -15,10 +15,12 @@ export type { AddOptions, Stats, WorldOptions } from './world/types.js';
 export { PhysicsNode } from './nodes/node.js';
 export { nodeTypes } from './nodes/index.js';
 export { defaultOf, type Field, type NodeType } from './nodes/table.js';
+export { nearest } from './nearest.js';
+export { show } from './show.js';
 export { codecs } from './fields/values.js';
 export { fromSI, SI, toSI, type Units } from './fields/units.js';
 export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fields/types.js';
-export type { Problem, ProblemReport, Severity } from './problems.js';
+export { logProblem, type Problem, type ProblemReport, type Severity } from './problems.js';
 export type { DebugLines } from './effects/debug/debug-lines.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs.js';
 export type { Drag, DragEnd, DragMode } from './effects/drag.js';
@@ -48,7 +50,10 @@ export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl
 export async function createWorld(options: CreateOptions = {}): Promise<World> {
   const { wasmUrl, wasmBinary, console, maxHeapBytes, ...fields } = options;
   const engine = await loadEngine({ wasmUrl, wasmBinary });
-  const world = new World({ console: console ?? false, ...(maxHeapBytes ? { maxHeapBytes } : {}) });
+  const world = new World({
+    console: console ?? false,
+    ...(maxHeapBytes === undefined ? {} : { maxHeapBytes }),
+  });
   world.add('RigidBodyCollection', fields);
   world.start(engine);
   return world;

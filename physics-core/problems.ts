@@ -18,15 +18,17 @@ export type ProblemReport = Omit<Problem, 'element'>;
 
 const LOG = { error: 'error', warning: 'warn', info: 'info' } as const;
 
+/** One line in the console, and behind it what else can be shown there. */
+export function logProblem(problem: ProblemReport, ...details: unknown[]): void {
+  console[LOG[problem.severity]](`x3d-physics: ${problem.message} [${problem.code}]`, ...details);
+}
+
 /** Each problem once per element, attribute and code until it changes or is settled. */
 export class ProblemLog {
   readonly #byElement = new Map<unknown, Map<string, Problem>>();
-  readonly #console: boolean;
+  /** Who reported it: several nodes may stand for one element. */
+  readonly #reporters = new WeakMap<Problem, unknown>();
   onreport?: (problem: Problem) => void;
-
-  constructor(logToConsole: boolean) {
-    this.#console = logToConsole;
-  }
 
   get all(): Problem[] {
     return [...this.#byElement.values()].flatMap((problems) => [...problems.values()]);
@@ -36,7 +38,7 @@ export class ProblemLog {
     return [...(this.#byElement.get(element)?.values() ?? [])];
   }
 
-  report(element: unknown, report: ProblemReport): void {
+  report(element: unknown, report: ProblemReport, reporter: unknown = element): void {
     const key = `${report.attribute ?? ''} ${report.code}`;
     const known = this.#byElement.get(element) ?? new Map<string, Problem>();
     const before = known.get(key);
@@ -45,9 +47,13 @@ export class ProblemLog {
     const problem = { ...report, element };
     known.set(key, problem);
     this.#byElement.set(element, known);
-    if (this.#console)
-      console[LOG[report.severity]](`x3d-physics: ${report.message} [${report.code}]`);
+    this.#reporters.set(problem, reporter);
     this.onreport?.(problem);
+  }
+
+  /** What one of those that stand for an element has reported. */
+  by(reporter: unknown, element: unknown): Problem[] {
+    return this.of(element).filter((problem) => this.#reporters.get(problem) === reporter);
   }
 
   /** Takes reports back whose cause is gone. */

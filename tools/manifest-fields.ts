@@ -44,9 +44,9 @@ export const fieldsOf = (type: NodeType): [string, Field][] =>
   Object.entries(type.fields as Record<string, Field>);
 
 /** Fields that hold nodes and may be written as text: names, or `*`. */
-const NAMED_NODES = /^(body[12]|collidables)$/;
-const isWritten = (type: NodeType, name: string, field: Field): boolean =>
-  !holdsNodes(field) || (NAMED_NODES.test(name) && type.name !== 'CollisionSpace');
+const NAMED_NODES = /^body[12]$/;
+const isWritten = (name: string, field: Field): boolean =>
+  !holdsNodes(field) || field.takesAll === true || NAMED_NODES.test(name);
 
 export interface Attribute {
   attribute: string;
@@ -56,7 +56,7 @@ export interface Attribute {
 
 export const attributesOf = (type: NodeType): Attribute[] =>
   fieldsOf(type)
-    .filter(([name, field]) => isWritten(type, name, field))
+    .filter(([name, field]) => isWritten(name, field))
     .filter(([, { access }]) => access !== 'outputOnly' && access !== 'inputOnly')
     .map(([name, field]) => ({
       attribute: attributeOf(name, field).toLowerCase(),

@@ -1,3 +1,4 @@
+import { show } from '../show.js';
 import type { Snapshot } from '../world/snapshot.js';
 import type { World } from '../world/world.js';
 import { inWorker } from './in-worker.js';
@@ -76,6 +77,6 @@ function refuse(world: World, attribute: string, value: unknown, used: unknown):
     attribute,
     value,
     used,
-    message: `measureAccuracy: ${attribute} ${String(value)} is not possible; ${String(used)} is used`,
+    message: `measureAccuracy: ${attribute} ${show(value)} is not possible; ${show(used)} is used`,
   });
 }

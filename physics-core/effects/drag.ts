@@ -84,9 +84,11 @@ export class Drag {
   #move(point: Vec3): void {
     const { registry } = this.body.world;
     if (!registry.dragging.holds(this)) return registry.dragging.release(this, 'disabled');
-    this.target = [...point];
+    const to = this.body.argument<Vec3>('drag', 'SFVec3f', point);
+    if (!to) return;
+    this.target = to;
     if (this.mode === 'spring') this.body.wake();
-    else this.#place(add(this.#from.p, subtract(point, this.#point)));
+    else this.#place(add(this.#from.p, subtract(to, this.#point)));
   }
 
   #place(p: Vec3): void {

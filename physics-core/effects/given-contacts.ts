@@ -6,6 +6,7 @@ import type { ContactNode } from '../nodes/contact.js';
 import { unknownTokens, type ContactParameters } from '../nodes/contact-parameters.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 import type { World } from '../world/world.js';
+import { cut } from '../show.js';
 import { solveAdded } from './added-contacts.js';
 import type { Pair } from './contact-rows.js';
 import { Effect } from './effect.js';
@@ -219,6 +220,6 @@ function reportTokens(collection: CollectionNode, list: readonly ContactNode[]):
     attribute: 'set_contacts',
     value: unknown.join(' '),
     used: 'the others',
-    message: `${collection.label}: the appliedParameters of a contact in set_contacts have no ${unknown.join(', ')}; the others are used`,
+    message: `${collection.label}: the appliedParameters of a contact in set_contacts have no ${cut(unknown.join(', '))}; the others are used`,
   });
 }

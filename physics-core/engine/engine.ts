@@ -1,5 +1,6 @@
 import { loadAmmo, type Ammo } from './ammo.js';
 import { ContactHook } from './contact-hook.js';
+import { HeapExhausted } from './exhausted.js';
 import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import { PairTest } from './pair-test.js';
@@ -7,6 +8,9 @@ import { Scratch } from './scratch.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 import { Sweep } from './sweep.js';
 import { compileAmmo, type LoadOptions } from './wasm.js';
+
+/** A heap that has not even this many bytes left is full. */
+const BLOCK = 65536;
 
 /** Ammo and what all worlds share of it: argument objects and the way state is read. */
 export class Engine {
@@ -50,6 +54,13 @@ export class Engine {
 
   get sweep(): Sweep {
     return (this.#sweep ??= new Sweep(this.ammo, this.scratch));
+  }
+
+  /** Whether that is why Ammo gave up: what runs out of room may also stop as a trap of the wasm. */
+  isExhaustion(error: unknown): boolean {
+    if (error instanceof HeapExhausted) return true;
+    // A block that is given is never returned, but traps are rare.
+    return error instanceof WebAssembly.RuntimeError && this.ammo._malloc(BLOCK) === 0;
   }
 
   /** Bytes of the wasm heap, shared by all worlds of the page. It never shrinks. */

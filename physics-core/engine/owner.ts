@@ -1,4 +1,5 @@
 import type { Ammo } from './ammo.js';
+import { HeapExhausted } from './exhausted.js';
 
 /**
  * Owns Ammo objects: who makes one hands it over in the same expression, and only `dispose` destroys, newest first.
@@ -13,6 +14,8 @@ export class Owner {
   }
 
   own<T extends object>(object: T): T {
+    // Ammo hands out a null pointer, and Bullet would write there.
+    if (this.#ammo.getPointer(object) === 0) throw new HeapExhausted();
     this.#owned.push(object);
     return object;
   }

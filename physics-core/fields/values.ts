@@ -96,6 +96,18 @@ function triples(numbers: number[] | undefined): number[][] | undefined {
   return list;
 }
 
+/** What X3D calls an integer has 32 bits. */
+const isInt32 = (number: number): boolean => (number | 0) === number;
+
+const integers = (numbers: number[] | undefined): number[] | undefined =>
+  numbers?.every(isInt32) ? numbers : undefined;
+
+const integerList: FieldCodec = {
+  ...numberList,
+  parse: (text) => integers(numbersIn(text)),
+  accept: (value) => integers(finiteNumbers(value)),
+};
+
 const vec3List: FieldCodec = {
   parse: (text) => triples(numbersIn(text)),
   accept: (value) => triples(finiteNumbers(value)),
@@ -149,18 +161,43 @@ const stringList: FieldCodec = {
   format: (value) => (value as string[]).map((item) => JSON.stringify(item)).join(' '),
 };
 
+const isNode = (value: unknown): value is object =>
+  typeof value === 'object' && value !== null && !ArrayBuffer.isView(value);
+
+/** A node, or a list of one. */
+function oneNode(value: unknown): Value | undefined {
+  if (!Array.isArray(value)) return value === null || isNode(value) ? value : undefined;
+  return value.length > 1 ? undefined : value.length === 0 ? null : oneNode(value[0]);
+}
+
+/** One and the same node, or plain data that say the same. */
+function sameNode(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (Array.isArray(a) && Array.isArray(b))
+    return a.length === b.length && a.every((item, i) => sameNode(item, b[i]));
+  if (!isPlain(a) || !isPlain(b)) return false;
+  const names = Object.keys(a);
+  return (
+    names.length === Object.keys(b).length && names.every((name) => sameNode(a[name], b[name]))
+  );
+}
+
+const isPlain = (value: unknown): value is Record<string, unknown> =>
+  isNode(value) && Object.getPrototypeOf(value) === Object.prototype;
+
 const node: FieldCodec = {
   parse: () => undefined,
-  accept: (value) => (value === null || typeof value === 'object' ? value : undefined),
-  equal: Object.is,
+  accept: oneNode,
+  equal: sameNode,
   copy: (value) => value,
   format: String,
 };
 
 const nodeList: FieldCodec = {
   parse: (text) => (text.trim() === '*' ? '*' : undefined),
-  accept: (value) => (value === '*' || Array.isArray(value) ? value : undefined),
-  equal: (a, b) => (Array.isArray(a) && Array.isArray(b) ? sameList(a, b) : a === b),
+  accept: (value) =>
+    value === '*' || Array.isArray(value) ? value : isNode(value) ? [value] : undefined,
+  equal: sameNode,
   copy: (value) => (Array.isArray(value) ? [...value] : value),
   format: String,
 };
@@ -168,7 +205,7 @@ const nodeList: FieldCodec = {
 export const codecs: Record<FieldType, FieldCodec> = {
   SFBool: bool,
   SFFloat: scalar(() => true),
-  SFInt32: scalar(Number.isInteger),
+  SFInt32: scalar(isInt32),
   SFTime: scalar(() => true),
   SFString: string,
   SFVec2f: tuple(2),
@@ -176,7 +213,7 @@ export const codecs: Record<FieldType, FieldCodec> = {
   SFRotation: tuple(4),
   SFMatrix3f: tuple(9),
   MFFloat: numberList,
-  MFInt32: numberList,
+  MFInt32: integerList,
   MFString: stringList,
   MFVec3f: vec3List,
   SFNode: node,

@@ -1,6 +1,9 @@
 import { codecs } from '../fields/values.js';
 import type { Value } from '../fields/types.js';
-import { guards } from '../guards.js';
+import { guards, LARGEST } from '../guards.js';
+import { nearest } from '../nearest.js';
+import type { ProblemReport } from '../problems.js';
+import { cut, show, showUsed } from '../show.js';
 import type { PhysicsNode } from './node.js';
 import type { Field } from './table.js';
 
@@ -8,11 +11,13 @@ import type { Field } from './table.js';
 export function fieldOf(node: PhysicsNode, name: string): Field | undefined {
   const field = node.type.fields[name] as Field | undefined;
   if (!field) {
+    const meant = nearest(name, Object.keys(node.type.fields));
     node.report({
       code: 'unknown-attribute',
       severity: 'warning',
       attribute: name,
-      message: `${node.label} has no field ${name}`,
+      used: 'nothing',
+      message: `${node.label} has no field ${show(name)}${meant ? `; did you mean ${meant}?` : ''}`,
     });
   }
   return field;
@@ -55,51 +60,61 @@ export function accept(
   text: unknown,
 ): Value | undefined {
   const accepted = guards.wellFormed(codecs[field.type], value);
-  const named = field.values?.includes(accepted as string) ?? true;
-  if (accepted !== undefined && named) return inRange(node, name, field, accepted, text);
-  const used = node.asked(name);
-  const expected = field.values ? field.values.join(', ') : field.type;
-  node.report({
-    code: 'bad-value',
-    severity: 'warning',
-    attribute: name,
-    value: text,
-    used,
-    message: `${node.label}: ${name}="${show(text)}" is not ${expected}; ${show(used)} is used`,
-  });
-  return undefined;
+  const refuse = refusal(node, name, text);
+  if (accepted === undefined || !isNamed(field, accepted))
+    return refuse('bad-value', `is not ${expected(field)}`);
+  // Times are X3D's own double precision, and no business of Bullet's.
+  if (field.type !== 'SFTime' && !guards.finiteVector(numbersOf(accepted)))
+    return refuse('out-of-range', `is beyond ±${LARGEST}, the most that single precision holds`);
+  if (!guards.inRange(field, accepted)) return outside(field, accepted, refuse);
+  if (node.said.refused.delete(name)) node.world.settle(node, name);
+  return accepted;
+}
+
+/** Reports a value; `instead` is used in its place, or else the last valid one. */
+type Refuse = (code: string, why: string, instead?: Value) => Value | undefined;
+
+function refusal(node: PhysicsNode, name: string, text: unknown): Refuse {
+  return (code, why, instead) => {
+    const used = instead ?? node.asked(name);
+    node.said.refused.add(name);
+    const report: ProblemReport = {
+      code,
+      severity: 'warning',
+      attribute: name,
+      value: text,
+      used,
+      message: `${node.label}: ${name}="${show(text)}" ${why}; ${showUsed(used)} is used`,
+    };
+    node.report(report);
+    return instead;
+  };
 }
 
 /** Clamped where the range is closed at both ends; undefined where the last valid value stays. */
-function inRange(
-  node: PhysicsNode,
-  name: string,
-  field: Field,
-  value: Value,
-  text: unknown,
-): Value | undefined {
-  if (guards.inRange(field, value)) {
-    node.world.settle(node, name);
-    return value;
-  }
+function outside(field: Field, value: Value, refuse: Refuse): Value | undefined {
   const [low, high] = field.range!;
   const clamp = (number: number): number => Math.min(high, Math.max(low, number));
   const clamped = Array.isArray(value) ? value.map(clamp) : clamp(value as number);
-  const kept = Number.isFinite(low) && Number.isFinite(high) ? clamped : undefined;
-  const used = kept ?? node.asked(name);
-  node.report({
-    code: 'out-of-range',
-    severity: 'warning',
-    attribute: name,
-    value: text,
-    used,
-    message: `${node.label}: ${name}="${show(text)}" is outside ${field.open ? '(' : '['}${low}, ${high}]; ${show(used)} is used`,
-  });
-  return kept;
+  const closed = Number.isFinite(low) && Number.isFinite(high);
+  const why = `is outside ${field.open ? '(' : '['}${low}, ${high}]`;
+  return refuse('out-of-range', why, closed ? clamped : undefined);
 }
 
-/** A value in a message: short. */
-function show(value: unknown): string {
-  const text = Array.isArray(value) ? value.flat().join(' ') : String(value);
-  return text.length > 60 ? `${text.slice(0, 57)}…` : text;
+/** Whether it is one of the words that a field takes, where it takes only some. */
+function isNamed({ type, values, takesAll }: Field, value: Value): boolean {
+  if (values) return values.includes(value as string);
+  return type !== 'MFNode' || value !== '*' || takesAll === true;
 }
+
+function expected(field: Field): string {
+  if (field.values) return `one of ${field.values.join(', ')}`;
+  return field.nodes ? `${field.type} of ${cut(field.nodes.join(', '))}` : field.type;
+}
+
+const numbersOf = (value: Value): number[] =>
+  typeof value === 'number'
+    ? [value]
+    : Array.isArray(value)
+      ? value.flat().filter((item) => typeof item === 'number')
+      : [];

@@ -2,7 +2,8 @@ import type { BtBody } from '../engine/heap.js';
 import { ACTIVATION, COLLISION_FLAG, RIGID_BODY_FLAG } from '../engine/offsets.js';
 import type { Rotation, Value, Vec3 } from '../fields/types.js';
 import { codecs } from '../fields/values.js';
-import { guards } from '../guards.js';
+import { guards, LARGEST } from '../guards.js';
+import { show } from '../show.js';
 import {
   add,
   compose,
@@ -22,6 +23,12 @@ import { PhysicsNode } from './node.js';
 
 /** Metres that a fixed body is carried at once; at 60 frames per second that is 30 m/s. */
 const LONGEST_CARRY = 0.5;
+
+/** World frame, m/s and rad/s. */
+export interface Velocities {
+  linearVelocity: Vec3;
+  angularVelocity: Vec3;
+}
 
 /** Where a body is, how it moves, and what pushes it. Bullet's body frame is the centre of mass; X3D's is the body's origin. */
 export abstract class MovingNode extends PhysicsNode {
@@ -47,6 +54,8 @@ export abstract class MovingNode extends PhysicsNode {
 
   abstract wake(): void;
 
+  abstract unpark(): void;
+
   /** Moves under forces. */
   get movable(): boolean {
     return !this.asked<boolean>('fixed') && this.asked<number>('mass') > 0;
@@ -69,7 +78,7 @@ export abstract class MovingNode extends PhysicsNode {
   }
 
   startPose(): Pose {
-    const { p, q } = this.start ?? identityPose();
+    const { p, q } = this.#soundStart();
     return {
       p: this.authored('position') || !this.start ? [...this.asked<Vec3>('position')] : p,
       q:
@@ -77,6 +86,20 @@ export abstract class MovingNode extends PhysicsNode {
           ? quaternionOf(this.asked<Rotation>('orientation'))
           : q,
     };
+  }
+
+  /** What it stands for may be anywhere, also where no number of single precision reaches. */
+  #soundStart(): Pose {
+    const { p, q } = this.start ?? identityPose();
+    if (guards.finiteVector([...p, ...q])) return { p, q };
+    this.report({
+      code: 'out-of-range',
+      severity: 'warning',
+      value: p,
+      used: [0, 0, 0],
+      message: `${this.label} would start at ${show(p)}, beyond ±${LARGEST}, the most that single precision holds; 0 0 0 is used`,
+    });
+    return identityPose();
   }
 
   /** The pose of the body's origin at the last finished step. */
@@ -101,17 +124,36 @@ export abstract class MovingNode extends PhysicsNode {
     poses.snap(this.slot);
   }
 
-  /** Jumps to a pose; velocities stay. World frame, metres, axis and angle. */
-  teleport(position: Vec3, orientation?: Rotation): void {
-    this.world.events.during(() => this.#teleport(position, orientation));
+  /**
+   * Jumps to a pose: world frame, metres, axis and angle. What is left out stays: its orientation, and each of its
+   * velocities, m/s and rad/s, in the world frame. It is no edit of the fields: `position` set to what it was last set to
+   * before is still no edit, and to anything else moves the body there.
+   */
+  teleport(position: Vec3, orientation?: Rotation, velocities: Partial<Velocities> = {}): void {
+    this.world.events.during(() => this.#teleport(position, orientation, velocities));
   }
 
-  #teleport(position: Vec3, orientation?: Rotation): void {
+  #teleport(
+    position: Vec3,
+    orientation: Rotation | undefined,
+    velocities: Partial<Velocities>,
+  ): void {
     this.world.flush();
+    const given = <T>(type: 'SFVec3f' | 'SFRotation', value: unknown, now: T): T | undefined =>
+      value === undefined ? now : this.argument<T>('teleport', type, value);
+    if (!this.built) return;
+    const { linear, angular } = this.velocityAtOrigin();
     const p = this.argument<Vec3>('teleport', 'SFVec3f', position);
-    const turned = orientation === undefined ? rotationOf(this.pose().q) : orientation;
-    const rotation = this.argument<Rotation>('teleport', 'SFRotation', turned);
-    if (p && rotation) this.moveTo({ p, q: quaternionOf(rotation) });
+    const rotation = given('SFRotation', orientation, rotationOf(this.pose().q));
+    const after = {
+      linear: given('SFVec3f', velocities?.linearVelocity, linear),
+      angular: given('SFVec3f', velocities?.angularVelocity, angular),
+    };
+    if (!p || !rotation || !after.linear || !after.angular) return;
+    this.moveTo({ p, q: quaternionOf(rotation) });
+    if (this.movable && (after.linear !== linear || after.angular !== angular))
+      this.setVelocityAtOrigin({ linear: after.linear, angular: after.angular });
+    this.unpark();
   }
 
   moveTo(pose: Pose): void {
@@ -241,11 +283,7 @@ export abstract class MovingNode extends PhysicsNode {
   }
 
   /** What can't be read as finite numbers never reaches Bullet. */
-  protected argument<T>(
-    method: string,
-    type: 'SFVec3f' | 'SFRotation',
-    value: unknown,
-  ): T | undefined {
+  argument<T>(method: string, type: 'SFVec3f' | 'SFRotation', value: unknown): T | undefined {
     const accepted = codecs[type].accept(value);
     if (accepted !== undefined && guards.finiteVector(accepted as number[])) return accepted as T;
     this.report({
@@ -253,7 +291,7 @@ export abstract class MovingNode extends PhysicsNode {
       severity: 'warning',
       value,
       used: 'nothing',
-      message: `${this.label}: ${method} takes ${type === 'SFVec3f' ? 'three' : 'four'} finite numbers, not ${String(value)}; nothing is done`,
+      message: `${this.label}: ${method} takes ${type === 'SFVec3f' ? 'three' : 'four'} finite numbers below ${LARGEST}, not ${show(value)}; nothing is done`,
     });
     return undefined;
   }

@@ -31,8 +31,8 @@ export class BodyNode extends HeldNode {
   /** Made NaN by the last step and taken out of the world. */
   parked = false;
 
-  #owner!: Owner;
-  #shapeOwner!: Owner;
+  #owner: Owner | undefined;
+  #shapeOwner: Owner | undefined;
   mass: MassProperties = { mass: 1, moments: [0.4, 0.4, 0.4], centerOfMass: identityPose() };
   #inWorld = false;
   #groups = [0, 0];
@@ -59,8 +59,11 @@ export class BodyNode extends HeldNode {
       shape,
       inertia,
     );
-    this.body = this.#owner.own(new ammo.btRigidBody(info));
-    ammo.destroy(info);
+    try {
+      this.body = this.#owner.own(new ammo.btRigidBody(info));
+    } finally {
+      ammo.destroy(info);
+    }
     // Bullet multiplies the frictions of both bodies.
     this.body.setFriction(Math.sqrt(DEFAULT_FRICTION));
     this.pointer = ammo.getPointer(this.body);
@@ -76,13 +79,14 @@ export class BodyNode extends HeldNode {
   }
 
   protected override destroy(): void {
-    if (this.removed) this.world.registry.contacts.part(this, 'removed');
+    // A world made anew has told already.
+    this.world.registry.contacts.part(this, 'removed');
     this.#goOut();
     this.world.pairs.kinds.leave(this);
     this.world.registry.dropAll(this);
     this.withdraw();
-    this.#owner.dispose();
-    this.#shapeOwner.dispose();
+    this.#owner?.dispose();
+    this.#shapeOwner?.dispose();
     this.world.bodies.release(this);
     this.slot = -1;
   }
@@ -120,7 +124,7 @@ export class BodyNode extends HeldNode {
   #makeShape(): BtShape {
     this.moves = this.movable;
     this.world.registry.filter.forget();
-    const { shape, parts } = shapeOf(this, this.#shapeOwner);
+    const { shape, parts } = shapeOf(this, this.#shapeOwner!);
     this.solidParts = parts;
     return shape;
   }
@@ -140,8 +144,11 @@ export class BodyNode extends HeldNode {
     const old = this.#shapeOwner;
     this.#leaveWorld();
     this.#shapeOwner = new Owner(this.world.engine.ammo);
-    this.body.setCollisionShape(this.#makeShape());
-    old.dispose();
+    try {
+      this.body.setCollisionShape(this.#makeShape());
+    } finally {
+      old?.dispose();
+    }
     this.#applyMass();
     this.place(pose);
     if (this.movable) this.setVelocityAtOrigin(velocity);
@@ -360,8 +367,8 @@ export class BodyNode extends HeldNode {
     this.updateMembership();
   }
 
-  /** An edit of pose or velocity gives a parked body another try. */
-  unpark(): void {
+  /** An edit of its pose gives a parked body another try. */
+  override unpark(): void {
     if (!this.parked) return;
     this.parked = false;
     this.world.settle(this, undefined, 'nan-state');

@@ -1,4 +1,3 @@
-import { guards } from '../guards.js';
 import { compose, identityPose, quaternionOf, type Pose } from '../math.js';
 import type { Rotation, Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
@@ -105,34 +104,12 @@ export abstract class CollidableNode extends PhysicsNode {
   }
 }
 
-/** All numbers of a geometry, of its lists and of its Coordinate. */
-const numbersOf = (value: unknown): number[] => {
-  if (typeof value === 'number') return [value];
-  return value && typeof value === 'object' ? Object.values(value).flatMap(numbersOf) : [];
-};
-
 export class CollidableShapeNode extends CollidableNode {
-  /** The geometries that may go to Bullet. */
-  #geometries: Geometry[] = [];
+  #geometries: readonly Geometry[] = [];
 
-  /** One number that is not finite would make the body's whole state so. */
   updateShape(): void {
-    const shape = this.asked<Geometry | Geometry[] | null>('shape') ?? [];
-    const all = Array.isArray(shape) ? shape : [shape];
-    this.#geometries = all.filter((geometry) => guards.finiteVector(numbersOf(geometry)));
-    if (this.#geometries.length < all.length) this.#reportNumbers();
-    else this.world.settle(this, 'shape', 'bad-value');
+    this.#geometries = this.asked<Geometry[]>('shape');
     this.changed();
-  }
-
-  #reportNumbers(): void {
-    this.report({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: 'shape',
-      used: 'nothing',
-      message: `${this.label}: a geometry has sizes or points that are not finite numbers; it does not collide`,
-    });
   }
 
   partsInside(): CollidablePart[] {
@@ -178,13 +155,28 @@ export class CollidableOffsetNode extends CollidableNode {
   }
 
   updateChild(): void {
-    const child = this.asked<CollidableNode | null>('collidable') ?? undefined;
+    const asked = this.asked<CollidableNode | null>('collidable') ?? undefined;
+    const child = asked && !this.#isInside(asked) ? asked : undefined;
     if (child !== this.#child) {
       this.#child?.release(this);
       this.#child = child;
     }
     child?.claim(this);
     this.changed();
+  }
+
+  /** What stands in each other in a circle is nowhere. */
+  #isInside(child: CollidableNode): boolean {
+    if (!child.withChildren.includes(this)) return false;
+    this.report({
+      code: 'misplaced',
+      severity: 'warning',
+      attribute: 'collidable',
+      value: child.label,
+      used: 'nothing',
+      message: `${this.label} can't hold ${child.label}, in which it stands itself; it holds nothing`,
+    });
+    return true;
   }
 
   protected override released(): void {

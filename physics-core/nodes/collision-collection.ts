@@ -1,16 +1,18 @@
 import type { CollidableNode } from './collidable.js';
 import { contactParameters, unknownTokens, type ContactParameters } from './contact-parameters.js';
-import { flatten, type Member } from './collision-space.js';
+import { Members, type MemberList } from './members.js';
 import { description } from './common-fields.js';
+import { cut } from '../show.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
 
 /** Which collidables are tested against each other, and what their contacts are like. */
 export class CollisionCollectionNode extends PhysicsNode {
-  #members = new Set<CollidableNode>();
+  #members = new Members();
   #parameters: ContactParameters | undefined;
 
   protected override create(): boolean {
+    this.#readMembers();
     this.world.pairs.add(this);
     return true;
   }
@@ -20,13 +22,16 @@ export class CollisionCollectionNode extends PhysicsNode {
   }
 
   lists(collidable: CollidableNode): boolean {
-    return this.asked('collidables') === '*' || this.#members.has(collidable);
+    return this.#members.has(collidable);
   }
 
   updateMembers(): void {
-    const list = this.asked<'*' | Member[]>('collidables');
-    this.#members = list === '*' ? new Set() : flatten(list);
+    this.#readMembers();
     this.world.pairs.refresh();
+  }
+
+  #readMembers(): void {
+    this.#members = new Members(this.asked<MemberList>('collidables'));
   }
 
   /** A parameter changed: contacts read it from the next step on. */
@@ -56,7 +61,7 @@ export class CollisionCollectionNode extends PhysicsNode {
       attribute: 'appliedParameters',
       value: unknown.join(' '),
       used: 'the others',
-      message: `${this.label}: appliedParameters has no ${unknown.join(', ')}; the others are used`,
+      message: `${this.label}: appliedParameters has no ${cut(unknown.join(', '))}; the others are used`,
     });
   }
 
@@ -95,6 +100,7 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       access: 'inputOutput',
       default: [],
       nodes: ['CollidableShape', 'CollidableOffset', 'CollisionSpace'],
+      takesAll: true,
       edit: 'live',
       patch: (collection) => collection.updateMembers(),
       doc: 'The members; `*` means every collidable of the world.',

@@ -1,16 +1,14 @@
 import { CollidableNode } from './collidable.js';
+import { Members, type MemberList } from './members.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
-
-/** What `collidables` of a space or collection names. */
-export type Member = CollidableNode | CollisionSpaceNode;
 
 /** A group of collidables within CollisionCollections, to be switched on and off together. */
 export class CollisionSpaceNode extends PhysicsNode {
   /** Collidables whose own triangles it wants. */
-  exact: ReadonlySet<CollidableNode> = new Set();
+  exact = new Members();
 
-  get members(): Member[] {
+  get members(): MemberList {
     return this.asked('collidables');
   }
 
@@ -34,8 +32,10 @@ export class CollisionSpaceNode extends PhysicsNode {
   updateGeometry(): void {
     const before = this.exact;
     const { meshes } = this.world.registry;
-    this.exact = this.asked<boolean>('useGeometry') ? flatten([this]) : new Set();
-    for (const collidable of new Set([...before, ...this.exact])) {
+    this.exact = new Members(this.asked<boolean>('useGeometry') ? [this] : []);
+    const every = before.all || this.exact.all;
+    for (const collidable of every ? this.world.nodes : [...before.listed, ...this.exact.listed]) {
+      if (!(collidable instanceof CollidableNode)) continue;
       const { owner } = collidable;
       const changed = before.has(collidable) !== this.exact.has(collidable);
       if (changed && owner && meshes.isNeededBy(owner)) owner.touch('geometry');
@@ -46,21 +46,6 @@ export class CollisionSpaceNode extends PhysicsNode {
     this.updateGeometry();
     this.changed();
   }
-}
-
-/** All collidables in a list of collidables and enabled spaces. */
-export function flatten(list: readonly Member[]): Set<CollidableNode> {
-  const found = new Set<CollidableNode>();
-  const seen = new Set<CollisionSpaceNode>();
-  const visit = (member: Member): void => {
-    if (member.removed) return;
-    if (member instanceof CollidableNode) found.add(member);
-    if (!(member instanceof CollisionSpaceNode) || seen.has(member)) return;
-    seen.add(member);
-    if (member.asked<boolean>('enabled')) member.members.forEach(visit);
-  };
-  list.forEach(visit);
-  return found;
 }
 
 const changed = (space: CollisionSpaceNode): void => space.changed();
@@ -87,9 +72,10 @@ export const collisionSpace = defineNode<CollisionSpaceNode>({
       access: 'inputOutput',
       default: [],
       nodes: ['CollidableShape', 'CollidableOffset', 'CollisionSpace'],
+      takesAll: true,
       edit: 'live',
       patch: changed,
-      doc: 'The members: collidables and further spaces.',
+      doc: 'The members: collidables and further spaces; `*` means every collidable of the world.',
     },
     useGeometry: {
       type: 'SFBool',

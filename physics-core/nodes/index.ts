@@ -12,24 +12,26 @@ import { rigidBody } from './rigid-body.js';
 import { singleAxisHingeJoint } from './single-axis-hinge-joint.js';
 import { sliderJoint } from './slider-joint.js';
 import { universalJoint } from './universal-joint.js';
-import type { NodeType } from './table.js';
+import { byName, type NodeType } from './table.js';
 
 /** Every node type by its X3D name. */
-export const nodeTypes: Readonly<Record<string, NodeType>> = Object.fromEntries(
-  [
-    rigidBodyCollection,
-    rigidBody,
-    collidableShape,
-    collidableOffset,
-    collisionCollection,
-    collisionSpace,
-    collisionSensor,
-    contact,
-    ballJoint,
-    singleAxisHingeJoint,
-    doubleAxisHingeJoint,
-    sliderJoint,
-    universalJoint,
-    motorJoint,
-  ].map((type) => [type.name, type]),
+export const nodeTypes: Readonly<Record<string, NodeType>> = byName(
+  Object.fromEntries(
+    [
+      rigidBodyCollection,
+      rigidBody,
+      collidableShape,
+      collidableOffset,
+      collisionCollection,
+      collisionSpace,
+      collisionSensor,
+      contact,
+      ballJoint,
+      singleAxisHingeJoint,
+      doubleAxisHingeJoint,
+      sliderJoint,
+      universalJoint,
+      motorJoint,
+    ].map((type) => [type.name, type]),
+  ),
 );

@@ -80,8 +80,9 @@ export abstract class JointNode extends PhysicsNode {
     this.world.registry.dropAll(this);
   }
 
+  /** Not its body's fault, if it fails. */
   bodyReady(): void {
-    if (this.built) this.attach();
+    if (this.built) this.world.failures.attempt(this, () => this.attach());
   }
 
   bodyGone(): void {

@@ -5,27 +5,11 @@ import type { ProblemReport } from '../problems.js';
 import type { World } from '../world/world.js';
 import { accept, fieldOf, takesEvents, writable } from './accept.js';
 import { Children } from './children.js';
+import type { NodeContext } from './context.js';
 import { Said } from './said.js';
 import type { CollectionNode } from './rigid-body-collection.js';
 import { defaultOf, fieldName, type NodeType } from './table.js';
-
-export interface NodeContext {
-  world: World;
-  type: NodeType;
-  id: number;
-  /** Whatever stands for the node outside: its element in a page. Problems name it. */
-  host: unknown;
-  name: string | undefined;
-  collection: CollectionNode | undefined;
-  /** X3D version of the file it stands in, which says its defaults. */
-  version?: number | undefined;
-}
-
-/** A plain-data value with a `type`, from which a node is made. */
-export interface NodeData {
-  type: string;
-  [field: string]: unknown;
-}
+import { tellUnchanged } from './unchanged.js';
 
 const COLLISION_EVENTS = ['collisionstart', 'collisionend'];
 
@@ -45,6 +29,8 @@ export class PhysicsNode {
   readonly children = new Children(this);
   /** What its author said and events said since. */
   readonly said = new Said();
+  /** Fields of which its author knows that an equal value is no edit. */
+  readonly toldUnchanged = new Set<string>();
   readonly #emitter = new Emitter();
   #changed = new Set<string>();
   /** Those of them that its author or an event changed; the others follow from edits of other nodes. */
@@ -116,6 +102,7 @@ export class PhysicsNode {
     const same = codecs[field.type].equal(accepted, this.#lastAsked(name));
     if (same && (this.said.authored.has(name) || field.read)) {
       this.said.authored.add(name);
+      if (this.#built && !this.#changed.has(name)) tellUnchanged(this, name, field, accepted);
       return;
     }
     this.said.beforeEvent.delete(name);
@@ -124,9 +111,9 @@ export class PhysicsNode {
 
   /** The author's last word: what events did since does not make the same word an edit. */
   #lastAsked(name: string): Value {
-    if (!this.said.beforeEvent.has(name)) return this.asked(name);
-    const said = this.said.beforeEvent.get(name);
-    return said === undefined ? this.defaultOf(name) : said;
+    const { beforeEvent } = this.said;
+    if (!beforeEvent.has(name)) return this.asked(name);
+    return beforeEvent.get(name) ?? this.defaultOf(name);
   }
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
@@ -152,6 +139,7 @@ export class PhysicsNode {
     const field = this.type.fields[name];
     if (!field) return;
     this.world.settle(this, name);
+    this.said.refused.delete(name);
     this.said.beforeEvent.delete(name);
     if (!this.said.authored.delete(name)) return;
     this.said.asked.delete(name);
@@ -178,6 +166,7 @@ export class PhysicsNode {
   }
 
   #take(name: string, value: Value): void {
+    if (!this.said.refused.has(name)) this.world.settle(this, name);
     this.said.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
     this.said.authored.add(name);
     this.#edit(name);
@@ -233,9 +222,13 @@ export class PhysicsNode {
 
   /** Takes the object out of Bullet; the node and what was asked of it stay. */
   unmake(): void {
-    if (!this.#built) return;
+    if (this.#built) this.abandon();
+  }
+
+  /** The same, however far its making came. */
+  abandon(): void {
+    if (this.#built && this.counted) this.world.counts.destroyed++;
     this.#built = false;
-    if (this.counted) this.world.counts.destroyed++;
     this.destroy();
   }
 
@@ -247,6 +240,7 @@ export class PhysicsNode {
   /** After creation and the first patches. */
   protected created(): void {}
 
+  /** It may have been made in part only. */
   protected destroy(): void {}
 
   /** Takes the node out of its world for good. */

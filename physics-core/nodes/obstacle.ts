@@ -3,7 +3,7 @@ import { BodyNode } from './body.js';
 import type { CollidableNode, CollidablePart } from './collidable.js';
 import type { PhysicsNode } from './node.js';
 import { rigidBody } from './rigid-body.js';
-import type { Field, NodeType } from './table.js';
+import { byName, type Field, type NodeType } from './table.js';
 
 /** The fixed body that the world makes for a collidable that no RigidBody owns. Authors see the collidable instead. */
 export class ObstacleNode extends BodyNode {
@@ -42,9 +42,9 @@ export class ObstacleNode extends BodyNode {
 
   /** The collidable belongs to a body now, or nobody lists it. */
   discard(): void {
-    this.world.settle(this, 'geometry');
     this.removed = true;
     this.unmake();
+    this.world.takeBack(this);
   }
 
   /** The collidable moved, or has another shape. */
@@ -75,7 +75,7 @@ const geometry: Field<ObstacleNode> = {
 
 const obstacle = {
   ...rigidBody,
-  fields: { ...rigidBody.fields, geometry },
+  fields: byName({ ...rigidBody.fields, geometry } as Record<string, Field>),
 } as unknown as NodeType;
 
 /** It is no node of the world's: neither listed nor counted. */

@@ -1,5 +1,6 @@
 import { DRAG_MODES } from '../effects/drag.js';
 import type { Vec3 } from '../fields/types.js';
+import { show, showUsed } from '../show.js';
 import { AUTO, DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
 import type { ContactNode } from './contact.js';
 import { PhysicsNode } from './node.js';
@@ -32,7 +33,7 @@ export class CollectionNode extends PhysicsNode {
         attribute: name,
         value: asked,
         used,
-        message: `${this.label}: ${name}="${String(asked)}" differs from the first collection of the shared world; ${String(used)} is used`,
+        message: `${this.label}: ${name}="${show(asked)}" differs from the first collection of the shared world; ${showUsed(used)} is used`,
       });
     }
   }

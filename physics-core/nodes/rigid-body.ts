@@ -1,5 +1,6 @@
 import { DRAG_MODES } from '../effects/drag.js';
 import { rotationOf } from '../math.js';
+import { geometryTypes } from '../shapes/geometry.js';
 import type { CollidableNode } from './collidable.js';
 import { BodyNode } from './body.js';
 import { defineNode } from './table.js';
@@ -9,7 +10,7 @@ const rest = (body: BodyNode): void => body.updateRest();
 const damping = (body: BodyNode): void => body.updateDamping();
 const forces = (body: BodyNode): void => body.updateForces();
 
-/** Only the part that was asked for jumps; the other stays where the simulation has it. */
+/** Only the part that was asked for goes there at once; the other stays where the simulation has it. */
 const placed =
   (part: 'p' | 'q') =>
   (body: BodyNode): void => {
@@ -18,6 +19,16 @@ const placed =
     body.carryTo({ ...body.pose(), [part]: body.startPose()[part] });
     body.unpark();
   };
+
+const moved = (): string => 'teleport() moves it';
+
+/** What is fixed takes no velocity. */
+const kicked = (body: BodyNode): string | undefined =>
+  body.movable ? 'applyImpulse() kicks it, and teleport() takes velocities, too' : undefined;
+
+/** Of all four live fields. */
+const LIVE =
+  'Live. What differs from the value last set acts at once; to set an equal one again is no edit';
 
 class RigidBodyNode extends BodyNode {
   #named: CollidableNode[] = [];
@@ -100,6 +111,7 @@ export const rigidBody = defineNode<RigidBodyNode>({
       type: 'SFNode',
       access: 'inputOutput',
       default: null,
+      nodes: [...geometryTypes],
       edit: 'live',
       patch: mass,
       doc: 'Sphere, Box or Cone whose solid gives the distribution of the mass; never drawn.',
@@ -121,7 +133,8 @@ export const rigidBody = defineNode<RigidBodyNode>({
       edit: 'live',
       patch: placed('p'),
       read: (body) => body.pose().p,
-      doc: 'Position, metres, world frame. Live; setting it jumps.',
+      instead: moved,
+      doc: `Position, metres, world frame. ${LIVE}: teleport() always moves it.`,
     },
     orientation: {
       type: 'SFRotation',
@@ -131,7 +144,8 @@ export const rigidBody = defineNode<RigidBodyNode>({
       edit: 'live',
       patch: placed('q'),
       read: (body) => rotationOf(body.pose().q),
-      doc: 'Orientation, axis and angle, radians. Live; setting it jumps.',
+      instead: moved,
+      doc: `Orientation, axis and angle, radians. ${LIVE}: teleport() always turns it.`,
     },
     linearVelocity: {
       type: 'SFVec3f',
@@ -141,7 +155,8 @@ export const rigidBody = defineNode<RigidBodyNode>({
       edit: 'live',
       patch: (body) => body.updateVelocity('linearVelocity'),
       read: (body) => body.velocityAtOrigin().linear,
-      doc: "Velocity of the body's origin, m/s. Live.",
+      instead: kicked,
+      doc: `Velocity of the body's origin, m/s. ${LIVE}: applyImpulse() always kicks it.`,
     },
     angularVelocity: {
       type: 'SFVec3f',
@@ -151,7 +166,8 @@ export const rigidBody = defineNode<RigidBodyNode>({
       edit: 'live',
       patch: (body) => body.updateVelocity('angularVelocity'),
       read: (body) => body.velocityAtOrigin().angular,
-      doc: 'Angular velocity, rad/s, world frame. Live.',
+      instead: kicked,
+      doc: `Angular velocity, rad/s, world frame. ${LIVE}: applyImpulse() off the centre of mass always spins it.`,
     },
     forces: {
       type: 'MFVec3f',

@@ -9,6 +9,9 @@ export class Said {
   /** What the author had asked for where an event has come since; undefined: nothing. */
   readonly beforeEvent = new Map<string, Value | undefined>();
 
+  /** The fields whose last value was not used as it was given: a problem tells so. */
+  readonly refused = new Set<string>();
+
   /** Takes all of another's words. */
   take(other: Said): void {
     this.clear();
@@ -21,5 +24,6 @@ export class Said {
     this.asked.clear();
     this.authored.clear();
     this.beforeEvent.clear();
+    this.refused.clear();
   }
 }

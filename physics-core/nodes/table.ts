@@ -23,6 +23,8 @@ export interface Field<N extends PhysicsNode = never> {
   dimension?: Dimension;
   /** The node types that an SFNode or MFNode takes. */
   nodes?: readonly string[];
+  /** An MFNode that also takes `*`: all there are in its world. */
+  takesAll?: true;
   /** Of every node, or of every X3DBoundedObject. */
   common?: true;
   /** An addition of ours, not an X3D field: its attribute is the kebab-case of its name. */
@@ -37,6 +39,8 @@ export interface Field<N extends PhysicsNode = never> {
   worldWide?: true;
   /** Reads the live value; without it a field reads as it was last asked for. */
   read?: (node: N) => Value;
+  /** What brings a live value to the one last asked for, which to set again is no edit; undefined: nothing does. */
+  instead?: (node: N) => string | undefined;
   /** One sentence for people: meaning, unit, clause where it surprises. */
   doc: string;
 }
@@ -66,8 +70,12 @@ export type MakeContext = ConstructorParameters<typeof PhysicsNode>[0];
  */
 export function defineNode<N extends PhysicsNode>(type: NodeType<N>): NodeType {
   const common = { ...(type.bounded ? boundedFields : {}), ...nodeFields };
-  return { ...type, fields: { ...type.fields, ...common } } as unknown as NodeType;
+  return { ...type, fields: byName({ ...type.fields, ...common }) } as unknown as NodeType;
 }
+
+/** What words of authors are looked up in: `constructor` is in it only where somebody put it. */
+export const byName = <T>(entries: Record<string, T>): Record<string, T> =>
+  Object.assign(Object.create(null), entries);
 
 /** A field's default in a file of an X3D version. */
 export const defaultOf = (field: Field, version: number): Value =>

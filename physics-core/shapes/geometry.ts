@@ -1,4 +1,4 @@
-import type { Rotation, Vec3 } from '../fields/types.js';
+import type { FieldType, Rotation, Vec3 } from '../fields/types.js';
 
 /** Where a geometry sits in its collidable, and the scale or shear put on it before that. */
 export interface Placement {
@@ -56,7 +56,7 @@ export type Geometry = Placement &
         zSpacing?: number;
         height?: number[];
       }
-    | { type: 'Mesh'; points: number[]; index: number[] }
+    | { type: 'Mesh'; points?: number[]; index?: number[] }
   );
 
 /** Points (flat xyz) and triangles (three indices each). */
@@ -65,23 +65,49 @@ export interface Mesh {
   index: number[];
 }
 
-export const geometryTypes = [
-  'Box',
-  'Sphere',
-  'Cylinder',
-  'Cone',
-  'IndexedFaceSet',
-  'IndexedTriangleSet',
-  'TriangleSet',
-  'TriangleStripSet',
-  'TriangleFanSet',
-  'QuadSet',
-  'IndexedTriangleStripSet',
-  'IndexedTriangleFanSet',
-  'IndexedQuadSet',
-  'Rectangle2D',
-  'Disk2D',
-  'Torus',
-  'ElevationGrid',
-  'Mesh',
-] as const;
+const FACES = { coord: 'MFVec3f', ccw: 'SFBool' } as const;
+const INDEXED = { ...FACES, index: 'MFInt32' } as const;
+const RADII = { innerRadius: 'SFFloat', outerRadius: 'SFFloat' } as const;
+const CAPS = { side: 'SFBool', top: 'SFBool', bottom: 'SFBool' } as const;
+
+/** The types of what each says of itself. */
+const OWN_FIELDS = {
+  Box: { size: 'SFVec3f' },
+  Sphere: { radius: 'SFFloat' },
+  Cylinder: { radius: 'SFFloat', height: 'SFFloat', ...CAPS },
+  Cone: { bottomRadius: 'SFFloat', topRadius: 'SFFloat', height: 'SFFloat', ...CAPS },
+  IndexedFaceSet: { ...FACES, coordIndex: 'MFInt32' },
+  IndexedTriangleSet: INDEXED,
+  TriangleSet: FACES,
+  TriangleStripSet: { ...FACES, stripCount: 'MFInt32' },
+  TriangleFanSet: { ...FACES, fanCount: 'MFInt32' },
+  QuadSet: FACES,
+  IndexedTriangleStripSet: INDEXED,
+  IndexedTriangleFanSet: INDEXED,
+  IndexedQuadSet: INDEXED,
+  Rectangle2D: { size: 'SFVec2f' },
+  Disk2D: RADII,
+  Torus: RADII,
+  ElevationGrid: {
+    xDimension: 'SFInt32',
+    zDimension: 'SFInt32',
+    xSpacing: 'SFFloat',
+    zSpacing: 'SFFloat',
+    height: 'MFFloat',
+  },
+  Mesh: { points: 'MFVec3f', index: 'MFInt32' },
+} as const satisfies Record<Geometry['type'], Record<string, FieldType>>;
+
+const PLACEMENT = { translation: 'SFVec3f', rotation: 'SFRotation', linear: 'SFMatrix3f' } as const;
+
+export type GeometryType = keyof typeof OWN_FIELDS;
+
+export const geometryTypes = Object.keys(OWN_FIELDS) as GeometryType[];
+
+export const isGeometry = (type: string): type is GeometryType => Object.hasOwn(OWN_FIELDS, type);
+
+/** Every field of a geometry, and its X3D type. */
+export const geometryFields = (type: GeometryType): Record<string, FieldType> => ({
+  ...OWN_FIELDS[type],
+  ...PLACEMENT,
+});

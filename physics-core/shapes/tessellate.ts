@@ -13,7 +13,7 @@ const fans = (coordIndex: number[]): number[] => listsOf(coordIndex).flatMap(fan
 
 /** Only triangles whose three points exist. */
 function sound(mesh: Mesh): Mesh {
-  const count = mesh.points.length / 3;
+  const count = Math.floor(mesh.points.length / 3);
   const index: number[] = [];
   for (let i = 0; i + 2 < mesh.index.length; i += 3) {
     const triangle = mesh.index.slice(i, i + 3);
@@ -224,7 +224,7 @@ function plain(g: Geometry): Mesh {
         g.height ?? [],
       );
     case 'Mesh':
-      return { points: g.points, index: g.index };
+      return { points: g.points ?? [], index: g.index ?? [] };
   }
 }
 

@@ -75,8 +75,9 @@ export class Bodies {
   }
 
   release(body: BodyNode): void {
+    if (this.#byPointer.get(body.pointer) === body) this.#byPointer.delete(body.pointer);
+    if (body.slot < 0) return;
     this.#bySlot[body.slot] = undefined;
-    this.#byPointer.delete(body.pointer);
     this.#poses.release(body.slot);
   }
 

@@ -11,17 +11,26 @@ import type { BtShape } from '../shapes/build.js';
 /** Up to this distance bodies touch, metres: that of `collisionstart`. */
 const TOUCHING = 0.001;
 
-/** What Bullet has for a node, as plain data in SI units and the world's frame; undefined where it has nothing. */
-export function bulletHas(node: PhysicsNode): Record<string, unknown> | undefined {
+/** How plain data names a node. */
+type NameOf = (node: PhysicsNode) => string;
+
+/**
+ * What Bullet has for a node, as plain data in SI units and the world's frame, with other nodes by name; undefined where
+ * it has nothing.
+ */
+export function bulletHas(
+  node: PhysicsNode,
+  nameOf: NameOf = ({ label }) => label,
+): Record<string, unknown> | undefined {
   if (!node.built || !node.world.started) return undefined;
-  if (node instanceof BodyNode) return bodyIn(node);
+  if (node instanceof BodyNode) return bodyIn(node, nameOf);
   if (node instanceof JointNode) return jointIn(node);
   if (node instanceof CollidableNode)
-    return node.owner?.built ? { shapeOf: node.owner.standsFor } : undefined;
+    return node.owner?.built ? { shapeOf: nameOf(node.owner.standsFor) } : undefined;
   return node instanceof CollectionNode ? worldIn(node) : undefined;
 }
 
-function bodyIn(body: BodyNode): Record<string, unknown> {
+function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
   const { reader } = body.world.engine;
   const pose = new Float64Array(7);
   const velocity = new Float64Array(6);
@@ -37,7 +46,7 @@ function bodyIn(body: BodyNode): Record<string, unknown> {
     linearVelocity: [...velocity.subarray(0, 3)],
     angularVelocity: [...velocity.subarray(3)],
     gravity: [...body.gravity],
-    joints: [...body.joints].filter((joint) => joint.attached),
+    joints: [...body.joints].filter((joint) => joint.attached).map(nameOf),
   };
 }
 

@@ -1,4 +1,6 @@
+import { HeapExhausted } from '../engine/exhausted.js';
 import type { PhysicsNode } from '../nodes/node.js';
+import { show } from '../show.js';
 import type { World } from './world.js';
 
 /** Share of the heap limit from which an author is warned. */
@@ -15,7 +17,19 @@ export class HeapLimit {
 
   constructor(world: World, maxHeapBytes = DEFAULT_HEAP) {
     this.#world = world;
-    this.#most = maxHeapBytes;
+    this.#most = maxHeapBytes > 0 ? maxHeapBytes : this.#refuse(maxHeapBytes);
+  }
+
+  #refuse(value: unknown): number {
+    this.#world.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'maxHeapBytes',
+      value,
+      used: DEFAULT_HEAP,
+      message: `maxHeapBytes takes a number above 0, not ${show(value)}; ${DEFAULT_HEAP} is used`,
+    });
+    return DEFAULT_HEAP;
   }
 
   get #bytes(): number {
@@ -25,19 +39,24 @@ export class HeapLimit {
       : this.#most;
   }
 
-  get reached(): boolean {
+  get #reached(): boolean {
     return this.#world.engine.heapBytes > this.#bytes;
   }
 
-  /** The heap is full, or Bullet gave up: the addition is undone and the world pauses; the page lives. */
-  exhausted(node: PhysicsNode, error: unknown): void {
+  /** Before something is made. */
+  check(): void {
+    if (this.#reached) throw new HeapExhausted();
+  }
+
+  /** The addition is undone, and the world pauses; the page lives. */
+  exhausted(node: PhysicsNode): void {
     this.#world.paused = true;
     this.#world.report(
       {
         code: 'heap-exhausted',
         severity: 'error',
         used: 'paused world',
-        message: `${node.label} could not be made (${String(error)}); the world pauses`,
+        message: `the wasm heap, which may grow to ${megabytes(this.#bytes)} MB, has no room for ${node.label}; it is left out, and the world pauses`,
       },
       node,
     );

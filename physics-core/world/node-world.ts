@@ -1,9 +1,12 @@
 import type { BodyNode } from '../nodes/body.js';
 import { nodeTypes } from '../nodes/index.js';
-import type { NodeData, PhysicsNode } from '../nodes/node.js';
+import { isGeometry } from '../shapes/geometry.js';
+import type { NodeData } from '../nodes/children.js';
+import type { PhysicsNode } from '../nodes/node.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
+import { show } from '../show.js';
 import { Edits } from './edits.js';
-import { Telling } from './telling.js';
+import { Telling, type Console } from './telling.js';
 import type { AddOptions } from './types.js';
 
 /** The nodes of a world in the order they were added, and the edits of them that Bullet has not seen yet. */
@@ -17,8 +20,8 @@ export abstract class NodeWorld extends Telling {
   /** Tells the page's loop that there is work again. */
   onwork?: () => void;
 
-  constructor(logToConsole: boolean) {
-    super(logToConsole);
+  constructor(log: Console) {
+    super(log);
     this.#defaults = this.make('RigidBodyCollection', {}) as CollectionNode;
   }
 
@@ -28,7 +31,7 @@ export abstract class NodeWorld extends Telling {
 
   /** Adds a node of an X3D type. Field values are X3D's, in SI units; nodes may be given as nodes or plain data. */
   add(type: string, fields: Record<string, unknown> = {}, options: AddOptions = {}): PhysicsNode {
-    if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${type}`);
+    if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${show(type)}`);
     return this.events.during(() => this.#add(type, fields, options));
   }
 
@@ -58,7 +61,7 @@ export abstract class NodeWorld extends Telling {
     });
   }
 
-  /** A node from plain data in a field that takes `types`: bare geometry becomes a CollidableShape. */
+  /** A node from plain data in a field that takes `types`: for bare geometry a CollidableShape; undefined: it takes none such. */
   addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined {
     const { type, ...fields } = data;
     const options = {
@@ -66,22 +69,16 @@ export abstract class NodeWorld extends Telling {
       host: parent.host === parent ? undefined : parent.host,
       version: parent.version,
     };
-    if (types.includes(type))
-      return nodeTypes[type] ? this.add(type, fields, options) : (data as never);
-    if (types.includes('CollidableShape'))
+    if (types.includes(type)) return this.add(type, fields, options);
+    if (types.includes('CollidableShape') && isGeometry(type))
       return this.add('CollidableShape', { shape: [data] }, options);
-    parent.report({
-      code: 'misplaced',
-      severity: 'warning',
-      value: type,
-      message: `${parent.label}: a ${type} has no place here; ${types.join(' or ')} has`,
-    });
     return undefined;
   }
 
   /** The node with this DEF, id, or host; the last one where several have it. */
   node(nameOrHost: unknown): PhysicsNode | undefined {
     let found: PhysicsNode | undefined;
+    if (nameOrHost === undefined || nameOrHost === null) return found;
     for (const node of this.#nodes)
       if ([node.name, node.host, node.id].includes(nameOrHost)) found = node;
     return found;
@@ -91,7 +88,7 @@ export abstract class NodeWorld extends Telling {
     this.#nodes.delete(node);
     this.#collections.delete(node as CollectionNode);
     this.edits.drop(node);
-    this.settle(node.host);
+    this.takeBack(node);
     this.work();
   }
 

@@ -1,5 +1,5 @@
 import type { CollisionCollectionNode } from '../nodes/collision-collection.js';
-import { flatten, type Member } from '../nodes/collision-space.js';
+import { Members, type MemberList } from '../nodes/members.js';
 import type { World } from './world.js';
 
 /** Fields that say what contacts are like. */
@@ -21,10 +21,10 @@ const PARAMETERS = [
 export function isOneSided(world: World, collection: CollisionCollectionNode): boolean {
   const { settings } = world;
   if (settings.asked('collisionRules') === 'strict' || !isCollider(world, collection)) return false;
-  const list = collection.asked<'*' | Member[]>('collidables');
-  if (list === '*' || !PARAMETERS.some((name) => collection.authored(name))) return false;
-  const owners = new Set([...flatten(list)].map((collidable) => collidable.owner ?? collidable));
-  return owners.size === 1;
+  if (!PARAMETERS.some((name) => collection.authored(name))) return false;
+  const { all, listed } = new Members(collection.asked<MemberList>('collidables'));
+  const owners = new Set([...listed].map((collidable) => collidable.owner ?? collidable));
+  return !all && owners.size === 1;
 }
 
 function isCollider(world: World, collection: CollisionCollectionNode): boolean {

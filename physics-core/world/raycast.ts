@@ -4,7 +4,8 @@ import type { BtBody } from '../engine/heap.js';
 import { Owner } from '../engine/owner.js';
 import { codecs } from '../fields/values.js';
 import type { Vec3 } from '../fields/types.js';
-import { guards } from '../guards.js';
+import { guards, LARGEST } from '../guards.js';
+import { show } from '../show.js';
 import {
   add,
   compose,
@@ -106,7 +107,7 @@ export class Rays {
       attribute: name,
       value,
       used: 'nothing',
-      message: `raycast takes two points of three finite numbers; ${name} is ${String(value)}, so nothing is hit`,
+      message: `raycast takes two points of three finite numbers below ${LARGEST}; ${name} is ${show(value)}, so nothing is hit`,
     });
     return undefined;
   }

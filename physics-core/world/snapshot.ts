@@ -7,6 +7,7 @@ import { JointNode } from '../nodes/joint.js';
 import { PhysicsNode } from '../nodes/node.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
 import { Said } from '../nodes/said.js';
+import type { Field } from '../nodes/table.js';
 import type { World } from './world.js';
 
 /** What a node stands for in a snapshot: its id. */
@@ -73,11 +74,15 @@ export function takeSnapshot(world: World): Snapshot {
   };
 }
 
+/** What the simulation makes nothing of, whatever it may be, stays where it is. */
+const isKept = ({ common, type, nodes }: Field): boolean =>
+  common === true || (/^[SM]FNode$/.test(type) && !nodes);
+
 function stateOf(node: PhysicsNode, child: boolean): NodeState {
   const { asked, authored, beforeEvent } = node.said;
   const lasting = ([name]: [string, Value]): boolean => {
     const field = node.type.fields[name]!;
-    return !field.common && field.access !== 'inputOnly';
+    return !isKept(field) && field.access !== 'inputOnly';
   };
   const encoded = (values: Map<string, Value>): [string, unknown][] =>
     [...values].filter(lasting).map(([name, value]) => [name, encode(value)]);
@@ -229,7 +234,7 @@ function loadNode(node: PhysicsNode, found: Lookup): void {
   }
   const said = new Said();
   for (const [name, value] of node.said.asked)
-    if (node.type.fields[name]!.common) said.asked.set(name, value);
+    if (isKept(node.type.fields[name]!)) said.asked.set(name, value);
   for (const [name, value] of state.asked) said.asked.set(name, found.decode(value));
   for (const name of state.authored) said.authored.add(name);
   for (const [name, value] of state.beforeEvent) said.beforeEvent.set(name, found.decode(value));

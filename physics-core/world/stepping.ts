@@ -1,5 +1,6 @@
 import { Clock } from '../clock.js';
 import type { Phase } from '../effects/costs.js';
+import { show } from '../show.js';
 import { reportOverlaps } from './overlaps.js';
 import type { World } from './world.js';
 
@@ -58,7 +59,7 @@ export class Stepping {
         attribute: 'timeScale',
         value: scale,
         used: this.#timeScale,
-        message: `timeScale takes a number from 0 on, not ${scale}; ${this.#timeScale} is used`,
+        message: `timeScale takes a number from 0 on, not ${show(scale)}; ${this.#timeScale} is used`,
       });
       return;
     }

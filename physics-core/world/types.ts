@@ -1,10 +1,11 @@
 import type { Level } from '../accuracy/levels.js';
 import type { Pose } from '../math.js';
 import type { PhysicsNode } from '../nodes/node.js';
+import type { Console } from './telling.js';
 
 export interface WorldOptions {
-  /** Log each problem once to the console. */
-  console?: boolean;
+  /** Log each problem once to the console, or to what is given. */
+  console?: Console;
   /** Bytes the wasm heap may take. */
   maxHeapBytes?: number;
   /** In place of any level that the collection asks for: a step and iterations of one's own, to measure with. */

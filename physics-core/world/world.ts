@@ -11,6 +11,7 @@ import type { PhysicsNode } from '../nodes/node.js';
 import { Accuracy } from './accuracy.js';
 import { Bodies } from './bodies.js';
 import { RANKS } from './edits.js';
+import { Failures } from './failures.js';
 import { HeapLimit } from './heap-limit.js';
 import { NodeWorld } from './node-world.js';
 import { Obstacles } from './obstacles.js';
@@ -35,6 +36,7 @@ export class World extends NodeWorld {
   readonly obstacles: Obstacles = new Obstacles(this);
   readonly rays: Rays = new Rays(this);
   readonly heapLimit: HeapLimit;
+  readonly failures: Failures = new Failures(this);
   readonly stepping: Stepping = new Stepping(this);
   readonly counts = { created: 0, patched: 0, destroyed: 0 };
   started = false;
@@ -71,14 +73,11 @@ export class World extends NodeWorld {
     this.control.tell();
   };
 
-  readonly #apply = (node: PhysicsNode): void => {
-    try {
-      if (!node.built && this.heapLimit.reached) throw new Error('the heap limit is reached');
+  readonly #apply = (node: PhysicsNode): void =>
+    this.failures.attempt(node, () => {
+      if (!node.built) this.heapLimit.check();
       node.apply();
-    } catch (error) {
-      this.heapLimit.exhausted(node, error);
-    }
-  };
+    });
 
   // ---- start, reset, end ------------------------------------------------------------------------------------------
 

@@ -24,7 +24,8 @@ const BODY: Record<Exclude<Own<X3DBodyElement>, Own<X3DNodeElement>>, string> = 
     '`applyForce(force, at?)`: newtons, for the next step only, at a point of the world; without one at the centre of mass.',
   applyTorque: '`applyTorque(torque)`: newton metres, for the next step only.',
   applyImpulse: '`applyImpulse(impulse, at?)`: newton seconds, at once.',
-  teleport: '`teleport(position, orientation?)`: jumps there, keeping its velocity.',
+  teleport:
+    '`teleport(position, orientation?, { linearVelocity, angularVelocity }?)`: always jumps there; what is left out stays as it is.',
   drag: '`drag(point)`: takes hold of it at a point of the world; what it answers has `move(point)`, `end()` and `cancel()`.',
   wake: '`wake()`: moves again.',
   sleep: '`sleep()`: stands still until something wakes it.',

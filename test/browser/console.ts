@@ -14,8 +14,13 @@ export function claim(...words: string[]): void {
 /** Comes and goes with the load of the machine. */
 const ANY_TIME = '[lag]';
 
+/** An element behind a message is one to click. */
+function inWords(part: unknown): string {
+  return part instanceof Element ? `<${part.localName}>` : String(part);
+}
+
 for (const level of ['info', 'warn', 'error'] as const) {
-  console[level] = (...parts: unknown[]): void => void said.push(parts.map(String).join(' '));
+  console[level] = (...parts: unknown[]): void => void said.push(parts.map(inWords).join(' '));
 }
 
 const list = (messages: string[]): string => [...new Set(messages)].join(' | ');

@@ -24,7 +24,7 @@ describe('what Bullet has', () => {
     assert.equal(has.mass, 3);
     close(has.linearVelocity as number[], [4, 0, 0], 1e-6);
     assert.deepEqual(has.gravity, [0, 0, 0]);
-    assert.deepEqual(has.joints, [joint]);
+    assert.deepEqual(has.joints, [joint.label]);
     body.sleep();
     assert.equal(bulletHas(body)!.state, 'asleep');
     body.set('fixed', true);

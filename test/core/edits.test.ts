@@ -1,11 +1,12 @@
 import assert from 'node:assert/strict';
 import { World } from '../../physics-core/index.js';
-import { addBody, close, counts, fact, position, velocity, world } from './helpers.js';
+import { addBody, claim, close, counts, fact, position, velocity, world } from './helpers.js';
 
 fact(
   'a value equal to the one last asked for is no edit, even where the live value has moved on',
   async () => {
     const w = await world();
+    claim(w, 'unchanged-value');
     const ball = addBody(w, { position: [0, 5, 0] });
     w.advance(0.5);
     const at = position(ball);

@@ -116,7 +116,10 @@ fact('reads go on after the heap has grown and moved', async () => {
 fact('an owner frees newest first, once', async () => {
   const { ammo } = await loadEngine();
   const freed: object[] = [];
-  const owner = new Owner({ destroy: (object: object) => freed.push(object) } as never);
+  const owner = new Owner({
+    destroy: (object: object) => freed.push(object),
+    getPointer: () => 8,
+  } as never);
   const [a, b] = [owner.own({}), owner.own({})];
   owner.dispose();
   owner.dispose();

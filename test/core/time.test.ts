@@ -449,6 +449,7 @@ fact('timeScale refuses what is no speed, and keeps the last one', async () => {
 
 fact('reset undoes what events did, and the author may say the same again', async () => {
   const w = await world({ gravity: [0, 0, 0] });
+  claim(w, 'unchanged-value');
   const ball = addBody(w, { position: [0, 9, 0], mass: 2 });
   w.step();
   ball.event('position', [7, 7, 7]);

@@ -15,6 +15,18 @@ export function attribute(element: Element, name: string): string | null {
   return getAttribute.call(element, name) ?? getAttribute.call(element, name.toLowerCase());
 }
 
+/** What it is called by: its DEF, else its id. */
+export const nameOf = (element: Element): string | undefined =>
+  attribute(element, 'DEF') ?? attribute(element, 'id') ?? undefined;
+
+/** Its tag and its name, as `querySelector` takes them. */
+export function selectorOf(element: Element): string {
+  const named = ['id', 'DEF', 'def'].find((name) => getAttribute.call(element, name) !== null);
+  if (!named) return element.localName;
+  const name = getAttribute.call(element, named)!.replace(/["\\]/g, '\\$&');
+  return `${element.localName}[${named}="${name}"]`;
+}
+
 export const lowerName = (element: Element): string => element.localName.toLowerCase();
 
 export const isX3D = (element: Element): boolean => lowerName(element) === 'x3d';

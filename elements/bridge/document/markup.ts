@@ -1,3 +1,4 @@
+import { nearest, show } from '../../../physics-core/index.js';
 import { attribute, isHTML, isPhysics, lowerName, typeOf, type NodeType } from './dom.js';
 import { attributeOf, fieldsByAttribute } from '../nodes/fields.js';
 import type { Binding } from '../nodes/binding.js';
@@ -49,43 +50,21 @@ export function known(type: NodeType, name: string): boolean {
 }
 
 export function unknownAttribute({ element, type, label }: Binding, name: string): Report {
-  const meant = nearest(name, type);
+  const meant = nearest(name, attributesOf(type));
   return {
     code: 'unknown-attribute',
     severity: 'warning',
     attribute: name,
     value: attribute(element, name),
     used: 'nothing',
-    message: `${label} has no attribute ${name}${meant ? `; did you mean ${meant}?` : ''}`,
+    message: `${label} has no attribute ${show(name)}${meant ? `; did you mean ${meant}?` : ''}`,
   };
 }
 
-function nearest(name: string, type: NodeType): string | undefined {
-  const candidates = [
-    ...Object.entries(type.fields).map(([field, entry]) => attributeOf(field, entry)),
-    ...(STRUCTURE[type.name] ?? []),
-  ];
-  const limit = Math.max(1, Math.floor(name.length / 3));
-  const distances = candidates.map((other) => ({
-    other,
-    far: distance(name.toLowerCase(), other.toLowerCase()),
-  }));
-  const best = distances.sort((a, b) => a.far - b.far)[0];
-  return best && best.far <= limit ? best.other : undefined;
-}
-
-/** Edit distance (Levenshtein). */
-function distance(a: string, b: string): number {
-  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
-  for (let i = 1; i <= a.length; i++) {
-    const next = [i];
-    for (let j = 1; j <= b.length; j++) {
-      next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
-    }
-    row = next;
-  }
-  return row[b.length];
-}
+const attributesOf = (type: NodeType): string[] => [
+  ...Object.entries(type.fields).map(([field, entry]) => attributeOf(field, entry)),
+  ...(STRUCTURE[type.name] ?? []),
+];
 
 /** What may not stand in what: these pairs come from a tag that the author thought closed, or are misplaced. */
 const IMPOSSIBLE: Record<string, RegExp> = {

@@ -1,5 +1,6 @@
 import type { Report } from '../nodes/findings.js';
 import { setState } from '../states.js';
+import { logInPage } from './console.js';
 
 const misplaced = new WeakSet<Element>();
 const told = new WeakMap<Element, Set<string>>();
@@ -10,7 +11,7 @@ export function tellPage(report: Report, element: Element): void {
   const before = told.get(element) ?? new Set();
   if (before.has(key)) return;
   told.set(element, before.add(key));
-  console.warn(`x3d-physics: ${report.message} [${report.code}]`);
+  logInPage(report, element);
   setState(element, 'problem', true);
   const detail = { ...report, element };
   element.dispatchEvent(

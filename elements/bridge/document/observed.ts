@@ -114,10 +114,12 @@ export class Observed {
 
   /** Custom elements hear of the attributes of their fields themselves, at once; of all others they do not. */
   #physics(element: Element, name: string, same: boolean): void {
-    const binding = same ? undefined : ownBinding(element);
+    const binding = ownBinding(element);
     if (!binding) return;
     const heard = isUpgraded(element) && fieldsByAttribute(binding.type).has(name.toLowerCase());
-    if (!heard) binding.attributeChanged(name);
+    if (heard) return;
+    if (same) binding.attributeRepeated(name);
+    else binding.attributeChanged(name);
   }
 
   /** x3dom follows a Transform's attribute only from one value to another; the rest is done here. */

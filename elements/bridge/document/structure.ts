@@ -127,9 +127,10 @@ export function nodesOf(binding: Binding, role: string, ...types: string[]): Bin
 export const collidablesIn = (binding: Binding, role: string): Binding[] =>
   nodesOf(binding, role, 'CollidableShape', 'CollidableOffset');
 
-/** Whether a CollisionCollection lists every collidable of its world. */
+/** Whether a CollisionCollection or CollisionSpace lists every collidable of its world. */
 export function listsAll(binding: Binding): boolean {
-  const authored = binding.is('CollisionCollection') && binding.authored('collidables');
+  const lists = binding.is('CollisionCollection', 'CollisionSpace');
+  const authored = lists && binding.authored('collidables');
   return typeof authored === 'string' && authored.trim() === '*';
 }
 

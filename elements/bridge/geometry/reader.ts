@@ -1,4 +1,4 @@
-import { codecs } from '../../../physics-core/index.js';
+import { codecs, show } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isShape, isTransform, lowerName } from '../document/dom.js';
 import { geometryFields, hasCoord, knownGeometry } from './geometry-fields.js';
@@ -90,7 +90,7 @@ export class GeometryReader {
       this.#watch(element);
       const text = attribute(element, 'point') ?? '';
       const points = codecs.MFFloat.parse(text) as number[] | undefined;
-      if (!points) this.#malformed(element, 'point', text.slice(0, 40));
+      if (!points) this.#malformed(element, 'point', text);
       return scaled(points ?? [], scope.units.length) as number[];
     }
     return [];
@@ -106,7 +106,7 @@ export class GeometryReader {
       severity: 'warning',
       attribute: name,
       value: text,
-      message: `<${element.localName}> ${name}="${text}" can't be read; X3D's default is used`,
+      message: `<${element.localName}> ${name}="${show(text)}" can't be read; X3D's default is used`,
     });
   }
 }

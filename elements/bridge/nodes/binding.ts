@@ -93,6 +93,13 @@ export class Binding extends Findings {
     this.#takeBack(name);
   }
 
+  /** It was written with what it says already: no edit, but perhaps meant as one. */
+  attributeRepeated(attributeName: string): void {
+    const name = fieldsByAttribute(this.type).get(attributeName.toLowerCase());
+    const live = name !== undefined && this.type.fields[name].instead;
+    if (live && !this.#properties.has(name)) this.restore(name);
+  }
+
   /** Script's word is gone: that of the markup holds, or the default. */
   #takeBack(name: string): void {
     if (this.#decides(name)) this.scope?.scene.dirty(this);

@@ -1,22 +1,29 @@
 import {
   bulletHas,
-  SI,
+  show,
   touchedBy,
   type PhysicsNode,
   type Problem,
 } from '../../../physics-core/index.js';
+import { selectorOf } from '../document/dom.js';
 import type { Binding } from './binding.js';
 import { holdsNodes } from './fields.js';
-import { inPage } from './in-page.js';
 import { page } from '../page.js';
 import type { PageWorld } from './worlds.js';
 
-/** What there is to know about one element, as plain data. */
+/** A problem, with the element by name. */
+type PlainProblem = Omit<Problem, 'element'> & { element: string };
+
+/**
+ * What there is to know about one element, as plain data: it may be kept, cloned, sent or printed. Elements are named by
+ * tag and id or DEF, as `querySelector` takes them. What there is not is left out.
+ */
 export interface Explanation {
   /** X3D name of the node; undefined when nothing of physics moves the element. */
-  type: string | undefined;
-  name: string | undefined;
-  element: Element;
+  type?: string | undefined;
+  name?: string | undefined;
+  /** The one that it tells of: for a Transform or a Shape that of the body. */
+  element: string;
   /** Whether its node stands in a running world. */
   running: boolean;
   /** What it waits for, in words. */
@@ -24,14 +31,14 @@ export interface Explanation {
   /** Live values in the units of its file. */
   fields: Record<string, unknown>;
   /** What Bullet has for it, in SI units and the world's frame; undefined where it has nothing (yet). */
-  bullet: Record<string, unknown> | undefined;
-  /** Elements of what it touches; undefined for what does not collide. */
-  touches: Element[] | undefined;
+  bullet?: Record<string, unknown> | undefined;
+  /** The elements that it touches; undefined for what does not collide. */
+  touches?: string[] | undefined;
   /** Why it sleeps; undefined while it is awake. */
-  sleeps: string | undefined;
+  sleeps?: string | undefined;
   /** What Bullet can only come near to. */
   approximations: string[];
-  problems: Problem[];
+  problems: PlainProblem[];
 }
 
 /** Problems that say what is simulated in the place of what was written. */
@@ -42,22 +49,45 @@ export function explain(element: Element): Explanation {
   const binding = page.bindingOf(element) ?? page.bodyOf(element);
   const problems = binding?.world?.problemsOf(binding.element) ?? [];
   const node = binding?.node;
-  return {
+  return plain({
     type: binding?.type.name,
     name: binding?.name,
-    element: binding?.element ?? element,
+    element: selectorOf(binding?.element ?? element),
     running: !!binding?.node && !!binding.world?.started,
     waits: binding ? waitsOf(binding) : [],
     fields: binding ? fieldsOf(binding) : {},
-    bullet: node ? (inElements(bulletHas(node)) as Explanation['bullet']) : undefined,
-    touches: node ? (inPage(touchedBy(node), SI) as Element[] | undefined) : undefined,
+    bullet: node ? bulletHas(node, nodeName) : undefined,
+    touches: node ? touchedBy(node)?.map(nodeName) : undefined,
     sleeps: binding && whyAsleep(binding),
     approximations: problems
       .filter(({ code }) => APPROXIMATED.has(code))
       .map(({ message }) => message),
-    problems,
-  };
+    problems: problems.map((problem) => ({ ...problem, element: selectorOf(binding!.element) })),
+  });
 }
+
+/** A node is known by its element. */
+const nodeName = ({ host, label }: PhysicsNode): string =>
+  host instanceof Element ? selectorOf(host) : label;
+
+/** Deeper than anything of ours: what somebody gave for a value may hold itself. */
+const DEEPEST = 6;
+
+/** Numbers, words, and lists and records of them stay; anything else that was given for a value is put in words. */
+function plain<T>(value: T, depth?: number): T;
+function plain(value: unknown, depth = 0): unknown {
+  if (isPlain(value)) return value;
+  if (depth > DEEPEST) return show(value);
+  if (Array.isArray(value)) return value.map((item: unknown) => plain(item, depth + 1));
+  if (Object.getPrototypeOf(value) !== Object.prototype) return show(value);
+  const entries = Object.entries(value as object).filter(([, one]) => one !== undefined);
+  return Object.fromEntries(entries.map(([name, one]) => [name, plain<unknown>(one, depth + 1)]));
+}
+
+const isPlain = (value: unknown): boolean =>
+  value === null ||
+  ['string', 'boolean', 'undefined'].includes(typeof value) ||
+  Number.isFinite(value);
 
 function whyAsleep({ node }: Binding): string | undefined {
   const body = node as (PhysicsNode & { sleeping?: boolean }) | null;
@@ -68,12 +98,6 @@ function whyAsleep({ node }: Binding): string | undefined {
     ? 'autoDisable: its speeds stayed below its limits for disableTime'
     : 'it and all that it touches had come to rest, or it was put to sleep';
 }
-
-/** With elements for nodes. */
-const inElements = (
-  data: Record<string, unknown> | undefined,
-): Record<string, unknown> | undefined =>
-  data && Object.fromEntries(Object.entries(data).map(([key, value]) => [key, inPage(value, SI)]));
 
 function waitsOf(binding: Binding): string[] {
   if (!binding.scope) return ['an <x3d> around it'];

@@ -1,4 +1,5 @@
-import { attribute, type NodeType } from '../document/dom.js';
+import { show } from '../../../physics-core/index.js';
+import { nameOf, type NodeType } from '../document/dom.js';
 import type { Scope } from '../document/scope.js';
 import { setState } from '../states.js';
 import type { Binding } from './binding.js';
@@ -35,7 +36,7 @@ export abstract class Findings {
   }
 
   get name(): string | undefined {
-    return attribute(this.element, 'DEF') ?? attribute(this.element, 'id') ?? undefined;
+    return nameOf(this.element);
   }
 
   problem(report: Report): void {
@@ -65,7 +66,7 @@ export abstract class Findings {
   /** A name that nobody bears yet. */
   waitFor(role: string, name: string): void {
     this.#waiting.set(role, name);
-    const what = role === 'for' ? `"${name}"` : `${role} "${name}"`;
+    const what = role === 'for' ? `"${show(name)}"` : `${role} "${show(name)}"`;
     this.problem({
       code: 'unknown-reference',
       severity: 'warning',

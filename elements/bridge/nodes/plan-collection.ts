@@ -18,11 +18,14 @@ export function planSensor(binding: Binding, world: PageWorld): Plan {
   return { world, relations: { collider: colliderOf(binding, world) } };
 }
 
+const listedBy = (binding: Binding, world: PageWorld): '*' | PhysicsNode[] =>
+  listsAll(binding) ? '*' : nodesIn(world, membersOf(binding), binding);
+
 export function planColliders(binding: Binding, world: PageWorld): Plan {
-  const collidables = listsAll(binding) ? '*' : nodesIn(world, membersOf(binding), binding);
+  const collidables = listedBy(binding, world);
   return { world, collection: collectionNode(binding), relations: { collidables } };
 }
 
 export function planSpace(binding: Binding, world: PageWorld): Plan {
-  return { world, relations: { collidables: nodesIn(world, membersOf(binding), binding) } };
+  return { world, relations: { collidables: listedBy(binding, world) } };
 }

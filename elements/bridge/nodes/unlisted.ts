@@ -3,14 +3,14 @@ import { inOrder } from '../document/order.js';
 import type { PageWorld } from './worlds.js';
 
 /**
- * Collidables that no body owns and no list names: they are obstacles in the world of a CollisionCollection that lists
- * everything (`*`), the nearest one's.
+ * Collidables that no body owns and no list names: they are obstacles in the world of a CollisionCollection or
+ * CollisionSpace that lists everything (`*`), the nearest one's.
  */
 export class Unlisted {
   readonly #everything = new Map<Binding, PageWorld>();
   readonly #asked = new Set<Binding>();
 
-  /** A CollisionCollection lists everything in this world, or no longer. */
+  /** It lists everything in this world, or no longer. */
   note(collection: Binding, world: PageWorld | null): void {
     if (world === (this.#everything.get(collection) ?? null)) return;
     if (world) this.#everything.set(collection, world);

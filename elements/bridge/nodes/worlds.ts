@@ -1,5 +1,6 @@
 import { World, type PhysicsNode, type RayHit } from '../../../physics-core/index.js';
 import { ownBinding, type Binding } from './binding.js';
+import { logInPage } from '../document/console.js';
 import { attribute, precedes } from '../document/dom.js';
 import type { Scene } from '../scene.js';
 import { setState } from '../states.js';
@@ -16,7 +17,7 @@ export class PageWorld extends World {
   readonly collections = new Set<Binding>();
 
   constructor(scene: Scene) {
-    super({ console: true });
+    super({ console: (problem) => logInPage(problem, problem.element) });
     this.scene = scene;
     this.onwork = () => scene.loop.wake();
     this.on('debug', (on) => scene.debug.turn(this, on as boolean));

@@ -26,12 +26,12 @@ describe('explain', () => {
   it('has what Bullet has and what it touches, nobody listening', async () => {
     const { world, find } = await resting();
     const { bullet, touches } = explain(find('stone'));
-    expect(touches).to.eql([find('floor')]);
+    expect(touches).to.eql(['x3d-rigid-body[id="floor"]']);
     expect(bullet!.state).to.equal('awake');
     expect(bullet!.mass).to.equal(2);
     expect((bullet!.shapes as { type: string }[]).map(({ type }) => type)).to.eql(['box']);
-    expect(bullet!.joints).to.eql([find('joint')]);
-    expect(explain(find('floor')).touches).to.eql([find('stone')]);
+    expect(bullet!.joints).to.eql(['x3d-ball-joint[id="joint"]']);
+    expect(explain(find('floor')).touches).to.eql(['x3d-rigid-body[id="stone"]']);
     expect(explain(find('joint')).bullet).to.have.keys('anchor', 'frame', 'gap', 'rows');
     expect(explain(find('collection')).bullet).to.deep.include({ level: 'standard', bodies: 2 });
     expect(explain(find('collection')).touches).to.equal(undefined);
@@ -42,7 +42,8 @@ describe('explain', () => {
     const { find } = await resting();
     for (const id of ['t', 's', 'g']) {
       const { element, type, bullet } = explain(find(id));
-      expect([element, type, bullet!.state]).to.eql([find('stone'), 'RigidBody', 'awake']);
+      const stone = 'x3d-rigid-body[id="stone"]';
+      expect([element, type, bullet!.state]).to.eql([stone, 'RigidBody', 'awake']);
     }
     const nothing = explain(document.body);
     expect([nothing.type, nothing.bullet, nothing.touches]).to.eql([
@@ -97,9 +98,10 @@ describe('explain', () => {
     const ball = page.document.querySelector('RigidBody[DEF="ball"]')!;
     const { bullet, touches, running } = X3DPhysics.explain(ball);
     expect(running).to.equal(true);
-    expect(touches!.map((each) => Element.prototype.getAttribute.call(each, 'DEF'))).to.eql([
-      'floor',
+    expect(touches!.map((each) => page.document.querySelector(each)!.localName)).to.eql([
+      'rigidbody',
     ]);
+    expect(touches![0]).to.contain('"floor"');
     expect(bullet!.state).to.equal('awake');
   });
 });

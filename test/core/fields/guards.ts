@@ -80,6 +80,28 @@ export const guardRows: Row[] = [
     },
   },
   {
+    guard: 'finiteVector',
+    fact: 'a field given a number beyond single precision keeps the motion as it was',
+    run: async () => {
+      const w = await world(WEIGHTLESS);
+      claim(w, 'out-of-range');
+      const ball = addBody(w, { linearVelocity: [1, 0, 0] });
+      w.step();
+      for (const [field, value] of [
+        ['mass', 1e39],
+        ['linearVelocity', [0, -1e39, 0]],
+        ['position', '0 1e300 0'],
+        ['forces', [[1e39, 0, 0]]],
+        ['centerOfMass', [1e39, 0, 0]],
+      ] as const)
+        ball.set(field, value);
+      w.set('gravity', [0, 1e39, 0]);
+      w.step(11);
+      close(position(ball), [0.1, 0, 0], 1e-5, 'm');
+      assert.equal(ball.parked, false);
+    },
+  },
+  {
     guard: 'positive',
     fact: 'an inertia that no body can have is not used: a struck body gains no energy',
     run: async () => {
@@ -114,6 +136,9 @@ export const guardRows: Row[] = [
         { ...box(1), translation: [0, NaN, 0] },
         { ...box(1), linear: [NaN, 0, 0, 0, 1, 0, 0, 0, 1] },
         { type: 'TriangleSet', coord: { point: [0, 0, NaN, 1, 0, 0, 0, 1, 0] } },
+        { type: 'TriangleSet', coord: [0, 0, 0, 1] },
+        { type: 'Sphere', radius: 1e39 },
+        { type: 'Box', size: '1 1' },
       ]) {
         const w = await world();
         claim(w, 'bad-value');

@@ -98,6 +98,40 @@ export const spaceRows: Row[] = [
     },
   },
   {
+    field: 'collidables',
+    fact: '`*` in a space means every collidable of the world, also those that come later, while it is enabled',
+    run: async () => {
+      const w = await world();
+      claim(w, 'not-in-collider');
+      const space = w.add('CollisionSpace', { collidables: '*' });
+      w.set('collider', w.add('CollisionCollection', { collidables: [space] }));
+      addBody(w, { fixed: true, position: [0, -1, 0], geometry: [box(2)] });
+      w.step();
+      const ball = addBody(w, { position: [0, 0.5, 0] });
+      w.advance(0.5);
+      close(height(ball), 0.5, 2e-3, 'm, held');
+      space.set('enabled', false);
+      w.advance(0.5);
+      close(height(ball), 0.5 - way(9.8, 0.5), 0.02, 'm, the space is off');
+      assert.equal(w.paused, false);
+      assert.equal(space.get('collidables'), '*');
+    },
+  },
+  {
+    field: 'useGeometry',
+    fact: 'a space of `*` takes every moving mesh by its own triangles',
+    run: async () => {
+      const w = await world();
+      const space = w.add('CollisionSpace', { collidables: '*', useGeometry: true });
+      w.add('CollisionCollection', { collidables: [space] });
+      const shape = w.add('CollidableShape', { shape: [table] });
+      const { ball, body } = tableOver(w, shape, flatGround);
+      w.advance(1.5);
+      close(height(body), 0.5, 0.02, 'm, on its feet');
+      close(position(ball), [0, 0.2, 0], 0.02, 'm, under it');
+    },
+  },
+  {
     field: 'useGeometry',
     fact: 'TRUE: a moving mesh stands on its own triangles, on meshes too; FALSE: it is its hull',
     run: async () => {
