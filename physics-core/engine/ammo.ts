@@ -49,11 +49,22 @@ function wasmOf({ wasmUrl, wasmBinary }: LoadOptions): Promise<Uint8Array | unde
   return inNode && url.startsWith('file:') ? readWasm(url) : fetchWasm(url);
 }
 
+/** What went wrong, and with which file: the network's own errors and the compiler's name none. */
+function failure({ wasmUrl, wasmBinary }: LoadOptions, error: unknown): Error {
+  const what = error instanceof Error ? error.message : String(error);
+  if (wasmBinary || !wasmUrl || what.includes(wasmUrl)) return new Error(what, { cause: error });
+  return new Error(`${wasmUrl}: ${what}`, { cause: error });
+}
+
 /** Compiled once, it serves any number of Ammo modules; undefined where the glue finds its own (Node running from source). */
 export async function compileAmmo(options: LoadOptions): Promise<WebAssembly.Module | undefined> {
   if (options.program) return options.program;
-  const bytes = await wasmOf(options);
-  return bytes && WebAssembly.compile(bytes as BufferSource);
+  try {
+    const bytes = await wasmOf(options);
+    return bytes && (await WebAssembly.compile(bytes as BufferSource));
+  } catch (error) {
+    throw failure(options, error);
+  }
 }
 
 /** Loads a fresh Ammo module, with a heap of its own. The glue ends in `this.Ammo = …` and so needs a receiver. */
