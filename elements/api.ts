@@ -1,11 +1,15 @@
 // What every entry file exports.
-import { explain, page, type Explanation } from './bridge/index.js';
+import { page, type Explanation } from './bridge/index.js';
 
 /** The world that an element lives in: custom, plain or inlined, also before it has started. */
 export const worldOf = (element: Element | null | undefined) => page.worldOf(element);
 
 export { configure } from '../physics-core/index.js';
-export { explain, type Explanation };
+
+/** What there is to know about an element; of one that is no physics node, about the body that moves it. */
+export const explain = (element: Element): Explanation => page.explain(element);
+
+export type { Explanation };
 export type {
   Drag,
   EffectReport,

@@ -36,7 +36,7 @@ export const elementClasses: readonly X3DNodeElementClass[] = [
 /** What shows a world, and is no node of one. */
 export const uiClasses = [X3DAccuracyChartElement, X3DPhysicsMonitorElement] as const;
 
-/** Registers the tags with the page; one that another copy of the library defined stays as it is. */
+/** Registers the tags with the page; one that is defined already stays as it is. */
 export function defineElements(): void {
   for (const element of [...elementClasses, ...uiClasses]) {
     if (!customElements.get(element.tag)) customElements.define(element.tag, element);

@@ -4,7 +4,6 @@ import {
   attributeNames,
   checkPlace,
   detachListener,
-  explain,
   camel,
   keepInternals,
   ownBinding,
@@ -45,7 +44,7 @@ export class X3DNodeElement extends Base {
 
   /** What the simulation has for it, as plain data. */
   explain(): Explanation {
-    return explain(this);
+    return page.explain(this);
   }
 
   connectedCallback(): void {

@@ -17,7 +17,7 @@ export class Events {
   readonly #scene: Scene;
   /** Kept and dispatched again: two events per step would otherwise be two objects per step. */
   readonly #steps = new WeakMap<Element, Map<string, CustomEvent<Record<string, unknown>>>>();
-  readonly #worlds = new Map<PageWorld, Map<string, Stop>>();
+  readonly #worlds = new WeakMap<PageWorld, Map<string, Stop>>();
   /** By node: one that is made anew is listened to anew. */
   readonly #nodes = new Map<Binding, Heard>();
 
@@ -100,7 +100,7 @@ export class Events {
   listenersChanged(target: EventTarget, name: string): void {
     const concerns = (place: Element): boolean =>
       !(target instanceof Node) || target.contains(place) || target instanceof ShadowRoot;
-    if (STEPS.includes(name)) for (const world of this.#worlds.keys()) this.updateWorld(world);
+    if (STEPS.includes(name)) for (const world of this.#scene.worlds.all) this.updateWorld(world);
     else
       for (const binding of this.#scene.bindings())
         if (concerns(placeOf(binding))) this.update(binding);

@@ -149,20 +149,16 @@ function next(target: EventTarget): EventTarget | null {
 }
 
 const CLASSIC = /^(|(text|application)\/(x-)?(java|ecma)script)$/i;
-/** Scripts that listen to none of our events. */
-const KNOWN = /x3dom[^/]*\.js|x3d-physics[^/]*\.js/;
 
 /**
- * Scripts that ran before this library may listen already, and nobody can ask. A script in the page is looked
- * through for our names; a classic one from elsewhere is taken to listen to all. Modules that listen import us.
+ * Scripts that ran before this library may listen already, and nobody can ask. Those that stand in the page are looked
+ * through for our names; a file that listens is to come after the library, or to import it.
  */
 function earlyNames(): Set<string> {
   const names = new Set<string>();
-  for (const script of document.scripts) {
-    const { src, text, type } = script;
-    if (script === document.currentScript || KNOWN.test(src)) continue;
-    const mayListen = CLASSIC.test(type.trim()) || (type === 'module' && !src);
-    for (const name of NAMES) if (mayListen && (src || text.includes(name))) names.add(name);
+  for (const { src, text, type } of document.scripts) {
+    const mayListen = !src && (CLASSIC.test(type.trim()) || type === 'module');
+    for (const name of NAMES) if (mayListen && text.includes(name)) names.add(name);
   }
   return names;
 }

@@ -1,11 +1,22 @@
+import type { Units } from '../../physics-core/index.js';
+import { firstCopy, tellTwoCopies } from './copies.js';
 import { ownBinding, type Binding } from './nodes/binding.js';
+import { explanation, type Explanation } from './nodes/explain.js';
 import { attribute, isInline, isPhysics, isScene, isX3D } from './document/dom.js';
-import { makeUnread, removeCopies, setUpDropped, wasLetGo, wasRead } from './x3dom/late.js';
+import {
+  makeUnread,
+  removeCopies,
+  setUpDropped,
+  wasLetGo,
+  wasRead,
+  whenThere,
+} from './x3dom/late.js';
 import { listening } from './listening.js';
 import { registerNodeTypes, type Listener, type PhysicsX3DNode } from './x3dom/node-types.js';
 import { Scene } from './scene.js';
 import { adoptStyles } from './sheets.js';
-import { hasPhysics, prefetchEngine, Start } from './start.js';
+import { prefetchEngine } from './engine.js';
+import { hasPhysics, Start } from './start.js';
 import { worldFor } from './document/structure.js';
 import type { PageWorld } from './nodes/worlds.js';
 import { documentOf, x3dom } from './x3dom/x3dom.js';
@@ -17,12 +28,12 @@ class Page implements Listener {
   readonly #scenes = new Map<Element, { scene: Scene; start: Start }>();
   readonly #settledInlines = new WeakSet<Element>();
   #registered = false;
-  #begun = false;
+  begun = false;
 
   /** Begins to work; again does nothing. */
   begin(): void {
-    if (this.#begun) return;
-    this.#begun = true;
+    if (this.begun) return;
+    this.begun = true;
     hideSceneTags();
     listening.begin();
     listening.onchange = (target, name) => this.#listenersChanged(target, name);
@@ -30,7 +41,9 @@ class Page implements Listener {
       childList: true,
       subtree: true,
     });
-    this.#meetX3DOM();
+    whenThere(() => this.#register());
+    // x3dom says so whenever it has read an <x3d>.
+    document.addEventListener('load', () => this.#read());
     this.#findAll();
   }
 
@@ -38,14 +51,6 @@ class Page implements Listener {
   met(element: Element): void {
     this.begin();
     if (element.closest(X3D)) prefetchEngine();
-  }
-
-  /** x3dom may come after us: it reads the page on window load, and we are there before that. */
-  #meetX3DOM(): void {
-    if (this.#register() || document.readyState === 'complete') return;
-    const again = (): void => void this.#register();
-    document.addEventListener('DOMContentLoaded', again, { once: true });
-    window.addEventListener('load', again, { once: true, capture: true });
   }
 
   #register(): boolean {
@@ -58,6 +63,7 @@ class Page implements Listener {
       listening.adopt(x3d);
       if (documentOf(x3d)) setUpDropped(x3d);
     }
+    this.#read();
     return true;
   }
 
@@ -134,6 +140,10 @@ class Page implements Listener {
     x.reload();
   }
 
+  #read(): void {
+    for (const { scene } of this.#scenes.values()) scene.readByX3DOM();
+  }
+
   sceneAt(x3d: Element): Scene {
     const known = this.#scenes.get(x3d);
     if (known) return known.scene;
@@ -181,9 +191,15 @@ class Page implements Listener {
     return undefined;
   }
 
-  transformEdited(transform: Element): void {
+  transformEdited(transform: Element, again: boolean): void {
     for (const { scene } of this.#scenes.values())
-      if (scene.live) scene.updates.transformEdited(transform);
+      if (scene.live) scene.updates.transformEdited(transform, again);
+  }
+
+  unitsOfMoved(transform: Element): Units | undefined {
+    for (const { scene } of this.#scenes.values())
+      if (scene.drawing.bodyMoving(transform)) return scene.scopeOf(transform)?.units;
+    return undefined;
   }
 
   inlineSettled(inline: Element, loaded: boolean): void {
@@ -205,14 +221,22 @@ class Page implements Listener {
     return meant && ownBinding(meant);
   }
 
+  /** Where servers render pages there is no world. */
   worldOf(element: Element | null | undefined): PageWorld | undefined {
-    const scene = element instanceof Element ? this.sceneOf(element) : undefined;
+    const scene = isElement(element) ? this.sceneOf(element) : undefined;
     if (!element || !scene?.readPage()) return undefined;
     const inlined = isInline(element) && scene.worldIn(element);
     if (inlined) return inlined;
     const binding = this.bindingOf(element) ?? this.bodyOf(element);
     if (binding?.scope) return binding.world ?? worldFor(binding) ?? scene.worlds.default;
     return scene.worlds.only ?? scene.firstWorld();
+  }
+
+  /** Of a physics element, or of the body that moves any other one. */
+  explain(element: Element): Explanation {
+    if (!isElement(element))
+      throw new TypeError(`explain takes an element of a page, not ${String(element)}`);
+    return explanation(element, this.bindingOf(element) ?? this.bodyOf(element));
   }
 
   /** The element with this DEF or id in any scene, Inlines included. */
@@ -237,6 +261,9 @@ class Page implements Listener {
   }
 }
 
+const isElement = (value: unknown): value is Element =>
+  globalThis.Element !== undefined && value instanceof Element;
+
 /**
  * x3dom rewrites its progress text in each frame, and the page would then lay out the thousands of tags under it:
  * 17 ms per frame at 1000 bodies.
@@ -245,8 +272,13 @@ function hideSceneTags(): void {
   adoptStyles(document, 'x3d > scene, X3D > Scene { display: none; }');
 }
 
-/** All copies of the library on a page, say the module and a classic script, work through the first one's. */
-const KEY = Symbol.for('x3d-physics');
-const shared = (globalThis.document ?? {}) as { [KEY]?: Page };
+const own = new Page();
 
-export const page = (shared[KEY] ??= new Page());
+export const page = firstCopy(own);
+
+/** Whether another copy of the library began before this one, and has the tags and the page; told if so. */
+export function yieldsToFirst(): boolean {
+  if (page === own || !page.begun) return false;
+  tellTwoCopies();
+  return true;
+}

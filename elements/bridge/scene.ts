@@ -1,4 +1,5 @@
 import { type Binding, ownBinding } from './nodes/binding.js';
+import { bindingsIn } from './document/bindings.js';
 import { attribute, isPhysics, isScene, subtree } from './document/dom.js';
 import { Debug } from './debug/debug.js';
 import { Draggables } from './dragging/draggables.js';
@@ -13,6 +14,7 @@ import { Scope } from './document/scope.js';
 import { placeAsWritten } from './drawing/place.js';
 import { Observed } from './document/observed.js';
 import { isCollidable, worldFor } from './document/structure.js';
+import { noteNamed } from './nodes/named.js';
 import { Unlisted } from './nodes/unlisted.js';
 import { Updates } from './nodes/updates.js';
 import { Worlds, type PageWorld } from './nodes/worlds.js';
@@ -39,6 +41,7 @@ export class Scene implements Driven {
   readonly #scopes = new Map<Element, Scope>();
   /** Whether its nodes stand in the core; before that the document is still being read. */
   live = false;
+  #readBy: X3DDocument | undefined;
   /** Scrolled away or not shown: worlds pause. */
   inView = true;
   #view: IntersectionObserver | undefined;
@@ -133,6 +136,7 @@ export class Scene implements Driven {
     if (!binding || binding.scope === scope) return;
     binding.scope?.scene.updates.drop(binding);
     binding.scope = scope;
+    noteNamed(binding, [], binding.allNamed);
     this.dirty(binding);
   }
 
@@ -206,12 +210,27 @@ export class Scene implements Driven {
     }
   }
 
+  /** The same, when no step runs: worlds may end. */
+  settle(): void {
+    this.drain();
+    this.worlds.endDeserted();
+  }
+
   /** The document is read: nodes are made, and later changes are followed. */
   goLive(): void {
     if (this.live) return;
     this.readPage();
     this.live = true;
-    this.drain();
+    this.#readBy = this.document;
+    this.settle();
+  }
+
+  /** x3dom came late, or reads it anew: what it has of its own is taken in, and drawn where the bodies are. */
+  readByX3DOM(): void {
+    if (!this.live || this.document === this.#readBy) return;
+    this.#readBy = this.document;
+    for (const scope of this.scopes) this.requeue(scope);
+    for (const binding of this.bindings()) this.updates.redraw(binding);
   }
 
   destroy(): void {
@@ -275,9 +294,10 @@ export class Scene implements Driven {
 
   frame(seconds: number, hidden: boolean): boolean {
     let again = false;
+    if (this.live) this.worlds.endDeserted();
     for (const world of this.worlds.all) {
       if (!world.started || ((hidden || !this.inView) && !world.runsHidden)) continue;
-      if (advance(world, seconds, hidden)) again = true;
+      if (world.pass(seconds, hidden)) again = true;
       const start = performance.now();
       this.drawing.drawMoved(world);
       this.routes.send(world);
@@ -288,27 +308,10 @@ export class Scene implements Driven {
   }
 }
 
-function* bindingsIn(scope: Scope): Generator<Binding> {
-  for (const element of subtree(scope.root)) {
-    const binding = isPhysics(element) ? ownBinding(element) : undefined;
-    if (binding?.scope) yield binding;
-  }
-}
-
 function firstOf(bindings: Iterable<Binding>): PageWorld | undefined {
   for (const binding of bindings) {
     const world = worldFor(binding);
     if (world) return world;
   }
   return undefined;
-}
-
-/** The longest stretch a world takes at once without calling it lag, seconds. */
-const STRETCH = 0.1;
-
-/** A hidden page gets a frame per second: its worlds take that in pieces. */
-function advance(world: PageWorld, seconds: number, hidden: boolean): boolean {
-  let left = seconds;
-  for (; hidden && left > STRETCH; left -= STRETCH) world.frame(STRETCH, false);
-  return world.frame(left, !hidden);
 }

@@ -1,5 +1,6 @@
-import { loadEngine } from '../../physics-core/index.js';
+import { awaitAttempt, engine, stopAwaiting, type Engine } from './engine.js';
 import { attribute, isInline, isPhysics, subtree } from './document/dom.js';
+import type { PageWorld } from './nodes/worlds.js';
 import type { Scene } from './scene.js';
 import { nodeOf, x3dom, type X3DElement } from './x3dom/x3dom.js';
 
@@ -8,15 +9,8 @@ const LATEST = 10_000;
 /** How often the document is looked at meanwhile, milliseconds. */
 const INTERVAL = 20;
 
-type Engine = Awaited<ReturnType<typeof loadEngine>>;
-
-let loading: Promise<Engine> | undefined;
-
-/** The engine is fetched when the first physics element appears, once per page. */
-function engine(): Promise<Engine> {
-  loading ??= loadEngine();
-  return loading;
-}
+/** Problems that are over once the engine is there. */
+const OVERCOME = ['waiting-for-engine', 'engine-load-failed'];
 
 /** Waits until everything in the markup of an `<x3d>` is there, then has its worlds take their first step. */
 export class Start {
@@ -25,7 +19,7 @@ export class Start {
   #since: number | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #engine: Engine | undefined;
-  #failed: unknown;
+  #loading = false;
   #over = false;
 
   constructor(scene: Scene, settledInlines: WeakSet<Element>) {
@@ -34,14 +28,14 @@ export class Start {
     const listen = scene.worlds.onmake;
     scene.worlds.onmake = (world) => {
       listen(world);
-      if (this.#failed) world.fail(this.#failed);
       // What comes in the same batch is built in one go.
-      else queueMicrotask(() => this.#startWorlds());
+      queueMicrotask(() => this.#startWorlds());
     };
     this.check();
   }
 
   stop(): void {
+    stopAwaiting(this.load);
     clearTimeout(this.#timer);
     this.#over = true;
   }
@@ -103,7 +97,9 @@ export class Start {
   }
 
   #reportWaits(waits: string[]): void {
-    this.#scene.worlds.default.report(
+    const [world] = this.#scene.worlds.all;
+    // Without physics nothing starts.
+    world?.report(
       {
         code: 'waiting-for-document',
         severity: 'warning',
@@ -122,18 +118,21 @@ export class Start {
     await this.load();
   }
 
-  async load(): Promise<void> {
-    if (this.#engine || this.#failed) return;
+  readonly load = async (): Promise<void> => {
+    if (this.#engine || this.#loading) return;
+    this.#loading = true;
+    for (const world of this.#scene.worlds.all) world.awaitStart();
     const slow = setTimeout(() => this.#reportSlow(), LATEST);
     try {
       this.#engine = await engine();
       this.#startWorlds();
     } catch (error) {
-      this.#fail(error);
+      for (const world of this.#scene.worlds.all) this.#fail(world, error);
     } finally {
       clearTimeout(slow);
+      this.#loading = false;
     }
-  }
+  };
 
   #reportSlow(): void {
     const report = {
@@ -149,25 +148,25 @@ export class Start {
     if (!this.#engine) return void this.load();
     this.#scene.drain();
     for (const world of this.#scene.worlds.all) {
-      world.settle(this.#scene.x3d, undefined, 'waiting-for-engine');
+      for (const { element } of [{ element: this.#scene.x3d }, ...world.collections])
+        for (const code of OVERCOME) world.settle(element, undefined, code);
       if (!world.started) world.start(this.#engine);
     }
   }
 
-  #fail(error: unknown): void {
-    for (const world of this.#scene.worlds.all) {
-      const problem = {
-        code: 'engine-load-failed',
-        severity: 'error' as const,
-        value: String(error),
-        message: `the physics engine could not be loaded: ${String(error)}`,
-      };
-      const [collection] = world.collections;
-      const element = collection?.element ?? this.#scene.x3d;
-      world.report(problem, element);
-      this.#failed = { ...problem, element };
-      world.fail(this.#failed);
-    }
+  #fail(world: PageWorld, error: unknown): void {
+    const what = error instanceof Error ? error.message : String(error);
+    const report = {
+      code: 'engine-load-failed',
+      severity: 'error' as const,
+      value: what,
+      message: `the physics engine could not be loaded: ${what}`,
+    };
+    const [collection] = world.collections;
+    const element = collection?.element ?? this.#scene.x3d;
+    world.report(report, element);
+    world.fail({ ...report, element });
+    awaitAttempt(this.load);
   }
 }
 
@@ -175,8 +174,3 @@ export const hasPhysics = (root: Element): boolean => {
   for (const element of subtree(root)) if (isPhysics(element)) return true;
   return false;
 };
-
-/** Begins fetching while the rest of the page is still read. */
-export function prefetchEngine(): void {
-  engine().catch(() => {});
-}

@@ -26,7 +26,7 @@ import type { Stats, WorldOptions } from './types.js';
 
 /** A world of X3D nodes on a Bullet world. It exists before the engine does; `start` builds what was added so far. */
 export class World extends NodeWorld {
-  readonly ready: Promise<World>;
+  #ready!: Promise<World>;
   engine!: Engine;
   bullet!: BulletWorld;
   readonly poses = new Poses();
@@ -44,16 +44,27 @@ export class World extends NodeWorld {
   enabled = true;
 
   readonly control: Accuracy;
-  #settleReady!: { resolve: (world: World) => void; reject: (problem: unknown) => void };
+  #settleReady: { resolve: (world: World) => void; reject: (problem: unknown) => void } | undefined;
 
   constructor(options: WorldOptions = {}) {
     super(options.console ?? false);
     this.control = new Accuracy(this, options.level);
     this.heapLimit = new HeapLimit(this, options.maxHeapBytes);
     this.registry = new EffectRegistry(this);
-    this.ready = new Promise((resolve, reject) => (this.#settleReady = { resolve, reject }));
+    this.awaitStart();
+  }
+
+  /** Settles when the world has started; rejects with the problem if it can't. */
+  get ready(): Promise<World> {
+    return this.#ready;
+  }
+
+  /** After a failed attempt to start another one is made: who asks for `ready` from now on hears how that ends. */
+  awaitStart(): void {
+    if (this.#settleReady) return;
+    this.#ready = new Promise((resolve, reject) => (this.#settleReady = { resolve, reject }));
     // Nobody need listen; who awaits still hears.
-    this.ready.catch(() => {});
+    this.#ready.catch(() => {});
   }
 
   bodyAt(pointer: number): BodyNode | undefined {
@@ -88,7 +99,8 @@ export class World extends NodeWorld {
     this.events.during(() => {
       this.#build();
       this.flush();
-      this.#settleReady.resolve(this);
+      this.awaitStart();
+      this.#settleReady!.resolve(this);
       this.emit('ready', this);
       this.work();
     });
@@ -104,7 +116,8 @@ export class World extends NodeWorld {
 
   /** The world can't start: `ready` rejects with the problem. */
   fail(problem: unknown): void {
-    this.#settleReady.reject(problem);
+    this.#settleReady?.reject(problem);
+    this.#settleReady = undefined;
   }
 
   #build(): void {

@@ -1,18 +1,6 @@
 import type { Binding } from '../nodes/binding.js';
+import { Sets } from '../sets.js';
 import { attribute, precedes } from './dom.js';
-
-type Index<T> = Map<string, Set<T>>;
-
-function put<T>(index: Index<T>, name: string, item: T): void {
-  const set = index.get(name);
-  if (set) set.add(item);
-  else index.set(name, new Set([item]));
-}
-
-function take<T>(index: Index<T>, name: string, item: T): void {
-  const set = index.get(name);
-  if (set?.delete(item) && set.size === 0) index.delete(name);
-}
 
 interface Entry {
   def: string | null;
@@ -26,11 +14,11 @@ interface Entry {
  */
 export class Names {
   readonly #entries = new Map<Element, Entry>();
-  readonly #defs: Index<Element> = new Map();
-  readonly #ids: Index<Element> = new Map();
-  readonly #uses: Index<Element> = new Map();
-  readonly #watchers: Index<Binding> = new Map();
-  readonly #watched = new Map<Binding, Set<string>>();
+  readonly #defs = new Sets<string, Element>();
+  readonly #ids = new Sets<string, Element>();
+  readonly #uses = new Sets<string, Element>();
+  readonly #watchers = new Sets<string, Binding>();
+  readonly #watched = new Sets<Binding, string>();
   /** Called with each name whose bearers or users changed. */
   onchange: (name: string, watchers: Iterable<Binding>) => void = () => {};
 
@@ -42,9 +30,9 @@ export class Names {
     };
     if (!entry.def && !entry.id && !entry.use) return;
     this.#entries.set(element, entry);
-    if (entry.def) put(this.#defs, entry.def, element);
-    if (entry.id) put(this.#ids, entry.id, element);
-    if (entry.use) put(this.#uses, entry.use, element);
+    if (entry.def) this.#defs.add(entry.def, element);
+    if (entry.id) this.#ids.add(entry.id, element);
+    if (entry.use) this.#uses.add(entry.use, element);
     this.#changed(entry);
   }
 
@@ -52,9 +40,9 @@ export class Names {
     const entry = this.#entries.get(element);
     if (!entry) return;
     this.#entries.delete(element);
-    if (entry.def) take(this.#defs, entry.def, element);
-    if (entry.id) take(this.#ids, entry.id, element);
-    if (entry.use) take(this.#uses, entry.use, element);
+    if (entry.def) this.#defs.delete(entry.def, element);
+    if (entry.id) this.#ids.delete(entry.id, element);
+    if (entry.use) this.#uses.delete(entry.use, element);
     this.#changed(entry);
   }
 
@@ -67,7 +55,7 @@ export class Names {
   }
 
   touch(name: string): void {
-    this.onchange(name, [...(this.#watchers.get(name) ?? [])]);
+    this.onchange(name, this.#watchers.list(name));
   }
 
   /** DEF before id; the last DEF wins, as in X3D. */
@@ -77,7 +65,7 @@ export class Names {
 
   /** All elements with this DEF, in document order. */
   bearers(name: string): Element[] {
-    const bearers = [...(this.#defs.get(name) ?? [])];
+    const bearers = this.#defs.list(name);
     return bearers.length > 1 ? bearers.sort(precedes) : bearers;
   }
 
@@ -85,24 +73,19 @@ export class Names {
   usesOf(element: Element): Element[] {
     const entry = this.#entries.get(element);
     const names = [entry?.def, entry?.id].filter((name) => name && this.find(name) === element);
-    const uses = names.flatMap((name) => [...(this.#uses.get(name!) ?? [])]);
+    const uses = names.flatMap((name) => this.#uses.list(name!));
     return uses.length > 1 ? uses.sort(precedes) : uses;
-  }
-
-  get allUses(): Element[] {
-    return [...this.#uses.values()].flatMap((uses) => [...uses]);
   }
 
   /** `binding` is to hear when the bearers of `name` change. */
   watch(name: string, binding: Binding): void {
-    put(this.#watchers, name, binding);
+    this.#watchers.add(name, binding);
+    this.#watched.add(binding, name);
     binding.watching.add(this);
-    const names = this.#watched.get(binding) ?? new Set();
-    this.#watched.set(binding, names.add(name));
   }
 
   unwatch(binding: Binding): void {
-    for (const name of this.#watched.get(binding) ?? []) take(this.#watchers, name, binding);
-    this.#watched.delete(binding);
+    for (const name of this.#watched.get(binding) ?? []) this.#watchers.delete(name, binding);
+    this.#watched.deleteAll(binding);
   }
 }

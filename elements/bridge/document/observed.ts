@@ -4,6 +4,7 @@ import { attribute, isInline, isPhysics, isTransform, lowerName, subtree } from 
 import { isType } from './markup.js';
 import type { Scene } from '../scene.js';
 import type { Scope } from './scope.js';
+import { noteRead, PLACING } from '../x3dom/transforms.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Names and what decides who an element stands for. */
@@ -21,13 +22,6 @@ const NAMING = new Set([
 /** Follows the document under an `<x3d>` and in its Inlines; x3dom's own observer misses much (x3dom.md). */
 export class Observed {
   readonly #scene: Scene;
-  /** Attributes of Transforms that the author took away, lowercase: x3dom does not hear of them again. */
-  readonly #removed = new WeakMap<Element, Set<string>>();
-
-  #early = false;
-  /** Transforms that x3dom was told of early, and that were not edited since. */
-  readonly #ahead = new Set<Element>();
-
   constructor(scene: Scene) {
     this.#scene = scene;
   }
@@ -44,12 +38,10 @@ export class Observed {
 
   /** What happened so far in this task, now: x3dom hears of it later. */
   takeRecords(): void {
-    this.#early = true;
     for (const scope of this.#scene.scopes) {
       const records = scope.observer?.takeRecords();
       if (records?.length) this.#take(records, scope);
     }
-    this.#early = false;
   }
 
   #take(records: MutationRecord[], scope: Scope): void {
@@ -98,6 +90,7 @@ export class Observed {
     else if (isTransform(element)) this.#transform(element, name, oldValue, value);
     else this.#touch(element);
     if (isInline(element) && lower === 'shared-world') this.#scene.requeueInline(element);
+    // x3dom follows no attribute in a file of its own.
     if (element.ownerDocument !== document && !isPhysics(element) && value !== null)
       nodeOf(element)?.updateField(name, value);
   }
@@ -122,29 +115,14 @@ export class Observed {
     else binding.attributeChanged(name);
   }
 
-  /** x3dom follows a Transform's attribute only from one value to another; the rest is done here. */
+  /**
+   * x3dom follows an attribute only from one value to another, and later than this: told now, it hears nothing new then.
+   */
   #transform(element: Element, name: string, oldValue: string | null, value: string | null): void {
-    if (value === oldValue) return this.#scene.updates.rewritten(element);
-    if (!this.#early) this.#ahead.delete(element);
     const lower = name.toLowerCase();
-    const removed = this.#removed.get(element);
-    if (value === null) {
-      this.#removed.set(element, (removed ?? new Set()).add(lower));
-      if (DEFAULTS[lower]) nodeOf(element)?.updateField(name, DEFAULTS[lower]);
-    } else if (removed?.delete(lower)) nodeOf(element)?.updateField(name, value);
-    else if (this.#early && oldValue !== null && lower in DEFAULTS)
-      this.#tellEarly(element, name, value);
-  }
-
-  /** In the page x3dom will do the same when its observer runs: that is no edit then, unless there was another one. */
-  #tellEarly(element: Element, name: string, value: string): void {
-    if (element.ownerDocument !== document) return;
-    this.#ahead.add(element);
-    // After its observer, and before the updates that follow on that.
-    queueMicrotask(() => {
-      if (this.#ahead.delete(element)) this.#scene.updates.rewritten(element);
-    });
-    nodeOf(element)?.updateField(name, value);
+    const node = lower in PLACING ? nodeOf(element) : undefined;
+    if (node && oldValue !== null) noteRead(node, lower, oldValue);
+    if (value !== oldValue) node?.updateField(name, value ?? PLACING[lower]!);
   }
 }
 
@@ -158,12 +136,3 @@ function concerns(parent: Element, child: Node): boolean {
     (!isType(child, 'RigidBody') && !lowerName(child).endsWith('joint'))
   );
 }
-
-/** X3D's defaults, in force again when an attribute is removed. */
-const DEFAULTS: Record<string, string> = {
-  translation: '0 0 0',
-  rotation: '0 0 1 0',
-  scale: '1 1 1',
-  scaleorientation: '0 0 1 0',
-  center: '0 0 0',
-};

@@ -4,11 +4,13 @@ import type { Scope } from './scope.js';
 
 /** By rank, then in document order: arrival is that within a scope. */
 export function inOrder(bindings: Binding[]): Binding[] {
-  return bindings.sort((a, b) => a.type.rank - b.type.rank || scopeOrder(a, b));
+  return bindings.sort((a, b) => a.type.rank - b.type.rank || byScope(a, b));
 }
 
-function scopeOrder(a: Binding, b: Binding): number {
-  if (a.scope === b.scope) return 0;
+const byScope = (a: Binding, b: Binding): number => (a.scope === b.scope ? 0 : byPlace(a, b));
+
+/** In document order: what stands in a scope inside stands where that scope does. */
+export function byPlace(a: Binding, b: Binding): number {
   let [left, right] = [a.element, b.element];
   let [inLeft, inRight] = [a.scope!, b.scope!];
   while (inLeft !== inRight) {

@@ -1,15 +1,14 @@
 import type { Binding } from '../nodes/binding.js';
+import { Sets } from '../sets.js';
 
 /** Which nodes read which elements that are no physics nodes themselves: Shapes, geometry, Coordinates, Transforms. */
 export class Readers {
-  readonly #byElement = new Map<Element, Set<Binding>>();
-  readonly #byBinding = new Map<Binding, Set<Element>>();
+  readonly #byElement = new Sets<Element, Binding>();
+  readonly #byBinding = new Sets<Binding, Element>();
 
   add(element: Element, reader: Binding): void {
-    const readers = this.#byElement.get(element) ?? new Set();
-    this.#byElement.set(element, readers.add(reader));
-    const elements = this.#byBinding.get(reader) ?? new Set();
-    this.#byBinding.set(reader, elements.add(element));
+    this.#byElement.add(element, reader);
+    this.#byBinding.add(reader, element);
   }
 
   of(element: Element): Iterable<Binding> {
@@ -17,10 +16,8 @@ export class Readers {
   }
 
   forget(reader: Binding): void {
-    for (const element of this.#byBinding.get(reader) ?? []) {
-      const readers = this.#byElement.get(element);
-      if (readers?.delete(reader) && readers.size === 0) this.#byElement.delete(element);
-    }
-    this.#byBinding.delete(reader);
+    for (const element of this.#byBinding.get(reader) ?? [])
+      this.#byElement.delete(element, reader);
+    this.#byBinding.deleteAll(reader);
   }
 }

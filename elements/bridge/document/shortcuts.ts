@@ -46,7 +46,18 @@ function dialect(binding: Binding): StandIn | undefined {
   return undefined;
 }
 
+/** A Transform that stands for another one by USE is that one. */
+function resolved(standIn: StandIn | undefined, binding: Binding): StandIn | undefined {
+  const use = standIn?.transform && attribute(standIn.transform, 'USE');
+  const transform = use ? standIn.scope.find(use, binding) : undefined;
+  return transform ? { ...standIn!, transform, shapes: transform } : standIn;
+}
+
 export function standInOf(binding: Binding): StandIn | undefined {
+  return resolved(shortcutOf(binding), binding);
+}
+
+function shortcutOf(binding: Binding): StandIn | undefined {
   const name = attribute(binding.element, 'for');
   if (name) return named(binding, name);
   if (binding.is('RigidBody')) return enclosing(binding);

@@ -197,7 +197,7 @@ export function worldFor(binding: Binding): PageWorld | undefined {
   if (collection) return worlds.of(collection);
   if (binding.is('RigidBody')) return worlds.default;
   if (binding.is('CollisionCollection'))
-    return worldOfMembers(binding) ?? worlds.only ?? worlds.default;
+    return worldOfMembers(binding) ?? worlds.onlyFor(binding) ?? worlds.default;
   if (binding.is('CollisionSensor')) return worldOfCollider(binding);
   if (binding.is('Contact')) return undefined;
   return worldOfBodies(binding);

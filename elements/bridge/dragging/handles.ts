@@ -49,6 +49,8 @@ export class Handles {
   readonly #handles: Handle[] = [];
   #held: Held | undefined;
   #frame = 0;
+  /** The first one whose number may be another than its name says. */
+  #renamed = Infinity;
 
   constructor(scene: Scene, view: View) {
     this.#scene = scene;
@@ -76,7 +78,7 @@ export class Handles {
     const place = this.#handles.findLastIndex((each) => !isBefore(binding, each.binding)) + 1;
     this.#handles.splice(place, 0, handle);
     this.#box.insert(button, this.#handles[place + 1]?.button);
-    this.#rename();
+    this.#renameFrom(place);
   }
 
   remove(body: DraggableBody): void {
@@ -85,21 +87,36 @@ export class Handles {
     if (!gone) return;
     const focused = this.#box.focused === gone.button;
     gone.button.remove();
-    this.#rename();
+    this.#renameFrom(place);
     if (focused) this.#handles[Math.min(place, this.#handles.length - 1)]?.button.focus();
   }
 
-  /** The first one is the one that Tab reaches, until another one had the focus. */
+  /** Once for all that come or go in one task: those without a name are numbered. */
+  #renameFrom(place: number): void {
+    if (this.#renamed === Infinity) queueMicrotask(() => this.#rename());
+    this.#renamed = Math.min(this.#renamed, place);
+  }
+
   #rename(): void {
+    for (let i = this.#renamed; i < this.#handles.length; i++) this.#name(this.#handles[i]!, i);
+    this.#renamed = Infinity;
+    this.#offerToTab();
+  }
+
+  #name({ binding, button }: Handle, place: number): void {
+    const name = nameOf(binding) ?? `Body ${place + 1}`;
+    if (button.getAttribute('aria-label') !== name) button.setAttribute('aria-label', name);
+  }
+
+  /** The first one is the one that Tab reaches, until another one had the focus. */
+  #offerToTab(): void {
     if (!this.#handles.some(({ button }) => button.tabIndex === 0))
       this.#handles[0]?.button.setAttribute('tabindex', '0');
-    this.#handles.forEach(({ binding, button }, i) => {
-      button.setAttribute('aria-label', nameOf(binding) ?? `Body ${i + 1}`);
-    });
   }
 
   #focused(handle: Handle): void {
     for (const { button } of this.#handles) button.tabIndex = button === handle.button ? 0 : -1;
+    this.#name(handle, this.#handles.indexOf(handle));
     cancelAnimationFrame(this.#frame);
     this.#follow(handle);
   }

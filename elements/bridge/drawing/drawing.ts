@@ -11,6 +11,7 @@ import {
   type Affine,
 } from '../geometry/matrix.js';
 import type { Scope } from '../document/scope.js';
+import { Sets } from '../sets.js';
 import type { PageWorld } from '../nodes/worlds.js';
 import { nodeOf, type X3DNode, type X3DQuaternion, type X3DVector } from '../x3dom/x3dom.js';
 
@@ -70,7 +71,7 @@ function linearMatrix([a, b, c, d, e, f, g, h, i]: number[]): Affine {
 /** Writes poses straight into x3dom's matrices, past its fields and attributes, so that none comes back as an edit. */
 export class Drawing {
   /** Targets by the Transforms above them: when one of those moves, the local matrix below changes. */
-  readonly #under = new Map<Element, Set<Binding>>();
+  readonly #under = new Sets<Element, Binding>();
   readonly #written = new WeakSet<Element>();
   readonly #targets = new Map<Binding, { targets: Target[]; above: Element[] }>();
   readonly #byElement = new Map<Element, Binding>();
@@ -81,10 +82,7 @@ export class Drawing {
     this.forget(binding);
     this.#targets.set(binding, { targets, above });
     for (const { element } of targets) this.#byElement.set(element, binding);
-    for (const element of above) {
-      const set = this.#under.get(element) ?? new Set();
-      this.#under.set(element, set.add(binding));
-    }
+    for (const element of above) this.#under.add(element, binding);
     if (binding.node) this.#bindings.set(binding.node, binding);
   }
 
@@ -95,7 +93,7 @@ export class Drawing {
     for (const { element } of known.targets) {
       if (this.#byElement.get(element) === binding) this.#byElement.delete(element);
     }
-    for (const element of known.above) this.#under.get(element)?.delete(binding);
+    for (const element of known.above) this.#under.delete(element, binding);
   }
 
   /** The body that moves an element. */
@@ -114,11 +112,6 @@ export class Drawing {
 
   hasWritten(element: Element): boolean {
     return this.#written.has(element);
-  }
-
-  /** The author moved it: what its attributes say holds again. */
-  unwrite(element: Element): void {
-    this.#written.delete(element);
   }
 
   /** Draws the bodies that moved. */

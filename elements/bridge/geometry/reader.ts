@@ -47,8 +47,8 @@ export class GeometryReader {
     const element = use ? scope.find(use, this.#user) : child;
     if (!element) return;
     if (!isTransform(element)) return this.collect(child, scope, matrix);
-    // A Transform with a body of its own moves by itself.
-    if (this.#user.scope!.scene.drivers.of(element)) return;
+    // A Transform with a body of its own moves by itself, as long as it has one.
+    if (this.#user.scope!.scene.drivers.of(element)) return this.#watch(element);
     this.collect(child, scope, multiply(matrix, localMatrix(element)));
   }
 

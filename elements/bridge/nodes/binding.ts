@@ -25,7 +25,7 @@ export class Binding extends Findings {
     return this;
   }
 
-  world: PageWorld | null = null;
+  #world: PageWorld | null = null;
   /** Null while something it needs is missing. */
   node: PhysicsNode | null = null;
   /** What it moves and takes its Shapes from, by a shortcut or in X3DOM's older dialect. */
@@ -45,6 +45,18 @@ export class Binding extends Findings {
   shapes: GeometryData[] | undefined;
   /** What script set since the attribute was last written; in file units. */
   readonly #properties = new Map<string, unknown>();
+
+  /** The world that it lives in, whether its node could be made yet or not. */
+  get world(): PageWorld | null {
+    return this.#world;
+  }
+
+  set world(world: PageWorld | null) {
+    if (world === this.#world) return;
+    this.#world?.leave(this);
+    this.#world = world;
+    world?.enter(this);
+  }
 
   is(...names: string[]): boolean {
     return names.includes(this.type.name);
@@ -145,12 +157,17 @@ export class Binding extends Findings {
     if (given === undefined) this.#properties.delete(name);
     else this.#properties.set(name, given);
     const after = this.named(name) ?? [];
-    noteNamed(this, before, after);
+    if (this.scope) noteNamed(this, before, after);
     this.scope?.scene.dirty(this);
     for (const element of [...before, ...after]) {
       const other = ownBinding(element);
       other?.scope?.scene.dirty(other);
     }
+  }
+
+  /** All that it names: those know of it while it stands in a scene. */
+  get allNamed(): Element[] {
+    return [...this.#properties.keys()].flatMap((name) => this.named(name) ?? []);
   }
 
   #namedNodes(name: string): unknown {

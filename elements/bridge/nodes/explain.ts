@@ -8,7 +8,7 @@ import {
 import { selectorOf } from '../document/dom.js';
 import type { Binding } from './binding.js';
 import { holdsNodes } from './fields.js';
-import { page } from '../page.js';
+import { rivalOf } from './rivals.js';
 import type { PageWorld } from './worlds.js';
 
 /** A problem, with the element by name. */
@@ -44,9 +44,8 @@ export interface Explanation {
 /** Problems that say what is simulated in the place of what was written. */
 const APPROXIMATED = new Set(['approximated-field', 'concave-dynamic', 'zero-volume']);
 
-/** Of a physics element, or of the body that moves any other one. */
-export function explain(element: Element): Explanation {
-  const binding = page.bindingOf(element) ?? page.bodyOf(element);
+/** Of an element whose node this is, or whose body; undefined where it has none. */
+export function explanation(element: Element, binding: Binding | undefined): Explanation {
   const problems = binding?.world?.problemsOf(binding.element) ?? [];
   const node = binding?.node;
   return plain({
@@ -102,6 +101,8 @@ function whyAsleep({ node }: Binding): string | undefined {
 function waitsOf(binding: Binding): string[] {
   if (!binding.scope) return ['an <x3d> around it'];
   const names = [...binding.waiting].map(([role, name]) => `${role} "${name}"`);
+  const rival = rivalOf(binding)?.rival;
+  if (rival) names.push(`${rival.label} to go`);
   if (!binding.scope.scene.live) return [...names, 'the document to be read'];
   if (!binding.node || !binding.world) return names;
   return [...names, ...waitsOfNode(binding.node, binding.world)];

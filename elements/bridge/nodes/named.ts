@@ -13,10 +13,10 @@ export function noteNamed(binding: Binding, before: Element[], after: Element[])
   }
 }
 
-/** Nodes of these types that name an element. */
+/** Nodes of these types that stand in a scene and name an element. */
 export function namersOf(element: Element, ...types: string[]): Binding[] {
   const all = namers.get(element);
-  return all ? [...all].filter((binding) => binding.scope && binding.is(...types)) : [];
+  return all ? [...all].filter((binding) => binding.is(...types)) : [];
 }
 
 /** What script may hand over for nodes: one element, any list of them, or text; undefined: nothing is named. */

@@ -8,6 +8,8 @@ import { planFor } from './plans.js';
 import type { Scene } from '../scene.js';
 import type { Scope } from '../document/scope.js';
 import { listsAll, worldFor } from '../document/structure.js';
+import { noteNamed } from './named.js';
+import { mayMove } from './rivals.js';
 import { Writer } from './writer.js';
 import type { PhysicsX3DNode } from '../x3dom/node-types.js';
 import { nodeOf } from '../x3dom/x3dom.js';
@@ -22,9 +24,8 @@ export class Updates {
   #queue = new Set<Binding>();
   readonly #left = new Set<Binding>();
   #arrived: { element: Element; scope: Scope }[] = [];
-  readonly #edited = new Set<Element>();
-  /** Transforms whose attribute was written with what it said already. */
-  readonly #rewritten = new Set<Element>();
+  /** Transforms that were written to, and whether anything else than before. */
+  readonly #edited = new Map<Element, boolean>();
   readonly #redraw = new Set<Binding>();
   /** Bodies that follow an edit: their Transforms are there already, their drawn poses come with the next frame. */
   readonly #jumped = new Set<Binding>();
@@ -53,13 +54,10 @@ export class Updates {
     this.schedule();
   }
 
-  transformEdited(element: Element): void {
-    this.#edited.add(element);
+  /** `again`: with what it said already. */
+  transformEdited(element: Element, again: boolean): void {
+    this.#edited.set(element, !again || (this.#edited.get(element) ?? false));
     this.schedule();
-  }
-
-  rewritten(element: Element): void {
-    this.#rewritten.add(element);
   }
 
   redraw(binding: Binding): void {
@@ -73,7 +71,7 @@ export class Updates {
     this.#scheduled = true;
     queueMicrotask(() => {
       this.#scheduled = false;
-      this.#scene.drain();
+      this.#scene.settle();
     });
   }
 
@@ -90,7 +88,7 @@ export class Updates {
       this.#takeArrived();
       this.#takeLeft();
       this.#takeEdited();
-      for (let round = 0; this.#queue.size > 0 && round < ROUNDS; round++) this.#round();
+      for (let round = 0; this.#isLeft() && round < ROUNDS; round++) this.#round();
       for (const binding of this.#redraw)
         if (!this.#jumped.has(binding)) this.#scene.drawing.redraw(binding);
       this.#redraw.clear();
@@ -164,17 +162,14 @@ export class Updates {
 
   #takeEdited(): void {
     const { drawing, readers } = this.#scene;
-    for (const element of this.#edited) {
+    for (const [element, isNew] of this.#edited) {
       const own = drawing.bodyMoving(element);
-      const rewritten = this.#rewritten.has(element);
-      if (!rewritten) drawing.unwrite(element);
       for (const binding of new Set([...(own ? [own] : []), ...drawing.bodiesUnder(element)])) {
-        if (rewritten || !this.#follow(binding, element)) this.#redraw.add(binding);
+        if (!isNew || !this.#follow(binding, element)) this.#redraw.add(binding);
       }
       for (const reader of readers.of(element)) this.#queue.add(reader);
     }
     this.#edited.clear();
-    this.#rewritten.clear();
   }
 
   /** A body goes where the author put the Transform that it moves, or one above. */
@@ -196,6 +191,12 @@ export class Updates {
   }
 
   // ---- nodes --------------------------------------------------------------------------------------------------
+
+  /** Whether nodes wait; worlds that came or went make some. */
+  #isLeft(): boolean {
+    this.#scene.worlds.checkOnly();
+    return this.#queue.size > 0;
+  }
 
   #round(): void {
     const batch = inOrder(
@@ -219,8 +220,9 @@ export class Updates {
     if (binding.node !== node || binding.is('CollidableShape', 'CollidableOffset'))
       this.#tellUsers(binding);
     this.#scene.unlisted.note(binding, listsAll(binding) ? binding.world : null);
-    if (world !== binding.world && binding.is('RigidBodyCollection'))
-      this.#movedWorld(binding, world);
+    if (world === binding.world) return;
+    if (world) this.#tellUsed(binding);
+    if (binding.is('RigidBodyCollection')) this.#movedWorld(binding, world);
   }
 
   #plan(binding: Binding): Plan | undefined {
@@ -229,11 +231,17 @@ export class Updates {
     checkMarkup(binding);
     // Without what it stands for, nobody knows where it is to start.
     if (binding.is('RigidBody') && binding.waiting.has('for')) return undefined;
+    if (!mayMove(binding)) return undefined;
     return world && planFor(binding, world);
   }
 
   #tellUsers(binding: Binding): void {
     for (const user of binding.users) this.#queue.add(user);
+  }
+
+  /** It is in another world: what it lists may live where it does. */
+  #tellUsed(binding: Binding): void {
+    for (const used of binding.uses) this.#queue.add(used);
   }
 
   /** What lives in a collection goes with it. */
@@ -251,11 +259,13 @@ export class Updates {
     this.#writer.remove(binding);
     this.#scene.drivers.stop(binding);
     this.#scene.unlisted.forget(binding);
+    this.#scene.worlds.forget(binding);
     binding.beginPlan();
     binding.tellFound();
     this.#scene.reports.settle(binding);
     const { world } = binding;
     if (world?.collections.delete(binding)) this.#scene.events.updateWorld(world);
+    noteNamed(binding, binding.allNamed, []);
     binding.scope = null;
     binding.world = null;
   }

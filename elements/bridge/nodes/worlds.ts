@@ -1,9 +1,12 @@
-import { World, type PhysicsNode, type RayHit } from '../../../physics-core/index.js';
+import { World, type PhysicsNode, type Problem, type RayHit } from '../../../physics-core/index.js';
 import { ownBinding, type Binding } from './binding.js';
 import { logInPage } from '../document/console.js';
 import { attribute, precedes } from '../document/dom.js';
 import type { Scene } from '../scene.js';
 import { setState } from '../states.js';
+
+/** The longest stretch a world takes at once without calling it lag, seconds. */
+const STRETCH = 0.1;
 
 /** What a ray hits in a page. */
 export interface PageHit extends RayHit {
@@ -13,6 +16,10 @@ export interface PageHit extends RayHit {
 /** A world whose nodes stand in an `<x3d>`. */
 export class PageWorld extends World {
   readonly scene: Scene;
+  /** All that live in it, with a node or without one yet. */
+  readonly #members = new Set<Binding>();
+  /** Those of them that make a world; the others go where those are. */
+  #founders = 0;
   /** Its RigidBodyCollections, in the order of the document. */
   readonly collections = new Set<Binding>();
 
@@ -92,6 +99,52 @@ export class PageWorld extends World {
     return undefined;
   }
 
+  /** Time passes, in seconds; a hidden page gets a frame per second, which is taken in pieces. */
+  pass(seconds: number, hidden: boolean): boolean {
+    let left = seconds;
+    for (; hidden && left > STRETCH; left -= STRETCH) this.frame(STRETCH, false);
+    return this.frame(left, !hidden);
+  }
+
+  // ---- who lives in it --------------------------------------------------------------------------------------------
+
+  enter(member: Binding): void {
+    this.#members.add(member);
+    if (isFounder(member)) this.#founders++;
+  }
+
+  leave(member: Binding): void {
+    this.#members.delete(member);
+    if (isFounder(member)) this.#founders--;
+  }
+
+  /** Whether it has a body or a collection. */
+  get founded(): boolean {
+    return this.#founders > 0;
+  }
+
+  /** Whether nothing lives in it any more, what script added included. */
+  get deserted(): boolean {
+    const [node] = this.nodes;
+    return this.#members.size === 0 && !node;
+  }
+
+  /** For good; what it holds of Bullet is given back. `gone`: what left the page. */
+  end(gone: string): void {
+    if (!this.started) this.fail(this.#over(gone));
+    this.destroy();
+  }
+
+  #over(gone: string): Problem {
+    return {
+      code: 'world-ended',
+      severity: 'info',
+      value: gone,
+      message: `the world ended before it had started: ${gone} left the page`,
+      element: this.scene.x3d,
+    };
+  }
+
   /** Keeps running while the page is hidden or the scene scrolled away. */
   get runsHidden(): boolean {
     for (const collection of this.collections) if (collection.get('runHidden')) return true;
@@ -99,12 +152,20 @@ export class PageWorld extends World {
   }
 }
 
-/** The worlds of one `<x3d>`: one per collection, one per `shared-world` name, and the default one. */
+const isFounder = (member: Binding): boolean => member.is('RigidBodyCollection', 'RigidBody');
+
+/**
+ * The worlds of one `<x3d>`: one per collection, one per `shared-world` name, and the default one. Each ends with the last
+ * that lives in it, but for the default one, which is the `<x3d>`'s own: whoever holds it may go on.
+ */
 export class Worlds {
   readonly #scene: Scene;
   readonly #own = new WeakMap<Binding, PageWorld>();
   readonly #shared = new Map<string, PageWorld>();
   #default: PageWorld | undefined;
+  /** Those that live in the only world, and so elsewhere when that is another. */
+  readonly #inOnly = new Set<Binding>();
+  #only: PageWorld | undefined;
   readonly all = new Set<PageWorld>();
   /** Called with each world when it is made. */
   onmake: (world: PageWorld) => void = () => {};
@@ -125,10 +186,31 @@ export class Worlds {
     return (this.#default ??= this.#make());
   }
 
-  /** The world, where there is but one. */
+  /** The world, where there is but one with bodies or a collection. */
   get only(): PageWorld | undefined {
-    const [first] = this.all;
-    return this.all.size === 1 ? first : undefined;
+    const founded = [...this.all].filter((world) => world.founded);
+    return founded.length === 1 ? founded[0] : undefined;
+  }
+
+  /** The only world, for a node that has to move when that is another. */
+  onlyFor(binding: Binding): PageWorld | undefined {
+    this.#inOnly.add(binding);
+    return this.only;
+  }
+
+  /** It has left. */
+  forget(binding: Binding): void {
+    this.#inOnly.delete(binding);
+  }
+
+  /** Bodies or collections came or went: those that live in the only world are asked anew. */
+  checkOnly(): void {
+    const { only } = this;
+    if (only === this.#only) return;
+    this.#only = only;
+    const asked = [...this.#inOnly];
+    this.#inOnly.clear();
+    for (const binding of asked) if (binding.scope) this.#scene.dirty(binding);
   }
 
   isDefault(world: PageWorld | null): boolean {
@@ -161,10 +243,20 @@ export class Worlds {
     )[0];
   }
 
+  /** Never within a step: worlds that nothing lives in any more end. */
+  endDeserted(): void {
+    for (const world of this.all)
+      if (world.deserted && world !== this.#default) this.#end(world, 'all that lived in it');
+  }
+
+  #end(world: PageWorld, gone: string): void {
+    this.all.delete(world);
+    for (const [name, shared] of this.#shared) if (shared === world) this.#shared.delete(name);
+    world.end(gone);
+  }
+
   destroy(): void {
-    for (const world of this.all) world.destroy();
-    this.all.clear();
-    this.#shared.clear();
+    for (const world of this.all) this.#end(world, 'its <x3d>');
     this.#default = undefined;
   }
 }

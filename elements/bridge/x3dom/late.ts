@@ -3,6 +3,25 @@ import { documentOf, nodeOf, type NameSpace, type X3DElement } from './x3dom.js'
 
 // x3dom has already met what we come to late: cures for that (x3dom.md).
 
+/**
+ * x3dom may come after us: while the page is read, or with a script that is added at any time. It reads the page on window
+ * load or, past that, some milliseconds later, and the `load` of its script is heard before. `meet` is asked until it is
+ * there.
+ */
+export function whenThere(meet: () => boolean): void {
+  if (meet()) return;
+  const events: [EventTarget, string][] = [
+    [document, 'DOMContentLoaded'],
+    [document, 'load'],
+    [window, 'load'],
+  ];
+  const again = (): void => {
+    if (!meet()) return;
+    for (const [target, type] of events) target.removeEventListener(type, again, true);
+  };
+  for (const [target, type] of events) target.addEventListener(type, again, true);
+}
+
 /** Our tags meant nothing to x3dom when it read the page, and it dropped all below them: it is shown them again. */
 export function setUpDropped(x3d: Element): void {
   const doc = documentOf(x3d);

@@ -6,6 +6,7 @@ import { holdsNodes } from '../nodes/fields.js';
 import { placeAsWritten } from '../drawing/place.js';
 import { surviveLostContext } from './lost-context.js';
 import { watchRoutes } from './route-ends.js';
+import { watchTransforms, type TransformListener } from './transforms.js';
 import { fromX3DOM, toX3DOM } from './values.js';
 import { nodeOf, type NodeContext, type X3DNode, type X3DNodeClass, type X3DOM } from './x3dom.js';
 
@@ -77,10 +78,9 @@ export function cureListeners(element: Element): void {
 }
 
 /** Whom our node types and hooks tell. */
-export interface Listener {
+export interface Listener extends TransformListener {
   nodeMade(element: Element): void;
   routed(node: PhysicsX3DNode): void;
-  transformEdited(transform: Element): void;
   inlineSettled(inline: Element, loaded: boolean): void;
 }
 
@@ -227,27 +227,6 @@ function register(x: X3DOM, name: string, tag: string, type: X3DNodeClass): void
   x.registerNodeType(name, 'RigidBodyPhysics', type);
   x.registerNodeType(tag, 'RigidBodyPhysics', type);
   type._typeName = name;
-}
-
-const PLACING = new Set([
-  'translation',
-  'rotation',
-  'scale',
-  'scaleOrientation',
-  'center',
-  'matrix',
-]);
-
-/** An author's edit of a Transform, by attribute, ROUTE or setFieldValue, moves what we have there. */
-function watchTransforms(x: X3DOM, listener: Listener): void {
-  for (const name of ['Transform', 'MatrixTransform']) {
-    const { prototype } = x.nodeTypes[name];
-    const { fieldChanged } = prototype;
-    prototype.fieldChanged = function (this: X3DNode, field: string): void {
-      fieldChanged.call(this, field);
-      if (this._xmlNode && PLACING.has(field)) listener.transformEdited(this._xmlNode);
-    };
-  }
 }
 
 /** An Inline fires `load` when its file stands in the scene, `error` when no address is left. */

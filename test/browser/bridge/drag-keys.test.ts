@@ -131,3 +131,34 @@ describe('dragging by keyboard', () => {
     await until(() => focused(root) === 'b2');
   });
 });
+
+describe('names of bodies to drag', () => {
+  it('are written once each, however many come or go, together or one by one, and kept in order', async () => {
+    const { x3d, root } = await stage();
+    const scene = x3d.querySelector('scene')!;
+    const written = new MutationObserver(() => {});
+    written.observe(root, { subtree: true, attributeFilter: ['aria-label'] });
+    const labels = (): (string | null)[] =>
+      [...root.querySelectorAll('button')].map((button) => button.getAttribute('aria-label'));
+    const count = 40;
+    for (let i = 0; i < count; i++) scene.insertAdjacentHTML('beforeend', body('', i));
+    await until(() => labels().length === 3 + count);
+    for (let i = 0; i < 5; i++) {
+      scene.insertAdjacentHTML('beforeend', body('', i));
+      await until(() => labels().length === 4 + count + i);
+    }
+    await wait(0);
+    const numbers = Array.from({ length: count + 6 }, (_, i) => `Body ${i + 3}`);
+    expect(labels()).to.eql(['The crate', 'b2', ...numbers]);
+    expect(written.takeRecords().length).to.be.at.most(count + 5);
+    const bodies = [...x3d.querySelectorAll('transform')];
+    for (const gone of bodies.slice(2, 12)) gone.remove();
+    await until(() => labels().length === 38);
+    await wait(0);
+    expect(labels()).to.eql(['The crate', 'b2', ...numbers.slice(0, 36)]);
+    expect(written.takeRecords().length).to.be.at.most(36);
+    x3d.querySelector('#b2')!.setAttribute('title', 'The ball');
+    root.querySelectorAll('button')[1]!.focus();
+    expect(labels()[1]).to.equal('The ball');
+  });
+});

@@ -60,7 +60,7 @@ describe('pages', () => {
   });
 
   for (const search of ['', '?404']) {
-    it(`engine-missing.html${search}: the page hears of it once, ready rejects, x3dom draws`, async () => {
+    it(`engine-missing.html${search}: the page hears of it once, with the address, ready rejects, x3dom draws`, async () => {
       const page = await open(`engine-missing.html${search}`);
       const ball = named(page, 'ball');
       const world = page.X3DPhysics!.worldOf(ball)!;
@@ -70,6 +70,7 @@ describe('pages', () => {
       );
       expect(problem!.code).to.equal('engine-load-failed');
       expect(problem!.value).to.contain(search ? '404' : 'no network');
+      expect(problem!.value).to.contain(`${location.origin}/dist/ammo.wasm`);
       ball.setAttribute('mass', '3');
       await wait(100);
       expect(heardIn(page)).to.eql(['engine-load-failed']);
@@ -77,6 +78,101 @@ describe('pages', () => {
       expect(drawn(named(page, 'drawn'))).to.equal(3);
     });
   }
+
+  /** Two scenes that wait for an engine that can't be had, and how often it was asked for. */
+  async function withoutEngine() {
+    const page = (await open('engine-later.html')) as PageWindow & {
+      heard: string[];
+      fetched: number;
+      there: boolean;
+    };
+    const worlds = ['ball', 'free'].map((name) => page.X3DPhysics!.worldOf(named(page, name))!);
+    const codes = worlds.map((world) => world.ready.catch(({ code }: { code: string }) => code));
+    expect(await Promise.all(codes)).to.eql(['engine-load-failed', 'engine-load-failed']);
+    expect(page.heard.sort()).to.eql(['engine-load-failed second', 'engine-load-failed waits']);
+    // One scene may have come after the other one had failed.
+    expect(page.fetched).to.be.oneOf([1, 2]);
+    page.heard.length = page.fetched = 0;
+    return { page, worlds, scene: page.document.querySelector('scene')! };
+  }
+
+  const anotherWorld = '<x3d-rigid-body-collection id="new"></x3d-rigid-body-collection>';
+
+  for (const [by, act] of [
+    [
+      'another world comes',
+      (scene: Element) => scene.insertAdjacentHTML('beforeend', anotherWorld),
+    ],
+    [
+      'the browser is online again',
+      ({ ownerDocument }: Element) => ownerDocument.defaultView!.dispatchEvent(new Event('online')),
+    ],
+  ] as const)
+    it(`engine-later.html: is asked for again when ${by}, and all that wait start`, async () => {
+      const { page, worlds, scene } = await withoutEngine();
+      page.there = true;
+      act(scene);
+      await until(() => worlds.every(({ started }) => started));
+      for (const world of worlds) expect(await world.ready).to.equal(world);
+      expect(worlds.map(({ problems }) => problems)).to.eql([[], []]);
+      expect(page.fetched).to.equal(1);
+      expect(page.heard).to.include.members(['physicsready waits', 'physicsready second']);
+      for (const world of worlds) {
+        world.paused = true;
+        world.reset();
+        world.advance(1);
+      }
+      expect(height(worlds[0]!, 'ball')).to.be.closeTo(-4.9, 0.05);
+      expect(height(worlds[1]!, 'free')).to.be.closeTo(-4.9, 0.05);
+    });
+
+  it('engine-later.html: is asked for once by each new world, by no new body, and told of once', async () => {
+    const { page, worlds, scene } = await withoutEngine();
+    for (let i = 0; i < 5; i++) {
+      scene.insertAdjacentHTML('beforeend', '<x3d-rigid-body></x3d-rigid-body>');
+      scene
+        .querySelector('#waits')!
+        .insertAdjacentHTML('beforeend', '<x3d-rigid-body></x3d-rigid-body>');
+      await wait(20);
+    }
+    // The first of them were in the default world of their <x3d>, which they made.
+    expect(page.fetched).to.equal(1);
+    scene.insertAdjacentHTML('beforeend', anotherWorld);
+    await wait(100);
+    expect(page.fetched).to.equal(2);
+    const again = page.X3DPhysics!.worldOf(scene.querySelector('#new')!)!;
+    expect(await again.ready.catch(({ code }: { code: string }) => code)).to.equal(
+      'engine-load-failed',
+    );
+    expect(await worlds[0]!.ready.catch(({ code }: { code: string }) => code)).to.equal(
+      'engine-load-failed',
+    );
+    expect(page.heard).to.eql(['engine-load-failed first', 'engine-load-failed new']);
+  });
+
+  it('late-x3dom.html: what x3dom reads when it comes, with load or long after, is drawn where it is', async () => {
+    const page = await open('late-x3dom.html');
+    const world = await worldIn(page);
+    world.paused = true;
+    world.reset();
+    world.advance(0.5);
+    await wait(100);
+    await addScript(page, '/node_modules/x3dom/x3dom.js');
+    const [ball, plain] = ['ball', 'plain'].map((name) => height(world, name));
+    expect(ball).to.be.closeTo(3 - 4.9 * 0.25, 0.05);
+    const isDrawn = (name: string, y: number): boolean =>
+      '_x3domNode' in named(page, name) && Math.abs(drawn(named(page, name)) - y) < 1e-4;
+    await until(() => isDrawn('drawn', ball!) && isDrawn('shape', plain!));
+    await until(() => isDrawn('ring', height(world, 'torus')));
+    world.step(0);
+    // Only x3dom has the mesh of a Torus.
+    expect(world.problems.map(({ code }) => code)).to.eql(['concave-dynamic']);
+    const inline = await worldOfInline(page, page.document.querySelector('inline')!);
+    expect(inline.stats.bodies).to.equal(2);
+    named(page, 'drawn').setAttribute('translation', '0 7 0');
+    world.step(0);
+    expect(height(world, 'ball')).to.equal(7);
+  });
 
   it('late-library.html: what x3dom dropped is set up when we come', async () => {
     const page = await open('late-library.html');
@@ -92,26 +188,31 @@ describe('pages', () => {
     expect(drawn(named(page, 'othershape'))).to.be.closeTo(y, 1e-4);
   });
 
-  it('two-scripts.html: both builds on a page are one library', async () => {
-    const page = await open('two-scripts.html');
+  it('two-scripts.html: the second copy says so, leaves the page to the first, and answers through it', async () => {
+    const page = (await open('two-scripts.html')) as PageWindow & { problems: string[] };
     const world = await worldIn(page);
     const other = await page.X3DPhysics!.worldOf(named(page, 'other'))!.ready;
     await wait(100);
     expect(heardIn(page).sort()).to.eql(['custom', 'plain']);
+    expect(page.problems).to.eql(['console two-copies', 'two-copies HTML']);
     expect([...world.problems, ...other.problems]).to.eql([]);
     const module = (await (page as unknown as { eval(text: string): unknown }).eval(
       "import('/dist/x3d-physics.js')",
     )) as { worldOf(element: Element): unknown; explain(element: Element): object };
-    for (const name of ['ball', 'other']) {
-      const element = named(page, name);
-      expect(module.worldOf(element)).to.equal(page.X3DPhysics!.worldOf(element));
-      expect(module.explain(element)).to.deep.include({ running: true, problems: [] });
-    }
+    const classic = page.X3DPhysics as unknown as typeof module;
     for (const each of [world, other]) {
       each.paused = true;
       each.reset();
       each.advance(1);
     }
+    for (const name of ['ball', 'other']) {
+      const element = named(page, name);
+      expect(module.worldOf(element)).to.equal(classic.worldOf(element));
+      expect(module.explain(element)).to.deep.include({ running: true, problems: [] });
+      expect(module.explain(element)).to.deep.equal(classic.explain(element));
+    }
+    const touching = module.explain(named(page, 'lies')) as { touches: Element[] };
+    expect(touching.touches).to.eql([named(page, 'ground')]);
     expect(height(world, 'ball')).to.be.closeTo(3 - 4.9, 0.05);
     await until(() => Math.abs(drawn(named(page, 'shape')) - height(other, 'other')) < 1e-4);
     expect(height(other, 'other')).to.equal(height(world, 'ball'));
@@ -146,8 +247,11 @@ describe('pages', () => {
     expect(page.heard).to.equal(before + 3);
   });
 
-  it('a page whose scripts say nothing of our events pays for none', async () => {
-    const world = await worldIn(await openText(early('var nothing = 0;')));
+  it('a page whose scripts say nothing of our events, or come from elsewhere, pays for none', async () => {
+    const elsewhere = '</script><script src="/test/pages/analytics.js"></script><script>';
+    const page = await openText(early(`var nothing = 0;${elsewhere}var more = 0;`));
+    expect(page).to.have.property('analytics', true);
+    const world = await worldIn(page);
     expect(['beforestep', 'afterstep'].map((name) => world.heard(name))).to.eql([false, false]);
     expect(world.effects.filter(({ name, active }) => active && /contact/.test(name))).to.eql([]);
   });

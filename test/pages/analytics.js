@@ -1,0 +1,2 @@
+// A script of a page that has nothing to do with physics.
+globalThis.analytics = true;
