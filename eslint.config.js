@@ -129,7 +129,7 @@ export default tseslint.config(
   },
   {
     // The lab is measured too.
-    files: ['test/core/lab.test.ts'],
+    files: ['test/core/lab.long.test.ts'],
     rules: { 'no-restricted-imports': 'off' },
   },
 );

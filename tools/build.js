@@ -1,6 +1,10 @@
 // npm run build: everything in dist/.
-import { existsSync, rmSync } from 'node:fs';
+//   --no-types   without declarations, which take as long as all the rest
+import { rmSync } from 'node:fs';
+import { parseArgs } from 'node:util';
 import { BIN, runNode } from './processes.js';
+
+const { values: options } = parseArgs({ options: { 'no-types': { type: 'boolean' } } });
 
 async function must(name, promise) {
   const { ok, output } = await promise;
@@ -15,9 +19,8 @@ const start = Date.now();
 rmSync('dist', { recursive: true, force: true });
 await Promise.all([
   must('rollup', runNode([BIN.rollup, '-c', '--silent'], { quiet: true })),
-  must('declarations', runNode([BIN.tsc, '-p', 'tsconfig.types.json'], { quiet: true })),
+  options['no-types'] ||
+    must('declarations', runNode([BIN.tsc, '-p', 'tsconfig.types.json'], { quiet: true })),
 ]);
-if (existsSync('tools/manifest.ts')) {
-  await must('manifest', runNode(['--import', 'tsx', 'tools/manifest.ts'], { quiet: true }));
-}
+await must('manifest', runNode(['--import', 'tsx', 'tools/manifest.ts'], { quiet: true }));
 console.log(`dist/ built in ${((Date.now() - start) / 1000).toFixed(1)} s`);

@@ -8,8 +8,8 @@ import { BIN, runNode } from './processes.js';
 /** Scenes that others made for other X3D browsers. They are no part of the project. */
 export const CONTENT = process.env.X3D_CONTENT ?? '../shared/content';
 
-const isSoak = (file) => file.endsWith('.soak.test.ts');
-const isQuick = (file) => !isSoak(file);
+const isLong = (file) => file.endsWith('.long.test.ts');
+const isQuick = (file) => !isLong(file);
 
 /** The core in Node, by Node's own runner; its counts are read from a second, TAP report. */
 async function coreTests(files, temporary) {
@@ -79,8 +79,8 @@ export const STAGES = [
   { name: 'core', quick: true, folder: 'core', takes: isQuick, run: coreTests },
   { name: 'chromium', quick: true, folder: 'browser', takes: isQuick, run: CHROMIUM },
 
-  { name: 'core-soak', folder: 'core', takes: isSoak, run: coreTests },
-  { name: 'chromium-soak', folder: 'browser', takes: isSoak, run: CHROMIUM },
+  { name: 'core-long', folder: 'core', takes: isLong, run: coreTests },
+  { name: 'chromium-long', folder: 'browser', takes: isLong, run: CHROMIUM },
   {
     name: 'mutants',
     run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
