@@ -1,4 +1,5 @@
-// What the tests consist of. `quick` stages are `npm test`; the others follow in `npm run test:all`.
+// What the tests consist of. `quick` stages are `npm test`, side by side; the others follow one by one in
+// `npm run test:all`.
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { canShowWindows, findFirefox, findWebKit } from './browsers.js';
@@ -11,15 +12,17 @@ export const CONTENT = process.env.X3D_CONTENT ?? '../shared/content';
 const isLong = (file) => file.endsWith('.long.test.ts');
 const isQuick = (file) => !isLong(file);
 
-/** The core in Node, by Node's own runner; its counts are read from a second, TAP report. */
+/** The core in Node, by Node's own runner, shown where it fails; its counts are read from a second, TAP report. */
 async function coreTests(files, temporary) {
   const report = join(temporary, 'core.tap');
-  const { ok } = await runNode([
+  const args = [
     ...['--enable-source-maps', '--test', '--test-concurrency=2'],
     ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
     ...['--test-reporter=tap', `--test-reporter-destination=${report}`],
     ...(await bundleTests(files, 'node')),
-  ]);
+  ];
+  const { ok, output } = await runNode(args, { quiet: true });
+  if (!ok) console.log(output);
   const tap = readFileSync(report, 'utf8');
   const count = (word) => Number(tap.match(new RegExp(`^# ${word} (\\d+)$`, 'm'))?.[1] ?? 0);
   return {
