@@ -86,21 +86,18 @@ function write(inline: Element, tag: string, attributes: Record<string, string>)
 /** Metres that a joint may gape: a few times what is seen where wheels and balls strike (2.4e-5). */
 const WHOLE = 1e-4;
 
-/** What each file is told of itself. */
-const PROBLEMS: Record<string, string[]> = {
-  BallBounceSimple: [],
-  BallJoint: [],
-  SingleAxisHingeJoint: [],
-  KineticPendulum: [],
-  'sim-collision': [],
-  // Its collider lists the chassis only, with friction for the wheels: it is taken as it is meant.
-  'sim-vehicle': ['one-sided-collider'],
-};
+/** The sixth, sim-vehicle, moves in a test of its own. */
+const FILES = [
+  'BallBounceSimple',
+  'BallJoint',
+  'SingleAxisHingeJoint',
+  'KineticPendulum',
+  'sim-collision',
+];
 
 describe('X3D content written for other browsers', () => {
-  for (const [file, expected] of Object.entries(PROBLEMS)) {
+  for (const file of FILES) {
     it(`${file} starts and moves, and nothing in it is lost`, async () => {
-      claim(...expected);
       const { world } = await load(`${file}.x3d`);
       const bodies = [...world.nodes].filter(({ type }) => type.name === 'RigidBody');
       const poses = (): Numbers[] =>
@@ -115,7 +112,7 @@ describe('X3D content written for other browsers', () => {
       const moved = after.map((pose, k) => Math.hypot(...pose.map((v, i) => v - before[k]![i]!)));
       expect(Math.max(...moved)).to.be.above(0.05);
       const told = world.problems.filter(({ severity }) => severity !== 'info');
-      expect(told.map(({ code }) => code)).to.eql(expected);
+      expect(told).to.eql([]);
     });
   }
 
@@ -208,6 +205,7 @@ describe('X3D content written for other browsers', () => {
   });
 
   it('sim-vehicle: the torque on its rear wheels drives it forward', async () => {
+    // Its collider lists the chassis only, with friction for the wheels: it is taken as it is meant.
     claim('one-sided-collider');
     const { world } = await load('sim-vehicle.x3d');
     world.advance(3);

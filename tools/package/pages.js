@@ -81,11 +81,15 @@ function copy(application, folder, ...names) {
     cpSync(join(application, DIST, name), join(folder, name), { recursive: true });
 }
 
-/** The monitor and the chart show something, once they are in sight. */
+/** The monitor and the chart show something, once they are in sight. What grows above may push them out of it again. */
 async function showsViews(page) {
   for (const tag of ['x3d-physics-monitor', 'x3d-accuracy-chart']) {
-    await page.locator(tag).scrollIntoViewIfNeeded();
-    await page.locator(`${tag} button`).first().waitFor();
+    const button = page.locator(`${tag} button`).first();
+    for (const until = Date.now() + PATIENCE; !(await button.isVisible());) {
+      assert.ok(Date.now() < until, `<${tag}> shows nothing`);
+      await page.locator(tag).evaluate((element) => element.scrollIntoView());
+      await page.waitForTimeout(100);
+    }
   }
 }
 

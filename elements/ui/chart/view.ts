@@ -136,6 +136,8 @@ class ChartView implements View, Actions {
       height: Math.min(HEIGHTS[1], Math.max(HEIGHTS[0], Math.round(width / SHAPE))),
     });
     const { documentElement } = new DOMParser().parseFromString(svg, 'image/svg+xml');
+    // For what lies under the pointer: nothing of this picture does, and a security policy may refuse it.
+    for (const style of documentElement.querySelectorAll('style')) style.remove();
     place.replaceChildren(document.importNode(documentElement, true));
   };
 

@@ -98,6 +98,9 @@ for (const type of Object.values(nodeTypes)) {
             if (typeof each === 'number') expect(asked[k], name).to.be.closeTo(each, 1e-6);
             else expect(asked[k], name).to.equal(each);
         }
+        // Both fixed and to be dragged: told when these events reach Bullet, at the latest now.
+        if (type.name === 'RigidBody') claim('not-draggable');
+        world.step(0);
       });
 
       const fixed = fields.filter(([, { access }]) => access === 'initializeOnly');

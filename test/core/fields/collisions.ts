@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import type { World } from '../../../physics-core/index.js';
 import {
   addBody,
+  addFloor,
   below,
   box,
   claim,
@@ -269,6 +270,34 @@ export const sensorRows: Row[] = [
       lift(w, body);
       assert.deepEqual(lists, [[]]);
       assert.deepEqual(sensor.get('contacts'), []);
+    },
+  },
+  {
+    effect: 'contact reading',
+    fact: 'reads no contact any more from the step on after the last listener has gone',
+    run: async () => {
+      const w = await world();
+      addFloor(w);
+      const body = addBody(w, { position: [0, 0.5, 0] });
+      let reads = 0;
+      const { bullet } = w;
+      const each = bullet.eachManifold.bind(bullet);
+      bullet.eachManifold = (visit) => {
+        reads++;
+        each(visit);
+      };
+      const readsInStep = (): number => {
+        reads = 0;
+        w.step();
+        return reads;
+      };
+      // The first step looks for what overlaps.
+      w.step();
+      const before = readsInStep();
+      const stop = body.on('collisionstart', () => {});
+      assert.notEqual(readsInStep(), before);
+      stop();
+      assert.equal(readsInStep(), before);
     },
   },
 ];

@@ -103,6 +103,17 @@ export const contactRows: Row[] = [
       close(velocity(scene.stone), [0, 0, 0], 1e-3, 'm/s, no list');
     },
   },
+  {
+    field: 'contactNormal',
+    effect: 'given contacts',
+    fact: "a point that page code turns is Bullet's own again after the step",
+    run: async () => {
+      const scene = await scripted();
+      scene.edit(setting({ contactNormal: [1, 0, 0] }));
+      scene.edit(undefined);
+      close(first(scene).get('contactNormal') as number[], [0, 1, 0], 1e-4, 'out of the slab');
+    },
+  },
   found('body1', 'is the body that moves', (c, { stone }) => assert.equal(c.get('body1'), stone)),
   found('body2', 'is the body it lies on', (c, { ground }) => assert.equal(c.get('body2'), ground)),
   found('geometry1', 'is the collidable of body1', (c, { flat }) =>
