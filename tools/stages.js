@@ -88,6 +88,7 @@ export const STAGES = [
     name: 'mutants',
     run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
   },
+  { name: 'stories', run: script(['tools/stories-test.js']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'lab', run: labErrors },
   { name: 'firefox', folder: 'browser', missing: noFirefox, run: FIREFOX },

@@ -40,7 +40,7 @@ test('it leads to every scene and to the page of every node', () => {
 });
 
 test('the files that it leads to are served: their folders are, at the addresses they have here', () => {
-  const [, folders] = readFileSync('.storybook/main.ts', 'utf8').match(/FOLDERS = \[([^\]]*)\]/)!;
+  const [, folders] = readFileSync('.storybook/main.js', 'utf8').match(/FOLDERS = \[([^\]]*)\]/)!;
   const served = [...folders!.matchAll(/'([^']+)'/g)].map(([, folder]) => `${folder}/`);
   for (const { to } of [...links, ...SCRIPTS].filter(isFile)) {
     assert.ok(

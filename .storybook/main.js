@@ -1,5 +1,5 @@
 import { existsSync } from 'node:fs';
-import type { StorybookConfig } from '@storybook/web-components-vite';
+import { wasmAsText } from '../tools/rollup-plugins.js';
 
 /**
  * Served as they are, at the addresses they have in the repository. The stories show the built library, the file
@@ -17,7 +17,8 @@ const FOLDERS = [
 
 const staticDirs = FOLDERS.map((folder) => ({ from: `../${folder}`, to: `/${folder}` }));
 
-const config: StorybookConfig = {
+/** @type {import('@storybook/web-components-vite').StorybookConfig} */
+const config = {
   framework: '@storybook/web-components-vite',
   addons: ['@storybook/addon-docs'],
   stories: ['../stories/**/*.stories.ts'],
@@ -31,6 +32,8 @@ const config: StorybookConfig = {
     measure: false,
     outline: false,
   },
+  // Reference pages read the tables of the sources, which name the module that the library's own build makes.
+  viteFinal: (vite) => ({ ...vite, plugins: [...(vite.plugins ?? []), wasmAsText()] }),
 };
 
 export default config;
