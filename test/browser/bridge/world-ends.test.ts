@@ -149,6 +149,7 @@ describe('a world', () => {
     );
     x3d.querySelector('#a')!.remove();
     await wait(0);
+    world.step(0);
     expect([world.started, world.stats.bodies]).to.eql([true, 1]);
     x3d.querySelector('#b')!.remove();
     await wait(0);
@@ -189,6 +190,7 @@ describe('a world', () => {
     const own = world.add('RigidBody', { position: [0, 5, 0] });
     x3d.querySelector('x3d-rigid-body-collection')!.remove();
     await wait(0);
+    world.step(0);
     expect([world.started, world.stats.bodies]).to.eql([true, 1]);
     own.remove();
     await until(() => !world.started);
