@@ -1,5 +1,5 @@
 import { loadEngine } from '../physics-core/index.js';
-import { add, rotate } from '../physics-core/math.js';
+import { add, rotate } from '../physics-core/base/math.js';
 import type { Chain } from '../test/core/chain-reference.js';
 
 /** A chain as its end and a way to step it. */

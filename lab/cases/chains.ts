@@ -1,4 +1,4 @@
-import { add, rotate } from '../../physics-core/math.js';
+import { add, rotate } from '../../physics-core/base/math.js';
 import { chainEnd, type Chain } from '../../test/core/chain-reference.js';
 import { ballChain, boxChain } from '../../test/core/joint-scenes.js';
 import type { Case, CaseBody, CaseJoint, Vec3 } from '../case.js';

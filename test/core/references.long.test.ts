@@ -1,5 +1,5 @@
 import { test } from 'node:test';
-import { quaternionOf, rotate } from '../../physics-core/math.js';
+import { quaternionOf, rotate } from '../../physics-core/base/math.js';
 import { chainEnd, type Chain } from './chain-reference.js';
 import { ballChain, boxChain } from './joint-scenes.js';
 import { move, type Mechanism } from './references/mechanism.js';
