@@ -1,3 +1,4 @@
+import { debugging } from '../../../physics-core/index.js';
 import type { PageWorld } from '../nodes/worlds.js';
 import type { Scene } from '../scene.js';
 import type { Sketch } from './sketch.js';
@@ -21,7 +22,7 @@ export class Debug {
     const { makeSketch } = await import('./sketch.js');
     const sketch = await makeSketch(this.#scene, world);
     // It may have been switched off and on meanwhile.
-    if (!world.registry.debugging.active || this.#sketches.has(world)) return sketch.remove();
+    if (!world.registry.active(debugging) || this.#sketches.has(world)) return sketch.remove();
     this.#sketches.set(world, sketch);
     this.#scene.loop.wake();
   }
@@ -47,6 +48,6 @@ function reportMissing(world: PageWorld, error: unknown): void {
       used: 'nothing',
       message: `the debug drawing could not be loaded: ${String(error)}`,
     },
-    world.registry.debugging.because?.node.host,
+    world.registry.find(debugging)?.because?.node.host,
   );
 }

@@ -1,3 +1,4 @@
+import { debugging } from '../../../physics-core/index.js';
 import { debugLines, type DebugLines } from '../../../physics-core/index.js';
 import type { PageWorld } from '../nodes/worlds.js';
 import type { Scene } from '../scene.js';
@@ -25,7 +26,7 @@ export class Sketch {
     this.#inFileUnits();
     this.#stand()?.show(this.#lines);
     this.#scene.requestRender();
-    this.#world.registry.debugging.spent += performance.now() - start;
+    this.#world.registry.get(debugging).spent += performance.now() - start;
   }
 
   #inFileUnits(): void {
