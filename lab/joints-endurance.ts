@@ -1,5 +1,7 @@
 import { loadEngine, World, type LevelName } from '../physics-core/index.js';
-import { addBoxChain, boxChain, Snake } from '../test/core/joint-scenes.js';
+import { boxChain } from '../references/chains.js';
+import { Snake } from '../references/snake.js';
+import { addBoxChain } from '../test/core/joint-scenes.js';
 
 /** Gaps of long chains at their worst moment. */
 export interface Endurance {

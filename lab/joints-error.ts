@@ -1,6 +1,7 @@
 import { levels, loadEngine, World } from '../physics-core/index.js';
-import { chainEnd } from '../test/core/chain-reference.js';
-import { addBallChain, addBoxChain, ballChain, boxChain } from '../test/core/joint-scenes.js';
+import { chainEnd } from '../references/chain.js';
+import { ballChain, boxChain } from '../references/chains.js';
+import { addBallChain, addBoxChain } from '../test/core/joint-scenes.js';
 import { rawChain, type Stepped } from './joints-raw.js';
 
 /** Seconds of each run: chains are chaotic, and later the reference itself means little. */

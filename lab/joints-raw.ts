@@ -1,6 +1,6 @@
 import { loadEngine } from '../physics-core/index.js';
 import { add, rotate } from '../physics-core/math.js';
-import type { Chain } from '../test/core/chain-reference.js';
+import type { Chain } from '../references/chain.js';
 
 /** A chain as its end and a way to step it. */
 export interface Stepped {

@@ -1,6 +1,6 @@
 import { add, rotate } from '../../physics-core/math.js';
-import { chainEnd, type Chain } from '../../test/core/chain-reference.js';
-import { ballChain, boxChain } from '../../test/core/joint-scenes.js';
+import { chainEnd, type Chain } from '../../references/chain.js';
+import { ballChain, boxChain } from '../../references/chains.js';
 import type { Case, CaseBody, CaseJoint, Vec3 } from '../case.js';
 import { apart, frameOf, rounding, worst } from './judging.js';
 

@@ -1,5 +1,5 @@
 import { add, rotate } from '../../physics-core/math.js';
-import { move, type Mechanism } from '../../test/core/references/mechanism.js';
+import { move, type Mechanism } from '../../references/mechanism.js';
 import type { Case, CaseBody, Vec3 } from '../case.js';
 import { apart, frameOf, round, rounding, worst } from './judging.js';
 

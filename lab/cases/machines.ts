@@ -1,5 +1,5 @@
 import { quaternionOf } from '../../physics-core/math.js';
-import { move } from '../../test/core/references/mechanism.js';
+import { move } from '../../references/mechanism.js';
 import type { Case, Vec3 } from '../case.js';
 import { apart, frameOf, round, rounding, turned, worst } from './judging.js';
 

@@ -1,6 +1,6 @@
 import { quaternionOf, rotate, scale } from '../../physics-core/math.js';
-import { move } from '../../test/core/references/mechanism.js';
-import { turn } from '../../test/core/references/turning.js';
+import { move } from '../../references/mechanism.js';
+import { turn } from '../../references/turning.js';
 import type { Case, Vec3 } from '../case.js';
 import { apart, frameOf, rounding, worst } from './judging.js';
 

@@ -1,7 +1,7 @@
 import { describe } from 'node:test';
 import { dot, quaternionOf, rotate } from '../../physics-core/math.js';
 import type { JointNode } from '../../physics-core/nodes/joint.js';
-import { turn } from './references/turning.js';
+import { turn } from '../../references/turning.js';
 import {
   addBody,
   below,

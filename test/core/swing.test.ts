@@ -1,6 +1,6 @@
 import { test } from 'node:test';
 import { Swing } from '../../physics-core/effects/swing.js';
-import { follow } from './references/runge-kutta.js';
+import { follow } from '../../references/runge-kutta.js';
 import { below } from './helpers.js';
 
 // ω², δ and the load of x'' + 2 δ x' + ω² x = a.

@@ -5,7 +5,7 @@ const moved = (state: readonly number[], rate: readonly number[], h: number): nu
   state.map((x, i) => x + h * rate[i]!);
 
 /** One step of Runge and Kutta, fourth order. */
-function step(state: readonly number[], h: number, derivative: Derivative): number[] {
+export function step(state: readonly number[], h: number, derivative: Derivative): number[] {
   const k1 = derivative(state);
   const k2 = derivative(moved(state, k1, h / 2));
   const k3 = derivative(moved(state, k2, h / 2));
