@@ -130,6 +130,10 @@ export default tseslint.config(
     },
   },
   {
+    files: ['lab/**/*.ts'],
+    rules: imports(noTest),
+  },
+  {
     files: ['test/**/*.ts'],
     rules: {
       ...imports(noLab),

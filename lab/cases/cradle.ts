@@ -33,7 +33,7 @@ const balls = Array.from({ length: cradle.count }, (_, i) => ball(i));
 
 export const cases: Case[] = [
   {
-    id: 'A13',
+    id: 'cradle',
     name: "Newton's cradle",
     says: `Five balls on rods, ${cradle.gap * 1000} mm apart, bounce 1, the first raised by 30°: the hits go through one after the other. The places of all balls against pendulums that exchange their speeds, in double precision.`,
     scene: {

@@ -1,5 +1,6 @@
-import { loadEngine, World, type LevelName } from '../physics-core/index.js';
-import type { PhysicsNode } from '../physics-core/index.js';
+import { loadEngine, World, type LevelName, type PhysicsNode } from '../../physics-core/index.js';
+import { leaveJointsToBullet } from '../engines/ours.js';
+import { median } from '../run/median.js';
 
 /** Steps that one world takes before the next has its turn, and turns of each. */
 const TURN = 20;
@@ -66,14 +67,12 @@ async function made(
 ): Promise<World> {
   const world = new World();
   world.add('RigidBodyCollection', { accuracy, rest: 'never' });
-  world.registry.joints.on = solve;
+  if (!solve) leaveJointsToBullet(world);
   build(world, shape, joints, jointed);
   world.start(await loadEngine());
   world.step(2 * TURN);
   return world;
 }
-
-const median = (values: number[]): number => [...values].sort((a, b) => a - b)[values.length >> 1]!;
 
 /** Microseconds of one step of Bullet alone. */
 function bulletStep(world: World): number {
