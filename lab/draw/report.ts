@@ -1,4 +1,4 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { cases } from '../cases/index.js';
 import type { JointNumbers } from '../joints/numbers.js';
 import type { Results } from '../run/row.js';
@@ -30,7 +30,9 @@ export function pagesOf(results: Results, joints: JointNumbers): Map<string, str
 }
 
 export function drawPages(results: Results, joints: JointNumbers): void {
-  mkdirSync(FOLDER, { recursive: true });
+  // Of cases that are called otherwise by now.
+  for (const name of readdirSync(FOLDER))
+    if (!name.endsWith('.json')) rmSync(new URL(name, FOLDER));
   for (const [name, text] of pagesOf(results, joints)) writeFileSync(new URL(name, FOLDER), text);
 }
 
