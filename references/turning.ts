@@ -1,5 +1,5 @@
 import type { Vec3 } from '../physics-core/fields/types.js';
-import { conjugate, cross, multiply, rotate, type Quaternion } from '../physics-core/math.js';
+import { conjugate, cross, multiply, rotate, type Quaternion } from '../physics-core/base/math.js';
 import { follow } from './runge-kutta.js';
 
 /** A body that turns about a point that stands: its centre of mass, or a ball joint. */

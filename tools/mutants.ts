@@ -4,7 +4,7 @@
 //   --facts         judged by the conformance facts alone
 import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
-import { guards } from '../physics-core/guards.js';
+import { guards } from '../physics-core/base/guards.js';
 import { nodeTypes } from '../physics-core/index.js';
 import { factsOf } from '../test/conformance/all.js';
 import { wrongInCore } from '../test/conformance/core-driver.js';

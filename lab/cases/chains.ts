@@ -1,4 +1,4 @@
-import { add, rotate } from '../../physics-core/math.js';
+import { add, rotate } from '../../physics-core/base/math.js';
 import { chainEnd, type Chain } from '../../references/chain.js';
 import { ballChain, boxChain } from '../../references/chains.js';
 import type { Case, CaseBody, CaseJoint, Vec3 } from '../case.js';

@@ -1,4 +1,4 @@
-import { add, multiply, quaternionOf, rotate, scale } from '../../physics-core/math.js';
+import { add, multiply, quaternionOf, rotate, scale } from '../../physics-core/base/math.js';
 import { turn } from '../../references/turning.js';
 import type { Case, Quaternion, Vec3 } from '../case.js';
 import { apart, frameOf, rounding, turned, worst } from './judging.js';

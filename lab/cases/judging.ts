@@ -1,4 +1,4 @@
-import { conjugate, length, multiply, subtract } from '../../physics-core/math.js';
+import { conjugate, length, multiply, subtract } from '../../physics-core/base/math.js';
 import type { Quaternion, Vec3, Watch } from '../case.js';
 
 /** Looks in 1/60 s. */

@@ -1,4 +1,4 @@
-import { add, rotate } from '../../physics-core/math.js';
+import { add, rotate } from '../../physics-core/base/math.js';
 import { move, type Mechanism } from '../../references/mechanism.js';
 import type { Case, CaseBody, Vec3 } from '../case.js';
 import { apart, frameOf, round, rounding, worst } from './judging.js';

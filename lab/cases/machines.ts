@@ -1,4 +1,4 @@
-import { quaternionOf } from '../../physics-core/math.js';
+import { quaternionOf } from '../../physics-core/base/math.js';
 import { move } from '../../references/mechanism.js';
 import type { Case, Vec3 } from '../case.js';
 import { apart, frameOf, round, rounding, turned, worst } from './judging.js';

@@ -1,4 +1,4 @@
-import { quaternionOf, rotate, scale } from '../../physics-core/math.js';
+import { quaternionOf, rotate, scale } from '../../physics-core/base/math.js';
 import { move } from '../../references/mechanism.js';
 import { turn } from '../../references/turning.js';
 import type { Case, Vec3 } from '../case.js';

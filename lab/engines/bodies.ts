@@ -1,5 +1,5 @@
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
-import { add, quaternionOf, type Pose } from '../../physics-core/math.js';
+import { add, quaternionOf, type Pose } from '../../physics-core/base/math.js';
 
 export const massOf = ({ mass = 1 }: CaseBody): number => mass;
 

@@ -1,7 +1,7 @@
 import { loadEngine } from '../../physics-core/index.js';
 import type { Ammo } from '../../physics-core/engine/ammo.js';
 import { Owner } from '../../physics-core/engine/owner.js';
-import { cross, quaternionOfAxes, rotate, type Pose } from '../../physics-core/math.js';
+import { cross, quaternionOfAxes, rotate, type Pose } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
 import { forceOn, massOf, poseOf, torqueOn } from './bodies.js';
 import type { Running } from './engine.js';

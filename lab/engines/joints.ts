@@ -11,7 +11,7 @@ import {
   scale,
   subtract,
   type Pose,
-} from '../../physics-core/math.js';
+} from '../../physics-core/base/math.js';
 import type { CaseJoint, CaseScene, Vec3 } from '../case.js';
 import { bodyNamed, poseOf } from './bodies.js';
 import { NotOffered } from './engine.js';

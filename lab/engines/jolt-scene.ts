@@ -1,4 +1,4 @@
-import { rotate, scale } from '../../physics-core/math.js';
+import { rotate, scale } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
 import { forceOn, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
 import { NotOffered, type Running } from './engine.js';

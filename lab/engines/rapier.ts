@@ -1,5 +1,5 @@
 import RAPIER from '@dimforge/rapier3d-compat';
-import { cross, quaternionOfAxes, rotate, scale } from '../../physics-core/math.js';
+import { cross, quaternionOfAxes, rotate, scale } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
 import { forceOn, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
 import { NotOffered, sweep, type Engine, type Running, type Setting } from './engine.js';

@@ -1,4 +1,4 @@
-import { conjugate, dot, rotate, scale, subtract } from '../../physics-core/math.js';
+import { conjugate, dot, rotate, scale, subtract } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Sight, Vec3 } from '../case.js';
 import { forceOn, massOf, momentsOf } from '../engines/bodies.js';
 

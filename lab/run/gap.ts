@@ -1,5 +1,5 @@
 import { plansOf, type End, type Plan } from '../engines/joints.js';
-import { add, dot, length, rotate, scale, subtract } from '../../physics-core/math.js';
+import { add, dot, length, rotate, scale, subtract } from '../../physics-core/base/math.js';
 import type { CaseScene, Sight, Vec3 } from '../case.js';
 
 const placed = ({ position, orientation }: Sight, { body }: End, own: Vec3): Vec3 =>

@@ -1,4 +1,4 @@
-import type { Contender } from './contender.js';
+import type { LevelRun } from './level-run.js';
 
 /** Share of the longest way of a body, and least distance (metres), from which on two runs no longer agree. */
 const AGREEMENT = { share: 0.01, least: 1e-3 };
@@ -21,9 +21,9 @@ export interface Difference {
  * (or the twins) part. Two finest runs that part without that are not converged, which is an error like any other.
  */
 export class Comparison {
-  readonly #runs: readonly Contender[];
-  readonly #finest: Contender;
-  readonly #twin: Contender;
+  readonly #runs: readonly LevelRun[];
+  readonly #finest: LevelRun;
+  readonly #twin: LevelRun;
   readonly #start: Float64Array;
   readonly #heights: readonly number[];
   #differences: Difference[];
@@ -36,7 +36,7 @@ export class Comparison {
   tolerance = AGREEMENT.least;
 
   /** `runs`: coarse to fine. `twin`: one of the finest but one. */
-  constructor(runs: readonly Contender[], twin: Contender) {
+  constructor(runs: readonly LevelRun[], twin: LevelRun) {
     this.#runs = runs;
     this.#finest = runs.at(-1)!;
     this.#twin = twin;
@@ -51,7 +51,7 @@ export class Comparison {
     }));
   }
 
-  get #second(): Contender {
+  get #second(): LevelRun {
     return this.#runs.at(-2) ?? this.#finest;
   }
 
@@ -69,7 +69,7 @@ export class Comparison {
   }
 
   #part(time: number): void {
-    const parts = (a: Contender, b: Contender): boolean =>
+    const parts = (a: LevelRun, b: LevelRun): boolean =>
       distance(a.positions, b.positions).most > this.tolerance;
     if (parts(this.#second, this.#finest))
       this.#parted ??= { time, differences: structuredClone(this.#differences) };
@@ -78,7 +78,7 @@ export class Comparison {
     this.#differences = this.#parted?.differences ?? this.#differences;
   }
 
-  #note(run: Contender, i: number): void {
+  #note(run: LevelRun, i: number): void {
     const difference = this.#differences[i]!;
     const { most, at } = distance(run.positions, this.#finest.positions);
     if (most > difference.position) Object.assign(difference, { position: most, worst: at });

@@ -23,6 +23,6 @@ export function leftOutOf(world: World): LeftOut[] {
 function* outside(node: PhysicsNode): Generator<string> {
   for (const event of node.heardEvents)
     if (event.startsWith('collision')) yield `${event} listeners`;
-  const routed = [...node.said.beforeEvent.keys()];
+  const routed = [...node.fieldState.beforeEvent.keys()];
   if (routed.length > 0) yield `later events to ${routed.join(', ')}`;
 }

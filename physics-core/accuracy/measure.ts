@@ -1,9 +1,9 @@
-import { show } from '../show.js';
+import { show } from '../base/show.js';
 import type { Snapshot } from '../world/snapshot.js';
 import type { World } from '../world/world.js';
 import { inWorker } from './in-worker.js';
 import { leftOutOf, type LeftOut } from './left-out.js';
-import { levelNames, type LevelName } from './levels.js';
+import { levelNames, type LevelName } from '../dynamics/levels.js';
 import { Measurement, type Job, type Measured } from './measurement.js';
 import { inSlices, type Watching } from './slices.js';
 

@@ -1,8 +1,8 @@
 import { copyInto, type Snapshot } from '../world/snapshot.js';
 import { World } from '../world/world.js';
 import { Comparison } from './comparison.js';
-import { Contender } from './contender.js';
-import { levelNamed, levels, type LevelName } from './levels.js';
+import { LevelRun } from './level-run.js';
+import { levelNamed, levels, type LevelName } from '../dynamics/levels.js';
 import { workPerMoment } from './work.js';
 
 /** Seconds between two moments where all levels stop: a step of the coarsest. */
@@ -90,13 +90,13 @@ export class Measurement {
     }));
   }
 
-  *#make(names: readonly LevelName[]): Generator<number, Contender[]> {
-    const made: Contender[] = [];
+  *#make(names: readonly LevelName[]): Generator<number, LevelRun[]> {
+    const made: LevelRun[] = [];
     for (const name of names) {
       const world = new World();
       for (const _ of copyInto(world, this.#job.snapshot, this.#engine, { accuracy: name }))
         yield this.#share;
-      made.push(new Contender(world, levelNamed(name)));
+      made.push(new LevelRun(world, levelNamed(name)));
     }
     return made;
   }
@@ -106,7 +106,7 @@ export class Measurement {
   }
 
   /** All take turns, a moment each: what disturbs the machine disturbs all alike. */
-  *#race(runs: readonly Contender[], compare?: (time: number) => void): Generator<number> {
+  *#race(runs: readonly LevelRun[], compare?: (time: number) => void): Generator<number> {
     for (let moment = 1; moment <= this.#moments; moment++) {
       for (const run of runs) {
         run.work.push(0);
@@ -123,7 +123,7 @@ export class Measurement {
   }
 
   /** Milliseconds of work, moment by moment. What takes little is run again; its first run then was to warm up. */
-  *#workOf(first: readonly Contender[]): Generator<number, number[][]> {
+  *#workOf(first: readonly LevelRun[]): Generator<number, number[][]> {
     const work = first.map((run) => [run.work]);
     for (let again = 1; again < MOST_TIMES; again++) {
       const short = first.filter((_, i) => workOf(work[i]!.flat()) < ENOUGH);
@@ -136,7 +136,7 @@ export class Measurement {
   }
 
   #result(
-    run: Contender,
+    run: LevelRun,
     comparison: Comparison,
     i: number,
   ): Omit<Measured, 'msPerSecond' | 'contacts'> {
@@ -156,10 +156,10 @@ export class Measurement {
   }
 }
 
-const stepsOf = ({ level }: Contender): number => Math.round(MOMENT / level.timeStep);
+const stepsOf = ({ level }: LevelRun): number => Math.round(MOMENT / level.timeStep);
 
 /** Each body another way; the same ways at every measurement. */
-function push({ bodies }: Contender): void {
+function push({ bodies }: LevelRun): void {
   let state = 1;
   const random = (): number => {
     state = (state * 16807) % 2147483647;

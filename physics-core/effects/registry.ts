@@ -1,29 +1,29 @@
 import type { ContactProcessor } from '../engine/contact-hook.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { World } from '../world/world.js';
-import { AuthoredForces } from './forces.js';
-import { AxisDamping } from './damping.js';
-import { Carrying } from './carrying.js';
-import { ContinuousCollision } from './continuous-collision.js';
-import { ContactReader } from './contact-reader.js';
-import { FrameCosts } from './costs.js';
-import { GivenContacts } from './given-contacts.js';
-import { Dragging } from './dragging.js';
-import { ContactChains } from './contact-chains.js';
-import { ContactSurface } from './contact-surface.js';
-import { Debugging } from './debugging.js';
-import { DirectJoints } from './direct/direct-joints.js';
+import { AuthoredForces } from './flight/forces.js';
+import { AxisDamping } from './flight/axis-damping.js';
+import { Carrying } from './drag/carrying.js';
+import { ContinuousCollision } from './hits/continuous-collision.js';
+import { ContactReader } from './contacts/contact-reader.js';
+import { FrameCosts } from './costs/frame-costs.js';
+import { GivenContacts } from './contacts/given-contacts.js';
+import { Dragging } from './drag/dragging.js';
+import { ImpactPropagation } from './hits/impact-propagation.js';
+import { ContactSurface } from './contacts/contact-surface.js';
+import { Debugging } from './debug/debugging.js';
+import { JointSolve } from './joints/joint-solve.js';
 import type { Effect } from './effect.js';
-import { Flight } from './flight.js';
-import { Gyroscopic } from './gyroscopic.js';
-import { MeshShapes } from './mesh-shapes.js';
-import { JointRows } from './joint-rows.js';
-import { Motors } from './motors.js';
-import { PairFilter } from './pair-filter.js';
-import { Resting } from './resting.js';
-import { Stops } from './stops.js';
-import { Suspension } from './suspension.js';
-import { UserTiming } from './user-timing.js';
+import { Flight } from './flight/flight.js';
+import { Gyroscopic } from './flight/gyroscopic.js';
+import { MeshShapes } from './contacts/mesh-shapes.js';
+import { JointRows } from './joints/joint-rows.js';
+import { Motors } from './joints/motors.js';
+import { PairFilter } from './contacts/pair-filter.js';
+import { Resting } from './rest/resting.js';
+import { Stops } from './joints/stops.js';
+import { Suspension } from './joints/suspension.js';
+import { UserTiming } from './costs/user-timing.js';
 
 /** What `world.effects` shows. */
 export interface EffectReport {
@@ -49,12 +49,12 @@ export class EffectRegistry {
   readonly carrying: Carrying;
   readonly given: GivenContacts;
   readonly surface: ContactSurface;
-  readonly chains: ContactChains;
+  readonly chains: ImpactPropagation;
   readonly continuous: ContinuousCollision;
   readonly filter: PairFilter;
   readonly contacts: ContactReader;
   readonly stops: Stops;
-  readonly joints: DirectJoints;
+  readonly joints: JointSolve;
   readonly meshes = new MeshShapes();
   readonly resting: Resting;
   readonly debugging: Debugging;
@@ -73,13 +73,13 @@ export class EffectRegistry {
     this.motors = new Motors(world);
     this.given = new GivenContacts(world);
     this.surface = new ContactSurface(world);
-    this.chains = new ContactChains(world);
+    this.chains = new ImpactPropagation(world);
     this.continuous = new ContinuousCollision(world);
     this.filter = new PairFilter(world);
     this.carrying = new Carrying(world);
     this.contacts = new ContactReader(world);
     this.stops = new Stops(world);
-    this.joints = new DirectJoints(world);
+    this.joints = new JointSolve(world);
     this.resting = new Resting(world);
     this.debugging = new Debugging(world);
     this.timing = new UserTiming(world);
@@ -124,10 +124,10 @@ export class EffectRegistry {
   /** What sees every contact point, if anything does: first what takes contacts back, last what writes into them. */
   get processor(): ContactProcessor | null {
     let first: ContactProcessor | null = this.surface.active ? this.surface : null;
-    const { standby } = this.joints;
-    if (this.joints.active && standby.waits) {
-      standby.next = first;
-      first = standby;
+    const { sleepingRows } = this.joints;
+    if (this.joints.active && sleepingRows.waits) {
+      sleepingRows.next = first;
+      first = sleepingRows;
     }
     if (!this.filter.active) return first;
     this.filter.next = first;

@@ -1,4 +1,4 @@
-import { writeQuaternion } from '../math.js';
+import { writeQuaternion } from '../base/math.js';
 import type { Ammo } from './ammo.js';
 import { ACTIVATION, BODY } from './offsets.js';
 

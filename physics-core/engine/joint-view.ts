@@ -1,4 +1,4 @@
-import { quaternionOfRows, type Pose } from '../math.js';
+import { quaternionOfRows, type Pose } from '../base/math.js';
 import type { Ammo } from './ammo.js';
 import { SIX_DOF } from './offsets.js';
 

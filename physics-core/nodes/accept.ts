@@ -1,9 +1,9 @@
 import { codecs } from '../fields/values.js';
 import type { Value } from '../fields/types.js';
-import { guards, LARGEST } from '../guards.js';
-import { nearest } from '../nearest.js';
-import type { ProblemReport } from '../problems.js';
-import { cut, show, showUsed } from '../show.js';
+import { guards, LARGEST } from '../base/guards.js';
+import { nearest } from '../base/nearest.js';
+import type { ProblemReport } from '../base/problems.js';
+import { cut, show, showUsed } from '../base/show.js';
 import type { PhysicsNode } from './node.js';
 import type { Field } from './table.js';
 
@@ -67,7 +67,7 @@ export function accept(
   if (field.type !== 'SFTime' && !guards.finiteVector(numbersOf(accepted)))
     return refuse('out-of-range', `is beyond ±${LARGEST}, the most that single precision holds`);
   if (!guards.inRange(field, accepted)) return outside(field, accepted, refuse);
-  if (node.said.refused.delete(name)) node.world.settle(node, name);
+  if (node.fieldState.refused.delete(name)) node.world.settle(node, name);
   return accepted;
 }
 
@@ -77,7 +77,7 @@ type Refuse = (code: string, why: string, instead?: Value) => Value | undefined;
 function refusal(node: PhysicsNode, name: string, text: unknown): Refuse {
   return (code, why, instead) => {
     const used = instead ?? node.asked(name);
-    node.said.refused.add(name);
+    node.fieldState.refused.add(name);
     const report: ProblemReport = {
       code,
       severity: 'warning',

@@ -1,4 +1,4 @@
-import { DRAG_MODES, type Drag, type DragEnd, type DragMode } from '../effects/drag.js';
+import { DRAG_MODES, type Drag, type DragEnd, type DragMode } from '../effects/drag/drag.js';
 import type { Vec3 } from '../fields/types.js';
 import type { BodyNode } from './body.js';
 import { MovingNode } from './body-motion.js';

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../fields/types.js';
-import { guards } from '../guards.js';
-import { IDENTITY, quaternionOf, rotate, type Pose } from '../math.js';
+import { guards } from '../base/guards.js';
+import { IDENTITY, quaternionOf, rotate, type Pose } from '../base/math.js';
 import type { Geometry } from '../shapes/geometry.js';
 import { inertiaAbout, principal, solidOf, type PlacedSolid, type Tensor } from '../shapes/mass.js';
 import type { BodyNode } from './body.js';

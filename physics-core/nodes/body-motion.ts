@@ -2,8 +2,8 @@ import type { BtBody } from '../engine/heap.js';
 import { ACTIVATION, COLLISION_FLAG, RIGID_BODY_FLAG } from '../engine/offsets.js';
 import type { Rotation, Value, Vec3 } from '../fields/types.js';
 import { codecs } from '../fields/values.js';
-import { guards, LARGEST } from '../guards.js';
-import { show } from '../show.js';
+import { guards, LARGEST } from '../base/guards.js';
+import { show } from '../base/show.js';
 import {
   add,
   compose,
@@ -15,9 +15,9 @@ import {
   rotationOf,
   subtract,
   type Pose,
-} from '../math.js';
-import { POSE } from '../world/poses.js';
-import { wakeTouching } from '../world/touching.js';
+} from '../base/math.js';
+import { POSE } from '../dynamics/poses.js';
+import { wakeTouching } from '../effects/rest/touching.js';
 import type { JointNode } from './joint.js';
 import { PhysicsNode } from './node.js';
 

@@ -1,6 +1,6 @@
 import type { Owner } from '../engine/owner.js';
-import { compose, invert } from '../math.js';
-import type { ProblemReport } from '../problems.js';
+import { compose, invert } from '../base/math.js';
+import type { ProblemReport } from '../base/problems.js';
 import type { CollidablePart } from './collidable.js';
 import { buildShape, type BtShape, type ShapeNote } from '../shapes/build.js';
 import type { BodyNode } from './body.js';

@@ -1,9 +1,9 @@
 import { Owner } from '../engine/owner.js';
 import type { Vec3 } from '../fields/types.js';
-import { add, identityPose, type Pose } from '../math.js';
+import { add, identityPose, type Pose } from '../base/math.js';
 import type { BtShape } from '../shapes/build.js';
 import { DEFAULT_FRICTION } from '../world/pairs.js';
-import { wakeTouching } from '../world/touching.js';
+import { wakeTouching } from '../effects/rest/touching.js';
 import type { PhysicsNode } from './node.js';
 import { massOf, reportZeroMass, type MassProperties } from './body-mass.js';
 import { HeldNode } from './body-held.js';

@@ -1,7 +1,7 @@
 import type { Value } from '../fields/types.js';
 import { isGeometry, type Geometry } from '../shapes/geometry.js';
 import { soundGeometry } from '../shapes/sound.js';
-import { cut, show } from '../show.js';
+import { cut, show } from '../base/show.js';
 import { PhysicsNode } from './node.js';
 import type { Field } from './table.js';
 

@@ -1,4 +1,4 @@
-import { compose, identityPose, quaternionOf, type Pose } from '../math.js';
+import { compose, identityPose, quaternionOf, type Pose } from '../base/math.js';
 import type { Rotation, Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
 import type { BodyNode } from './body.js';

@@ -1,8 +1,12 @@
 import type { CollidableNode } from './collidable.js';
-import { contactParameters, unknownTokens, type ContactParameters } from './contact-parameters.js';
+import {
+  contactParameters,
+  unknownTokens,
+  type ContactParameters,
+} from '../dynamics/contact-parameters.js';
 import { Members, type MemberList } from './members.js';
 import { description } from './common-fields.js';
-import { cut } from '../show.js';
+import { cut } from '../base/show.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
 

@@ -1,8 +1,8 @@
 import type { Value, Vec3 } from '../fields/types.js';
-import { dot, length } from '../math.js';
+import { dot, length } from '../base/math.js';
 import type { BodyNode } from './body.js';
 import type { CollidableNode } from './collidable.js';
-import { contactParameters, type ContactParameters } from './contact-parameters.js';
+import { contactParameters, type ContactParameters } from '../dynamics/contact-parameters.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';
 

@@ -1,9 +1,9 @@
-import type { Motor } from '../effects/motors.js';
-import type { Stop } from '../effects/stops.js';
-import type { Spring } from '../effects/suspension.js';
-import { softnessAtStep } from '../accuracy/levels.js';
+import type { Motor } from '../effects/joints/motors.js';
+import type { Stop } from '../effects/joints/stops.js';
+import type { Spring } from '../effects/joints/suspension.js';
+import { softnessAtStep } from '../dynamics/levels.js';
 import type { Vec3 } from '../fields/types.js';
-import { dot } from '../math.js';
+import { dot } from '../base/math.js';
 import {
   between,
   FREE,
@@ -85,10 +85,10 @@ export class DoubleAxisHingeJointNode extends JointNode {
   protected override correctionOf(row: number): RowCorrection | undefined {
     const give = this.asked<number>('suspensionForce');
     if (row === ALONG && give > 0)
-      return { share: this.asked('suspensionErrorCorrection'), softness: give };
+      return { erp: this.asked('suspensionErrorCorrection'), softness: give };
     if (row !== STEER) return undefined;
     return {
-      share: this.asked('stop1ErrorCorrection'),
+      erp: this.asked('stop1ErrorCorrection'),
       softness: this.asked('stop1ConstantForceMix'),
     };
   }

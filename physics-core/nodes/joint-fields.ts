@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { cross, length, normalize, perpendicular } from '../math.js';
+import { cross, length, normalize, perpendicular } from '../base/math.js';
 import type { JointNode } from './joint.js';
 import type { Field } from './table.js';
 

@@ -9,7 +9,7 @@ import {
   scale,
   subtract,
   type Quaternion,
-} from '../math.js';
+} from '../base/math.js';
 import type { BodyNode } from './body.js';
 
 /** Where a joint sits, world frame, at the moment it is made. */

@@ -1,15 +1,23 @@
-import { perStep, softnessAtStep } from '../accuracy/levels.js';
+import { perStep, softnessAtStep } from '../dynamics/levels.js';
 import type { Vec3 } from '../fields/types.js';
-import { guards } from '../guards.js';
-import { compose, identityPose, invert, length, rotate, subtract, type Pose } from '../math.js';
-import { partJoined } from '../world/touching.js';
+import { guards } from '../base/guards.js';
+import {
+  compose,
+  identityPose,
+  invert,
+  length,
+  rotate,
+  subtract,
+  type Pose,
+} from '../base/math.js';
+import { partJoined } from '../effects/rest/touching.js';
 import type { BodyNode } from './body.js';
-import { JointConstraint, type Limit, type Side } from './joint-constraint.js';
+import { JointConstraint, type Limit, type Side } from '../engine/joint-constraint.js';
 import { aboutTwoAxes, alongArm, leverRatio, type JointFrame } from './joint-frames.js';
 import { reportBodies, reportMassRatio } from './joint-reports.js';
 import { PhysicsNode } from './node.js';
 
-export { between, FREE, LOCKED, type Limit } from './joint-constraint.js';
+export { between, FREE, LOCKED, type Limit } from '../engine/joint-constraint.js';
 export type { JointFrame } from './joint-frames.js';
 
 /** From 1 on Bullet lets a joint go altogether (measured: a sag of 500 m). */
@@ -17,12 +25,12 @@ const MOST_SOFTNESS = 0.9;
 
 const ROWS = 6;
 
-/** Lever arms that differ by less than this share ask alike: rounding is not to decide. */
+/** Lever arms that differ by less than this erp ask alike: rounding is not to decide. */
 const ALIKE = 1e-3;
 
 /** Error correction per 1/60 s, and softness (X3D's constantForceMix) where it is the joint's own. */
 export interface RowCorrection {
-  share: number;
+  erp: number;
   softness?: number;
 }
 
@@ -42,7 +50,7 @@ export abstract class JointNode extends PhysicsNode {
   /** The rows that hold, as the 6-DoF numbers them: 0 to 2 along x, y, z; 3 to 5 about them. */
   lockedRows: readonly number[] = [];
   limits: readonly Limit[] = [];
-  /** Per row: share of the error repaired per step, and compliance, velocity per impulse. */
+  /** Per row: erp of the error repaired per step, and compliance, velocity per impulse. */
   readonly corrections: Required<RowCorrection>[] = [];
   /** While a snapshot is restored: the frames of its zero. */
   kept: { frame1: Pose; frame2: Pose } | undefined;
@@ -216,11 +224,11 @@ export abstract class JointNode extends PhysicsNode {
     const { rows } = this.world.registry;
     rows.fill(this, stepSeconds);
     for (let row = 0; row < ROWS; row++) {
-      const { share, softness } = this.#correctionAt(row);
+      const { erp, softness } = this.#correctionAt(row);
       const response = rows.between(row, row);
       const soft = this.#softness(softness, response);
-      this.corrections[row] = { share, softness: soft * response };
-      constraint.setCorrection(row, share, soft);
+      this.corrections[row] = { erp, softness: soft * response };
+      constraint.setCorrection(row, erp, soft);
     }
     this.world.registry.joints.update(this);
   }
@@ -230,11 +238,11 @@ export abstract class JointNode extends PhysicsNode {
     const { errorCorrection, constantForceMix, stepSeconds } = this.world.solver;
     const own = this.correctionOf(row);
     return {
-      share: own ? perStep(own.share, stepSeconds) : errorCorrection,
+      erp: own ? perStep(own.erp, stepSeconds) : errorCorrection,
       softness:
         own?.softness === undefined
           ? constantForceMix
-          : softnessAtStep(own.softness, own.share, stepSeconds),
+          : softnessAtStep(own.softness, own.erp, stepSeconds),
     };
   }
 

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { add, cross, dot, length, normalize, rotate, scale, subtract } from '../math.js';
+import { add, cross, dot, length, normalize, rotate, scale, subtract } from '../base/math.js';
 import { FREE, JointNode, type JointFrame, type Limit } from './joint.js';
 import { motorFields } from './motor-fields.js';
 import { defineNode } from './table.js';

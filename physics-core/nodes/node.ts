@@ -1,12 +1,12 @@
-import { Emitter, type Listener } from '../emitter.js';
+import { Emitter, type Listener } from '../base/emitter.js';
 import { codecs } from '../fields/values.js';
 import type { Value } from '../fields/types.js';
-import type { ProblemReport } from '../problems.js';
+import type { ProblemReport } from '../base/problems.js';
 import type { World } from '../world/world.js';
 import { accept, fieldOf, takesEvents, writable } from './accept.js';
 import { Children } from './children.js';
 import type { NodeContext } from './context.js';
-import { Said } from './said.js';
+import { FieldState } from './field-state.js';
 import type { CollectionNode } from './rigid-body-collection.js';
 import { defaultOf, fieldName, type NodeType } from './table.js';
 import { tellUnchanged } from './unchanged.js';
@@ -28,7 +28,7 @@ export class PhysicsNode {
   removed = false;
   readonly children = new Children(this);
   /** What its author said and events said since. */
-  readonly said = new Said();
+  readonly fieldState = new FieldState();
   /** Fields of which its author knows that an equal value is no edit. */
   readonly toldUnchanged = new Set<string>();
   readonly #emitter = new Emitter();
@@ -61,7 +61,9 @@ export class PhysicsNode {
 
   /** The author's own value, or X3D's default. */
   asked<T = Value>(name: string): T {
-    return (this.said.asked.has(name) ? this.said.asked.get(name) : this.defaultOf(name)) as T;
+    return (
+      this.fieldState.asked.has(name) ? this.fieldState.asked.get(name) : this.defaultOf(name)
+    ) as T;
   }
 
   defaultOf(name: string): Value {
@@ -70,7 +72,7 @@ export class PhysicsNode {
 
   /** Whether the author wrote this field, in markup or since. */
   authored(name: string): boolean {
-    return this.said.authored.has(name);
+    return this.fieldState.authored.has(name);
   }
 
   /** The live value where the simulation changes it, else what was asked for; always a fresh copy, in SI units. */
@@ -100,18 +102,18 @@ export class PhysicsNode {
     const accepted = accept(this, name, field, value, text);
     if (accepted === undefined) return;
     const same = codecs[field.type].equal(accepted, this.#lastAsked(name));
-    if (same && (this.said.authored.has(name) || field.read)) {
-      this.said.authored.add(name);
+    if (same && (this.fieldState.authored.has(name) || field.read)) {
+      this.fieldState.authored.add(name);
       if (this.#built && !this.#changed.has(name)) tellUnchanged(this, name, field, accepted);
       return;
     }
-    this.said.beforeEvent.delete(name);
+    this.fieldState.beforeEvent.delete(name);
     this.#take(name, accepted);
   }
 
   /** The author's last word: what events did since does not make the same word an edit. */
   #lastAsked(name: string): Value {
-    const { beforeEvent } = this.said;
+    const { beforeEvent } = this.fieldState;
     if (!beforeEvent.has(name)) return this.asked(name);
     return beforeEvent.get(name) ?? this.defaultOf(name);
   }
@@ -128,8 +130,11 @@ export class PhysicsNode {
     if (!takesEvents(this, name, field)) return;
     const accepted = accept(this, name, field, value, value);
     if (accepted === undefined) return;
-    if (!this.said.beforeEvent.has(name))
-      this.said.beforeEvent.set(name, this.said.authored.has(name) ? this.asked(name) : undefined);
+    if (!this.fieldState.beforeEvent.has(name))
+      this.fieldState.beforeEvent.set(
+        name,
+        this.fieldState.authored.has(name) ? this.asked(name) : undefined,
+      );
     this.#take(name, accepted);
   }
 
@@ -139,36 +144,36 @@ export class PhysicsNode {
     const field = this.type.fields[name];
     if (!field) return;
     this.world.settle(this, name);
-    this.said.refused.delete(name);
-    this.said.beforeEvent.delete(name);
-    if (!this.said.authored.delete(name)) return;
-    this.said.asked.delete(name);
+    this.fieldState.refused.delete(name);
+    this.fieldState.beforeEvent.delete(name);
+    if (!this.fieldState.authored.delete(name)) return;
+    this.fieldState.asked.delete(name);
     this.children.adopt(name, field, this.defaultOf(name));
     this.#edit(name);
   }
 
   /** Takes over what a snapshot holds. */
-  load(said: Said): void {
-    for (const [name, value] of said.asked) {
+  load(state: FieldState): void {
+    for (const [name, value] of state.asked) {
       const field = this.type.fields[name]!;
-      if (field.nodes) said.asked.set(name, this.children.adopt(name, field, value));
+      if (field.nodes) state.asked.set(name, this.children.adopt(name, field, value));
     }
-    this.said.take(said);
+    this.fieldState.take(state);
   }
 
   /** Back to the author's own values: what events did is undone. */
   forgetEvents(): void {
-    for (const [name, said] of this.said.beforeEvent) {
+    for (const [name, said] of this.fieldState.beforeEvent) {
       if (said === undefined) this.unset(name);
       else this.#take(name, said);
     }
-    this.said.beforeEvent.clear();
+    this.fieldState.beforeEvent.clear();
   }
 
   #take(name: string, value: Value): void {
-    if (!this.said.refused.has(name)) this.world.settle(this, name);
-    this.said.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
-    this.said.authored.add(name);
+    if (!this.fieldState.refused.has(name)) this.world.settle(this, name);
+    this.fieldState.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
+    this.fieldState.authored.add(name);
     this.#edit(name);
   }
 

@@ -1,7 +1,7 @@
-import { DRAG_MODES } from '../effects/drag.js';
+import { DRAG_MODES } from '../effects/drag/drag.js';
 import type { Vec3 } from '../fields/types.js';
-import { show, showUsed } from '../show.js';
-import { AUTO, DEFAULT_LEVEL, levelNames } from '../accuracy/levels.js';
+import { show, showUsed } from '../base/show.js';
+import { AUTO, DEFAULT_LEVEL, levelNames } from '../dynamics/levels.js';
 import type { ContactNode } from './contact.js';
 import { PhysicsNode } from './node.js';
 import { defineNode } from './table.js';

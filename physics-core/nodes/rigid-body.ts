@@ -1,5 +1,5 @@
-import { DRAG_MODES } from '../effects/drag.js';
-import { rotationOf } from '../math.js';
+import { DRAG_MODES } from '../effects/drag/drag.js';
+import { rotationOf } from '../base/math.js';
 import { geometryTypes } from '../shapes/geometry.js';
 import type { CollidableNode } from './collidable.js';
 import { BodyNode } from './body.js';

@@ -1,4 +1,4 @@
-import type { Stop } from '../effects/stops.js';
+import type { Stop } from '../effects/joints/stops.js';
 import {
   between,
   FREE,
@@ -37,7 +37,7 @@ export class SingleAxisHingeJointNode extends JointNode {
   }
 
   protected override correctionOf(row: number): RowCorrection | undefined {
-    return row === ANGLE ? { share: this.asked('stopErrorCorrection') } : undefined;
+    return row === ANGLE ? { erp: this.asked('stopErrorCorrection') } : undefined;
   }
 
   updateStops(): void {

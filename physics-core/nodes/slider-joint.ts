@@ -1,6 +1,6 @@
-import type { Stop } from '../effects/stops.js';
+import type { Stop } from '../effects/joints/stops.js';
 import type { Vec3 } from '../fields/types.js';
-import { add, invert, scale, type Pose } from '../math.js';
+import { add, invert, scale, type Pose } from '../base/math.js';
 import {
   between,
   JointNode,
@@ -70,7 +70,7 @@ export class SliderJointNode extends JointNode {
   }
 
   protected override correctionOf(row: number): RowCorrection | undefined {
-    return row === ALONG ? { share: this.asked('stopErrorCorrection') } : undefined;
+    return row === ALONG ? { erp: this.asked('stopErrorCorrection') } : undefined;
   }
 
   updateStops(): void {

@@ -1,6 +1,6 @@
 import type { FieldType, Value } from '../fields/types.js';
-import { quaternionOf } from '../math.js';
-import { show } from '../show.js';
+import { quaternionOf } from '../base/math.js';
+import { show } from '../base/show.js';
 import type { PhysicsNode } from './node.js';
 import type { Field } from './table.js';
 

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { dot, normalize, scale, subtract } from '../math.js';
+import { dot, normalize, scale, subtract } from '../base/math.js';
 import { FREE, JointNode, LOCKED, type JointFrame, type Limit } from './joint.js';
 import {
   anchorFields,

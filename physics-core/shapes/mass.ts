@@ -1,4 +1,4 @@
-import { quaternionOfRows, type Quaternion } from '../math.js';
+import { quaternionOfRows, type Quaternion } from '../base/math.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { axisScale } from './scale.js';

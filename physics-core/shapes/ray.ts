@@ -1,5 +1,5 @@
 import type { Vec3 } from '../fields/types.js';
-import { add, cross, dot, scale, subtract } from '../math.js';
+import { add, cross, dot, scale, subtract } from '../base/math.js';
 import type { Geometry } from './geometry.js';
 
 /** Where a line enters a solid: the share of its way, and the outward normal there (of any length). */

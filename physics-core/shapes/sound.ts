@@ -1,7 +1,7 @@
 import type { FieldType, Value } from '../fields/types.js';
 import { codecs } from '../fields/values.js';
-import { guards, LARGEST } from '../guards.js';
-import { show } from '../show.js';
+import { guards, LARGEST } from '../base/guards.js';
+import { show } from '../base/show.js';
 import { geometryFields, isGeometry, type Geometry, type GeometryType } from './geometry.js';
 
 /** A geometry that may go to Bullet, or why it may not. */

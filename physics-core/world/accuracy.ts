@@ -1,5 +1,5 @@
-import { AutoLevel, type Verdict } from '../accuracy/auto-level.js';
-import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../accuracy/levels.js';
+import { AutoLevel, type Verdict } from './auto-level.js';
+import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../dynamics/levels.js';
 import { JointNode } from '../nodes/joint.js';
 import { jointSettings, levelOf, solverSettings, type JointSettings } from './solver-settings.js';
 import type { World } from './world.js';

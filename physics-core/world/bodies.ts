@@ -1,9 +1,9 @@
 import { ACTIVATION } from '../engine/offsets.js';
-import { guards } from '../guards.js';
-import { compose, invert, type Pose } from '../math.js';
+import { guards } from '../base/guards.js';
+import { compose, invert, type Pose } from '../base/math.js';
 import type { MovingNode } from '../nodes/body-motion.js';
 import type { BodyNode } from '../nodes/body.js';
-import { POSE, type Poses } from './poses.js';
+import { POSE, type Poses } from '../dynamics/poses.js';
 import type { World } from './world.js';
 
 /** Numbers per velocity: linear, then angular. */

@@ -1,4 +1,4 @@
-import { eachContactPoint } from '../effects/contact-points.js';
+import { eachContactPoint } from '../effects/contacts/contact-points.js';
 import { ContactPoint } from '../engine/contact-point.js';
 import { SHAPE, SHAPE_TYPE } from '../engine/offsets.js';
 import { BodyNode } from '../nodes/body.js';

@@ -1,6 +1,6 @@
 import { HeapExhausted } from '../engine/exhausted.js';
 import type { PhysicsNode } from '../nodes/node.js';
-import { show } from '../show.js';
+import { show } from '../base/show.js';
 import type { World } from './world.js';
 
 /** Share of the heap limit from which an author is warned. */

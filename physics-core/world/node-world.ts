@@ -4,13 +4,13 @@ import { isGeometry } from '../shapes/geometry.js';
 import type { NodeData } from '../nodes/children.js';
 import type { PhysicsNode } from '../nodes/node.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
-import { show } from '../show.js';
+import { show } from '../base/show.js';
 import { Edits } from './edits.js';
-import { Telling, type Console } from './telling.js';
+import { Reporting, type Console } from './reporting.js';
 import type { AddOptions } from './types.js';
 
 /** The nodes of a world in the order they were added, and the edits of them that Bullet has not seen yet. */
-export abstract class NodeWorld extends Telling {
+export abstract class NodeWorld extends Reporting {
   protected readonly edits = new Edits();
   readonly #nodes = new Set<PhysicsNode>();
   readonly #collections = new Set<CollectionNode>();

@@ -1,4 +1,4 @@
-import { isFiltered } from '../effects/contact-points.js';
+import { isFiltered } from '../effects/contacts/contact-points.js';
 import { ContactPoint } from '../engine/contact-point.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { World } from './world.js';

@@ -2,7 +2,7 @@ import type { BodyNode } from '../nodes/body.js';
 import type { CollidableNode } from '../nodes/collidable.js';
 import type { CollisionCollectionNode } from '../nodes/collision-collection.js';
 import type { CollisionSpaceNode } from '../nodes/collision-space.js';
-import { Kinds } from './kinds.js';
+import { CollisionFilterGroups } from './collision-filter-groups.js';
 import { isOneSided, reportOneSided } from './one-sided.js';
 import type { World } from './world.js';
 
@@ -25,11 +25,11 @@ export class Pairs {
   /** Those that sensors watch where the strict rules leave contacts to page code. */
   #watched: ReadonlySet<CollisionCollectionNode> = new Set();
   readonly spaces = new Set<CollisionSpaceNode>();
-  readonly kinds: Kinds;
+  readonly kinds: CollisionFilterGroups;
 
   constructor(world: World) {
     this.#world = world;
-    this.kinds = new Kinds(world, this);
+    this.kinds = new CollisionFilterGroups(world, this);
   }
 
   get collections(): readonly CollisionCollectionNode[] {

@@ -4,8 +4,8 @@ import type { BtBody } from '../engine/heap.js';
 import { Owner } from '../engine/owner.js';
 import { codecs } from '../fields/values.js';
 import type { Vec3 } from '../fields/types.js';
-import { guards, LARGEST } from '../guards.js';
-import { show } from '../show.js';
+import { guards, LARGEST } from '../base/guards.js';
+import { show } from '../base/show.js';
 import {
   add,
   compose,
@@ -16,7 +16,7 @@ import {
   scale,
   subtract,
   type Pose,
-} from '../math.js';
+} from '../base/math.js';
 import type { BodyNode } from '../nodes/body.js';
 import type { CollidableNode, CollidablePart } from '../nodes/collidable.js';
 import type { PhysicsNode } from '../nodes/node.js';

@@ -1,12 +1,12 @@
-import type { LevelName } from '../accuracy/levels.js';
+import type { LevelName } from '../dynamics/levels.js';
 import type { Engine } from '../engine/engine.js';
 import type { Value, Vec3 } from '../fields/types.js';
-import type { Pose } from '../math.js';
+import type { Pose } from '../base/math.js';
 import { BodyNode } from '../nodes/body.js';
 import { JointNode } from '../nodes/joint.js';
 import { PhysicsNode } from '../nodes/node.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';
-import { Said } from '../nodes/said.js';
+import { FieldState } from '../nodes/field-state.js';
 import type { Field } from '../nodes/table.js';
 import type { World } from './world.js';
 
@@ -79,7 +79,7 @@ const isKept = ({ common, type, nodes }: Field): boolean =>
   common === true || (/^[SM]FNode$/.test(type) && !nodes);
 
 function stateOf(node: PhysicsNode, child: boolean): NodeState {
-  const { asked, authored, beforeEvent } = node.said;
+  const { asked, authored, beforeEvent } = node.fieldState;
   const lasting = ([name]: [string, Value]): boolean => {
     const field = node.type.fields[name]!;
     return !isKept(field) && field.access !== 'inputOnly';
@@ -232,8 +232,8 @@ function loadNode(node: PhysicsNode, found: Lookup): void {
     node.forgetEvents();
     return;
   }
-  const said = new Said();
-  for (const [name, value] of node.said.asked)
+  const said = new FieldState();
+  for (const [name, value] of node.fieldState.asked)
     if (isKept(node.type.fields[name]!)) said.asked.set(name, value);
   for (const [name, value] of state.asked) said.asked.set(name, found.decode(value));
   for (const name of state.authored) said.authored.add(name);

@@ -6,8 +6,8 @@ import {
   perStep,
   type Level,
   type LevelName,
-} from '../accuracy/levels.js';
-import type { SolverDemands } from '../effects/solver-demands.js';
+} from '../dynamics/levels.js';
+import type { SolverDemands } from '../effects/contacts/solver-demands.js';
 import type { SolverSettings } from '../engine/bullet-world.js';
 import { SOLVER_MODE } from '../engine/offsets.js';
 import type { CollectionNode } from '../nodes/rigid-body-collection.js';

@@ -1,6 +1,6 @@
-import { Clock } from '../clock.js';
-import type { Phase } from '../effects/costs.js';
-import { show } from '../show.js';
+import { Clock } from '../base/clock.js';
+import type { Phase } from '../effects/costs/frame-costs.js';
+import { show } from '../base/show.js';
 import { reportOverlaps } from './overlaps.js';
 import type { World } from './world.js';
 

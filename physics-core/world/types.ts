@@ -1,7 +1,7 @@
-import type { Level } from '../accuracy/levels.js';
-import type { Pose } from '../math.js';
+import type { Level } from '../dynamics/levels.js';
+import type { Pose } from '../base/math.js';
 import type { PhysicsNode } from '../nodes/node.js';
-import type { Console } from './telling.js';
+import type { Console } from './reporting.js';
 
 export interface WorldOptions {
   /** Log each problem once to the console, or to what is given. */

@@ -1,5 +1,5 @@
-import { AUTO, levels, type Level, type LevelName } from '../accuracy/levels.js';
-import type { Costs } from '../effects/costs.js';
+import { AUTO, levels, type Level, type LevelName } from '../dynamics/levels.js';
+import type { Costs } from '../effects/costs/frame-costs.js';
 import type { LevelMeasurement, MeasureOptions } from '../accuracy/measure.js';
 import { EffectRegistry, type EffectReport } from '../effects/registry.js';
 import { BulletWorld } from '../engine/bullet-world.js';
@@ -16,7 +16,7 @@ import { HeapLimit } from './heap-limit.js';
 import { NodeWorld } from './node-world.js';
 import { Obstacles } from './obstacles.js';
 import { Pairs } from './pairs.js';
-import { Poses } from './poses.js';
+import { Poses } from '../dynamics/poses.js';
 import { Rays, type RayHit } from './raycast.js';
 import type { JointSettings } from './solver-settings.js';
 import { restoreSnapshot, takeSnapshot, type Snapshot } from './snapshot.js';

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { levels, type LevelName, type World } from '../../physics-core/index.js';
-import { AutoLevel } from '../../physics-core/accuracy/auto-level.js';
-import { levelNamed } from '../../physics-core/accuracy/levels.js';
+import { AutoLevel } from '../../physics-core/world/auto-level.js';
+import { levelNamed } from '../../physics-core/dynamics/levels.js';
 import {
   addBody,
   addFloor,

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import type { World } from '../../physics-core/index.js';
-import type { Collision } from '../../physics-core/effects/touches.js';
+import type { Collision } from '../../physics-core/effects/contacts/touches.js';
 import {
   addBody,
   addFloor,

@@ -1,7 +1,7 @@
 import { isConvex } from '../../physics-core/shapes/convex.js';
 import { tessellate } from '../../physics-core/shapes/tessellate.js';
 import type { Mesh } from '../../physics-core/shapes/geometry.js';
-import { quaternionOf, rotate } from '../../physics-core/math.js';
+import { quaternionOf, rotate } from '../../physics-core/base/math.js';
 import assert from 'node:assert/strict';
 import { fact } from './helpers.js';
 

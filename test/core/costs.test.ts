@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { PerformanceObserver } from 'node:perf_hooks';
 import { describe } from 'node:test';
-import { FrameCosts } from '../../physics-core/effects/costs.js';
+import { FrameCosts } from '../../physics-core/effects/costs/frame-costs.js';
 import { addBody, fact, world } from './helpers.js';
 
 const effect = (w: Awaited<ReturnType<typeof world>>, name: string) =>

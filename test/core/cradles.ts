@@ -1,4 +1,4 @@
-import { quaternionOf, rotate } from '../../physics-core/math.js';
+import { quaternionOf, rotate } from '../../physics-core/base/math.js';
 import type { World } from '../../physics-core/index.js';
 import {
   addBody,

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Emitter } from '../../physics-core/emitter.js';
+import { Emitter } from '../../physics-core/base/emitter.js';
 import { loadEngine, World } from '../../physics-core/index.js';
 import { landing, hear, record } from './event-scenes.js';
 import {

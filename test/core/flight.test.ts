@@ -1,6 +1,6 @@
 import { describe } from 'node:test';
 import { levels, type World } from '../../physics-core/index.js';
-import { quaternionOf, rotate } from '../../physics-core/math.js';
+import { quaternionOf, rotate } from '../../physics-core/base/math.js';
 import {
   addBody,
   below,

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { levelNames } from '../../physics-core/accuracy/levels.js';
+import { levelNames } from '../../physics-core/dynamics/levels.js';
 import {
   above,
   addBody,

@@ -1,5 +1,5 @@
 import { describe } from 'node:test';
-import { dot, quaternionOf, rotate } from '../../physics-core/math.js';
+import { dot, quaternionOf, rotate } from '../../physics-core/base/math.js';
 import type { JointNode } from '../../physics-core/nodes/joint.js';
 import { turn } from '../../references/turning.js';
 import {

@@ -1,5 +1,13 @@
 import { describe } from 'node:test';
-import { add, compose, conjugate, dot, rotate, scale, subtract } from '../../physics-core/math.js';
+import {
+  add,
+  compose,
+  conjugate,
+  dot,
+  rotate,
+  scale,
+  subtract,
+} from '../../physics-core/base/math.js';
 import type { World } from '../../physics-core/index.js';
 import {
   above,

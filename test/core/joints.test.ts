@@ -10,7 +10,7 @@ import {
   rotate,
   scale,
   subtract,
-} from '../../physics-core/math.js';
+} from '../../physics-core/base/math.js';
 import {
   addBody,
   below,

@@ -1,5 +1,5 @@
 import { test } from 'node:test';
-import { quaternionOf, rotate } from '../../physics-core/math.js';
+import { quaternionOf, rotate } from '../../physics-core/base/math.js';
 import { chainEnd, type Chain } from '../../references/chain.js';
 import { ballChain, boxChain } from '../../references/chains.js';
 import { cradleAngles } from '../../references/cradle.js';

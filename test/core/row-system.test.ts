@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Forest, type Edge } from '../../physics-core/effects/direct/forest.js';
-import { RowSystem } from '../../physics-core/effects/direct/row-system.js';
+import { Forest, type Edge } from '../../physics-core/effects/joints/forest.js';
+import { RowSystem } from '../../physics-core/effects/joints/row-system.js';
 import { below, random } from './helpers.js';
 
 const SIDE = 6;
@@ -14,11 +14,11 @@ const GIVE = 4e-5;
 
 /** The same system as full matrices. */
 interface Dense {
-  /** Inertia of all bodies, rows of all joints, momenta, wanted rates, compliances. */
+  /** Inertia of all bodies, rows of all joints, momenta, targetVelocity rates, compliances. */
   m: number[][];
   j: number[][];
   p: number[];
-  wanted: number[];
+  targetVelocity: number[];
   soft: number[];
   /** Where row i of `j` is in the system. */
   at: number[];
@@ -67,11 +67,11 @@ function fillRow(system: RowSystem, joint: number, r: number, dense: Dense, soft
     if (b >= 0) row[b * SIDE + x] = system.jacobian[at + BLOCK]!;
   }
   const i = joint * ROWS + r;
-  system.wanted[i] = system.threshold[i] = between(-1, 1);
+  system.targetVelocity[i] = system.threshold[i] = between(-1, 1);
   system.compliance[i] = soft;
   system.unbounded(i);
   dense.j.push(row);
-  dense.wanted.push(system.wanted[i]!);
+  dense.targetVelocity.push(system.targetVelocity[i]!);
   dense.soft.push(soft);
   dense.at.push(i);
 }
@@ -99,7 +99,7 @@ function fillPin(system: RowSystem, pin: number, dense: Dense): void {
     }
     dense.j.push(row);
     dense.soft.push(0);
-    dense.wanted.push((pins.wanted[pin * 3 + x] = between(-1, 1)));
+    dense.targetVelocity.push((pins.targetVelocity[pin * 3 + x] = between(-1, 1)));
   }
 }
 
@@ -111,7 +111,7 @@ function filled(
 ): Dense {
   const n = bodies * SIDE;
   const m = Array.from({ length: n }, () => new Array<number>(n).fill(0));
-  const dense: Dense = { m, j: [], p: [], wanted: [], soft: [], at: [] };
+  const dense: Dense = { m, j: [], p: [], targetVelocity: [], soft: [], at: [] };
   fillBodies(system, bodies, dense);
   system.edges.forEach(({ rows: besides }, joint) => {
     if (system.isPin[joint] && !besides) return;
@@ -121,8 +121,8 @@ function filled(
   return dense;
 }
 
-/** M v - Jᵀ λ = p, J v + γ λ = wanted: by Gauss with pivots. Returns v and λ. */
-function solved({ m, j, p, wanted, soft }: Dense): number[] {
+/** M v - Jᵀ λ = p, J v + γ λ = targetVelocity: by Gauss with pivots. Returns v and λ. */
+function solved({ m, j, p, targetVelocity, soft }: Dense): number[] {
   const [n, size] = [p.length, p.length + j.length];
   const k = Array.from({ length: size }, () => new Array<number>(size + 1).fill(0));
   m.forEach((row, i) => {
@@ -135,7 +135,7 @@ function solved({ m, j, p, wanted, soft }: Dense): number[] {
       k[i]![n + r] = -value;
     });
     k[n + r]![n + r] = soft[r]!;
-    k[n + r]![size] = wanted[r]!;
+    k[n + r]![size] = targetVelocity[r]!;
   });
   for (let i = 0; i < size; i++) {
     let pivot = i;
@@ -252,7 +252,7 @@ void test('a loop closed more than once is solved as far as its rows agree', () 
     const from = (joint >> 1) * 2 * BLOCK;
     system.jacobian.set(single.jacobian.subarray(from, from + 2 * BLOCK), joint * 2 * BLOCK);
     for (let r = 0; r < 3; r++)
-      system.wanted[joint * ROWS + r] = single.wanted[(joint >> 1) * ROWS + r]!;
+      system.targetVelocity[joint * ROWS + r] = single.targetVelocity[(joint >> 1) * ROWS + r]!;
   }
   solveAll(system);
   const expected = solved(dense);
@@ -276,7 +276,7 @@ void test('bounded rows hold within their bounds, or stand at one and give way t
     for (const row of bounded) {
       const rate = system.rate(Math.floor(row / ROWS), row % ROWS);
       const impulse = system.impulse[row]!;
-      const lacking = system.wanted[row]! - rate - system.compliance[row]! * impulse;
+      const lacking = system.targetVelocity[row]! - rate - system.compliance[row]! * impulse;
       const [least, most] = [system.least[row]!, system.most[row]!];
       assert.ok(impulse > least - 1e-9 && impulse < most + 1e-9, `impulse ${impulse}`);
       // Lacking rate asks for more impulse: only where there is no more.
@@ -286,17 +286,19 @@ void test('bounded rows hold within their bounds, or stand at one and give way t
     const free = dense.at.filter((row) => !bounded.includes(row));
     for (const row of free) {
       const rate = system.rate(Math.floor(row / ROWS), row % ROWS);
-      const expected = system.wanted[row]! - system.compliance[row]! * system.impulse[row]!;
+      const expected = system.targetVelocity[row]! - system.compliance[row]! * system.impulse[row]!;
       below(Math.abs(rate - expected), GIVE, 'm/s');
     }
   }
 });
 
-void test('with other wanted rates the factors stand', () => {
+void test('with other targetVelocity rates the factors stand', () => {
   const system = made(5, graphs['chain held at both ends']![1]);
   const dense = filled(system, 5, () => 3);
   solveAll(system);
-  dense.at.forEach((row, i) => (dense.wanted[i] = system.wanted[row]! += between(-1, 1)));
+  dense.at.forEach(
+    (row, i) => (dense.targetVelocity[i] = system.targetVelocity[row]! += between(-1, 1)),
+  );
   for (const component of system.forest.components) assert.ok(system.again(component));
   below(difference(system, dense), GIVE, 'of the value');
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { createWorld, nodeTypes, type World } from '../../physics-core/index.js';
-import { show } from '../../physics-core/show.js';
+import { show } from '../../physics-core/base/show.js';
 import {
   addBody,
   addFloor,

@@ -1,10 +1,10 @@
 import type { Field, PhysicsNode, World } from '../../physics-core/index.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
-import type { JointConstraint } from '../../physics-core/nodes/joint-constraint.js';
+import type { JointConstraint } from '../../physics-core/engine/joint-constraint.js';
 import { BodyNode } from '../../physics-core/nodes/body.js';
 import { CollisionCollectionNode } from '../../physics-core/nodes/collision-collection.js';
 import { JointNode } from '../../physics-core/nodes/joint.js';
-import { quaternionOf } from '../../physics-core/math.js';
+import { quaternionOf } from '../../physics-core/base/math.js';
 import { plain } from '../conformance/plain.js';
 
 /**

@@ -1,8 +1,8 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
-import { add, scale } from '../../math.js';
+import { add, scale } from '../../base/math.js';
 import type { World } from '../../world/world.js';
-import { eachContactPoint } from '../contact-points.js';
+import { eachContactPoint } from '../contacts/contact-points.js';
 import { COLOR } from './colors.js';
 import type { DebugLines } from './debug-lines.js';
 

@@ -1,7 +1,7 @@
 import type { BodyNode } from '../../nodes/body.js';
 import type { CollidablePart } from '../../nodes/collidable.js';
 import { JointNode } from '../../nodes/joint.js';
-import { rotate, scale, type Pose } from '../../math.js';
+import { rotate, scale, type Pose } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { World } from '../../world/world.js';
 import { COLOR, type Color } from './colors.js';

@@ -9,10 +9,10 @@ import {
   rotate,
   scale,
   type Pose,
-} from '../../math.js';
+} from '../../base/math.js';
 import type { BodyNode } from '../../nodes/body.js';
 import type { JointNode } from '../../nodes/joint.js';
-import type { Stop } from '../stops.js';
+import type { Stop } from '../joints/stops.js';
 import { COLOR } from './colors.js';
 import type { DebugLines } from './debug-lines.js';
 

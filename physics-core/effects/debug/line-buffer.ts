@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../fields/types.js';
-import { add, subtract } from '../../math.js';
+import { add, subtract } from '../../base/math.js';
 import type { Color } from './colors.js';
 
 /** Numbers per line: both its ends. */

@@ -2,7 +2,7 @@ import type { Ammo } from '../../engine/ammo.js';
 import { SHAPE, SHAPE_TYPE } from '../../engine/offsets.js';
 import { Owner } from '../../engine/owner.js';
 import type { Vec3 } from '../../fields/types.js';
-import { length, subtract } from '../../math.js';
+import { length, subtract } from '../../base/math.js';
 import type { BtShape } from '../../shapes/build.js';
 import type { World } from '../../world/world.js';
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { guards } from '../../../physics-core/guards.js';
+import { guards } from '../../../physics-core/base/guards.js';
 import { nodeTypes } from '../../../physics-core/index.js';
 import { factsOf } from '../../conformance/all.js';
 import { fact, world } from '../helpers.js';

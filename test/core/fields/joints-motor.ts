@@ -1,4 +1,4 @@
-import { quaternionOf, rotate } from '../../../physics-core/math.js';
+import { quaternionOf, rotate } from '../../../physics-core/base/math.js';
 import { above, addBody, addJoint, below, close, position, spin, world } from '../helpers.js';
 import { forceOutput, WEIGHTLESS } from './joints-shared.js';
 import type { Row } from './rows.js';

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { conjugate, rotate } from '../../../physics-core/math.js';
+import { conjugate, rotate } from '../../../physics-core/base/math.js';
 import {
   addBody,
   addFloor,

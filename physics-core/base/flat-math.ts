@@ -1,0 +1,134 @@
+import type { Pose } from './math.js';
+
+/** Vectors inside flat arrays, three numbers each from an index on: nothing is allocated. */
+type Numbers = Float64Array;
+
+export const dot3 = (a: Numbers, i: number, b: Numbers, j: number): number =>
+  a[i]! * b[j]! + a[i + 1]! * b[j + 1]! + a[i + 2]! * b[j + 2]!;
+
+/** out = a × b. `out` may be neither of them. */
+export function cross3(
+  out: Numbers,
+  o: number,
+  a: Numbers,
+  i: number,
+  b: Numbers,
+  j: number,
+): void {
+  out[o] = a[i + 1]! * b[j + 2]! - a[i + 2]! * b[j + 1]!;
+  out[o + 1] = a[i + 2]! * b[j]! - a[i]! * b[j + 2]!;
+  out[o + 2] = a[i]! * b[j + 1]! - a[i + 1]! * b[j]!;
+}
+
+/** The axes of a quaternion (x, y, z, w) as columns: x first. */
+export function writeAxes(out: Numbers, q: ArrayLike<number>, at: number): void {
+  const x = q[at]!;
+  const y = q[at + 1]!;
+  const z = q[at + 2]!;
+  const w = q[at + 3]!;
+  out[0] = 1 - 2 * (y * y + z * z);
+  out[1] = 2 * (x * y + z * w);
+  out[2] = 2 * (x * z - y * w);
+  out[3] = 2 * (x * y - z * w);
+  out[4] = 1 - 2 * (x * x + z * z);
+  out[5] = 2 * (y * z + x * w);
+  out[6] = 2 * (x * z + y * w);
+  out[7] = 2 * (y * z - x * w);
+  out[8] = 1 - 2 * (x * x + y * y);
+}
+
+/** out = a b for quaternions (x, y, z, w); `out` may be either of them. */
+export function multiply4(
+  out: Numbers,
+  a: ArrayLike<number>,
+  i: number,
+  b: ArrayLike<number>,
+  j: number,
+): void {
+  const ax = a[i]!;
+  const ay = a[i + 1]!;
+  const az = a[i + 2]!;
+  const aw = a[i + 3]!;
+  const bx = b[j]!;
+  const by = b[j + 1]!;
+  const bz = b[j + 2]!;
+  const bw = b[j + 3]!;
+  out[0] = aw * bx + ax * bw + ay * bz - az * by;
+  out[1] = aw * by - ax * bz + ay * bw + az * bx;
+  out[2] = aw * bz + ax * by - ay * bx + az * bw;
+  out[3] = aw * bw - ax * bx - ay * by - az * bz;
+}
+
+/** The quaternion of a turn by `time` seconds at `spin`, rad/s about each axis. */
+export function writeTurn(out: Numbers, spin: Numbers, time: number): void {
+  const speed = Math.hypot(spin[0]!, spin[1]!, spin[2]!);
+  const s = speed > 1e-12 ? Math.sin((speed * time) / 2) / speed : time / 2;
+  for (let i = 0; i < 3; i++) out[i] = spin[i]! * s;
+  out[3] = Math.cos((speed * time) / 2);
+}
+
+const product = new Float64Array(4);
+
+/** Origin and axes, in the world, of a frame given in a body: `centre` is the body's pose, `principal` its axes. */
+export function place(
+  origin: Numbers,
+  axes: Numbers,
+  centre: Numbers,
+  principal: Numbers,
+  frame: Pose,
+): void {
+  const { p } = frame;
+  for (let i = 0; i < 3; i++)
+    origin[i] =
+      centre[i]! + principal[i]! * p[0] + principal[3 + i]! * p[1] + principal[6 + i]! * p[2];
+  multiply4(product, centre, 3, frame.q, 0);
+  writeAxes(axes, product, 0);
+}
+
+const between = new Float64Array(3);
+
+/** out = ±(point - centre) × axis: what a push along the axis at the point turns. */
+export function arm(
+  out: Numbers,
+  o: number,
+  point: Numbers,
+  centre: Numbers,
+  axes: Numbers,
+  at: number,
+  sign: 1 | -1,
+): void {
+  for (let i = 0; i < 3; i++) between[i] = sign * (point[i]! - centre[i]!);
+  cross3(out, o, between, 0, axes, at);
+}
+
+/** out = I v for a body with these principal axes and moments, all in the world. */
+export function applyInertia(
+  out: Numbers,
+  o: number,
+  principal: Numbers,
+  moments: ArrayLike<number>,
+  v: Numbers,
+  at: number,
+): void {
+  const x = dot3(principal, 0, v, at) * moments[0]!;
+  const y = dot3(principal, 3, v, at) * moments[1]!;
+  const z = dot3(principal, 6, v, at) * moments[2]!;
+  for (let i = 0; i < 3; i++)
+    out[o + i] = principal[i]! * x + principal[3 + i]! * y + principal[6 + i]! * z;
+}
+
+/** out = I⁻¹ v. */
+export function applyInverseInertia(
+  out: Numbers,
+  o: number,
+  principal: Numbers,
+  moments: ArrayLike<number>,
+  v: Numbers,
+  at: number,
+): void {
+  const x = dot3(principal, 0, v, at) / moments[0]!;
+  const y = dot3(principal, 3, v, at) / moments[1]!;
+  const z = dot3(principal, 6, v, at) / moments[2]!;
+  for (let i = 0; i < 3; i++)
+    out[o + i] = principal[i]! * x + principal[3 + i]! * y + principal[6 + i]! * z;
+}

@@ -1,0 +1,44 @@
+import type { FieldCodec } from '../fields/values.js';
+import type { Value } from '../fields/types.js';
+import type { Field } from '../nodes/table.js';
+
+/** From here on a number is infinite in single precision. */
+export const LARGEST = '3.4e38';
+
+/**
+ * What keeps bad numbers away from Bullet, each as one function, so that the mutation tests can let one through at a
+ * time and see that a test notices.
+ */
+export const guards = {
+  /** The value as its field type, or undefined where it is malformed. */
+  wellFormed: (codec: FieldCodec, value: unknown): Value | undefined => codec.accept(value),
+
+  inRange(field: Pick<Field, 'range' | 'open'>, value: Value): boolean {
+    if (!field.range) return true;
+    const [low, high] = field.range;
+    const numbers = Array.isArray(value) ? (value as number[]) : [value as number];
+    return numbers.every((n) => n >= low && n <= high && !(field.open && n === low));
+  },
+
+  /** Numbers that come in by fields, geometry and methods, in Bullet's single precision. */
+  finiteVector: (vector: readonly number[]): boolean =>
+    vector.every((value) => Number.isFinite(Math.fround(value))),
+
+  /** `sum` of the numbers of a state: one NaN or infinity among them shows in it. */
+  finiteState: (sum: number): boolean => Number.isFinite(sum),
+
+  /** Wall time of one frame that is simulated, seconds: a slow frame must not breed slower ones. */
+  frameTime: (seconds: number, longest: number): number => Math.min(seconds, longest),
+
+  /** Principal moments of an authored inertia: with a negative one a body gains energy at every touch. */
+  positive: (moments: readonly number[]): boolean => moments.every((moment) => moment > 0),
+
+  /** Moments of a needle, lifted so that it can't spin up without bound. */
+  leastMoment: (moment: number, least: number): number => Math.max(moment, least),
+
+  /** Softness of a joint in Bullet's terms; from 1 on Bullet lets the joint go. */
+  jointSoftness: (cfm: number, most: number): number => Math.min(most, cfm),
+
+  /** Extents thinner than this have no volume to collide with. */
+  thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
+};

@@ -1,0 +1,273 @@
+import { ContactPoint } from '../../engine/contact-point.js';
+import { BODY, MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import type { BodyNode } from '../../nodes/body.js';
+import type { CollidableNode } from '../../nodes/collidable.js';
+import {
+  isPlain,
+  isSoft,
+  PLAIN,
+  type ContactParameters,
+} from '../../dynamics/contact-parameters.js';
+import type { PhysicsNode } from '../../nodes/node.js';
+import { carriedBy } from '../../dynamics/contact-order.js';
+import type { World } from '../../world/world.js';
+import { partAt, partsAt } from './contact-part.js';
+import { isJointedPair, writeDepth } from './contact-depth.js';
+import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
+import { Effect } from '../effect.js';
+import { anyFast, forgetStale } from './stale-contacts.js';
+import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
+
+/** Numbers of a linear velocity. */
+const VELOCITY = 3;
+
+/**
+ * Writes a CollisionCollection's parameters into every contact of its pairs, between Bullet's contact search and its
+ * solver. Without a collection that says more than the default this effect is off and costs nothing.
+ */
+export class ContactSurface extends Effect {
+  readonly name = 'contact surface';
+  readonly #world: World;
+  readonly #demands = new Map<PhysicsNode, SolverDemands>();
+  readonly #count = new DemandCount();
+  /** Of the contacts that set_contacts gave for the step that runs. */
+  #given = NO_DEMANDS;
+  /** Of all that need it. */
+  demands = NO_DEMANDS;
+  #limiting: PhysicsNode | undefined;
+  /** Bodies that need it for one step more: points keep what was written into them. */
+  readonly #leaving = new Set<BodyNode>();
+  /** By pointer of the first body, then of the second. */
+  #pairs = new Map<number, Map<number, Pair>>();
+  #point: ContactPoint | undefined;
+  #steps = 0;
+  #before = new Float64Array(VELOCITY * 16);
+  readonly #step: StepState = {
+    dt: 0,
+    slop: 0,
+    maxCorrectionSpeed: Infinity,
+    changes: new Float64Array(VELOCITY * 16),
+  };
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+  }
+
+  // ---- who needs it -----------------------------------------------------------------------------------------------
+
+  override get active(): boolean {
+    return super.active || this.#world.registry.given.active;
+  }
+
+  /** Some other collection speaks for the body now, or says something else. */
+  update(body: BodyNode): void {
+    this.#pairs.clear();
+    this.#step.changes.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
+    const collections = this.#world.pairs.collectionsOf(body);
+    const speaking = collections.filter(({ parameters }) => !isPlain(parameters));
+    const waits = this.#world.pairs.waits(body);
+    this.#leaving.delete(body);
+    if (waits && speaking.length === 0)
+      this.#demand(body, 'contacts that wait for set_contacts', []);
+    else if (speaking.length > 0)
+      this.#demand(
+        body,
+        `collidable of ${speaking[0]!.label}`,
+        speaking.map(({ parameters }) => demandsOf(parameters)),
+      );
+    else if (this.#demands.has(body)) {
+      this.#demand(body, 'contacts of a former collection', []);
+      this.#leaving.add(body);
+    }
+  }
+
+  /** maxCorrectionSpeed of the world; Infinity: no limit. */
+  limit(collection: PhysicsNode, speed: number): void {
+    if (this.#limiting) this.drop(this.#limiting);
+    this.#limiting = collection;
+    this.#step.maxCorrectionSpeed = speed;
+    if (speed < Infinity)
+      this.#demand(collection, 'maxCorrectionSpeed', [{ ...NO_DEMANDS, pushing: true }]);
+  }
+
+  #demand(node: PhysicsNode, reason: string, demands: SolverDemands[]): void {
+    this.need(node, reason);
+    this.#setDemands(node, union(demands));
+  }
+
+  demandGiven(demands: SolverDemands): void {
+    this.#count.replace(this.#given, demands);
+    this.#given = demands;
+    this.#sumUp();
+  }
+
+  override drop(node: PhysicsNode): void {
+    super.drop(node);
+    this.#pairs.clear();
+    this.#leaving.delete(node as BodyNode);
+    if (this.#demands.has(node)) this.#setDemands(node, undefined);
+  }
+
+  #setDemands(node: PhysicsNode, demands: SolverDemands | undefined): void {
+    this.#count.replace(this.#demands.get(node), demands);
+    if (demands) this.#demands.set(node, demands);
+    else this.#demands.delete(node);
+    this.#sumUp();
+  }
+
+  #sumUp(): void {
+    const before = this.demands;
+    this.demands = this.#count.union;
+    const { pushing, directed } = this.demands;
+    if (pushing !== before.pushing || directed !== before.directed) this.#world.configureSolver();
+  }
+
+  // ---- around a step ----------------------------------------------------------------------------------------------
+
+  override beforeStep(dt: number): void {
+    this.#step.dt = dt;
+    this.#step.slop = this.#world.bullet.settings.linearSlop;
+    if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
+    if (this.#world.engine.heapTrusted && anyFast(this.#world, dt)) forgetStale(this.#world, dt);
+  }
+
+  override afterStep(): void {
+    if (this.demands.changes) {
+      this.#eachVelocity(this.#noteChange);
+      this.#sumImpulses();
+    }
+    for (const body of this.#leaving) if (!body.sleeping) this.drop(body);
+  }
+
+  readonly #noteBefore = (value: number, at: number): void => {
+    this.#before[at] = value;
+  };
+
+  readonly #noteChange = (value: number, at: number): void => {
+    this.#step.changes[at] = value - this.#before[at]!;
+  };
+
+  /** Of all points of a pair. */
+  #sumImpulses(): void {
+    const { bullet, engine } = this.#world;
+    const step = ++this.#steps;
+    bullet.eachManifold((manifold, a, b) => {
+      const count = manifold.getNumContacts();
+      const pair = count > 0 ? this.#pairs.get(a)?.get(b) : undefined;
+      if (!pair) return;
+      if (pair.summed !== step) pair.impulse.fill(0);
+      pair.summed = step;
+      const first = engine.ammo.getPointer(manifold.getContactPoint(0));
+      for (let i = 0; i < count; i++)
+        this.#at(first + i * POINT.size, a, b).addImpulse(pair.impulse);
+    });
+  }
+
+  #eachVelocity(visit: (value: number, at: number) => void): void {
+    const heap = this.#world.engine.ammo.HEAPF32;
+    for (const { slot, pointer } of this.#world.bodies) {
+      if ((slot + 1) * VELOCITY > this.#before.length) this.#grow(slot);
+      const from = (pointer + BODY.linearVelocity) >> 2;
+      for (let i = 0; i < VELOCITY; i++) visit(heap[from + i]!, slot * VELOCITY + i);
+    }
+  }
+
+  #grow(slot: number): void {
+    const room = VELOCITY * 2 ** Math.ceil(Math.log2(slot + 2));
+    const { changes } = this.#step;
+    const before = this.#before;
+    this.#before = new Float64Array(room);
+    this.#before.set(before);
+    this.#step.changes = new Float64Array(room);
+    this.#step.changes.set(changes);
+  }
+
+  // ---- at a contact point -----------------------------------------------------------------------------------------
+
+  /** Called by Bullet for every contact point of every step: no allocation here. */
+  process(pointer: number, a: number, b: number): void {
+    const pair = this.#pairOf(a, b);
+    if (!pair) return;
+    const point = this.#at(pointer, a, b);
+    const { given } = this.#world.registry;
+    const said = given.active ? given.at(point, pair) : undefined;
+    const parameters = said === undefined ? this.#parametersAt(point, pair) : said;
+    if (!parameters) {
+      leaveOut(point);
+      return;
+    }
+    writeSurface(point, pair, parameters, this.#step);
+    this.#world.registry.chains.note(point, pair, parameters);
+    if (point.get(POINT.distance) >= FAR) return;
+    const gently = parameters.bounce > 0 && isJointedPair(pair);
+    if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
+      writeDepth(point, pair, parameters, this.#step);
+  }
+
+  #at(pointer: number, a: number, b: number): ContactPoint {
+    return (this.#point ??= new ContactPoint(this.#world.engine.ammo)).at(pointer, a, b);
+  }
+
+  #pairOf(a: number, b: number): Pair | undefined {
+    let byB = this.#pairs.get(a);
+    if (!byB) this.#pairs.set(a, (byB = new Map()));
+    let pair = byB.get(b);
+    if (!pair && (pair = this.#find(a, b))) byB.set(b, pair);
+    if (pair && pair.summed !== this.#steps) pair.impulse.fill(0);
+    return pair;
+  }
+
+  #find(pointerA: number, pointerB: number): Pair | undefined {
+    const [a, b] = [this.#world.bodyAt(pointerA), this.#world.bodyAt(pointerB)];
+    if (!a || !b) return undefined;
+    return {
+      a,
+      b,
+      parameters: this.#common(a, b),
+      byParts: new Map(),
+      atA: a.slot * VELOCITY,
+      atB: b.slot * VELOCITY,
+      impulse: new Float64Array(3),
+      summed: -1,
+      deepest: undefined,
+      carried: carriedBy(a, b) === a ? 1 : -1,
+    };
+  }
+
+  /** The parameters of a pair of bodies; undefined where their collidables differ in them. */
+  #common(a: BodyNode, b: BodyNode): Pair['parameters'] {
+    const found = new Set<ContactParameters | null>();
+    for (const { collidable: first } of a.parts)
+      for (const { collidable: second } of b.parts) found.add(this.#between(a, first, b, second));
+    if (found.size > 1) return undefined;
+    return found.size === 0 ? PLAIN : [...found][0];
+  }
+
+  /** Null: their contacts wait for set_contacts. */
+  #between(
+    a: BodyNode,
+    first: CollidableNode,
+    b: BodyNode,
+    second: CollidableNode,
+  ): ContactParameters | null {
+    const { pairs } = this.#world;
+    if (!pairs.collide(a, first, b, second)) return null;
+    return pairs.between(first, second)?.parameters ?? PLAIN;
+  }
+
+  #parametersAt(point: ContactPoint, pair: Pair): ContactParameters | null {
+    if (pair.parameters !== undefined) return pair.parameters;
+    const parts = partsAt(this.#world.engine.ammo, pair.a, pair.b, point.pointer);
+    let found = pair.byParts.get(parts);
+    if (found === undefined) pair.byParts.set(parts, (found = this.#ofParts(point, pair)));
+    return found;
+  }
+
+  #ofParts(point: ContactPoint, { a, b }: Pair): ContactParameters | null {
+    const { ammo } = this.#world.engine;
+    const first = partAt(ammo, a, point.pointer, 0);
+    const second = partAt(ammo, b, point.pointer, 1);
+    return first && second ? this.#between(a, first, b, second) : PLAIN;
+  }
+}

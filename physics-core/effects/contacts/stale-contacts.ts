@@ -1,0 +1,43 @@
+import { BODY, MANIFOLD } from '../../engine/offsets.js';
+import type { World } from '../../world/world.js';
+
+type Manifold = Parameters<Parameters<World['bullet']['eachManifold']>[0]>[0];
+
+/** Share of the way that a contact point lives for, in a step. */
+const LONG = 0.5;
+
+/** Ways in a step that are short for anything, metres. */
+const SHORT = 0.005;
+
+/** Whether any body moves so far in a step that contact points may not keep up. */
+export const anyFast = ({ bodies }: World, dt: number): boolean => bodies.anyFaster(SHORT / dt);
+
+/** Visits pairs near each other that move farther along each other in a step than their contact points live for. */
+export function eachFastPair(
+  { bullet, engine: { ammo } }: World,
+  dt: number,
+  visit: (manifold: Manifold, a: number, b: number) => void,
+): void {
+  bullet.eachManifold((manifold, a, b) => {
+    const { HEAPF32 } = ammo;
+    const v = (a + BODY.linearVelocity) >> 2;
+    const w = (b + BODY.linearVelocity) >> 2;
+    const x = HEAPF32[v]! - HEAPF32[w]!;
+    const y = HEAPF32[v + 1]! - HEAPF32[w + 1]!;
+    const z = HEAPF32[v + 2]! - HEAPF32[w + 2]!;
+    const breaking = HEAPF32[(ammo.getPointer(manifold) + MANIFOLD.breaking) >> 2]!;
+    if (Math.sqrt(x * x + y * y + z * z) * dt > LONG * breaking) visit(manifold, a, b);
+  });
+}
+
+/**
+ * Bullet keeps contact points from step to step, to start its solver from. What slides or rolls on farther than they live
+ * for leaves them behind: they take up the room of new ones, and rub where nothing touches any more (measured: a tenth of
+ * a ball's friction, and blocks that stand on two of their corners).
+ */
+export function forgetStale(world: World, dt: number): void {
+  const { ammo } = world.engine;
+  eachFastPair(world, dt, (manifold) => {
+    ammo.HEAP32[(ammo.getPointer(manifold) + MANIFOLD.pointCount) >> 2] = 0;
+  });
+}

@@ -1,0 +1,78 @@
+import { Effect, type Cause } from '../effect.js';
+
+/** What a frame's milliseconds are split by: Bullet and effects, reading poses, writing them to the page, listeners. */
+export const PHASES = ['step', 'read', 'write', 'events'] as const;
+export type Phase = (typeof PHASES)[number];
+
+/** Milliseconds that so many of a hundred frames stayed below. */
+export interface Percentiles {
+  p50: number;
+  p90: number;
+  p99: number;
+}
+
+/** Of the frames of the last seconds that took a step. */
+export interface Costs extends Record<Phase | 'total', Percentiles> {
+  frames: number;
+}
+
+/** Frames that are looked back on: four seconds at 60 Hz, so that p99 stands on more than one of them. */
+const WINDOW = 240;
+
+/** What frames cost, kept while somebody looks: a monitor. */
+export class FrameCosts extends Effect {
+  readonly name = 'monitor';
+  /** Per frame the phases one after another; the oldest is overwritten. */
+  #ring: Float64Array | undefined;
+  #frames = 0;
+  /** Steps of the present frame. */
+  #steps = 0;
+
+  /** Keeps costs until the returned function is called; `who` stands in `world.effects`. */
+  record(who: unknown, reason: string): () => void {
+    const cause: Cause = { host: who };
+    this.need(cause, reason);
+    return () => {
+      this.drop(cause);
+      if (!this.active) this.#forget();
+    };
+  }
+
+  #forget(): void {
+    this.#ring = undefined;
+    this.#frames = this.#steps = 0;
+  }
+
+  override afterStep(): void {
+    this.#steps++;
+  }
+
+  /** A frame is drawn. One without a step says nothing of what steps cost. */
+  frameOver(ms: Readonly<Record<Phase, number>>): void {
+    if (!this.active || this.#steps === 0) return;
+    this.#steps = 0;
+    const ring = (this.#ring ??= new Float64Array(WINDOW * PHASES.length));
+    const at = (this.#frames++ % WINDOW) * PHASES.length;
+    for (let i = 0; i < PHASES.length; i++) ring[at + i] = ms[PHASES[i]!];
+  }
+
+  /** Undefined while nobody looks or nothing moved yet. */
+  get report(): Costs | undefined {
+    const ring = this.#ring;
+    if (!ring) return undefined;
+    const frames = Math.min(this.#frames, WINDOW);
+    const rows = Array.from({ length: frames }, (_, i) =>
+      ring.subarray(i * PHASES.length, (i + 1) * PHASES.length),
+    );
+    const of = (phase: number): Percentiles => percentiles(rows.map((row) => row[phase]!));
+    const total = percentiles(rows.map((row) => row.reduce((sum, value) => sum + value, 0)));
+    return { frames, step: of(0), read: of(1), write: of(2), events: of(3), total };
+  }
+}
+
+/** By nearest rank: the least value that so many of a hundred do not exceed. */
+function percentiles(values: number[]): Percentiles {
+  const sorted = values.sort((a, b) => a - b);
+  const rank = (share: number): number => sorted[Math.ceil(share * sorted.length) - 1]!;
+  return { p50: rank(0.5), p90: rank(0.9), p99: rank(0.99) };
+}

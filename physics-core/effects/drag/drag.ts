@@ -1,0 +1,155 @@
+import { Emitter } from '../../base/emitter.js';
+import type { Vec3 } from '../../fields/types.js';
+import { add, compose, invert, length, scale, subtract, type Pose } from '../../base/math.js';
+import type { BodyNode } from '../../nodes/body.js';
+import { DragSpring } from './drag-spring.js';
+import { TOP_SPEED } from './hand.js';
+
+export const DRAG_MODES = ['spring', 'kinematic', 'teleport'] as const;
+export type DragMode = (typeof DRAG_MODES)[number];
+
+/** Why a drag ended. */
+export type DragEnd = 'released' | 'cancelled' | 'removed' | 'disabled' | 'reset';
+
+/** What a drag tells when it is over. */
+type Ended = (reason: DragEnd) => void;
+
+/** Seconds after its last move in which a body that is let go still flies on. */
+const FLING = 0.1;
+
+/** Held at a place at a time, seconds. */
+interface Moment {
+  p: Vec3;
+  time: number;
+}
+
+/** One body held at one point, from `body.drag` until it is let go. */
+export class Drag {
+  readonly body: BodyNode;
+  readonly spring: DragSpring;
+  /** Where the grabbed point is to be: world frame, metres. */
+  target: Vec3;
+  readonly #start: Pose;
+  /** Where the body stood when this mode began, and the grabbed point with it. */
+  #from!: Pose;
+  #point!: Vec3;
+  #moments: [before: Moment, last: Moment] | undefined;
+  readonly #emitter = new Emitter();
+  #over = false;
+  /** What its end leaves the body with, before anybody hears of it. */
+  #leave = (): void => {};
+
+  constructor(body: BodyNode, point: Vec3, onend: Ended) {
+    this.body = body;
+    this.#start = body.pose();
+    this.target = [...point];
+    this.spring = new DragSpring(body, compose(invert(body.pose()), at(point)).p);
+    this.#emitter.on('end', (reason) => onend(reason as DragEnd));
+    this.engage();
+  }
+
+  get mode(): DragMode {
+    return this.body.dragMode;
+  }
+
+  /** Until it is let go, by whomever. */
+  get held(): boolean {
+    return !this.#over;
+  }
+
+  /** Where the grabbed point is: world frame, metres. */
+  get point(): Vec3 {
+    return this.spring.point;
+  }
+
+  /** The mode begins. */
+  engage(): void {
+    this.#from = this.body.pose();
+    this.#point = this.spring.point;
+    this.#moments = undefined;
+    this.body.hold(this.mode !== 'spring');
+    this.body.wake();
+  }
+
+  /** The grabbed point is to be here, world frame, metres. */
+  move(point: Vec3): void {
+    this.#whole(() => this.#move(point));
+  }
+
+  /** What a call brings about is told when it is over. */
+  #whole(call: () => void): void {
+    if (!this.#over) this.body.world.events.during(call);
+  }
+
+  #move(point: Vec3): void {
+    const { registry } = this.body.world;
+    if (!registry.dragging.holds(this)) return registry.dragging.release(this, 'disabled');
+    const to = this.body.argument<Vec3>('drag', 'SFVec3f', point);
+    if (!to) return;
+    this.target = to;
+    if (this.mode === 'spring') this.body.wake();
+    else this.#place(add(this.#from.p, subtract(to, this.#point)));
+  }
+
+  #place(p: Vec3): void {
+    const { time } = this.body.world;
+    const [before, last] = this.#moments ?? [undefined, { p: this.body.pose().p, time }];
+    const now = { p, time };
+    // Several moves within one step are one.
+    this.#moments = [time > last.time || !before ? last : before, now];
+    const pose = { p, q: this.#from.q };
+    if (this.mode === 'kinematic') this.body.carryTo(pose);
+    else this.body.moveTo(pose);
+  }
+
+  /** Lets go. `still`: at rest, whatever it was doing. */
+  end(still = false): void {
+    this.#whole(() => this.#end(still));
+  }
+
+  #end(still: boolean): void {
+    const velocity = this.mode === 'kinematic' && !still ? this.#thrown() : REST;
+    if (still || this.mode !== 'spring') this.#leave = () => this.#goOn(velocity);
+    this.body.world.registry.dragging.release(this, 'released');
+  }
+
+  /** Lets go; what was not moved by a spring returns to where it was grabbed. */
+  cancel(): void {
+    this.#whole(() => this.#cancel());
+  }
+
+  #cancel(): void {
+    if (this.mode !== 'spring' && this.body.active)
+      this.#leave = () => {
+        this.body.moveTo(this.#start);
+        this.#goOn(REST);
+      };
+    this.body.world.registry.dragging.release(this, 'cancelled');
+  }
+
+  #goOn(velocity: Vec3): void {
+    if (this.body.active && this.body.movable)
+      this.body.setVelocityAtOrigin({ linear: velocity, angular: REST });
+  }
+
+  /** The velocity of its last move. */
+  #thrown(): Vec3 {
+    if (!this.#moments) return REST;
+    const [before, last] = this.#moments;
+    const seconds = last.time - before.time;
+    if (seconds <= 0 || this.body.world.time - last.time > FLING) return REST;
+    const velocity = scale(subtract(last.p, before.p), 1 / seconds);
+    return scale(velocity, Math.min(1, TOP_SPEED / (length(velocity) || 1)));
+  }
+
+  /** The effect let go of it. */
+  over(reason: DragEnd): void {
+    this.#over = true;
+    this.body.hold(false);
+    this.#leave();
+    this.body.world.events.tell(this.#emitter, 'end', reason);
+  }
+}
+
+const REST: Vec3 = [0, 0, 0];
+const at = (p: Vec3): Pose => ({ p, q: [0, 0, 0, 1] });

@@ -1,0 +1,95 @@
+import type { Vec3 } from '../../fields/types.js';
+import type { BodyNode } from '../../nodes/body.js';
+import type { PhysicsNode } from '../../nodes/node.js';
+import type { World } from '../../world/world.js';
+import { isJointed } from '../../dynamics/jointed.js';
+import type { RowSystem } from '../joints/row-system.js';
+import { Drag, type DragEnd } from './drag.js';
+import { Effect } from '../effect.js';
+
+/**
+ * Bodies that somebody holds. A drag by a spring is one more force of the body, or one more term of the joint solve where
+ * joints hold it: a point-to-point constraint of Bullet's would be solved by iterations, after the joints, and tear
+ * them. The other modes make a body immovable while they last. Nothing of Bullet's is made or unmade.
+ */
+export class Dragging extends Effect {
+  readonly name = 'dragging';
+  readonly #world: World;
+  readonly #drags = new Set<Drag>();
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+  }
+
+  /** Undefined where the body can't be dragged so, or by one hand only. */
+  grab(body: BodyNode, point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined {
+    const alone = body.dragMode !== 'spring';
+    if (!body.active || (!alone && !body.movable) || (alone && this.#of(body).length > 0))
+      return undefined;
+    const drag = new Drag(body, point, onend);
+    this.#drags.add(drag);
+    this.need(body, 'drag');
+    return drag;
+  }
+
+  /** Whether a drag still acts on its body. */
+  holds({ body, mode }: Drag): boolean {
+    return body.active && (mode !== 'spring' || body.movable);
+  }
+
+  release(drag: Drag, reason: DragEnd): void {
+    if (!this.#drags.delete(drag)) return;
+    if (this.#of(drag.body).length === 0) super.drop(drag.body);
+    drag.over(reason);
+  }
+
+  /** The world begins anew, or ends. */
+  reset(reason: DragEnd): void {
+    for (const drag of [...this.#drags]) this.release(drag, reason);
+  }
+
+  /** All hands off a body. */
+  letGo(body: PhysicsNode, reason: DragEnd): void {
+    for (const drag of this.#of(body)) this.release(drag, reason);
+  }
+
+  /** Its drags go on in another mode: all of them by springs, or the first one alone. */
+  modeChanged(body: BodyNode): void {
+    const [first, ...others] = this.#of(body);
+    first?.engage();
+    for (const drag of others)
+      if (drag.mode === 'spring') drag.engage();
+      else this.release(drag, 'disabled');
+  }
+
+  #of(body: PhysicsNode): Drag[] {
+    return this.active ? [...this.#drags].filter((drag) => drag.body === body) : [];
+  }
+
+  override drop(node: PhysicsNode): void {
+    this.letGo(node, node.removed ? 'removed' : 'reset');
+  }
+
+  /** What is held does not sleep. */
+  override beforeStep(dt: number): void {
+    for (const drag of this.#drags) {
+      if (!this.holds(drag)) this.release(drag, 'disabled');
+      else if (drag.mode === 'spring') this.#pull(drag, dt);
+    }
+  }
+
+  #pull({ body, spring, target }: Drag, dt: number): void {
+    if (body.sleeping) body.wake();
+    this.#world.registry.resting.restart(body.slot);
+    spring.slow();
+    spring.move(target, dt);
+    if (!isJointed(body)) spring.push(dt);
+  }
+
+  /** A body in the joint solve, where it is number `i`. */
+  pullIn(body: BodyNode, system: RowSystem, i: number, dt: number): void {
+    for (const { body: held, mode, spring } of this.#drags)
+      if (held === body && mode === 'spring') spring.pullIn(system, i, dt);
+  }
+}

@@ -1,0 +1,243 @@
+import type { BodyNode } from '../../nodes/body.js';
+import type { PhysicsNode } from '../../nodes/node.js';
+import type { World } from '../../world/world.js';
+import { Effect } from '../effect.js';
+import {
+  applyInertia,
+  applyInverseInertia,
+  dot3,
+  multiply4,
+  writeAxes,
+  writeTurn,
+} from '../../base/flat-math.js';
+
+/** Moments that differ by less than this share of the largest turn a body like a ball. */
+const ALIKE = 1e-3;
+
+/** Radians per step below which the torque is left out: it grows with the square. */
+const SLOW = 1e-3;
+
+/**
+ * Thinness times the square of the radians per step. Kept as momentum, a turn that a joint forbids comes back half so
+ * many times as large in the next step: from 2 on it grows without bound.
+ */
+const MOST_TURN = 1;
+
+/** How a body with these moments turns freely: nearly as a top that is round about `axis`. */
+interface Top {
+  axis: number;
+  /** Turns about the angular momentum at L / across, and about its own axis at this times its share of L. */
+  across: number;
+  own: number;
+  /** What is not round about it: a turn about `other` at this times its share of L. */
+  other: number;
+  uneven: number;
+  /** Its largest moment by its smallest. */
+  thinness: number;
+}
+
+/** Of a body in this step. */
+interface Spin {
+  momentum: Float64Array;
+  /** The spin given to Bullet for the step, and the one that belongs to the momentum at its end. */
+  given: Float64Array;
+  end: Float64Array;
+  /** The spin left to Bullet: as long as it stands, the momentum is known better than from there. */
+  left: Float64Array;
+  /** Its axes at the start of the step. */
+  axes: Float64Array;
+  /** It turns little enough in the step that what joints give it may be kept as momentum. */
+  slow: boolean;
+}
+
+/**
+ * Bullet keeps the spin of a free body; nature keeps its angular momentum. Before each step this gives the body the one
+ * spin that turns it as far as its free motion would, after it the change to the spin at the end of that motion. What
+ * joints did meanwhile is added to the momentum; what contacts did, to the spin (as momentum it would spin up thin
+ * bodies). The motion is that of a round top, which is known exactly, with half a turn for what is uneven before and
+ * after it: momentum is kept to rounding, however thin the body and fast the spin, and the axis wanders as it should.
+ */
+export class Gyroscopic extends Effect {
+  readonly name = 'gyroscopic torque';
+  readonly #world: World;
+  readonly #tops = new Map<PhysicsNode, Top>();
+  readonly #spinning = new Map<BodyNode, Spin>();
+  readonly #pose = new Float64Array(7);
+  readonly #velocity = new Float64Array(6);
+  readonly #axes = new Float64Array(9);
+  readonly #spin = new Float64Array(3);
+  readonly #change = new Float64Array(3);
+  readonly #orientation = new Float64Array(4);
+  readonly #turn = new Float64Array(4);
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+  }
+
+  /** Mass, inertia or mobility changed. */
+  update(body: BodyNode): void {
+    this.drop(body);
+    const { moments } = body.mass;
+    if (!body.movable || turnsAlike(moments)) return;
+    this.#tops.set(body, topOf(moments));
+    this.need(body, 'unequal moments of inertia');
+  }
+
+  override drop(node: PhysicsNode): void {
+    super.drop(node);
+    this.#tops.delete(node);
+    this.forget(node);
+  }
+
+  /** It jumps and keeps its spin: with another pose that is another momentum. */
+  forget(node: PhysicsNode): void {
+    this.#spinning.delete(node as BodyNode);
+  }
+
+  override beforeStep(dt: number): void {
+    for (const [node, top] of this.#tops) {
+      const body = node as BodyNode;
+      if (body.active && !body.sleeping) this.#lead(body, top, dt);
+    }
+  }
+
+  override afterStep(): void {
+    for (const [body, spin] of this.#spinning)
+      if (body.active && !body.sleeping) this.#follow(body, spin);
+  }
+
+  #read({ body, pointer }: BodyNode): void {
+    const { reader } = this.#world.engine;
+    reader.pose(body, pointer, this.#pose, 0);
+    reader.velocity(body, pointer, this.#velocity, 0);
+    writeAxes(this.#axes, this.#pose, 3);
+  }
+
+  #lead(body: BodyNode, top: Top, dt: number): void {
+    this.#read(body);
+    const v = this.#velocity;
+    const turn = Math.hypot(v[3]!, v[4]!, v[5]!) * dt;
+    if (turn < SLOW) {
+      this.#spinning.delete(body);
+      return;
+    }
+    const state = this.#spinning.get(body) ?? newSpin();
+    this.#spinning.set(body, state);
+    const { momentum, given, left } = state;
+    state.axes.set(this.#axes);
+    state.slow = top.thinness * turn * turn < MOST_TURN;
+    const { moments } = body.mass;
+    if (!same3(left, v, 3)) applyInertia(momentum, 0, this.#axes, moments, v, 3);
+    this.#turnFreely(top, momentum, dt);
+    this.#writeSpin(given, dt);
+    this.#writeEnd(body, state, this.#orientation, 0);
+    this.#give(body, given);
+  }
+
+  /** The spin that goes with the momentum at an orientation. */
+  #writeEnd({ mass }: BodyNode, { end, momentum }: Spin, q: Float64Array, at: number): void {
+    writeAxes(this.#axes, q, at);
+    applyInverseInertia(end, 0, this.#axes, mass.moments, momentum, 0);
+  }
+
+  /** Fills `#orientation` with that at the end of the step if nothing else acts. */
+  #turnFreely({ axis, other, own, uneven, across }: Top, momentum: Float64Array, dt: number): void {
+    for (let i = 0; i < 4; i++) this.#orientation[i] = this.#pose[3 + i]!;
+    this.#turnAbout(other, uneven, momentum, dt / 2);
+    this.#turnAbout(axis, own, momentum, dt);
+    for (let i = 0; i < 3; i++) this.#spin[i] = momentum[i]! / across;
+    writeTurn(this.#turn, this.#spin, dt);
+    multiply4(this.#orientation, this.#turn, 0, this.#orientation, 0);
+    this.#turnAbout(other, uneven, momentum, dt / 2);
+  }
+
+  /** About one of its own axes, at a rate that goes with its share of the momentum. */
+  #turnAbout(axis: number, rate: number, momentum: Float64Array, time: number): void {
+    if (rate === 0) return;
+    writeAxes(this.#axes, this.#orientation, 0);
+    this.#spin.fill(0);
+    this.#spin[axis] = rate * dot3(this.#axes, axis * 3, momentum, 0);
+    writeTurn(this.#turn, this.#spin, time);
+    multiply4(this.#orientation, this.#orientation, 0, this.#turn, 0);
+  }
+
+  /** The spin that turns the body from its pose to `#orientation` in one step, as Bullet keeps it. */
+  #writeSpin(out: Float64Array, dt: number): void {
+    const turn = this.#turn;
+    for (let i = 0; i < 3; i++) turn[i] = -this.#pose[3 + i]!;
+    turn[3] = this.#pose[6]!;
+    multiply4(turn, this.#orientation, 0, turn, 0);
+    const sign = turn[3]! < 0 ? -1 : 1;
+    const sine = Math.hypot(turn[0]!, turn[1]!, turn[2]!);
+    const angle = 2 * Math.atan2(sine, sign * turn[3]!);
+    const per = sine > 1e-12 ? (sign * angle) / (sine * dt) : 0;
+    for (let i = 0; i < 3; i++) out[i] = Math.fround(turn[i]! * per);
+  }
+
+  #follow(body: BodyNode, state: Spin): void {
+    const { given, end, left } = state;
+    const spin = this.#spin;
+    const v = this.#velocity;
+    this.#world.engine.reader.velocity(body.body, body.pointer, v, 0);
+    const free = same3(given, v, 3);
+    const alone = state.slow && this.#world.registry.joints.alone(body);
+    for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
+    if (alone) this.#takeMomentum(body, state);
+    else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
+    for (let i = 0; i < 3; i++) spin[i] = Math.fround(spin[i]!);
+    if (free || alone) left.set(spin);
+    else left.fill(NaN);
+    this.#give(body, spin);
+    this.#world.bodies.readVelocity(body);
+  }
+
+  /** What only joints changed in the step is momentum: it stays as it is while the body turns. */
+  #takeMomentum(body: BodyNode, state: Spin): void {
+    const { axes, momentum, end } = state;
+    applyInertia(this.#change, 0, axes, body.mass.moments, this.#spin, 0);
+    for (let i = 0; i < 3; i++) momentum[i]! += this.#change[i]!;
+    this.#world.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+    this.#writeEnd(body, state, this.#pose, 3);
+    this.#spin.set(end);
+  }
+
+  #give({ body }: BodyNode, spin: Float64Array): void {
+    body.setAngularVelocity(this.#world.engine.scratch.vector(spin[0]!, spin[1]!, spin[2]!));
+  }
+}
+
+/** Whether a body turns about every axis as about any other. */
+export function turnsAlike(moments: readonly number[]): boolean {
+  const most = Math.max(...moments);
+  return most - Math.min(...moments) < ALIKE * most;
+}
+
+/** Round about the axis that leaves the two most like moments across. */
+function topOf(moments: readonly number[]): Top {
+  const apart = (i: number): number =>
+    Math.abs(Math.log(moments[(i + 1) % 3]! / moments[(i + 2) % 3]!));
+  const axis = [0, 1, 2].reduce((best, i) => (apart(i) < apart(best) ? i : best), 0);
+  const other = (axis + 2) % 3;
+  const across = moments[(axis + 1) % 3]!;
+  return {
+    axis,
+    across,
+    own: 1 / moments[axis]! - 1 / across,
+    other,
+    uneven: 1 / moments[other]! - 1 / across,
+    thinness: Math.max(...moments) / Math.min(...moments),
+  };
+}
+
+const newSpin = (): Spin => ({
+  momentum: new Float64Array(3),
+  given: new Float64Array(3),
+  end: new Float64Array(3),
+  left: new Float64Array(3).fill(NaN),
+  axes: new Float64Array(9),
+  slow: false,
+});
+
+const same3 = (a: Float64Array, b: Float64Array, at: number): boolean =>
+  a[0] === b[at] && a[1] === b[at + 1] && a[2] === b[at + 2];

@@ -1,0 +1,97 @@
+import type { Ammo } from '../../engine/ammo.js';
+import type { ContactPoint } from '../../engine/contact-point.js';
+import { BODY } from '../../engine/offsets.js';
+import type { BodyNode } from '../../nodes/body.js';
+import type { World } from '../../world/world.js';
+import { holds, otherEnd } from '../../dynamics/jointed.js';
+
+/** Linear, then angular. */
+const WIDTH = 6;
+
+/** A joint's row that moves less than this share of what it would alone is held by other rows already. */
+const HELD = 1e-6;
+
+/** What an impulse does to a body at once: W = M⁻¹, less what the joints that hold it to immovable things take away. */
+export class EffectiveMassMatrix {
+  body!: BodyNode;
+  readonly #w = new Float64Array(WIDTH * WIDTH);
+  readonly #push = new Float64Array(WIDTH);
+  /** Of the velocity, by the push that `inverseEffectiveMass` was last asked about. */
+  readonly change = new Float64Array(WIDTH);
+
+  read(body: BodyNode, world: World): void {
+    this.body = body;
+    this.#w.fill(0);
+    if (!body.movable) return;
+    this.#readFree(world.engine.ammo);
+    for (const joint of body.joints) {
+      if (!holds(joint) || otherEnd(joint, body)?.movable) continue;
+      const first = joint.body1 === body;
+      const { rows } = world.registry;
+      rows.fill(joint, 0);
+      for (const row of joint.lockedRows)
+        this.#hold(rows.jacobian, row * 2 * WIDTH + (first ? 0 : WIDTH), rows.between(row, row));
+    }
+  }
+
+  #readFree(ammo: Ammo): void {
+    const { pointer } = this.body;
+    const heap = ammo.HEAPF32;
+    const basis = (pointer + BODY.basis) >> 2;
+    const inertia = (pointer + BODY.inverseInertiaLocal) >> 2;
+    const mass = heap[(pointer + BODY.inverseMass) >> 2]!;
+    for (let i = 0; i < 3; i++) {
+      this.#w[i * WIDTH + i] = mass;
+      for (let j = 0; j < 3; j++)
+        for (let k = 0; k < 3; k++)
+          this.#w[(3 + i) * WIDTH + 3 + j]! +=
+            heap[basis + 4 * i + k]! * heap[inertia + k]! * heap[basis + 4 * j + k]!;
+    }
+  }
+
+  /** W ← W - W jᵀ j W / (j W jᵀ): the row j of a joint gives way no more. */
+  #hold(jacobian: Float64Array, at: number, free: number): void {
+    for (let i = 0; i < WIDTH; i++) this.#push[i] = jacobian[at + i]!;
+    const inverseEffectiveMass = this.#respond();
+    if (inverseEffectiveMass <= HELD * free) return;
+    for (let i = 0; i < WIDTH; i++)
+      for (let j = 0; j < WIDTH; j++)
+        this.#w[i * WIDTH + j]! -= (this.change[i]! * this.change[j]!) / inverseEffectiveMass;
+  }
+
+  /** What the push changes; returns its own part of that. */
+  #respond(): number {
+    let inverseEffectiveMass = 0;
+    for (let i = 0; i < WIDTH; i++) {
+      let sum = 0;
+      for (let j = 0; j < WIDTH; j++) sum += this.#w[i * WIDTH + j]! * this.#push[j]!;
+      this.change[i] = sum;
+      inverseEffectiveMass += sum * this.#push[i]!;
+    }
+    return inverseEffectiveMass;
+  }
+
+  /** Change of speed along (x, y, z) at a contact point for an impulse of 1 N s there, 1/kg. */
+  inverseEffectiveMass(point: ContactPoint, ammo: Ammo, x: number, y: number, z: number): number {
+    const o = (this.body.pointer + BODY.origin) >> 2;
+    const rx = point.position(0) - ammo.HEAPF32[o]!;
+    const ry = point.position(1) - ammo.HEAPF32[o + 1]!;
+    const rz = point.position(2) - ammo.HEAPF32[o + 2]!;
+    const push = this.#push;
+    [push[0], push[1], push[2]] = [x, y, z];
+    push[3] = ry * z - rz * y;
+    push[4] = rz * x - rx * z;
+    push[5] = rx * y - ry * x;
+    return this.#respond();
+  }
+
+  /** Applies so many N s of the push that `inverseEffectiveMass` was last asked about. */
+  push(heap: Float32Array, impulse: number): void {
+    const v = (this.body.pointer + BODY.linearVelocity) >> 2;
+    const w = (this.body.pointer + BODY.angularVelocity) >> 2;
+    for (let i = 0; i < 3; i++) {
+      heap[v + i]! += impulse * this.change[i]!;
+      heap[w + i]! += impulse * this.change[3 + i]!;
+    }
+  }
+}

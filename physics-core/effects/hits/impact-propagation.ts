@@ -1,0 +1,309 @@
+import type { ContactPoint } from '../../engine/contact-point.js';
+import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import type { BodyNode } from '../../nodes/body.js';
+import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
+import type { World } from '../../world/world.js';
+import { Impact, StruckBody, OVER } from './impact.js';
+import { isBallAt, isRound } from '../contacts/contact-part.js';
+import { leaveOut, type Pair } from '../contacts/contact-rows.js';
+import { Effect } from '../effect.js';
+import { keyOf } from '../contacts/touches.js';
+import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
+
+/** Hits that one blow may lead to. */
+const MOST_HITS = 200;
+
+/** Hits nearer to each other count as simultaneous, seconds. */
+const SAME_TIME = 1e-6;
+
+/**
+ * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
+ * from there are those of that time, so that a bounce is as high at every level. A blow goes on through touching balls as
+ * one hit after the other, the earliest first: the far ball of a cradle takes over the swing, where Bullet has all of them
+ * bounce at once. All this happens between Bullet's contact search and its solver, which then finds nothing left to do.
+ * What touches in several points, and what rests, is Bullet's.
+ */
+export class ImpactPropagation extends Effect {
+  readonly name = 'chains of hits';
+  readonly #world: World;
+  /** Kept from step to step, so that a contact allocates nothing. */
+  readonly #hits: Impact[] = [];
+  /** By slot of the body. */
+  readonly #links: StruckBody[] = [];
+  readonly #chain: Impact[] = [];
+  /** Of the step that runs. */
+  readonly #touched: StruckBody[] = [];
+  /** Pairs that were looked at again in this step. */
+  readonly #seen = new Set<number>();
+  #count = 0;
+  #strikes = 0;
+  #steps = 0;
+  #dt = 0;
+  /** Hits up to this time of the step happen now. */
+  #until = 0;
+  /** What is noted lay on the way of something fast. */
+  #swept = false;
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+  }
+
+  /** As long as surfaces say something, or something is fast. */
+  override get active(): boolean {
+    const { surface, continuous } = this.#world.registry;
+    return surface.active || continuous.active;
+  }
+
+  override get because(): Effect['because'] {
+    const { surface, continuous } = this.#world.registry;
+    return surface.active ? surface.because : continuous.because;
+  }
+
+  override beforeStep(dt: number): void {
+    this.#dt = this.#until = dt;
+    this.#count = 0;
+    this.#newRound();
+  }
+
+  /** A contact point of this step, called before Bullet solves it. */
+  note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
+    const { bounce, minBounceSpeed, softness } = parameters;
+    if (softness > 0 || isDirected(parameters)) return;
+    const { ammo } = this.#world.engine;
+    const { a, b } = pair;
+    const round = isBallAt(ammo, a, at.pointer, 0) || isBallAt(ammo, b, at.pointer, 1);
+    if (!round && !this.#swept && bounce === 0) return;
+    const hit = (this.#hits[this.#count++] ??= new Impact(this.#world));
+    hit.point.at(at.pointer, a.pointer, b.pointer);
+    hit.a = this.#linkOf(a);
+    hit.b = this.#linkOf(b);
+    hit.bounce = bounce;
+    hit.least = Math.max(minBounceSpeed, OVER);
+    const { HEAPF32 } = ammo;
+    hit.gap = at.distance + hit.a.lateAt(HEAPF32, hit.point) - hit.b.lateAt(HEAPF32, hit.point);
+    hit.impulse = 0;
+    hit.chained = false;
+    hit.weigh(this.#dt);
+    const alone = round && !hit.a.hangs && !hit.b.hangs;
+    if (alone || this.#swept) this.#meet(hit);
+    else this.#leave(hit);
+  }
+
+  /** What touches in several points, or has others hanging on it, bounces in Bullet's solver: off all of them at once. */
+  #leave(hit: Impact): void {
+    const { point, a, b } = hit;
+    const { HEAPF32 } = this.#world.engine.ammo;
+    // After Bullet's step it is too late.
+    if (this.#until === 0) return;
+    const share = hit.comes(this.#dt, this.#until) ? hit.shareAt(this.#dt) : 0;
+    point.put(POINT.restitution, share);
+    if (share === 0) return;
+    // Neither a gap to close nor a depth to push out: the body is moved after the step.
+    point.put(POINT.distance, -this.#world.bullet.settings.linearSlop);
+    if (a.movable) a.bounce(HEAPF32, hit.time);
+    if (b.movable) b.bounce(HEAPF32, hit.time);
+  }
+
+  #meet(hit: Impact): void {
+    if (hit.a.movable) hit.a.hits.push(hit);
+    if (hit.b.movable) hit.b.hits.push(hit);
+    if (hit.comes(this.#dt, this.#until)) this.#handOn(hit);
+  }
+
+  #linkOf(body: BodyNode): StruckBody {
+    const link = (this.#links[body.slot] ??= new StruckBody());
+    if (link.step !== this.#steps) {
+      link.take(body, this.#steps);
+      this.#touched.push(link);
+    }
+    return link;
+  }
+
+  // ---- a blow ---------------------------------------------------------------------------------------------------------
+
+  #handOn(first: Impact): void {
+    this.#chain.length = 0;
+    this.#join(first);
+    for (let i = 0; i < MOST_HITS; i++) {
+      const hit = this.#earliest();
+      if (!hit) break;
+      this.#strike(hit);
+      for (const next of hit.a.hits) this.#join(next);
+      for (const next of hit.b.hits) this.#join(next);
+    }
+    for (const hit of this.#chain) hit.chained = false;
+  }
+
+  #join(hit: Impact): void {
+    if (hit.chained) return;
+    hit.chained = true;
+    hit.point.refresh();
+    this.#chain.push(hit);
+  }
+
+  /** Of those at the same time the hardest. */
+  #earliest(): Impact | undefined {
+    let first: Impact | undefined;
+    for (const hit of this.#chain) {
+      if (!hit.comes(this.#dt, this.#until)) continue;
+      const sooner = first ? first.time - hit.time : Infinity;
+      if (sooner > SAME_TIME || (sooner > -SAME_TIME && hit.speed > first!.speed)) first = hit;
+    }
+    return first;
+  }
+
+  #strike(hit: Impact): void {
+    const { point, time, speed, returned } = hit;
+    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
+    const impulse = (speed + returned) / this.#inverseEffectiveMass(hit, x, y, z);
+    if (!Number.isFinite(impulse)) return;
+    this.#shiftGaps(hit, time);
+    this.#push(hit, impulse, time);
+    hit.impulse += impulse;
+    this.#strikes++;
+    this.#rub(hit, impulse * point.get(POINT.friction), time);
+    this.#shiftGaps(hit, -time);
+    // What is left is no bounce any more, and the way back to the surface is made up for after the step.
+    point.put(POINT.restitution, 0);
+    if (returned > 0) leaveOut(point);
+    else point.put(POINT.distance, 0);
+    // For whoever reads it: here they touched.
+    for (let i = 0; i < 3; i++) point.put(POINT.positionA, point.get(POINT.positionB, i), i);
+  }
+
+  /** Before and after a strike: gaps are those of paths led back to the start of the step with the speeds of now. */
+  #shiftGaps({ a, b }: Impact, time: number): void {
+    for (const hit of a.hits) hit.gap -= time * hit.approach;
+    for (const hit of b.hits) if (!a.hits.includes(hit)) hit.gap -= time * hit.approach;
+  }
+
+  /** Coulomb's friction of the hit: against the sliding, and no more than ends it. */
+  #rub(hit: Impact, most: number, time: number): void {
+    const { point } = hit;
+    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
+    const out = point.speed(x, y, z);
+    const u = point.speed(1, 0, 0) - out * x;
+    const v = point.speed(0, 1, 0) - out * y;
+    const w = point.speed(0, 0, 1) - out * z;
+    const sliding = Math.hypot(u, v, w);
+    if (sliding < OVER) return;
+    const inverseEffectiveMass = this.#inverseEffectiveMass(
+      hit,
+      u / sliding,
+      v / sliding,
+      w / sliding,
+    );
+    this.#push(hit, -Math.min(most, sliding / inverseEffectiveMass), time);
+  }
+
+  /** How far both give way along a direction, 1/kg. */
+  #inverseEffectiveMass({ point, a, b }: Impact, x: number, y: number, z: number): number {
+    const { ammo } = this.#world.engine;
+    return (
+      a.known(this.#world).inverseEffectiveMass(point, ammo, x, y, z) +
+      b.known(this.#world).inverseEffectiveMass(point, ammo, x, y, z)
+    );
+  }
+
+  #push({ a, b }: Impact, impulse: number, time: number): void {
+    const { HEAPF32 } = this.#world.engine.ammo;
+    if (a.movable) a.push(HEAPF32, impulse, time);
+    if (b.movable) b.push(HEAPF32, -impulse, time);
+  }
+
+  // ---- the way of the step -----------------------------------------------------------------------------------------------
+
+  /**
+   * Bullet moves a body with the speed it has at the end of the step. Hits act at their own time of it, and weight and
+   * what carries it all along.
+   */
+  override settle(dt: number): void {
+    const { engine, bullet } = this.#world;
+    if (!engine.heapTrusted) return;
+    const struck = this.#strikes > 0;
+    this.#makeUpAll(dt);
+    engine.pairTest.clear(bullet.bullet);
+    this.#until = 0;
+    if (struck || anyFast(this.#world, dt)) this.#lookAgain(dt);
+    this.#noteImpulses();
+  }
+
+  /**
+   * What went through the points belongs to what listeners hear of them. It is written before bodies are read: the points
+   * of one that is taken out then, since it has no finite numbers, are freed.
+   */
+  #noteImpulses(): void {
+    for (let i = 0; i < this.#count; i++) {
+      const { point, impulse } = this.#hits[i]!;
+      if (impulse > 0) point.refresh().put(POINT.impulse, point.get(POINT.impulse) + impulse);
+    }
+  }
+
+  /**
+   * Bullet finds contacts at the start of a step, and balls only once they overlap: what comes fast would be seen inside the
+   * other body, or behind it, before it is turned back. So that is looked at once more, then what it was turned into.
+   */
+  #lookAgain(dt: number): void {
+    const { continuous } = this.#world.registry;
+    if (continuous.active) {
+      this.#newRound();
+      this.#swept = true;
+      continuous.look(this.#process);
+      this.#swept = false;
+      this.#makeUpAll(dt);
+    }
+    this.#newRound();
+    eachFastPair(this.#world, dt, this.#lookAt);
+    this.#world.bullet.eachManifold(this.#lookBehind);
+    for (let i = 0; i < MOST_HITS && this.#strikes > 0; i++) {
+      this.#makeUpAll(dt);
+      this.#newRound();
+      this.#world.bullet.eachManifold(this.#lookBehind);
+    }
+    this.#touched.length = 0;
+  }
+
+  #newRound(): void {
+    this.#steps++;
+    this.#strikes = 0;
+    this.#seen.clear();
+  }
+
+  /** What was turned back in the round before may lie against something. */
+  readonly #lookBehind = (_: object, a: number, b: number): void => {
+    if (this.#struckIn(a, this.#steps - 1) || this.#struckIn(b, this.#steps - 1))
+      this.#lookAt(_, a, b);
+  };
+
+  readonly #lookAt = (_: object, a: number, b: number): void => {
+    const { engine, bullet } = this.#world;
+    const [first, second] = [this.#world.bodyAt(a), this.#world.bodyAt(b)];
+    if (!first || !second || !(isRound(first) || isRound(second))) return;
+    const key = keyOf(first, second);
+    if (this.#seen.has(key)) return;
+    this.#seen.add(key);
+    const { pairTest } = engine;
+    const from = pairTest.count;
+    pairTest.touch(first.body, second.body);
+    pairTest.each(bullet.bullet, this.#process, from);
+  };
+
+  readonly #process = (point: number, a: number, b: number): void =>
+    this.#world.registry.process(point, a, b);
+
+  /** Whether it was hit in this step, as far as it is known. */
+  struck({ pointer }: BodyNode): boolean {
+    return this.#struckIn(pointer, this.#steps);
+  }
+
+  #struckIn(pointer: number, round: number): boolean {
+    const body = this.#world.bodyAt(pointer);
+    return body !== undefined && this.#links[body.slot]?.struckIn === round;
+  }
+
+  #makeUpAll(dt: number): void {
+    for (const link of this.#touched) link.makeUp(this.#world.engine, dt);
+    this.#touched.length = 0;
+  }
+}

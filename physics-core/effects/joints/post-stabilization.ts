@@ -1,0 +1,126 @@
+import type { Vec3 } from '../../fields/types.js';
+import type { Quaternion } from '../../base/math.js';
+import type { BodyNode } from '../../nodes/body.js';
+import type { World } from '../../world/world.js';
+import { multiply4, writeTurn } from '../../base/flat-math.js';
+import { SIDE } from './blocks.js';
+import type { Component } from './forest.js';
+import type { JointedBodies } from './jointed-bodies.js';
+import type { RowSystem } from './row-system.js';
+
+const POSE = 7;
+
+/** Share of a velocity, or of a place, that single precision may change in a step. */
+const SAME = 1e-5;
+
+/** What Bullet's step made of the velocities it was given, and what is put right of it. */
+export class PostStabilization {
+  readonly #world: World;
+  readonly #system: RowSystem;
+  readonly #jointed: JointedBodies;
+  /** Of velocities given to Bullet, what is motion: the rest closes what an edit tore. Then that rest. */
+  #kept = new Float64Array(0);
+  readonly #pose = new Float64Array(POSE);
+  readonly #now = new Float64Array(SIDE);
+  readonly #displacement = new Float64Array(3);
+  readonly #turn = new Float64Array(4);
+
+  constructor(world: World, system: RowSystem, jointed: JointedBodies) {
+    this.#world = world;
+    this.#system = system;
+    this.#jointed = jointed;
+  }
+
+  take(bodies: number): void {
+    if (this.#kept.length >= bodies * SIDE) return;
+    this.#kept = new Float64Array(bodies * 2 * SIDE);
+  }
+
+  /** Notes the velocities found: what is found beyond them is taken back after the step. */
+  keep({ bodies }: Component): void {
+    const { velocity } = this.#system;
+    for (const i of bodies)
+      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x] = velocity[x]!;
+  }
+
+  /** Those that close joints are found: notes what of them is to be taken back. */
+  note({ bodies }: Component): void {
+    const { velocity } = this.#system;
+    for (const i of bodies)
+      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x]! -= velocity[x]!;
+  }
+
+  takeBack({ bodies }: Component): void {
+    const { engine, bodies: all } = this.#world;
+    const now = this.#now;
+    for (const i of bodies) {
+      const node = this.#jointed.bodies[i]!;
+      if (!node.active) continue;
+      engine.reader.velocity(node.body, node.pointer, now, 0);
+      for (let x = 0; x < SIDE; x++) now[x]! += this.#kept[i * SIDE + x]!;
+      engine.velocities.write(node.body, node.pointer, now, 0);
+      all.readVelocity(node);
+    }
+  }
+
+  /** Whether something else than joints and forces acted on a body in the step. */
+  disturbed({ bodies }: Component, dt: number): boolean {
+    for (const i of bodies) if (this.#swerved(i) || this.#pushed(i, dt)) return true;
+    return false;
+  }
+
+  #swerved(i: number): boolean {
+    const { velocity } = this.#system;
+    const now = this.#now;
+    const { body, pointer } = this.#jointed.bodies[i]!;
+    this.#world.engine.reader.velocity(body, pointer, now, 0);
+    let off = 0;
+    let size = 1;
+    for (let x = 0; x < SIDE; x++) {
+      off += Math.abs(now[x]! - velocity[i * SIDE + x]!);
+      size += Math.abs(now[x]!);
+    }
+    return off > SAME * size;
+  }
+
+  /** Out of a contact it had sunk into: Bullet moves a body for that without giving it a velocity. */
+  #pushed(i: number, dt: number): boolean {
+    const { velocity } = this.#system;
+    const { body, pointer } = this.#jointed.bodies[i]!;
+    this.#world.engine.reader.pose(body, pointer, this.#pose, 0);
+    let off = 0;
+    let size = 1;
+    for (let x = 0; x < 3; x++) {
+      const now = this.#pose[x]!;
+      off += Math.abs(now - this.#jointed.place[i * 3 + x]! - dt * velocity[i * SIDE + x]!);
+      size += Math.abs(now);
+    }
+    return off > SAME * size;
+  }
+
+  clearMomentum({ bodies }: Component): void {
+    const { momentum } = this.#system;
+    for (const i of bodies) momentum.fill(0, i * SIDE, (i + 1) * SIDE);
+  }
+
+  /** By the velocities found, taken as ways. */
+  move({ bodies }: Component): void {
+    for (const i of bodies) this.#moveBody(i, this.#jointed.bodies[i]!);
+  }
+
+  #moveBody(i: number, { body, pointer }: BodyNode): void {
+    const { reader, scratch } = this.#world.engine;
+    const { velocity } = this.#system;
+    const v = i * SIDE;
+    reader.pose(body, pointer, this.#pose, 0);
+    for (let x = 0; x < 3; x++) {
+      this.#pose[x]! += velocity[v + x]!;
+      this.#displacement[x] = velocity[v + 3 + x]!;
+    }
+    writeTurn(this.#turn, this.#displacement, 1);
+    multiply4(this.#turn, this.#turn, 0, this.#pose, 3);
+    const [x, y, z] = this.#pose as unknown as Vec3;
+    const [qx, qy, qz, qw] = this.#turn as unknown as Quaternion;
+    body.setCenterOfMassTransform(scratch.transform([x, y, z], [qx, qy, qz, qw]));
+  }
+}

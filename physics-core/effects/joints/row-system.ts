@@ -1,0 +1,200 @@
+import { add6, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { LoopRows } from './loop-rows.js';
+import type { Component, Edge, Forest } from './forest.js';
+import { PointSolver } from './point-solver.js';
+import { TreeSolver } from './tree-solver.js';
+
+/** Rounds of the search for which bounded rows hold and which give way. */
+const ROUNDS = 8;
+
+/** How a row stands: it holds, or its impulse lies at its lower or upper bound. */
+const HOLDS = 0;
+const AT_LEAST = 1;
+const AT_MOST = 2;
+
+/**
+ * All joints of a world as rows J v + γ λ = targetVelocity whose impulses λ lie between two bounds, solved directly: of all
+ * velocities at which the rows hold it finds those nearest, in kinetic energy, to the ones predicted. Which bounded
+ * rows (stops, motors) hold is searched for in a few rounds that start from how they stood last.
+ */
+export class RowSystem {
+  edges: readonly Edge[] = [];
+  forest!: Forest;
+  /** Per body: inertia (mass, and what resists turning), momentum before, velocity after. */
+  inertia = new Float64Array(0);
+  momentum = new Float64Array(0);
+  velocity = new Float64Array(0);
+  /** What else resists the velocity of a body, linear and angular: a symmetric block, its lower half row by row. */
+  readonly resisting = new Map<number, Float64Array>();
+  /** Per joint: two blocks of rows, as body a and as body b sees them. */
+  jacobian = new Float64Array(0);
+  rowCount = new Int32Array(0);
+  /** Per row. `threshold`: velocity past which a bounded row that gives way begins to hold. */
+  targetVelocity = new Float64Array(0);
+  threshold = new Float64Array(0);
+  compliance = new Float64Array(0);
+  least = new Float64Array(0);
+  most = new Float64Array(0);
+  impulse = new Float64Array(0);
+  #state = new Uint8Array(0);
+  /** Rows of each joint that hold. */
+  held = new Int32Array(0);
+  heldCount = new Int32Array(0);
+
+  /** The joints that are no rows: whether a joint is one of them. */
+  readonly pins = new PointSolver();
+  isPin = new Uint8Array(0);
+
+  readonly #trees = new TreeSolver(this, this.pins);
+  readonly #loops = new LoopRows(this, this.#trees);
+  #load = new Float64Array(0);
+  #changed = false;
+
+  resize(bodies: number, edges: readonly Edge[], forest: Forest): void {
+    this.edges = edges;
+    this.forest = forest;
+    if (this.#load.length < bodies * SIDE) this.#growBodies(2 * bodies);
+    if (this.heldCount.length < edges.length) this.#growJoints(2 * edges.length);
+    this.#state.fill(HOLDS);
+    this.isPin.fill(0);
+    for (const { pins } of forest.components)
+      for (const pin of pins) {
+        this.isPin[pin] = 1;
+        this.rowCount[pin] = this.heldCount[pin] = 0;
+      }
+  }
+
+  #growBodies(room: number): void {
+    this.inertia = new Float64Array(room * INERTIA);
+    this.momentum = new Float64Array(room * SIDE);
+    this.velocity = new Float64Array(room * SIDE);
+    this.#load = new Float64Array(room * SIDE);
+    this.#trees.growBodies(room);
+  }
+
+  #growJoints(room: number): void {
+    this.jacobian = new Float64Array(room * 2 * ROW_BLOCK);
+    this.rowCount = new Int32Array(room);
+    this.targetVelocity = new Float64Array(room * ROWS);
+    this.threshold = new Float64Array(room * ROWS);
+    this.compliance = new Float64Array(room * ROWS);
+    this.least = new Float64Array(room * ROWS);
+    this.most = new Float64Array(room * ROWS);
+    this.impulse = new Float64Array(room * ROWS);
+    this.#state = new Uint8Array(room * ROWS);
+    this.held = new Int32Array(room * ROWS);
+    this.heldCount = new Int32Array(room);
+    this.isPin = new Uint8Array(room);
+    this.pins.grow(room);
+    this.#trees.growJoints(room);
+  }
+
+  /** Before rows are filled: this row holds whatever impulse it takes. */
+  unbounded(row: number): void {
+    this.least[row] = -Infinity;
+    this.most[row] = Infinity;
+    this.#state[row] = HOLDS;
+  }
+
+  /** Nothing is known of how this row stood last. */
+  forget(row: number): void {
+    this.least[row] = NaN;
+  }
+
+  /** A row whose impulse is bounded. One that began to be bounded just now gives way at first. */
+  bounded(row: number, least: number, most: number): void {
+    const before = this.least[row] === least && this.most[row] === most;
+    this.least[row] = least;
+    this.most[row] = most;
+    if (!before) this.#state[row] = least === 0 ? AT_LEAST : most === 0 ? AT_MOST : HOLDS;
+  }
+
+  /** False: singular, or too many loops; the velocities then mean nothing. */
+  solve(component: Component): boolean {
+    for (let round = 0; round < ROUNDS; round++) {
+      for (const joint of component.rows) this.#hold(joint);
+      if (!this.#trees.factor(component) || !this.#loops.factor(component)) return false;
+      if (!this.again(component)) return false;
+      this.#changed = false;
+      for (const joint of component.rows) this.#search(joint);
+      if (!this.#changed) return true;
+    }
+    return true;
+  }
+
+  /** With other wanted velocities or momentum; the same rows hold and the factors stand. */
+  again(component: Component): boolean {
+    for (const body of component.bodies) copy6(this.#load, body * SIDE, this.momentum, body * SIDE);
+    for (const joint of component.rows) this.#pushBounded(joint);
+    return this.#loops.solve(component, this.#load);
+  }
+
+  #hold(joint: number): void {
+    const at = joint * ROWS;
+    let count = 0;
+    for (let r = 0; r < this.rowCount[joint]!; r++)
+      if (this.#state[at + r] === HOLDS) this.held[at + count++] = r;
+    this.heldCount[joint] = count;
+  }
+
+  /** Rows at a bound push with it, whatever their velocity. */
+  #pushBounded(joint: number): void {
+    const at = joint * ROWS;
+    for (let r = 0; r < this.rowCount[joint]!; r++) {
+      const state = this.#state[at + r];
+      if (state === HOLDS) continue;
+      const impulse = state === AT_LEAST ? this.least[at + r]! : this.most[at + r]!;
+      this.impulse[at + r] = impulse;
+      if (impulse !== 0) this.push(joint, r, impulse, this.#load);
+    }
+  }
+
+  #search(joint: number): void {
+    for (let r = 0; r < this.rowCount[joint]!; r++) {
+      const i = joint * ROWS + r;
+      const least = this.least[i]!;
+      const most = this.most[i]!;
+      if (least === -Infinity && most === Infinity) continue;
+      const before = this.#state[i]!;
+      let state = before;
+      if (before === HOLDS) {
+        if (this.impulse[i]! < least) state = AT_LEAST;
+        else if (this.impulse[i]! > most) state = AT_MOST;
+      } else {
+        const short =
+          this.threshold[i]! - this.compliance[i]! * this.impulse[i]! - this.rate(joint, r);
+        if (before === AT_LEAST ? short > 0 : short < 0) state = HOLDS;
+      }
+      if (state === before) continue;
+      this.#state[i] = state;
+      this.#changed = true;
+    }
+  }
+
+  /** Whether a bounded row holds. */
+  holds(row: number): boolean {
+    return this.#state[row] === HOLDS;
+  }
+
+  /** Adds the impulse of a row to the momenta of its bodies. */
+  push(joint: number, row: number, impulse: number, momentum: Float64Array): void {
+    const { a, b } = this.edges[joint]!;
+    const at = joint * 2 * ROW_BLOCK + row * SIDE;
+    if (a >= 0) add6(momentum, a * SIDE, this.jacobian, at, impulse);
+    if (b >= 0) add6(momentum, b * SIDE, this.jacobian, at + ROW_BLOCK, impulse);
+  }
+
+  /** J v of a row, by the velocities found. */
+  rate(joint: number, row: number): number {
+    return this.rateBy(this.velocity, joint, row);
+  }
+
+  rateBy(velocity: Float64Array, joint: number, row: number): number {
+    const { a, b } = this.edges[joint]!;
+    const at = joint * 2 * ROW_BLOCK + row * SIDE;
+    return (
+      (a >= 0 ? dot6(this.jacobian, at, velocity, a * SIDE) : 0) +
+      (b >= 0 ? dot6(this.jacobian, at + ROW_BLOCK, velocity, b * SIDE) : 0)
+    );
+  }
+}

@@ -1,0 +1,148 @@
+import type { BodyNode } from '../../nodes/body.js';
+import { POSE } from '../../dynamics/poses.js';
+import type { World } from '../../world/world.js';
+import { Effect } from '../effect.js';
+
+/**
+ * When nobody wrote autoDisable: below these for this long, and not drifting meanwhile, an island may sleep unseen.
+ * The drift bound keeps a slow slide awake, which the speeds alone would freeze.
+ */
+const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
+
+/** Islands are looked at this often, seconds of simulated time. */
+const LOOK = 0.25;
+
+/** Puts islands to sleep whose bodies all ask for it. Bullet itself wakes them when something touches them. */
+export class Resting extends Effect {
+  readonly name = 'rest';
+  readonly #world: World;
+  /** Seconds each body was slow, and the pose it was slow at, by slot. */
+  #quiet = new Float64Array(16);
+  #anchor = new Float64Array(16 * POSE);
+  /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
+  readonly #islands: (readonly BodyNode[] | undefined)[] = [];
+  /** Seconds since islands were looked at. */
+  sinceLook = 0;
+
+  constructor(world: World) {
+    super();
+    this.#world = world;
+  }
+
+  update(body: BodyNode): void {
+    this.leaveIsland(body.slot);
+    if (body.slot >= this.#quiet.length) this.#grow(body.slot);
+    if (body.rest.mode === 'never') this.drop(body);
+    else
+      this.need(body, body.rest.mode === 'authored' ? 'autoDisable' : 'autoDisable not authored');
+  }
+
+  #grow(slot: number): void {
+    const room = 2 ** Math.ceil(Math.log2(slot + 1));
+    const quiet = new Float64Array(room);
+    quiet.set(this.#quiet);
+    const anchor = new Float64Array(room * POSE);
+    anchor.set(this.#anchor);
+    this.#quiet = quiet;
+    this.#anchor = anchor;
+  }
+
+  /** Seconds a body has been slow, and the pose it was slow at. */
+  save(slot: number): { quiet: number; anchor: number[] } {
+    const anchor = [...this.#anchor.subarray(slot * POSE, (slot + 1) * POSE)];
+    return { quiet: this.#quiet[slot] ?? 0, anchor };
+  }
+
+  load(slot: number, { quiet, anchor }: { quiet: number; anchor: number[] }): void {
+    if (slot >= this.#quiet.length) this.#grow(slot);
+    this.#quiet[slot] = quiet;
+    this.#anchor.set(anchor.slice(0, POSE), slot * POSE);
+  }
+
+  restart(slot: number): void {
+    this.leaveIsland(slot);
+    if (slot < this.#quiet.length) this.#quiet[slot] = 0;
+  }
+
+  leaveIsland(slot: number): void {
+    this.#islands[slot] = undefined;
+  }
+
+  /** What a sleeping body fell asleep with: nothing has touched it since. Undefined: that is not known. */
+  islandOf(slot: number): readonly BodyNode[] | undefined {
+    return this.#islands[slot];
+  }
+
+  override afterStep(dt: number): void {
+    const { bodies } = this.#world;
+    let ready = false;
+    for (const node of this.causes) {
+      const body = node as BodyNode;
+      if (body.active && body.moves && !bodies.asleep(body)) ready = this.#watch(body, dt) || ready;
+    }
+    this.sinceLook += dt;
+    if (!ready || this.sinceLook < LOOK) return;
+    this.sinceLook = 0;
+    this.#sleepReadyIslands();
+  }
+
+  /** Counts how long the body was slow; true when it may sleep. */
+  #watch(body: BodyNode, dt: number): boolean {
+    const slot = body.slot;
+    const library = body.rest.mode === 'library';
+    const limit = library ? LIBRARY : body.rest;
+    const slow = this.#world.bodies.slower(slot, limit.linearSpeed, limit.angularSpeed);
+    if (!slow || (library && this.#drifted(slot))) {
+      this.#quiet[slot] = 0;
+      return false;
+    }
+    if (this.#quiet[slot] === 0) this.#setAnchor(slot);
+    this.#quiet[slot]! += dt;
+    return this.#quiet[slot]! >= limit.time;
+  }
+
+  #setAnchor(slot: number): void {
+    const { current } = this.#world.poses;
+    for (let i = slot * POSE; i < (slot + 1) * POSE; i++) this.#anchor[i] = current[i]!;
+  }
+
+  #drifted(slot: number): boolean {
+    if (this.#quiet[slot] === 0) return false;
+    const { current } = this.#world.poses;
+    for (let i = slot * POSE; i < (slot + 1) * POSE; i++) {
+      if (Math.abs(current[i]! - this.#anchor[i]!) > LIBRARY.drift) return true;
+    }
+    return false;
+  }
+
+  #mayRest(body: BodyNode): boolean {
+    if (body.rest.mode === 'never') return false;
+    const time = body.rest.mode === 'library' ? LIBRARY.time : body.rest.time;
+    return this.#quiet[body.slot]! > 0 && this.#quiet[body.slot]! >= time;
+  }
+
+  #sleepReadyIslands(): void {
+    const { reader } = this.#world.engine;
+    const awake = new Set<number>();
+    const islands = new Map<number, BodyNode[]>();
+    for (const body of this.#world.bodies) {
+      if (!body.active || !body.movable) continue;
+      const island = reader.island(body.body, body.pointer);
+      if (!body.sleeping && (island < 0 || !this.#mayRest(body))) {
+        awake.add(island);
+        continue;
+      }
+      islands.set(island, [...(islands.get(island) ?? []), body]);
+    }
+    for (const [island, bodies] of islands)
+      if (!awake.has(island) && bodies.some((body) => !body.sleeping)) this.#sleep(bodies);
+  }
+
+  /** Those that slept already belong to it, too. */
+  #sleep(island: readonly BodyNode[]): void {
+    for (const body of island) {
+      if (!body.sleeping) body.sleep();
+      this.#islands[body.slot] = island;
+    }
+  }
+}
