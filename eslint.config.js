@@ -9,6 +9,11 @@ const globals = (...names) => ({ 'no-restricted-globals': ['error', ...names] })
 const syntax = (...selectors) => ({ 'no-restricted-syntax': ['error', ...selectors] });
 
 const noLab = { regex: '(^|/)lab/', message: 'Nothing imports lab/.' };
+const noTest = { regex: '(^|/)test/', message: 'What tests and others share lies in references/.' };
+const noReferences = {
+  regex: '(^|/)references/',
+  message: 'references/ is what the library is measured by.',
+};
 const noElements = { regex: '(^|/)elements/', message: 'physics-core knows no elements.' };
 const noPage = {
   regex: '^(lit|@lit|x3dom)(/|$)',
@@ -70,7 +75,7 @@ export default tseslint.config(
   {
     files: ['physics-core/**/*.ts'],
     rules: {
-      ...imports(noElements, noPage, noLab),
+      ...imports(noElements, noPage, noReferences, noTest, noLab),
       ...globals(...DOM, x3dom),
       ...syntax(noX3domProperty, noDomType),
     },
@@ -78,14 +83,14 @@ export default tseslint.config(
   {
     files: ['physics-core/accuracy/**/*.ts'],
     rules: {
-      ...imports(noElements, noPage, noEngine, noLab),
+      ...imports(noElements, noPage, noEngine, noReferences, noTest, noLab),
       ...syntax(noAmmo, noX3domProperty, noDomType),
     },
   },
   {
     files: ['elements/**/*.ts'],
     rules: {
-      ...imports(noEngine, noX3domImport, noLab),
+      ...imports(noEngine, noX3domImport, noReferences, noTest, noLab),
       ...globals(x3dom),
       ...syntax(noAmmo, noX3domProperty),
     },
@@ -115,6 +120,18 @@ export default tseslint.config(
   {
     files: ['stories/**/*.ts'],
     rules: { ...imports(noLab), ...globals(x3dom), ...syntax(noX3domProperty) },
+  },
+  {
+    files: ['references/**/*.ts'],
+    rules: {
+      ...imports(noElements, noPage, noEngine, noTest, noLab),
+      ...globals(...DOM, x3dom),
+      ...syntax(noAmmo),
+    },
+  },
+  {
+    files: ['lab/**/*.ts'],
+    rules: imports(noTest),
   },
   {
     files: ['test/**/*.ts'],

@@ -1,6 +1,7 @@
 import { jointSolve } from '../../physics-core/index.js';
-import { chainEnd, type Chain } from './chain-reference.js';
-import { addBallChain, addBoxChain, ballChain, boxChain, type Jointed } from './joint-scenes.js';
+import { chainEnd, type Chain } from '../../references/chain.js';
+import { ballChain, boxChain } from '../../references/chains.js';
+import { addBallChain, addBoxChain, type Jointed } from './joint-scenes.js';
 import { above, below, claim, distance, fact, velocity, world } from './helpers.js';
 import type { World } from '../../physics-core/index.js';
 

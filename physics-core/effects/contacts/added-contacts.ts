@@ -1,14 +1,5 @@
 import type { Vec2, Vec3 } from '../../fields/types.js';
-import {
-  add,
-  cross,
-  dot,
-  normalize,
-  perpendicular,
-  rotate,
-  scale,
-  subtract,
-} from '../../base/math.js';
+import { add, cross, dot, normalize, scale, subtract } from '../../base/math.js';
 import type { Body, Velocity } from '../../dynamics/body.js';
 import { applyInverseInertia } from '../../dynamics/inertia.js';
 import type { Contact } from '../../dynamics/contact.js';

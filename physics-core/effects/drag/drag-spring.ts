@@ -1,14 +1,5 @@
 import type { Vec3 } from '../../fields/types.js';
-import {
-  add,
-  compose,
-  conjugate,
-  cross,
-  length,
-  rotate,
-  scale,
-  subtract,
-} from '../../base/math.js';
+import { add, compose, cross, length, scale, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { applyInertia, applyInverseInertia } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';

@@ -45,7 +45,6 @@ export interface Pull {
  * Bullet's own constraints are told to aim at those velocities: they stay on for what contacts do in the step.
  */
 export class JointSolve extends Effect {
-  readonly #simulation: Simulation;
   readonly #effects: Effects;
   readonly #system = new RowSystem();
   readonly #forest = new Forest();
@@ -72,7 +71,6 @@ export class JointSolve extends Effect {
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#simulation = simulation;
     this.#effects = effects;
     this.#bodies = new JointedBodies(simulation, this.#system);
     this.#next = new NextPoses(this.#system, this.#bodies);
