@@ -19,7 +19,8 @@ export interface Tree {
 export function readTree({ root, rooms, circles }: Described): Tree {
   const files = readdirSync(root, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.ts'))
-    .map((name) => posix.join(root, name.replaceAll('\\', '/')));
+    .map((name) => posix.join(root, name.replaceAll('\\', '/')))
+    .sort();
   const known = new Set(files);
   const imports: Graph = new Map();
   for (const file of files) {

@@ -1,6 +1,6 @@
 import { nearest, show } from '../../../physics-core/index.js';
-import { attribute, isHTML, isPhysics, lowerName, typeOf, type NodeType } from './dom.js';
-import { attributeOf, fieldsByAttribute } from '../nodes/fields.js';
+import { attribute, isHTML, isPhysics, lowerName, typeOf, type NodeType } from '../words/dom.js';
+import { attributeOf, fieldsByAttribute } from '../words/fields.js';
 import type { Binding } from '../nodes/binding.js';
 import type { Report } from '../nodes/findings.js';
 

@@ -1,6 +1,6 @@
 import type { Report } from '../nodes/findings.js';
-import { setState } from '../states.js';
-import { logInPage } from './console.js';
+import { setState } from '../base/states.js';
+import { logInPage } from '../words/console.js';
 
 const misplaced = new WeakSet<Element>();
 const told = new WeakMap<Element, Set<string>>();

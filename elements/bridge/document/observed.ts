@@ -1,10 +1,10 @@
 import { ownBinding } from '../nodes/binding.js';
-import { fieldsByAttribute } from '../nodes/fields.js';
-import { attribute, isInline, isPhysics, isTransform, lowerName, subtree } from './dom.js';
+import { fieldsByAttribute } from '../words/fields.js';
+import { attribute, isInline, isPhysics, isTransform, lowerName, subtree } from '../words/dom.js';
 import { isType } from './markup.js';
-import type { Scene } from '../scene.js';
-import type { Scope } from './scope.js';
-import { noteRead, PLACING } from '../x3dom/transforms.js';
+import type { Scene } from '../scene/scene.js';
+import type { Scope } from '../scopes/scope.js';
+import { noteRead, PLACING } from '../x3dom/transform-edits.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Names and what decides who an element stands for. */

@@ -1,5 +1,5 @@
 import type { Binding } from '../nodes/binding.js';
-import { Sets } from '../sets.js';
+import { Sets } from '../base/sets.js';
 
 /** Which nodes read which elements that are no physics nodes themselves: Shapes, geometry, Coordinates, Transforms. */
 export class Readers {

@@ -1,8 +1,8 @@
 import type { Binding } from '../nodes/binding.js';
-import { attribute, isPhysics, isTransform } from './dom.js';
+import { attribute, isPhysics, isTransform } from '../words/dom.js';
 import { multiply, type Affine } from '../geometry/matrix.js';
-import type { Scope } from './scope.js';
-import { drivenMatrix, matrixAbove, transformsAbove } from '../geometry/transforms.js';
+import type { Scope } from '../scopes/scope.js';
+import { drivenMatrix, matrixAbove, transformsAbove } from '../scopes/transforms.js';
 
 /** What a body or collidable stands for in the scene: the Transform it moves, and where its Shapes are. */
 export interface StandIn {

@@ -1,11 +1,11 @@
 import type { Binding } from '../nodes/binding.js';
-import { attribute, lowerName, precedes } from './dom.js';
+import { attribute, lowerName, precedes } from '../words/dom.js';
 import { ownBinding } from '../nodes/binding.js';
-import { nodeElement, parentIn } from './instances.js';
+import { nodeElement, parentIn } from '../scopes/instances.js';
 import { containerField, isType } from './markup.js';
 import { namersOf } from '../nodes/named.js';
-import type { PageWorld } from '../nodes/worlds.js';
-import type { Scope } from './scope.js';
+import type { PageWorld } from '../scene/worlds.js';
+import type { Scope } from '../scopes/scope.js';
 
 // Who belongs to whom, read off the document: pure questions, asked anew whenever something near changed.
 

@@ -10,9 +10,9 @@ import {
   quaternionInto,
   type Affine,
 } from '../geometry/matrix.js';
-import type { Scope } from '../document/scope.js';
-import { Sets } from '../sets.js';
-import type { PageWorld } from '../nodes/worlds.js';
+import type { Scope } from '../scopes/scope.js';
+import { Sets } from '../base/sets.js';
+import type { PageWorld } from '../scene/worlds.js';
 import { nodeOf, type X3DNode, type X3DQuaternion, type X3DVector } from '../x3dom/x3dom.js';
 
 /** Something that a body moves on the screen. */

@@ -1,8 +1,8 @@
 import { codecs, type PhysicsNode } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import { inPage } from '../nodes/in-page.js';
-import type { PageWorld } from '../nodes/worlds.js';
-import type { PhysicsX3DNode } from '../x3dom/node-types.js';
+import type { PageWorld } from '../scene/worlds.js';
+import type { PhysicsX3DNode } from '../scene/node-types.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Sent by the core in the very step, since what begins and ends within a frame would be lost. */

@@ -1,14 +1,14 @@
 import { codecs, defaultOf, SI, type PhysicsNode } from '../../../physics-core/index.js';
-import { attribute, typeOf, type Field } from '../document/dom.js';
+import { attribute, typeOf, type Field } from '../words/dom.js';
 import { Findings } from './findings.js';
-import { authoredText, fieldsByAttribute, holdsNodes, inFileUnits, inSI } from './fields.js';
+import { authoredText, fieldsByAttribute, holdsNodes, inFileUnits, inSI } from '../words/fields.js';
 import { inCore, inPage } from './in-page.js';
 import { elementsAmong, nodesGiven, noteNamed } from './named.js';
-import type { Names } from '../document/names.js';
-import type { GeometryData } from '../geometry/reader.js';
+import type { Names } from '../scopes/names.js';
+import type { GeometryData } from '../document/geometry-reader.js';
 import { known, unknownAttribute } from '../document/markup.js';
 import type { StandIn } from '../document/shortcuts.js';
-import type { PageWorld } from './worlds.js';
+import type { PageWorld } from '../scene/worlds.js';
 
 /** The Transform that a body stands for, and what `for` says. */
 export interface Place {

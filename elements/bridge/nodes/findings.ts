@@ -1,7 +1,7 @@
 import { show } from '../../../physics-core/index.js';
-import { nameOf, type NodeType } from '../document/dom.js';
-import type { Scope } from '../document/scope.js';
-import { setState } from '../states.js';
+import { nameOf, type NodeType } from '../words/dom.js';
+import type { Scope } from '../scopes/scope.js';
+import { setState } from '../base/states.js';
 import type { Binding } from './binding.js';
 
 export interface Report {

@@ -1,7 +1,7 @@
 import { codecs, nodeTypes, PhysicsNode, type Units } from '../../../physics-core/index.js';
-import type { Field } from '../document/dom.js';
+import type { Field } from '../words/dom.js';
 import { ownBinding } from './binding.js';
-import { holdsNodes, inFileUnits, inSI } from './fields.js';
+import { holdsNodes, inFileUnits, inSI } from '../words/fields.js';
 
 // Nodes on their way between core and page: a page sees elements, and contacts, which have none, as plain objects.
 

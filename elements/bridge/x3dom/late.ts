@@ -1,4 +1,4 @@
-import { isPhysics } from '../document/dom.js';
+import { isPhysics } from '../words/dom.js';
 import { documentOf, nodeOf, type NameSpace, type X3DElement } from './x3dom.js';
 
 // x3dom has already met what we come to late: cures for that (x3dom.md).

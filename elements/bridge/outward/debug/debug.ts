@@ -1,0 +1,52 @@
+import type { PageWorld } from '../../scene/worlds.js';
+import type { Scene } from '../../scene/scene.js';
+import type { Sketch } from './sketch.js';
+
+/** The worlds of an `<x3d>` that are drawn as Bullet has them. What draws is loaded with the first of them. */
+export class Debug {
+  readonly #scene: Scene;
+  readonly #sketches = new Map<PageWorld, Sketch>();
+
+  constructor(scene: Scene) {
+    this.#scene = scene;
+  }
+
+  /** The first collection of a world asks for it, or the last one no longer does. */
+  turn(world: PageWorld, on: boolean): void {
+    if (on) this.#begin(world).catch((error: unknown) => reportMissing(world, error));
+    else this.#end(world);
+  }
+
+  async #begin(world: PageWorld): Promise<void> {
+    const { makeSketch } = await import('./sketch.js');
+    const sketch = await makeSketch(this.#scene, world);
+    // It may have been switched off and on meanwhile.
+    if (!world.registry.debugging.active || this.#sketches.has(world)) return sketch.remove();
+    this.#sketches.set(world, sketch);
+    this.#scene.loop.wake();
+  }
+
+  #end(world: PageWorld): void {
+    this.#sketches.get(world)?.remove();
+    this.#sketches.delete(world);
+  }
+
+  /** In every frame: what was drawn is of the frame before. */
+  draw(world: PageWorld): void {
+    this.#sketches.get(world)?.draw();
+  }
+}
+
+function reportMissing(world: PageWorld, error: unknown): void {
+  world.report(
+    {
+      code: 'debug-load-failed',
+      severity: 'error',
+      attribute: 'debug',
+      value: String(error),
+      used: 'nothing',
+      message: `the debug drawing could not be loaded: ${String(error)}`,
+    },
+    world.registry.debugging.because?.node.host,
+  );
+}

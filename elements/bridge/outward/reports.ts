@@ -1,0 +1,35 @@
+import { tellPage } from '../document/misplaced.js';
+import type { Binding } from '../nodes/binding.js';
+import type { Report } from '../nodes/findings.js';
+import type { Scene } from '../scene/scene.js';
+
+/** Takes what authors get wrong to the world that hears of it. */
+export class Reports {
+  readonly #scene: Scene;
+  readonly #unheard: { report: Report; binding: Binding }[] = [];
+
+  constructor(scene: Scene) {
+    this.#scene = scene;
+  }
+
+  /** Of a node that lives in no world, the first world hears; a report makes no world. */
+  report(report: Report, binding: Binding): void {
+    const [first] = this.#scene.worlds.all;
+    const world = binding.world ?? first;
+    if (world) world.report(report, binding.element);
+    else this.#unheard.push({ report, binding });
+  }
+
+  /** Where there still is no world, the console and the page hear. */
+  tellUnheard(): void {
+    const [first] = this.#scene.worlds.all;
+    for (const { report, binding } of this.#unheard.splice(0)) {
+      if (first) this.report(report, binding);
+      else if (binding.scope) tellPage(report, binding.element);
+    }
+  }
+
+  settle(binding: Binding, attributeName?: string, code?: string): void {
+    for (const world of this.#scene.worlds.all) world.settle(binding.element, attributeName, code);
+  }
+}
