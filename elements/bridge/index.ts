@@ -1,7 +1,7 @@
 // What the rest of elements/ may use of the bridge.
 export { ownBinding, type Binding } from './nodes/binding.js';
 export { keepInternals, setState } from './base/states.js';
-export { STRUCTURE } from './document/markup.js';
+export { STRUCTURE } from './words/attributes.js';
 export { camel, kebab, tagOf, type Field, type NodeType } from './words/dom.js';
 export type { Explanation } from './page/explain.js';
 export { attributeNames } from './words/fields.js';

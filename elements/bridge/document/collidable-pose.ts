@@ -1,6 +1,6 @@
 import { codecs } from '../../../physics-core/index.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
-import { isType } from './markup.js';
+import { isType } from '../words/dom.js';
 import {
   decompose,
   identity,

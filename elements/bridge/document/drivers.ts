@@ -1,9 +1,10 @@
 import type { Binding } from '../nodes/binding.js';
 import { byPlace } from './order.js';
-import { standInOf, type StandIn } from './shortcuts.js';
-import { bodyOf } from './structure.js';
-import type { Scene } from '../scene/scene.js';
+import type { StandIn } from '../nodes/stand-in.js';
+import type { Readers } from '../scopes/readers.js';
 import { Sets } from '../base/sets.js';
+import { standInOf } from './shortcuts.js';
+import { bodyOf } from './structure.js';
 
 /** What a body or collidable stands for: the Transform it moves; where there is none, what its Shapes are in. */
 const meantBy = (standIn: StandIn | undefined): Element | undefined =>
@@ -11,12 +12,12 @@ const meantBy = (standIn: StandIn | undefined): Element | undefined =>
 
 /** Which bodies, or collidables of theirs, stand for which Transform: the first in document order moves it. */
 export class Drivers {
-  readonly #scene: Scene;
+  readonly #readers: Readers;
   readonly #all = new Sets<Element, Binding>();
   readonly #first = new Map<Element, Binding>();
 
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  constructor(readers: Readers) {
+    this.#readers = readers;
   }
 
   /** Finds out what a body or collidable stands for. */
@@ -45,8 +46,8 @@ export class Drivers {
     if (first === this.#first.get(element)) return;
     if (first) this.#first.set(element, first);
     else this.#first.delete(element);
-    for (const other of [...this.#scene.readers.of(element), ...all])
-      if (other !== binding) this.#scene.dirty(other);
+    for (const other of [...this.#readers.of(element), ...all])
+      if (other !== binding) other.dirty();
   }
 
   of(transform: Element): Binding | undefined {

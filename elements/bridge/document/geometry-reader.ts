@@ -1,17 +1,16 @@
 import { codecs, show } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isShape, isTransform, lowerName } from '../words/dom.js';
-import { geometryFields, hasCoord, knownGeometry } from '../geometry/geometry-fields.js';
+import {
+  geometryFields,
+  hasCoord,
+  knownGeometry,
+  type GeometryData,
+} from '../geometry/geometry-fields.js';
 import { axisAngleOf, decompose, identity, multiply, type Affine } from '../geometry/matrix.js';
 import type { Scope } from '../scopes/scope.js';
 import { localMatrix } from '../scopes/transforms.js';
 import { nodeOf } from '../x3dom/x3dom.js';
-
-/** Geometry as the core takes it; see physics-core/shapes/geometry.ts. */
-export interface GeometryData {
-  type: string;
-  [field: string]: unknown;
-}
 
 /** Reads the geometry of Shapes for one node, which is told when something it read changes. */
 export class GeometryReader {
@@ -48,7 +47,7 @@ export class GeometryReader {
     if (!element) return;
     if (!isTransform(element)) return this.collect(child, scope, matrix);
     // A Transform with a body of its own moves by itself, as long as it has one.
-    if (this.#user.scope!.scene.drivers.of(element)) return this.#watch(element);
+    if (this.#user.scene!.drivers.of(element)) return this.#watch(element);
     this.collect(child, scope, multiply(matrix, localMatrix(element)));
   }
 
@@ -97,7 +96,7 @@ export class GeometryReader {
   }
 
   #watch(element: Element): void {
-    this.#user.scope!.scene.readers.add(element, this.#user);
+    this.#user.scene!.readers.add(element, this.#user);
   }
 
   #malformed(element: Element, name: string, text: string): void {

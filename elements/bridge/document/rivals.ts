@@ -13,7 +13,7 @@ const partsOf = (binding: Binding): Binding[] =>
 /** The body that moves already what `binding` is to move. */
 export function rivalOf(binding: Binding): { part: Binding; rival: Binding } | undefined {
   for (const part of partsOf(binding)) {
-    const rival = part.scope?.scene.drivers.rivalOf(part);
+    const rival = part.scene?.drivers.rivalOf(part);
     if (rival && rival !== binding) return { part, rival };
   }
   return undefined;

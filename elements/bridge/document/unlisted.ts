@@ -1,6 +1,6 @@
 import type { Binding } from '../nodes/binding.js';
 import { inOrder } from './order.js';
-import type { PageWorld } from '../scene/worlds.js';
+import type { PageWorld } from '../nodes/surroundings.js';
 
 /**
  * Collidables that no body owns and no list names: they are obstacles in the world of a CollisionCollection or
@@ -17,7 +17,7 @@ export class Unlisted {
     else this.#everything.delete(collection);
     const asked = [...this.#asked];
     this.#asked.clear();
-    for (const collidable of asked) collidable.scope?.scene.dirty(collidable);
+    for (const collidable of asked) collidable.dirty();
   }
 
   /** The first in the collidable's own scope, else in those around it, else in any. */

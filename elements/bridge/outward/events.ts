@@ -4,9 +4,9 @@ import { COLLISIONS, nodeEvents, STEPS } from '../words/event-types.js';
 import { listening } from '../x3dom/listening.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import { inPage } from '../nodes/in-page.js';
-import type { Scene } from '../scene/scene.js';
+import type { Stage } from './stage.js';
 import { setState } from '../base/states.js';
-import type { PageWorld } from '../scene/worlds.js';
+import type { PageWorld } from '../nodes/surroundings.js';
 
 /** World events and the DOM events they become, one lowercase word each so that every framework can bind them. */
 const WORLD_EVENTS = { ready: 'physicsready', lag: 'physicslag', accuracy: 'physicsaccuracy' };
@@ -14,15 +14,15 @@ type Stop = () => void;
 
 /** Turns the core's events into DOM events: those that cost something only while somebody listens. */
 export class Events {
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   /** Kept and dispatched again: two events per step would otherwise be two objects per step. */
   readonly #steps = new WeakMap<Element, Map<string, CustomEvent<Record<string, unknown>>>>();
   readonly #worlds = new WeakMap<PageWorld, Map<string, Stop>>();
   /** By node: one that is made anew is listened to anew. */
   readonly #nodes = new Map<Binding, Heard>();
 
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  constructor(stage: Stage) {
+    this.#stage = stage;
   }
 
   // ---- worlds ---------------------------------------------------------------------------------------------------
@@ -43,7 +43,7 @@ export class Events {
     const heard = this.#worlds.get(world);
     if (!heard) return;
     const places = [...world.collections].map(placeOf);
-    if (places.length === 0) places.push(this.#scene.x3d);
+    if (places.length === 0) places.push(this.#stage.x3d);
     for (const type of STEPS) {
       const wanted = places.some((place) => listening.heard(place, type));
       toggle(heard, type, wanted, () =>
@@ -82,7 +82,7 @@ export class Events {
   #subscribe(heard: Heard, type: string): Stop {
     return heard.node.on(type, (detail) => {
       // Another listener may have taken it out of the page a moment ago: what it was taken out of hears it, too.
-      if (!placeOf(heard.from).isConnected) this.#scene.observed.takeRecords();
+      if (!placeOf(heard.from).isConnected) this.#stage.takeRecords();
       this.#showStates(ownBinding(heard.from.element)!);
       if (isHeard(heard.from, type)) this.#fireAt(heard.from, type, inElements(detail as object));
     });
@@ -100,9 +100,9 @@ export class Events {
   listenersChanged(target: EventTarget, name: string): void {
     const concerns = (place: Element): boolean =>
       !(target instanceof Node) || target.contains(place) || target instanceof ShadowRoot;
-    if (STEPS.includes(name)) for (const world of this.#scene.worlds.all) this.updateWorld(world);
+    if (STEPS.includes(name)) for (const world of this.#stage.worlds.all) this.updateWorld(world);
     else
-      for (const binding of this.#scene.bindings())
+      for (const binding of this.#stage.bindings())
         if (concerns(placeOf(binding))) this.update(binding);
   }
 
@@ -115,7 +115,7 @@ export class Events {
 
   /** A world's events fire at its collections; at the `<x3d>` where it has none. */
   #atCollections(world: PageWorld, type: string, detail: object): void {
-    if (world.collections.size === 0) this.#fire(this.#scene.x3d, type, { ...detail });
+    if (world.collections.size === 0) this.#fire(this.#stage.x3d, type, { ...detail });
     for (const collection of [...world.collections]) this.#fireAt(collection, type, detail);
   }
 

@@ -1,20 +1,20 @@
+import type { ProblemReport } from '../../../physics-core/index.js';
 import { tellPage } from '../document/misplaced.js';
 import type { Binding } from '../nodes/binding.js';
-import type { Report } from '../nodes/findings.js';
-import type { Scene } from '../scene/scene.js';
+import type { PageWorld } from '../nodes/surroundings.js';
 
 /** Takes what authors get wrong to the world that hears of it. */
 export class Reports {
-  readonly #scene: Scene;
-  readonly #unheard: { report: Report; binding: Binding }[] = [];
+  readonly #worlds: { readonly all: Iterable<PageWorld> };
+  readonly #unheard: { report: ProblemReport; binding: Binding }[] = [];
 
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  constructor(worlds: { readonly all: Iterable<PageWorld> }) {
+    this.#worlds = worlds;
   }
 
   /** Of a node that lives in no world, the first world hears; a report makes no world. */
-  report(report: Report, binding: Binding): void {
-    const [first] = this.#scene.worlds.all;
+  report(report: ProblemReport, binding: Binding): void {
+    const [first] = this.#worlds.all;
     const world = binding.world ?? first;
     if (world) world.report(report, binding.element);
     else this.#unheard.push({ report, binding });
@@ -22,7 +22,7 @@ export class Reports {
 
   /** Where there still is no world, the console and the page hear. */
   tellUnheard(): void {
-    const [first] = this.#scene.worlds.all;
+    const [first] = this.#worlds.all;
     for (const { report, binding } of this.#unheard.splice(0)) {
       if (first) this.report(report, binding);
       else if (binding.scope) tellPage(report, binding.element);
@@ -30,6 +30,6 @@ export class Reports {
   }
 
   settle(binding: Binding, attributeName?: string, code?: string): void {
-    for (const world of this.#scene.worlds.all) world.settle(binding.element, attributeName, code);
+    for (const world of this.#worlds.all) world.settle(binding.element, attributeName, code);
   }
 }

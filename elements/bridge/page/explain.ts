@@ -4,12 +4,12 @@ import {
   touchedBy,
   type PhysicsNode,
   type Problem,
+  type World,
 } from '../../../physics-core/index.js';
 import { selectorOf } from '../words/dom.js';
 import type { Binding } from '../nodes/binding.js';
 import { holdsNodes } from '../words/fields.js';
 import { rivalOf } from '../document/rivals.js';
-import type { PageWorld } from '../scene/worlds.js';
 
 /** A problem, with the element by name. */
 type PlainProblem = Omit<Problem, 'element'> & { element: string };
@@ -103,12 +103,12 @@ function waitsOf(binding: Binding): string[] {
   const names = [...binding.waiting].map(([role, name]) => `${role} "${name}"`);
   const rival = rivalOf(binding)?.rival;
   if (rival) names.push(`${rival.label} to go`);
-  if (!binding.scope.scene.live) return [...names, 'the document to be read'];
+  if (!binding.scene?.live) return [...names, 'the document to be read'];
   if (!binding.node || !binding.world) return names;
   return [...names, ...waitsOfNode(binding.node, binding.world)];
 }
 
-function waitsOfNode(node: PhysicsNode, world: PageWorld): string[] {
+function waitsOfNode(node: PhysicsNode, world: World): string[] {
   if (!world.started) return ['the physics engine'];
   const waits: string[] = [];
   if ((node as { attached?: boolean }).attached === false) waits.push('its bodies');

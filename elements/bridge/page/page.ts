@@ -12,14 +12,14 @@ import {
   whenThere,
 } from '../x3dom/late.js';
 import { listening } from '../x3dom/listening.js';
-import { registerNodeTypes, type Listener, type PhysicsX3DNode } from '../scene/node-types.js';
+import { registerNodeTypes, type Listener } from '../scene/node-types.js';
 import { Scene } from '../scene/scene.js';
 import { adoptStyles } from '../base/sheets.js';
 import { prefetchEngine } from '../scene/engine.js';
 import { hasPhysics, Start } from '../scene/start.js';
-import { worldFor } from '../document/structure.js';
-import type { PageWorld } from '../scene/worlds.js';
-import { documentOf, x3dom } from '../x3dom/x3dom.js';
+import { worldFor } from '../document/world-for.js';
+import type { PageWorld } from '../nodes/surroundings.js';
+import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 
 const X3D = 'x3d, X3D';
 
@@ -150,11 +150,7 @@ class Page implements Listener {
     const scene = new Scene(x3d);
     const start = new Start(scene, this.#settledInlines);
     this.#scenes.set(x3d, { scene, start });
-    const made = scene.worlds.onmake;
-    scene.worlds.onmake = (world) => {
-      made(world);
-      world.on('ready', () => this.#reportOtherPhysics(world, x3d));
-    };
+    scene.worlds.onmake((world) => world.on('ready', () => this.#reportOtherPhysics(world, x3d)));
     return scene;
   }
 
@@ -162,7 +158,7 @@ class Page implements Listener {
   sceneOf(element: Element): Scene | undefined {
     const x3d = element.closest(X3D);
     if (x3d?.isConnected && x3d.ownerDocument === document) return this.sceneAt(x3d);
-    for (const { scene } of this.#scenes.values()) if (scene.scopeOf(element)) return scene;
+    for (const { scene } of this.#scenes.values()) if (scene.scopes.around(element)) return scene;
     return undefined;
   }
 
@@ -198,7 +194,7 @@ class Page implements Listener {
 
   unitsOfMoved(transform: Element): Units | undefined {
     for (const { scene } of this.#scenes.values())
-      if (scene.drawing.bodyMoving(transform)) return scene.scopeOf(transform)?.units;
+      if (scene.drawing.bodyMoving(transform)) return scene.scopes.around(transform)?.units;
     return undefined;
   }
 
@@ -206,7 +202,7 @@ class Page implements Listener {
     this.#settledInlines.add(inline);
     const scene = loaded ? this.sceneOf(inline) : undefined;
     // A file may be there before the page around it has been looked at.
-    if (scene?.readPage()) scene.addInline(inline);
+    if (scene?.readPage()) scene.tree.addInline(inline);
   }
 
   // ---- what users ask -------------------------------------------------------------------------------------------
@@ -217,7 +213,7 @@ class Page implements Listener {
     const scene = this.sceneOf(element);
     if (!scene) return attribute(element, 'USE') ? undefined : ownBinding(element);
     if (scene.readPage()) scene.drain();
-    const meant = scene.meant(element);
+    const meant = scene.scopes.meant(element);
     return meant && ownBinding(meant);
   }
 

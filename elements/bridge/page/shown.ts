@@ -1,4 +1,4 @@
-import type { PageWorld } from '../scene/worlds.js';
+import type { PageWorld } from '../nodes/surroundings.js';
 import { page } from './page.js';
 
 /** The world of the element with this DEF or id; without a name that of the nearest `<x3d>` with physics. */

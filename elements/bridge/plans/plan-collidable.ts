@@ -1,3 +1,4 @@
+import type { World } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import {
   placing,
@@ -12,9 +13,8 @@ import { nodesIn, type Plan } from './plan.js';
 import { standInMatrix } from '../document/shortcuts.js';
 import { collidablesIn, ownerOf } from '../document/structure.js';
 import { transformsAbove } from '../scopes/transforms.js';
-import type { PageWorld } from '../scene/worlds.js';
 
-export function planShape(binding: Binding, world: PageWorld): Plan {
+export function planShape(binding: Binding, world: World): Plan {
   const reader = new GeometryReader(binding);
   const { standIn } = binding;
   const own = [...binding.element.children].some(isShape);
@@ -30,7 +30,7 @@ export function planShape(binding: Binding, world: PageWorld): Plan {
     for (const element of named ?? [binding.element])
       reader.collect(
         element,
-        binding.scope!.scene.scopeOf(element) ?? binding.scope!,
+        binding.scope!.all.around(element) ?? binding.scope!,
         withLinear(identity(), placed.linear),
       );
   noteWaiting(binding, reader);
@@ -52,7 +52,7 @@ function poseOf(binding: Binding, { pose }: Placing): Record<string, unknown> {
  * the simulation.
  */
 function followAbove(binding: Binding): void {
-  const { readers, drivers } = binding.scope!.scene;
+  const { readers, drivers } = binding.scene!;
   if (!standsInScene(binding)) return;
   const transforms = transformsAbove(binding.element, binding.scope!);
   for (const transform of transforms) readers.add(transform, binding);
@@ -68,7 +68,7 @@ function followAbove(binding: Binding): void {
   });
 }
 
-export function planOffset(binding: Binding, world: PageWorld): Plan {
+export function planOffset(binding: Binding, world: World): Plan {
   const child = collidablesIn(binding, 'collidable')[0];
   const collidable = child ? (nodesIn(world, [child], binding)[0] ?? null) : null;
   const relations: Record<string, unknown> = { collidable };

@@ -1,9 +1,9 @@
+import type { World } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
-import { jointBody } from '../document/structure.js';
-import type { PageWorld } from '../scene/worlds.js';
+import { jointBody } from '../document/joint-bodies.js';
 
-export function planJoint(binding: Binding, world: PageWorld): Plan | undefined {
+export function planJoint(binding: Binding, world: World): Plan | undefined {
   const relations: Record<string, unknown> = {};
   for (const side of ['body1', 'body2'] as const) {
     const body = jointBody(binding, side);

@@ -1,10 +1,10 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
-import type { Binding, Place } from '../nodes/binding.js';
-import type { GeometryData } from '../document/geometry-reader.js';
+import type { PhysicsNode, World } from '../../../physics-core/index.js';
+import type { Binding } from '../nodes/binding.js';
+import type { Place } from '../nodes/stand-in.js';
+import type { GeometryData } from '../geometry/geometry-fields.js';
 import type { Pose } from '../geometry/matrix.js';
 import type { Target } from '../drawing/drawing.js';
 import { collectionOf } from '../document/structure.js';
-import type { PageWorld } from '../scene/worlds.js';
 
 /** A pose in SI, as the core takes it. */
 export interface StartPose {
@@ -19,7 +19,7 @@ export const inMetres = ({ position, quaternion }: Pose, length: number): StartP
 
 /** What one node is to be in the core, beside the values of its own fields. */
 export interface Plan {
-  world: PageWorld;
+  world: World;
   collection?: PhysicsNode | undefined;
   /** Fields that hold nodes, and those that the bridge reads otherwise than their attribute says. */
   relations: Record<string, unknown>;
@@ -32,7 +32,7 @@ export interface Plan {
 }
 
 /** The nodes of bindings that live in `world`. */
-export function nodesIn(world: PageWorld, bindings: Binding[], user: Binding): PhysicsNode[] {
+export function nodesIn(world: World, bindings: Binding[], user: Binding): PhysicsNode[] {
   const nodes: PhysicsNode[] = [];
   for (const binding of bindings) {
     user.use(binding);
@@ -43,7 +43,7 @@ export function nodesIn(world: PageWorld, bindings: Binding[], user: Binding): P
 
 /** The node of the collection that a node belongs to. */
 export function collectionNode(binding: Binding): PhysicsNode | undefined {
-  const { worlds } = binding.scope!.scene;
+  const { worlds } = binding.scene!;
   const collection =
     collectionOf(binding) ??
     (worlds.isDefault(binding.world) ? worlds.defaultCollection() : undefined);

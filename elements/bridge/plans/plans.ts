@@ -1,12 +1,12 @@
+import type { World } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import { planBody } from './plan-body.js';
 import { planOffset, planShape } from './plan-collidable.js';
 import { planColliders, planCollection, planSensor, planSpace } from './plan-collection.js';
 import { planJoint } from './plan-joint.js';
 import type { Plan } from './plan.js';
-import type { PageWorld } from '../scene/worlds.js';
 
-type Planner = (binding: Binding, world: PageWorld) => Plan | undefined;
+type Planner = (binding: Binding, world: World) => Plan | undefined;
 
 const planners: Record<string, Planner> = {
   RigidBodyCollection: planCollection,
@@ -19,7 +19,7 @@ const planners: Record<string, Planner> = {
 };
 
 /** What a node is to be, going by the document; undefined while something it needs is missing. */
-export function planFor(binding: Binding, world: PageWorld): Plan | undefined {
+export function planFor(binding: Binding, world: World): Plan | undefined {
   const planner = planners[binding.type.name] ?? planJoint;
   return planner(binding, world);
 }

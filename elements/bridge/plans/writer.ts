@@ -1,22 +1,26 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { PhysicsNode, World } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
 import { restoreState, stateOf } from './body-state.js';
-import type { Plan } from './plan.js';
-import type { Target } from '../drawing/drawing.js';
-import type { Scene } from '../scene/scene.js';
+import type { Drawing, Target } from '../drawing/drawing.js';
 import { transformsAbove } from '../scopes/transforms.js';
-import type { PageWorld } from '../scene/worlds.js';
+import type { Following } from './following.js';
+import type { Plan } from './plan.js';
 
 /** Writes plans into the core: only what differs from the plan before. */
 export class Writer {
-  readonly #scene: Scene;
+  readonly #drawing: Drawing;
+  readonly #following: Following;
+  /** A node was made, changed its place, or went. */
+  readonly #onnode: (binding: Binding) => void;
 
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  constructor(drawing: Drawing, following: Following, onnode: (binding: Binding) => void) {
+    this.#drawing = drawing;
+    this.#following = following;
+    this.#onnode = onnode;
   }
 
   /** Makes, moves or patches a node; `from` is the world it was in. */
-  apply(binding: Binding, plan: Plan, from: PageWorld | null): void {
+  apply(binding: Binding, plan: Plan, from: World | null): void {
     const { node } = binding;
     const moves = node && from !== plan.world;
     const carried = moves ? stateOf(node) : undefined;
@@ -30,13 +34,7 @@ export class Writer {
     binding.placed = plan.place;
     binding.node!.name = binding.name;
     if (plan.targets) this.#setTargets(binding, plan.targets);
-    this.#tell(binding);
-  }
-
-  /** Its node was made, changed its place, or went. */
-  #tell(binding: Binding): void {
-    this.#scene.events.update(binding);
-    this.#scene.routes.update(binding);
+    this.#onnode(binding);
   }
 
   #create(binding: Binding, plan: Plan): void {
@@ -61,7 +59,7 @@ export class Writer {
     binding.relations = plan.relations;
     binding.shapes = plan.shapes;
     // A body that came into another world brings its collidables along.
-    if (binding.is('RigidBody')) for (const other of binding.uses) this.#scene.dirty(other);
+    if (binding.is('RigidBody')) for (const other of binding.uses) other.dirty();
   }
 
   #patch(binding: Binding, node: PhysicsNode, plan: Plan): void {
@@ -85,7 +83,7 @@ export class Writer {
     // A body moved in the tree comes under another Transform, too, but keeps its pose.
     const byName = name !== null || before?.name != null;
     if (!start || !transform || !byName || transform === before?.transform) return;
-    if (!binding.wrote('position', 'orientation')) this.#scene.updates.jump(binding, start);
+    if (!binding.wrote('position', 'orientation')) this.#following.jump(binding, start);
   }
 
   #patchShapes(binding: Binding, node: PhysicsNode, plan: Plan): void {
@@ -109,8 +107,8 @@ export class Writer {
 
   #setTargets(binding: Binding, targets: Target[]): void {
     const above = targets.flatMap(({ element, scope }) => transformsAbove(element, scope));
-    this.#scene.drawing.setTargets(binding, targets, above);
-    this.#scene.updates.redraw(binding);
+    this.#drawing.setTargets(binding, targets, above);
+    this.#following.redraw(binding);
   }
 
   remove(binding: Binding): void {
@@ -120,8 +118,8 @@ export class Writer {
     binding.shortcutNode = null;
     binding.relations = {};
     binding.shapes = undefined;
-    this.#scene.drawing.forget(binding);
-    this.#tell(binding);
+    this.#drawing.forget(binding);
+    this.#onnode(binding);
   }
 }
 

@@ -1,6 +1,5 @@
 import { nodeTypes } from '../../../physics-core/index.js';
-import type { Binding } from '../nodes/binding.js';
-import { ownBinding } from '../nodes/binding.js';
+import { ownBinding, type Binding } from '../nodes/binding.js';
 import { isTransform, tagOf, type NodeType } from '../words/dom.js';
 import { holdsNodes } from '../words/fields.js';
 import { placeAsWritten } from '../drawing/place.js';
@@ -12,23 +11,14 @@ import {
   nodeOf,
   type NodeContext,
   type X3DNode,
+  type PhysicsX3DNode,
   type X3DNodeClass,
   type X3DOM,
 } from '../x3dom/x3dom.js';
 
-/** What our x3dom nodes have beside x3dom's own. */
-export interface PhysicsX3DNode extends X3DNode {
-  readonly binding: Binding;
-  readonly element: Element | null;
-  /** Sends an output to whatever is ROUTEd from it. */
-  emit(field: string, value: unknown): void;
-  /** The fields that something is ROUTEd from, or that somebody listens to. */
-  readonly routedFields: readonly string[];
-}
-
 /** `_vf` of a node whose values are live: reading asks the simulation, writing leaves a value for fieldChanged. */
 function liveFields(
-  node: PhysicsX3DNode,
+  node: X3DNode & { readonly binding: Binding },
   type: NodeType,
   x: X3DOM,
   written: Map<string, unknown>,

@@ -1,24 +1,30 @@
-import type { Report } from '../nodes/findings.js';
+import type { ProblemReport } from '../../../physics-core/index.js';
+import { ownBinding, type Binding } from '../nodes/binding.js';
 import { fieldNamed } from '../words/fields.js';
-import type { PhysicsX3DNode } from './node-types.js';
-import type { X3DNode, X3DOM } from '../x3dom/x3dom.js';
+import type { PhysicsX3DNode, X3DNode, X3DOM } from '../x3dom/x3dom.js';
 
 // x3dom takes any ROUTE: ours go to fields that there are, by X3D's name for them, and only where X3D allows it.
 
-const isOurs = (node: X3DNode): node is PhysicsX3DNode => 'binding' in node;
+const isOurs = (node: X3DNode): node is PhysicsX3DNode => 'routedFields' in node;
 
-const nameOf = (node: X3DNode, field: string): string =>
-  (isOurs(node) && fieldNamed(node.binding.type, field)) || field;
+/** Ours may stand for an element, or be made without one. */
+const bindingOf = (node: X3DNode): Binding | undefined =>
+  isOurs(node) && node.element ? ownBinding(node.element) : undefined;
+
+function nameOf(node: X3DNode, field: string): string {
+  const type = bindingOf(node)?.type;
+  return (type && fieldNamed(type, field)) || field;
+}
 
 /** What speaks against a ROUTE at one end. */
 function refusal(node: X3DNode, name: string, forbidden: string[], verb: string) {
-  if (!isOurs(node) || !node.element) return undefined;
-  const { binding } = node;
+  const binding = bindingOf(node);
+  if (!binding) return undefined;
   const field = binding.type.fields[name];
   // x3dom's own fields of what it draws.
   if (!field && name in node._vf) return undefined;
   if (field && !forbidden.includes(field.access)) return undefined;
-  const report: Report = {
+  const report: ProblemReport = {
     code: field ? 'bad-access' : 'unknown-attribute',
     severity: 'warning',
     attribute: name,

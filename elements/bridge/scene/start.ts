@@ -1,6 +1,6 @@
 import { awaitAttempt, engine, stopAwaiting, type Engine } from './engine.js';
 import { attribute, isInline, isPhysics, subtree } from '../words/dom.js';
-import type { PageWorld } from './worlds.js';
+import type { SceneWorld } from './scene-world.js';
 import type { Scene } from './scene.js';
 import { nodeOf, x3dom, type X3DElement } from '../x3dom/x3dom.js';
 
@@ -25,12 +25,8 @@ export class Start {
   constructor(scene: Scene, settledInlines: WeakSet<Element>) {
     this.#scene = scene;
     this.#settledInlines = settledInlines;
-    const listen = scene.worlds.onmake;
-    scene.worlds.onmake = (world) => {
-      listen(world);
-      // What comes in the same batch is built in one go.
-      queueMicrotask(() => this.#startWorlds());
-    };
+    // What comes in the same batch is built in one go.
+    scene.worlds.onmake(() => queueMicrotask(() => this.#startWorlds()));
     this.check();
   }
 
@@ -89,7 +85,7 @@ export class Start {
   #isPending(inline: Element): boolean {
     const node = nodeOf(inline);
     if (!node || node._childNodes.length > 0) {
-      this.#scene.addInline(inline);
+      this.#scene.tree.addInline(inline);
       return false;
     }
     const loads = attribute(inline, 'load')?.trim().toLowerCase() !== 'false';
@@ -154,7 +150,7 @@ export class Start {
     }
   }
 
-  #fail(world: PageWorld, error: unknown): void {
+  #fail(world: SceneWorld, error: unknown): void {
     const what = error instanceof Error ? error.message : String(error);
     const report = {
       code: 'engine-load-failed',

@@ -1,6 +1,6 @@
-import type { Scene } from '../scene/scene.js';
 import { isPhysics, isTemplate, lowerName } from '../words/dom.js';
 import type { Scope } from './scope.js';
+import type { Scopes } from './scopes.js';
 
 // An instance of a prototype is the first node of the prototype's body: the others only help that one.
 
@@ -11,11 +11,11 @@ function firstNode(body: Element): Element | undefined {
 }
 
 /** The node that an element is: its own, or for an instance the first of its prototype's body. */
-export function nodeElement(element: Element, scene: Scene): Element {
+export function nodeElement(element: Element, scopes: Scopes): Element {
   if (isPhysics(element)) return element;
-  const scope = scene.scopeIn(element);
+  const scope = scopes.in(element);
   const first = scope?.isPrototype ? firstNode(scope.root) : undefined;
-  return first ? nodeElement(first, scene) : element;
+  return first ? nodeElement(first, scopes) : element;
 }
 
 /** The element in which one stands; for the node that is an instance, where the instance stands. */

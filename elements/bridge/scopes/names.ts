@@ -1,4 +1,3 @@
-import type { Binding } from '../nodes/binding.js';
 import { Sets } from '../base/sets.js';
 import { attribute, precedes } from '../words/dom.js';
 
@@ -6,6 +5,14 @@ interface Entry {
   def: string | null;
   id: string | null;
   use: string | null;
+}
+
+/** Who hears when something changes that it reads. */
+export interface Watcher {
+  /** The scopes in which it watches names. */
+  readonly watching: Set<Names>;
+  /** What its node is to be may be another now. */
+  dirty(): void;
 }
 
 /**
@@ -17,10 +24,10 @@ export class Names {
   readonly #defs = new Sets<string, Element>();
   readonly #ids = new Sets<string, Element>();
   readonly #uses = new Sets<string, Element>();
-  readonly #watchers = new Sets<string, Binding>();
-  readonly #watched = new Sets<Binding, string>();
+  readonly #watchers = new Sets<string, Watcher>();
+  readonly #watched = new Sets<Watcher, string>();
   /** Called with each name whose bearers or users changed. */
-  onchange: (name: string, watchers: Iterable<Binding>) => void = () => {};
+  onchange: (name: string, watchers: Iterable<Watcher>) => void = () => {};
 
   add(element: Element): void {
     const entry = {
@@ -77,15 +84,15 @@ export class Names {
     return uses.length > 1 ? uses.sort(precedes) : uses;
   }
 
-  /** `binding` is to hear when the bearers of `name` change. */
-  watch(name: string, binding: Binding): void {
-    this.#watchers.add(name, binding);
-    this.#watched.add(binding, name);
-    binding.watching.add(this);
+  /** `watcher` is to hear when the bearers of `name` change. */
+  watch(name: string, watcher: Watcher): void {
+    this.#watchers.add(name, watcher);
+    this.#watched.add(watcher, name);
+    watcher.watching.add(this);
   }
 
-  unwatch(binding: Binding): void {
-    for (const name of this.#watched.get(binding) ?? []) this.#watchers.delete(name, binding);
-    this.#watched.deleteAll(binding);
+  unwatch(watcher: Watcher): void {
+    for (const name of this.#watched.get(watcher) ?? []) this.#watchers.delete(name, watcher);
+    this.#watched.deleteAll(watcher);
   }
 }

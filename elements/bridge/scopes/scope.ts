@@ -1,8 +1,7 @@
 import type { Units } from '../../../physics-core/index.js';
-import type { Binding } from '../nodes/binding.js';
-import { attribute, isCustom, isInline, lowerName } from '../words/dom.js';
-import { Names } from './names.js';
-import type { Scene } from '../scene/scene.js';
+import { attribute, isInline, lowerName } from '../words/dom.js';
+import { Names, type Watcher } from './names.js';
+import type { Scopes } from './scopes.js';
 import { unitsOf } from '../words/units.js';
 
 /**
@@ -10,7 +9,8 @@ import { unitsOf } from '../words/units.js';
  * prototype's instance.
  */
 export class Scope {
-  readonly scene: Scene;
+  /** All of the same `<x3d>`. */
+  readonly all: Scopes;
   /** The element whose subtree it is. */
   readonly root: Element;
   /** What stands for it in the scope outside: the Inline, or the prototype's instance. */
@@ -21,33 +21,23 @@ export class Scope {
   readonly version: number;
   readonly names = new Names();
   readonly #statements = new Set<Element>();
-  #foreign: Binding | undefined;
-  observer: MutationObserver | undefined;
 
-  constructor(scene: Scene, root: Element, host: Element | null, parent: Scope | null) {
-    this.scene = scene;
+  constructor(all: Scopes, root: Element, host: Element | null, parent: Scope | null) {
+    this.all = all;
     this.root = root;
     this.host = host;
     this.parent = parent;
     // A prototype's body has no head; it is written in the units of the file around it.
     this.units = !parent
-      ? unitsOf(scene.x3d)
+      ? unitsOf(all.x3d)
       : isInlineRoot(root)
         ? unitsOf(root.ownerDocument)
         : parent.units;
     this.version = !parent
-      ? versionOf(scene.x3d)
+      ? versionOf(all.x3d)
       : isInlineRoot(root)
         ? versionOf(root.ownerDocument.documentElement)
         : parent.version;
-  }
-
-  /** Whether a node is the one that is to say that hyphenated tags here are no custom elements: once per scope. */
-  firstForeign(binding: Binding): boolean {
-    const { element } = binding;
-    if (!element.localName.startsWith('x3d-') || isCustom(element)) return false;
-    if (this.#foreign?.scope !== this) this.#foreign = binding;
-    return this.#foreign === binding;
   }
 
   /** Where events of its nodes fire: the outermost host stands in the page. */
@@ -70,23 +60,23 @@ export class Scope {
   }
 
   /** The element of a name, IMPORTed names included; `user` hears when that changes. */
-  find(name: string, user?: Binding): Element | undefined {
+  find(name: string, user?: Watcher): Element | undefined {
     if (user) this.names.watch(name, user);
     return this.names.find(name) ?? this.#imported(name, user);
   }
 
-  #imported(name: string, user: Binding | undefined): Element | undefined {
+  #imported(name: string, user: Watcher | undefined): Element | undefined {
     for (const statement of this.#named('import')) {
       const inner = attribute(statement, 'importedDEF') ?? '';
       if ((attribute(statement, 'AS') ?? inner) !== name) continue;
       const inline = this.names.find(attribute(statement, 'inlineDEF') ?? '');
-      const scope = inline && this.scene.scopeIn(inline);
+      const scope = inline && this.all.in(inline);
       return scope?.exported(inner, user);
     }
     return undefined;
   }
 
-  exported(name: string, user?: Binding): Element | undefined {
+  exported(name: string, user?: Watcher): Element | undefined {
     for (const statement of this.#named('export')) {
       const local = attribute(statement, 'localDEF') ?? '';
       if ((attribute(statement, 'AS') ?? local) === name) return this.find(local, user);

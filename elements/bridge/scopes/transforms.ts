@@ -1,7 +1,6 @@
 import { codecs } from '../../../physics-core/index.js';
 import { attribute, isTransform, isX3D, lowerName } from '../words/dom.js';
 import {
-  fromX3D,
   identity,
   invert,
   matrixOf,
@@ -11,6 +10,7 @@ import {
   type Affine,
 } from '../geometry/matrix.js';
 import type { Scope } from './scope.js';
+import { fromX3D, wasDrawn } from '../x3dom/matrices.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** A numeric attribute in file units; absent or malformed: X3D's default. */
@@ -100,7 +100,8 @@ export function transformsAbove(element: Element, scope: Scope): Element[] {
  * The local matrix of a Transform that a body moves. Its own angle is in the units of its file, unless what stands
  * in x3dom's matrix is what we drew.
  */
-export function drivenMatrix(element: Element, { units, scene }: Scope): Affine {
-  const drawn = units.angle === 1 || scene.drawing.hasWritten(element);
-  return drawn ? localMatrix(element) : composed(element, units.angle);
+export function drivenMatrix(element: Element, { units }: Scope): Affine {
+  const node = nodeOf(element);
+  const plain = units.angle === 1 || (node !== undefined && wasDrawn(node));
+  return plain ? localMatrix(element) : composed(element, units.angle);
 }

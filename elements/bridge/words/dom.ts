@@ -66,6 +66,15 @@ function typeOfClass(element: Element): NodeType | undefined {
   return type && nodeTypes[type.name] === type ? type : undefined;
 }
 
+/** The types a physics child may be, given by its name: used where roles are told apart. */
+export const isType = (element: Element, ...names: string[]): boolean => {
+  const type = typeOf(element);
+  return type !== undefined && names.includes(type.name);
+};
+
+export const containerField = (element: Element): string | null =>
+  attribute(element, 'containerField');
+
 /** The X3D names of all physics nodes, also of those without a table yet. */
 const PHYSICS =
   /^(x3d-)?(rigid-?body(-?collection)?|collidable-?(shape|offset)|collision-?(collection|space|sensor)|contact|(ball|(single|double)-?axis-?hinge|slider|universal|motor)-?joint)$/;

@@ -1,4 +1,4 @@
-import { codecs, fromSI, toSI, type Units } from '../../../physics-core/index.js';
+import { codecs, fromSI, SI, toSI, type Units } from '../../../physics-core/index.js';
 import { attribute, kebab, type Field, type NodeType } from './dom.js';
 
 /** The attribute of a field: X3D's own name, kebab-case for our additions. */
@@ -7,6 +7,10 @@ export const attributeOf = (name: string, field: Field): string => (field.own ? 
 /** Fields that hold nodes come from the structure of the document, not from values. */
 export const holdsNodes = (field: Field): boolean =>
   field.type === 'SFNode' || field.type === 'MFNode';
+
+/** A field of nodes of which the core makes nothing. */
+export const isKept = ({ edit, nodes, access }: Field): boolean =>
+  edit === 'passive' && !nodes && access === 'inputOutput';
 
 /** Other names of a field that real files have: X3D 3's prose spelled some in another way. */
 const aliasesOf = (field: Field): readonly string[] => field.aliases ?? [];
@@ -60,6 +64,10 @@ export function inSI(field: Field, value: unknown, units: Units): unknown {
   const accepted = codecs[field.type].accept(value);
   return accepted === undefined ? value : toSI(field.type, accepted, field.dimension, units);
 }
+
+/** The same for the core's `set`, which reads a text itself: where nothing is to be scaled it gets what there is. */
+export const forCore = (field: Field, value: unknown, units: Units): unknown =>
+  field.dimension && units !== SI ? inSI(field, value, units) : value;
 
 export const inFileUnits = (field: Field, value: unknown, units: Units): unknown =>
   fromSI(field.type, value, field.dimension, units);

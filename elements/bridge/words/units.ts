@@ -12,5 +12,5 @@ export function unitsOf(file: Document | Element): Units {
     seen.add(category);
     units[category as keyof Units] = factor;
   }
-  return units;
+  return seen.size > 0 ? units : SI;
 }

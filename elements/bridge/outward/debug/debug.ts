@@ -1,29 +1,34 @@
-import type { PageWorld } from '../../scene/worlds.js';
-import type { Scene } from '../../scene/scene.js';
+import { loop } from '../../drawing/loop.js';
+import type { PageWorld } from '../../nodes/surroundings.js';
+import type { Stage } from '../stage.js';
 import type { Sketch } from './sketch.js';
 
 /** The worlds of an `<x3d>` that are drawn as Bullet has them. What draws is loaded with the first of them. */
 export class Debug {
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   readonly #sketches = new Map<PageWorld, Sketch>();
 
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  constructor(stage: Stage) {
+    this.#stage = stage;
   }
 
   /** The first collection of a world asks for it, or the last one no longer does. */
-  turn(world: PageWorld, on: boolean): void {
+  listen(world: PageWorld): void {
+    world.on('debug', (on) => this.#turn(world, on as boolean));
+  }
+
+  #turn(world: PageWorld, on: boolean): void {
     if (on) this.#begin(world).catch((error: unknown) => reportMissing(world, error));
     else this.#end(world);
   }
 
   async #begin(world: PageWorld): Promise<void> {
     const { makeSketch } = await import('./sketch.js');
-    const sketch = await makeSketch(this.#scene, world);
+    const sketch = await makeSketch(this.#stage, world);
     // It may have been switched off and on meanwhile.
     if (!world.registry.debugging.active || this.#sketches.has(world)) return sketch.remove();
     this.#sketches.set(world, sketch);
-    this.#scene.loop.wake();
+    loop.wake();
   }
 
   #end(world: PageWorld): void {

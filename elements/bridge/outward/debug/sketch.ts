@@ -1,20 +1,20 @@
 import { debugLines, type DebugLines } from '../../../../physics-core/index.js';
-import type { PageWorld } from '../../scene/worlds.js';
-import type { Scene } from '../../scene/scene.js';
+import type { PageWorld } from '../../nodes/surroundings.js';
+import type { Stage } from '../stage.js';
 import type { X3DDocument } from '../../x3dom/x3dom.js';
 import { LineShape } from './line-shape.js';
 
 /** The debug drawing of one world, in the world frame of its `<x3d>`. */
 export class Sketch {
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   readonly #world: PageWorld;
   readonly #lines: DebugLines;
   #shape: LineShape | undefined;
   /** Where the shape stands: x3dom may read the `<x3d>` again. */
   #document: X3DDocument | undefined;
 
-  constructor(scene: Scene, world: PageWorld, lines: DebugLines) {
-    this.#scene = scene;
+  constructor(stage: Stage, world: PageWorld, lines: DebugLines) {
+    this.#stage = stage;
     this.#world = world;
     this.#lines = lines;
   }
@@ -24,19 +24,19 @@ export class Sketch {
     this.#lines.update();
     this.#inFileUnits();
     this.#stand()?.show(this.#lines);
-    this.#scene.requestRender();
+    this.#stage.requestRender();
     this.#world.registry.debugging.spent += performance.now() - start;
   }
 
   #inFileUnits(): void {
-    const length = this.#scene.readPage()?.units.length ?? 1;
+    const length = this.#stage.readPage()?.units.length ?? 1;
     if (length === 1) return;
     const { positions, count } = this.#lines;
     for (let i = 0; i < 6 * count; i++) positions[i] /= length;
   }
 
   #stand(): LineShape | undefined {
-    const { document } = this.#scene;
+    const { document } = this.#stage;
     if (document !== this.#document) {
       this.#document = document;
       this.#shape = document && new LineShape(document);
@@ -47,9 +47,9 @@ export class Sketch {
   remove(): void {
     this.#shape?.remove();
     this.#lines.dispose();
-    this.#scene.requestRender();
+    this.#stage.requestRender();
   }
 }
 
-export const makeSketch = async (scene: Scene, world: PageWorld): Promise<Sketch> =>
-  new Sketch(scene, world, await debugLines(world));
+export const makeSketch = async (stage: Stage, world: PageWorld): Promise<Sketch> =>
+  new Sketch(stage, world, await debugLines(world));

@@ -1,18 +1,18 @@
-import type { PageWorld } from '../../scene/worlds.js';
-import type { Scene } from '../../scene/scene.js';
+import type { PageWorld } from '../../nodes/surroundings.js';
+import type { Stage } from '../stage.js';
 import type { DraggableBody } from './body.js';
 import type { Hands } from './hands.js';
 
 /** Which bodies of a scene may be dragged. What people drag them with is loaded with the first. */
 export class Draggables {
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   readonly bodies = new Set<DraggableBody>();
   readonly #changed = new Set<DraggableBody>();
   #hands: Hands | undefined;
   #loading = false;
 
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  constructor(stage: Stage) {
+    this.#stage = stage;
   }
 
   listen(world: PageWorld): void {
@@ -44,8 +44,8 @@ export class Draggables {
     this.#loading = true;
     try {
       const { Hands } = await import('./hands.js');
-      if (this.bodies.size === 0 || !this.#scene.live) return;
-      this.#hands = new Hands(this.#scene);
+      if (this.bodies.size === 0 || !this.#stage.live) return;
+      this.#hands = new Hands(this.#stage);
       for (const body of this.bodies) this.#hands.add(body);
     } catch (error) {
       this.#reportMissing(error);

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../../../physics-core/index.js';
 import { precedes } from '../../words/dom.js';
 import type { Binding } from '../../nodes/binding.js';
-import type { Scene } from '../../scene/scene.js';
+import type { Stage } from '../stage.js';
 import type { DraggableBody } from './body.js';
 import { HandleBox } from './handle-box.js';
 import { Held } from './held.js';
@@ -27,7 +27,7 @@ const PLACES: Record<string, number> = {
   ArrowDown: 1,
   ArrowLeft: -1,
   ArrowUp: -1,
-  Home: -Infinity,
+  PageWorld: -Infinity,
   End: Infinity,
 };
 
@@ -42,7 +42,7 @@ interface Handle {
  * scene, arrow keys go from one to the next, Enter or Space takes hold and lets go.
  */
 export class Handles {
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   readonly #view: View;
   readonly #box: HandleBox;
   /** In document order. */
@@ -52,10 +52,10 @@ export class Handles {
   /** The first one whose number may be another than its name says. */
   #renamed = Infinity;
 
-  constructor(scene: Scene, view: View) {
-    this.#scene = scene;
+  constructor(stage: Stage, view: View) {
+    this.#stage = stage;
     this.#view = view;
-    this.#box = new HandleBox(scene.x3d);
+    this.#box = new HandleBox(stage.x3d);
   }
 
   destroy(): void {
@@ -144,7 +144,7 @@ export class Handles {
     if (this.#held) return this.#held.end();
     const name = button.getAttribute('aria-label')!;
     const picked = { body, binding, point: body.centerOfMassWorld() };
-    this.#held = Held.take(this.#scene, picked, 'keyboard', (reason) => {
+    this.#held = Held.take(this.#stage, picked, 'keyboard', (reason) => {
       this.#held = undefined;
       button.setAttribute('aria-pressed', 'false');
       this.#box.say(`${name} ${reason}`);

@@ -1,4 +1,4 @@
-import type { Scene } from '../../scene/scene.js';
+import type { Stage } from '../stage.js';
 import type { DraggableBody } from './body.js';
 import { Handles } from './handles.js';
 import { Pointers } from './pointers.js';
@@ -9,10 +9,10 @@ export class Hands {
   readonly #pointers: Pointers;
   readonly #handles: Handles;
 
-  constructor(scene: Scene) {
-    const view = new View(scene.x3d);
-    this.#pointers = new Pointers(scene, view);
-    this.#handles = new Handles(scene, view);
+  constructor(stage: Stage) {
+    const view = new View(stage.x3d);
+    this.#pointers = new Pointers(stage, view);
+    this.#handles = new Handles(stage, view);
   }
 
   add(body: DraggableBody): void {

@@ -1,6 +1,6 @@
 import type { Drag, DragEnd, Vec3 } from '../../../../physics-core/index.js';
 import type { Binding } from '../../nodes/binding.js';
-import type { Scene } from '../../scene/scene.js';
+import type { Stage } from '../stage.js';
 import { setState } from '../../base/states.js';
 import type { By, DraggableBody } from './body.js';
 import type { Picked } from './picking.js';
@@ -13,7 +13,7 @@ export class Held {
   readonly body: DraggableBody;
   readonly binding: Binding;
   readonly by: By;
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   readonly #onend: (reason: DragEnd) => void;
   #drag: Drag | undefined;
   /** Metres. */
@@ -21,22 +21,22 @@ export class Held {
 
   /** Undefined where a listener of `bodydragstart` forbids it, or the body can't be held. */
   static take(
-    scene: Scene,
+    stage: Stage,
     picked: Picked,
     by: By,
     onend: (reason: DragEnd) => void,
   ): Held | undefined {
-    const held = new Held(scene, picked, by, onend);
+    const held = new Held(stage, picked, by, onend);
     return held.#begin() ? held : undefined;
   }
 
   private constructor(
-    scene: Scene,
+    stage: Stage,
     { body, binding, point }: Picked,
     by: By,
     onend: (reason: DragEnd) => void,
   ) {
-    this.#scene = scene;
+    this.#stage = stage;
     this.body = body;
     this.binding = binding;
     this.by = by;
@@ -60,7 +60,7 @@ export class Held {
     const { time } = this.body.world;
     const { dragMode: mode } = this.body;
     const detail = { point: [...this.point], mode, by: this.by, time };
-    return this.#scene.events.drag(this.binding, type, { ...detail, ...(reason && { reason }) });
+    return this.#stage.events.drag(this.binding, type, { ...detail, ...(reason && { reason }) });
   }
 
   move(point: Vec3): void {

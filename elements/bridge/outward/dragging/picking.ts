@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../../../physics-core/index.js';
 import { ownBinding, type Binding } from '../../nodes/binding.js';
-import type { Scene } from '../../scene/scene.js';
+import type { Stage } from '../stage.js';
 import type { DraggableBody } from './body.js';
 import type { Sight } from './view.js';
 
@@ -24,12 +24,12 @@ export const scaled = ([x, y, z]: Vec3, by: number): Vec3 => [x * by, y * by, z 
  * What Bullet has under the pointer, to the shape: x3dom would tell the drawn surface, but of one pixel, and in a picture of
  * its own. What may not be dragged hides what is behind it.
  */
-export function pick(scene: Scene, sight: Sight): Picked | undefined {
-  const { bodies } = scene.draggables;
+export function pick(stage: Stage, sight: Sight): Picked | undefined {
+  const { bodies } = stage.draggables;
   let nearest = Infinity;
   let picked: Picked | undefined;
   for (const metres of lengths(bodies)) {
-    for (const world of scene.worlds.all) {
+    for (const world of stage.worlds.all) {
       const hit = world.raycast(scaled(sight.from, metres), scaled(sight.to, metres));
       if (!hit || hit.fraction >= nearest) continue;
       const body = hit.node as DraggableBody;

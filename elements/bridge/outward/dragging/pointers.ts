@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../../../physics-core/index.js';
-import type { Scene } from '../../scene/scene.js';
+import type { Stage } from '../stage.js';
 import type { By } from './body.js';
 import { Held } from './held.js';
 import { metresOf, pick, scaled, type Picked } from './picking.js';
@@ -27,7 +27,7 @@ interface Grip {
  * moving up and down moves that plane away and nearer. x3dom's navigation rests meanwhile, and is left alone otherwise.
  */
 export class Pointers {
-  readonly #scene: Scene;
+  readonly #stage: Stage;
   readonly #view: View;
   readonly #grips = new Map<number, Grip>();
   readonly #listening = new AbortController();
@@ -38,14 +38,14 @@ export class Pointers {
   #hover = 0;
   #shown: string | undefined;
 
-  constructor(scene: Scene, view: View) {
-    this.#scene = scene;
+  constructor(stage: Stage, view: View) {
+    this.#stage = stage;
     this.#view = view;
     const options = { capture: true, signal: this.#listening.signal };
     // x3dom has put its own in the place of the element's method.
     const { addEventListener } = EventTarget.prototype;
     const listen = (type: string, listener: (event: never) => void, passive?: boolean): void =>
-      addEventListener.call(scene.x3d, type, listener as EventListener, { ...options, passive });
+      addEventListener.call(stage.x3d, type, listener as EventListener, { ...options, passive });
     listen('pointerdown', this.#down);
     listen('pointermove', this.#move);
     listen('pointerup', this.#up);
@@ -55,7 +55,7 @@ export class Pointers {
     for (const type of TURNING) listen(type, this.#rest, false);
     for (const type of TOUCHING) listen(type, this.#rest, false);
     // Bubbling: x3dom's own listener on the canvas comes first.
-    addEventListener.call(scene.x3d, 'mousedown', this.#pressed, {
+    addEventListener.call(stage.x3d, 'mousedown', this.#pressed, {
       signal: this.#listening.signal,
     });
   }
@@ -79,12 +79,12 @@ export class Pointers {
   #under({ target, clientX, clientY }: MouseEvent): Picked | undefined {
     if (target !== this.#view.canvas) return undefined;
     const sight = this.#view.sight(clientX, clientY);
-    return sight && pick(this.#scene, sight);
+    return sight && pick(this.#stage, sight);
   }
 
   #grab({ pointerId, pointerType, clientX: x, clientY: y }: PointerEvent, picked: Picked): void {
     const by: By = pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse';
-    const held = Held.take(this.#scene, picked, by, () => this.#ended(pointerId));
+    const held = Held.take(this.#stage, picked, by, () => this.#ended(pointerId));
     if (!held) return;
     const anchor = scaled(picked.point, 1 / metresOf(picked.binding));
     this.#grips.set(pointerId, { held, anchor, x, y });
