@@ -5,7 +5,6 @@ import {
   type PhysicsNode,
   type ProblemReport,
 } from '../../../physics-core/index.js';
-import type { GeometryData } from '../geometry/geometry-fields.js';
 import type { Names, Watcher } from '../scopes/names.js';
 import type { Scope } from '../scopes/scope.js';
 import { known, unknownAttribute } from '../words/attributes.js';
@@ -22,7 +21,7 @@ import { Authored } from './authored.js';
 import { Findings } from './findings.js';
 import { inCore, inPage } from './in-page.js';
 import { Namers, nodesGiven } from './named.js';
-import type { Place, StandIn } from './stand-in.js';
+import type { StandIn } from './stand-in.js';
 import type { PageWorld, Surroundings } from './surroundings.js';
 
 /**
@@ -39,18 +38,12 @@ export class Binding extends Findings implements Watcher {
   node: PhysicsNode | null = null;
   /** What it moves and takes its Shapes from, by a shortcut or in X3DOM's older dialect. */
   standIn: StandIn | undefined;
-  /** What its node was last placed by. */
-  placed: Place | undefined;
-  /** The collidable that a shortcut gives a body. */
-  shortcutNode: PhysicsNode | null = null;
   readonly watching = new Set<Names>();
   /** Those that hold its node, and are told when it is made again. */
   readonly users = new Set<Binding>();
   readonly uses = new Set<Binding>();
   /** Relations as last handed to the core. */
   relations: Record<string, unknown> = {};
-  /** Geometry as last handed to the core for a shortcut. */
-  shapes: GeometryData[] | undefined;
   readonly #authored = new Authored(this.element, this.type);
 
   // ---- where it stands ------------------------------------------------------------------------------------------

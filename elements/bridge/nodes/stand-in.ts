@@ -7,9 +7,3 @@ export interface StandIn {
   transform: Element | undefined;
   shapes: Element;
 }
-
-/** The Transform that a body stands for, and what `for` says. */
-export interface Place {
-  transform: Element | undefined;
-  name: string | null;
-}

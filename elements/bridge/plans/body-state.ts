@@ -1,12 +1,5 @@
 import type { PhysicsNode } from '../../../physics-core/index.js';
-import {
-  axisAngleOf,
-  decompose,
-  invert,
-  matrixOf,
-  multiply,
-  type Quaternion,
-} from '../geometry/matrix.js';
+import { axisAngleOf, decompose, invert, matrixOf, multiply } from '../geometry/matrix.js';
 import { inMetres, type StartPose } from './plan.js';
 import type { Target } from '../drawing/drawing.js';
 import { drivenMatrix, matrixAbove } from '../scopes/transforms.js';
@@ -35,7 +28,7 @@ export function moveTo(node: PhysicsNode, { p, q }: StartPose): void {
   // That is also where a reset takes it.
   (node as BodyLike).start = { p, q };
   node.event('position', p);
-  node.event('orientation', axisAngleOf(q as Quaternion));
+  node.event('orientation', axisAngleOf(q));
 }
 
 /** Where a body is, going by what it moves. */

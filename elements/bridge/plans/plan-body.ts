@@ -1,13 +1,20 @@
 import type { World } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
-import type { Place, StandIn } from '../nodes/stand-in.js';
+import type { StandIn } from '../nodes/stand-in.js';
 import { attribute } from '../words/dom.js';
 import { drawn } from '../drawing/targets.js';
 import type { GeometryData } from '../geometry/geometry-fields.js';
 import { GeometryReader, noteWaiting } from '../document/geometry-reader.js';
 import { decompose, identity, isIdentity, withLinear } from '../geometry/matrix.js';
 import { collidableMatrix } from '../document/collidable-pose.js';
-import { collectionNode, inMetres, nodesIn, type Plan, type StartPose } from './plan.js';
+import {
+  collectionNode,
+  inMetres,
+  nodesIn,
+  type Place,
+  type Plan,
+  type StartPose,
+} from './plan.js';
 import { standInMatrix } from '../document/shortcuts.js';
 import { collidablesIn, ownerOf } from '../document/structure.js';
 

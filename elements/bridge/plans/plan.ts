@@ -1,21 +1,26 @@
-import type { PhysicsNode, World } from '../../../physics-core/index.js';
+import type { PhysicsNode, Vec3, World } from '../../../physics-core/index.js';
 import type { Binding } from '../nodes/binding.js';
-import type { Place } from '../nodes/stand-in.js';
 import type { GeometryData } from '../geometry/geometry-fields.js';
-import type { Pose } from '../geometry/matrix.js';
+import type { Pose, Quaternion } from '../geometry/matrix.js';
 import type { Target } from '../drawing/drawing.js';
 import { collectionOf } from '../document/structure.js';
 
 /** A pose in SI, as the core takes it. */
 export interface StartPose {
-  p: number[];
-  q: number[];
+  p: Vec3;
+  q: Quaternion;
 }
 
 export const inMetres = ({ position, quaternion }: Pose, length: number): StartPose => ({
-  p: position.map((value) => value * length),
+  p: [position[0] * length, position[1] * length, position[2] * length],
   q: quaternion,
 });
+
+/** The Transform that a body stands for, and what `for` says. */
+export interface Place {
+  transform: Element | undefined;
+  name: string | null;
+}
 
 /** What one node is to be in the core, beside the values of its own fields. */
 export interface Plan {

@@ -1,10 +1,20 @@
 import type { PhysicsNode, World } from '../../../physics-core/index.js';
+import type { GeometryData } from '../geometry/geometry-fields.js';
 import type { Binding } from '../nodes/binding.js';
 import { restoreState, stateOf } from './body-state.js';
 import type { Drawing, Target } from '../drawing/drawing.js';
 import { transformsAbove } from '../scopes/transforms.js';
 import type { Following } from './following.js';
-import type { Plan } from './plan.js';
+import type { Place, Plan } from './plan.js';
+
+/** What was last made of a node's plan. */
+interface Made {
+  /** The collidable that a shortcut gives a body. */
+  shortcut?: PhysicsNode | undefined;
+  /** Its geometry. */
+  shapes?: GeometryData[] | undefined;
+  place?: Place | undefined;
+}
 
 /** Writes plans into the core: only what differs from the plan before. */
 export class Writer {
@@ -12,6 +22,8 @@ export class Writer {
   readonly #following: Following;
   /** A node was made, changed its place, or went. */
   readonly #onnode: (binding: Binding) => void;
+
+  readonly #made = new WeakMap<Binding, Made>();
 
   constructor(drawing: Drawing, following: Following, onnode: (binding: Binding) => void) {
     this.#drawing = drawing;
@@ -31,22 +43,21 @@ export class Writer {
       node.belongTo(plan.collection as typeof node.collection);
     if (carried) restoreState(binding.node!, carried);
     else if (moves === false) this.#followFor(binding, plan);
-    binding.placed = plan.place;
+    this.#madeOf(binding).place = plan.place;
     binding.node!.name = binding.name;
     if (plan.targets) this.#setTargets(binding, plan.targets);
     this.#onnode(binding);
   }
 
+  #madeOf(binding: Binding): Made {
+    const made = this.#made.get(binding) ?? {};
+    this.#made.set(binding, made);
+    return made;
+  }
+
   #create(binding: Binding, plan: Plan): void {
     const relations = { ...plan.relations };
-    if (plan.shapes) {
-      binding.shortcutNode = plan.world.add(
-        'CollidableShape',
-        { shape: plan.shapes },
-        { host: binding.element },
-      );
-      relations.geometry = [binding.shortcutNode];
-    }
+    if (plan.shapes) relations.geometry = [this.#addShortcut(binding, plan)];
     const options = {
       host: binding.element,
       name: binding.name,
@@ -55,11 +66,16 @@ export class Writer {
       start: plan.start,
     };
     const fields = { ...binding.authoredFields(), ...relations };
-    binding.node = plan.world.add(binding.type.name, fields, options as never);
+    binding.node = plan.world.add(binding.type.name, fields, options);
     binding.relations = plan.relations;
-    binding.shapes = plan.shapes;
     // A body that came into another world brings its collidables along.
     if (binding.is('RigidBody')) for (const other of binding.uses) other.dirty();
+  }
+
+  #addShortcut(binding: Binding, { world, shapes }: Plan): PhysicsNode {
+    const shortcut = world.add('CollidableShape', { shape: shapes }, { host: binding.element });
+    Object.assign(this.#madeOf(binding), { shortcut, shapes });
+    return shortcut;
   }
 
   #patch(binding: Binding, node: PhysicsNode, plan: Plan): void {
@@ -79,7 +95,7 @@ export class Writer {
   /** `for` names another Transform than before: a body without a pose of its own goes there. */
   #followFor(binding: Binding, { start, place }: Plan): void {
     const { transform, name } = place ?? { transform: undefined, name: null };
-    const before = binding.placed;
+    const before = this.#madeOf(binding).place;
     // A body moved in the tree comes under another Transform, too, but keeps its pose.
     const byName = name !== null || before?.name != null;
     if (!start || !transform || !byName || transform === before?.transform) return;
@@ -87,22 +103,16 @@ export class Writer {
   }
 
   #patchShapes(binding: Binding, node: PhysicsNode, plan: Plan): void {
-    if (sameRelation(binding.shapes, plan.shapes)) return;
-    const before = binding.shortcutNode;
+    const made = this.#madeOf(binding);
+    const { shortcut } = made;
+    if (sameRelation(made.shapes, plan.shapes)) return;
     if (!plan.shapes) {
-      binding.shortcutNode = null;
+      made.shortcut = undefined;
       node.set('geometry', plan.relations.geometry);
-      before?.remove();
-    } else if (before) before.set('shape', plan.shapes);
-    else {
-      binding.shortcutNode = plan.world.add(
-        'CollidableShape',
-        { shape: plan.shapes },
-        { host: binding.element },
-      );
-      node.set('geometry', [binding.shortcutNode]);
-    }
-    binding.shapes = plan.shapes;
+      shortcut?.remove();
+    } else if (shortcut) shortcut.set('shape', plan.shapes);
+    else node.set('geometry', [this.#addShortcut(binding, plan)]);
+    made.shapes = plan.shapes;
   }
 
   #setTargets(binding: Binding, targets: Target[]): void {
@@ -113,11 +123,10 @@ export class Writer {
 
   remove(binding: Binding): void {
     binding.node?.remove();
-    binding.shortcutNode?.remove();
+    this.#madeOf(binding).shortcut?.remove();
+    this.#made.delete(binding);
     binding.node = null;
-    binding.shortcutNode = null;
     binding.relations = {};
-    binding.shapes = undefined;
     this.#drawing.forget(binding);
     this.#onnode(binding);
   }

@@ -68,7 +68,7 @@ const LISTENING = [
 ];
 
 export function cureListeners(element: Element): void {
-  const own = element as unknown as Record<string, unknown>;
+  const own = element as Element & Record<string, unknown>;
   if (!Object.hasOwn(own, 'addEventListener') || own.addEventListener !== null) return;
   for (const name of LISTENING) if (Object.hasOwn(own, name)) delete own[name];
 }

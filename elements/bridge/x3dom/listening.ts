@@ -76,7 +76,7 @@ class Listening {
   adopt(root: Element): void {
     const native = this.#native!;
     for (const element of root.querySelectorAll('*')) {
-      const own = element as unknown as Record<string, unknown>;
+      const own = element as Element & Record<string, unknown>;
       if (!Object.hasOwn(own, '__addEventListener')) continue;
       if (own.__addEventListener !== native.addEventListener) continue;
       own.__addEventListener = EventTarget.prototype.addEventListener;

@@ -3,6 +3,7 @@ import {
   x3dom,
   type NodeContext,
   type X3DDocument,
+  type X3DMesh,
   type X3DNode,
   type X3DOM,
 } from '../../x3dom/x3dom.js';
@@ -14,10 +15,8 @@ interface ShapeNode extends X3DNode {
   renderFlag(): boolean;
 }
 
-interface LineMesh {
-  _positions: ArrayLike<number>[];
+interface LineMesh extends X3DMesh {
   _colors: ArrayLike<number>[];
-  _indices: ArrayLike<number>[];
   _numColComponents: number;
 }
 
@@ -42,7 +41,7 @@ export class LineShape {
     const make = maker(x, document);
     this.#shape = make('Shape') as ShapeNode;
     const geometry = make('LineSet');
-    this.#mesh = geometry._mesh as unknown as LineMesh;
+    this.#mesh = geometry._mesh as LineMesh;
     this.#mesh._numColComponents = 3;
     this.#shape.addChild(appearance(make), 'appearance');
     this.#shape.addChild(geometry, 'geometry');

@@ -27,7 +27,7 @@ const PLACES: Record<string, number> = {
   ArrowDown: 1,
   ArrowLeft: -1,
   ArrowUp: -1,
-  PageWorld: -Infinity,
+  Home: -Infinity,
   End: Infinity,
 };
 
