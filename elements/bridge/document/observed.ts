@@ -109,13 +109,13 @@ export class Observed {
   #attribute(element: Element, name: string, oldValue: string | null, scope: Scope): void {
     const lower = name.toLowerCase();
     if (NAMING.has(lower)) return this.#renamed(element, scope);
+    if (isPhysics(element)) return this.#physics(element, name, oldValue);
     const value = attribute(element, name);
-    if (isPhysics(element)) this.#physics(element, name, value === oldValue);
-    else if (isTransform(element)) this.#transform(element, name, oldValue, value);
+    if (isTransform(element)) this.#transform(element, name, oldValue, value);
     else this.#touch(element);
     if (isInline(element) && lower === 'shared-world') this.#elements.requeueInline(element);
     // x3dom follows no attribute in a file of its own.
-    if (element.ownerDocument !== document && !isPhysics(element) && value !== null)
+    if (element.ownerDocument !== document && value !== null)
       nodeOf(element)?.updateField(name, value);
   }
 
@@ -126,12 +126,12 @@ export class Observed {
   }
 
   /** Custom elements hear of the attributes of their fields themselves, at once; of all others they do not. */
-  #physics(element: Element, name: string, same: boolean): void {
+  #physics(element: Element, name: string, oldValue: string | null): void {
     const binding = ownBinding(element);
     if (!binding) return;
     const heard = isUpgraded(element) && fieldsByAttribute(binding.type).has(name.toLowerCase());
     if (heard) return;
-    if (same) binding.attributeRepeated(name);
+    if (attribute(element, name) === oldValue) binding.attributeRepeated(name);
     else binding.attributeChanged(name);
   }
 

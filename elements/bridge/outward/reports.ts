@@ -6,18 +6,22 @@ import type { PageWorld } from '../nodes/surroundings.js';
 /** Takes what authors get wrong to the world that hears of it. */
 export class Reports {
   readonly #worlds: { readonly all: Iterable<PageWorld> };
+  /** Called when a report waits for a world that hears of it. */
+  readonly #onunheard: () => void;
   readonly #unheard: { report: ProblemReport; binding: Binding }[] = [];
 
-  constructor(worlds: { readonly all: Iterable<PageWorld> }) {
+  constructor(worlds: { readonly all: Iterable<PageWorld> }, onunheard: () => void) {
     this.#worlds = worlds;
+    this.#onunheard = onunheard;
   }
 
   /** Of a node that lives in no world, the first world hears; a report makes no world. */
   report(report: ProblemReport, binding: Binding): void {
     const [first] = this.#worlds.all;
     const world = binding.world ?? first;
-    if (world) world.report(report, binding.element);
-    else this.#unheard.push({ report, binding });
+    if (world) return world.report(report, binding.element);
+    this.#unheard.push({ report, binding });
+    this.#onunheard();
   }
 
   /** Where there still is no world, the console and the page hear. */

@@ -22,6 +22,8 @@ export class Updates {
   readonly #writer: Writer;
   #queue = new Set<Binding>();
   readonly #left = new Set<Binding>();
+  /** Something happened since the last run. */
+  #due = true;
   #scheduled = false;
   #running = false;
 
@@ -58,6 +60,7 @@ export class Updates {
 
   /** A microtask later x3dom has seen the same changes: its observer runs after ours. */
   schedule(): void {
+    this.#due = true;
     if (this.#scheduled || !this.#site.live) return;
     this.#scheduled = true;
     queueMicrotask(() => {
@@ -72,9 +75,11 @@ export class Updates {
     return this.#queue.size + this.#left.size + this.#following.size + arrivals.size > 0;
   }
 
+  /** Asked before each step: most often there is nothing. */
   run(): void {
-    if (this.#running || !this.#site.live) return;
+    if (this.#running || !this.#site.live || !(this.#due || this.pending)) return;
     this.#running = true;
+    this.#due = false;
     try {
       this.#site.arrivals.take();
       this.#takeLeft();

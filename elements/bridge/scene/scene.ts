@@ -52,7 +52,7 @@ export class Scene implements Driven, Site, Stage {
     this.x3d = x3d;
     this.scopes = new Scopes(x3d);
     this.worlds = new Worlds(this.scopes);
-    this.reports = new Reports(this.worlds);
+    this.reports = new Reports(this.worlds, () => this.updates.schedule());
     this.tree = new Tree(this);
     const listeners = [this.debug, this.events, this.draggables];
     this.worlds.onmake((world) => {
