@@ -1,32 +1,25 @@
 import type { Units } from '../../../physics-core/index.js';
-import { firstCopy, tellTwoCopies } from './copies.js';
-import { ownBinding, type Binding } from '../nodes/binding.js';
-import { explanation, type Explanation } from './explain.js';
-import { attribute, isInline, isPhysics, isScene, isX3D } from '../words/dom.js';
-import {
-  makeUnread,
-  removeCopies,
-  setUpDropped,
-  wasLetGo,
-  wasRead,
-  whenThere,
-} from '../x3dom/late.js';
-import { listening } from '../x3dom/listening.js';
-import { registerNodeTypes, type Listener } from '../scene/node-types.js';
-import { Scene } from '../scene/scene.js';
 import { adoptStyles } from '../base/sheets.js';
-import { prefetchEngine } from '../scene/engine.js';
-import { hasPhysics, Start } from '../scene/start.js';
 import { worldFor } from '../document/world-for.js';
+import { ownBinding, type Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
+import { prefetchEngine } from '../scene/engine.js';
+import { registerNodeTypes, type Listener } from '../scene/node-types.js';
+import type { Scene } from '../scene/scene.js';
+import { attribute, isInline, isPhysics, isX3D } from '../words/dom.js';
+import { setUpDropped, whenThere } from '../x3dom/late.js';
+import { listening } from '../x3dom/listening.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
+import { firstCopy, tellTwoCopies } from './copies.js';
+import { explanation, type Explanation } from './explain.js';
+import { Scenes, X3D } from './scenes.js';
 
-const X3D = 'x3d, X3D';
-
-/** The page: finds each `<x3d>`, and hands what x3dom tells us to the scene it concerns. */
+/** The page: hands what x3dom tells us to the scene it concerns, and answers what users ask. */
 class Page implements Listener {
-  readonly #scenes = new Map<Element, { scene: Scene; start: Start }>();
-  readonly #settledInlines = new WeakSet<Element>();
+  readonly #scenes = new Scenes({
+    register: () => this.#register(),
+    made: (world, x3d) => world.on('ready', () => this.#reportOtherPhysics(world, x3d)),
+  });
   #registered = false;
   begun = false;
 
@@ -37,14 +30,11 @@ class Page implements Listener {
     hideSceneTags();
     listening.begin();
     listening.onchange = (target, name) => this.#listenersChanged(target, name);
-    new MutationObserver((records) => this.#changed(records)).observe(document, {
-      childList: true,
-      subtree: true,
-    });
+    this.#scenes.begin();
     whenThere(() => this.#register());
     // x3dom says so whenever it has read an <x3d>.
     document.addEventListener('load', () => this.#read());
-    this.#findAll();
+    this.#scenes.findAll();
   }
 
   /** A custom element was connected. */
@@ -67,6 +57,10 @@ class Page implements Listener {
     return true;
   }
 
+  #read(): void {
+    for (const scene of this.#scenes) scene.readByX3DOM();
+  }
+
   /** x3dom-full.js brings a physics engine of its own; said once. */
   #otherPhysics = false;
 
@@ -86,91 +80,15 @@ class Page implements Listener {
     );
   }
 
-  // ---- the x3d elements -----------------------------------------------------------------------------------------
-
-  #findAll(): void {
-    for (const x3d of document.querySelectorAll(X3D)) this.#found(x3d);
-  }
-
-  #changed(records: MutationRecord[]): void {
-    for (const { target, addedNodes, removedNodes } of records) {
-      for (const node of addedNodes) if (node instanceof Element) this.#added(node, target);
-      for (const node of removedNodes) if (node instanceof Element) this.#removed(node);
-    }
-  }
-
-  #added(node: Element, parent: Node): void {
-    if (parent instanceof Element && isX3D(parent) && isScene(node)) this.#found(parent);
-    if (isX3D(node)) this.#found(node);
-    else if (node.firstElementChild) for (const x3d of node.querySelectorAll(X3D)) this.#found(x3d);
-  }
-
-  #removed(node: Element): void {
-    const gone = isX3D(node) ? [node] : node.firstElementChild ? node.querySelectorAll(X3D) : [];
-    for (const x3d of gone) {
-      // Put back within one task, its worlds go on; x3dom has to read it again all the same.
-      queueMicrotask(() => (x3d.isConnected ? this.#found(x3d) : this.#forget(x3d)));
-    }
-  }
-
-  #forget(x3d: Element): void {
-    const known = this.#scenes.get(x3d);
-    this.#scenes.delete(x3d);
-    known?.start.stop();
-    known?.scene.destroy();
-  }
-
-  #found(x3d: Element): void {
-    if (!x3d.isConnected) return;
-    this.sceneAt(x3d);
-    this.#scenes.get(x3d)!.start.check();
-    if (hasPhysics(x3d)) prefetchEngine();
-    // x3dom's own observer has run when this does.
-    queueMicrotask(() => this.#haveRead(x3d));
-  }
-
-  /** Elements inserted after window load are read only on request. */
-  #haveRead(x3d: Element): void {
-    const x = x3dom();
-    if (!x || document.readyState !== 'complete' || ![...x3d.children].some(isScene)) return;
-    this.#register();
-    if (wasLetGo(x3d)) makeUnread(x3d);
-    if (wasRead(x3d)) return;
-    removeCopies(x3d);
-    x.reload();
-  }
-
-  #read(): void {
-    for (const { scene } of this.#scenes.values()) scene.readByX3DOM();
-  }
-
-  sceneAt(x3d: Element): Scene {
-    const known = this.#scenes.get(x3d);
-    if (known) return known.scene;
-    const scene = new Scene(x3d);
-    const start = new Start(scene, this.#settledInlines);
-    this.#scenes.set(x3d, { scene, start });
-    scene.worlds.onmake((world) => world.on('ready', () => this.#reportOtherPhysics(world, x3d)));
-    return scene;
-  }
-
-  /** The scene of an element of the page, or of one in an Inline or prototype. */
-  sceneOf(element: Element): Scene | undefined {
-    const x3d = element.closest(X3D);
-    if (x3d?.isConnected && x3d.ownerDocument === document) return this.sceneAt(x3d);
-    for (const { scene } of this.#scenes.values()) if (scene.scopes.around(element)) return scene;
-    return undefined;
-  }
-
   #listenersChanged(target: EventTarget, name: string): void {
-    for (const { scene } of this.#scenes.values()) scene.listenersChanged(target, name);
+    for (const scene of this.#scenes) scene.listenersChanged(target, name);
   }
 
   // ---- what x3dom tells -------------------------------------------------------------------------------------------
 
   /** x3dom made a node anew: it stands where its attributes say until it is drawn again. */
   nodeMade(element: Element): void {
-    for (const { scene } of this.#scenes.values()) {
+    for (const scene of this.#scenes) {
       const body = scene.drawing.bodyMoving(element);
       if (body) scene.updates.redraw(body);
     }
@@ -181,26 +99,26 @@ class Page implements Listener {
   }
 
   #sceneOfNode(node: PhysicsX3DNode): Scene | undefined {
-    for (const { scene } of this.#scenes.values()) {
+    for (const scene of this.#scenes) {
       if (scene.document && scene.document === node._nameSpace?.doc) return scene;
     }
     return undefined;
   }
 
   transformEdited(transform: Element, again: boolean): void {
-    for (const { scene } of this.#scenes.values())
+    for (const scene of this.#scenes)
       if (scene.live) scene.updates.transformEdited(transform, again);
   }
 
   unitsOfMoved(transform: Element): Units | undefined {
-    for (const { scene } of this.#scenes.values())
+    for (const scene of this.#scenes)
       if (scene.drawing.bodyMoving(transform)) return scene.scopes.around(transform)?.units;
     return undefined;
   }
 
   inlineSettled(inline: Element, loaded: boolean): void {
-    this.#settledInlines.add(inline);
-    const scene = loaded ? this.sceneOf(inline) : undefined;
+    this.#scenes.settledInlines.add(inline);
+    const scene = loaded ? this.#scenes.of(inline) : undefined;
     // A file may be there before the page around it has been looked at.
     if (scene?.readPage()) scene.tree.addInline(inline);
   }
@@ -210,7 +128,7 @@ class Page implements Listener {
   /** The binding of a physics element, or of what it stands for by USE. */
   bindingOf(element: Element): Binding | undefined {
     if (!isPhysics(element)) return undefined;
-    const scene = this.sceneOf(element);
+    const scene = this.#scenes.of(element);
     if (!scene) return attribute(element, 'USE') ? undefined : ownBinding(element);
     if (scene.readPage()) scene.drain();
     const meant = scene.scopes.meant(element);
@@ -219,7 +137,7 @@ class Page implements Listener {
 
   /** Where servers render pages there is no world. */
   worldOf(element: Element | null | undefined): PageWorld | undefined {
-    const scene = isElement(element) ? this.sceneOf(element) : undefined;
+    const scene = isElement(element) ? this.#scenes.of(element) : undefined;
     if (!element || !scene?.readPage()) return undefined;
     const inlined = isInline(element) && scene.worldIn(element);
     if (inlined) return inlined;
@@ -237,7 +155,7 @@ class Page implements Listener {
 
   /** The element with this DEF or id in any scene, Inlines included. */
   find(name: string): Element | undefined {
-    for (const { scene } of this.#scenes.values()) {
+    for (const scene of this.#scenes) {
       for (const scope of scene.scopes) {
         const element = scope.find(name);
         if (element) return element;
@@ -248,7 +166,7 @@ class Page implements Listener {
 
   /** The body that moves an element which is no physics node. */
   bodyOf(element: Element): Binding | undefined {
-    const scene = this.sceneOf(element);
+    const scene = this.#scenes.of(element);
     for (let at: Element | null = element; at && scene && !isX3D(at); at = at.parentElement) {
       const body = scene.drawing.bodyMoving(at);
       if (body) return body;
