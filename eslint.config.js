@@ -198,7 +198,7 @@ export default tseslint.config(
   },
   {
     // The lab is measured too.
-    files: ['test/core/lab.long.test.ts'],
+    files: ['test/lab/**/*.ts', 'test/soaks/lab/**/*.ts'],
     rules: { 'no-restricted-imports': 'off' },
   },
 );

@@ -10,8 +10,8 @@ import { nodeTypes } from '../physics-core/index.js';
 import { factsOf } from '../test/conformance/all.js';
 import { wrongInCore } from '../test/conformance/core-driver.js';
 import type { Fact } from '../test/conformance/fact.js';
-import { guardRows, rowsOf } from '../test/core/fields/all.js';
-import type { Row } from '../test/core/fields/rows.js';
+import { guardRows, rowsOf } from '../test/core/nodes/rows/all.js';
+import type { Row } from '../test/core/nodes/rows/row.js';
 import { closeWorlds, world } from '../test/core/helpers.js';
 
 interface Mutant {

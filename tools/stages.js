@@ -12,9 +12,9 @@ export const CONTENT = process.env.X3D_CONTENT ?? '../shared/content';
 const isLong = (file) => file.endsWith('.long.test.ts');
 const isQuick = (file) => !isLong(file);
 
-/** The core in Node, by Node's own runner, shown where it fails; its counts are read from a second, TAP report. */
-async function coreTests(files, temporary) {
-  const report = join(temporary, 'core.tap');
+/** In Node, by Node's own runner, shown where it fails; its counts are read from a second, TAP report. */
+async function nodeTests(files, temporary) {
+  const report = join(temporary, 'node.tap');
   const args = [
     ...['--enable-source-maps', '--test', '--test-concurrency=2'],
     ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
@@ -74,16 +74,19 @@ const CHROMIUM = inBrowser('web-test-runner.config.js');
 const FIREFOX = inBrowser('web-test-runner.firefox.config.js');
 const WEBKIT = inBrowser('web-test-runner.webkit.config.js');
 
+/** What Node runs in a moment: the core, and whatever else needs no page. */
+const IN_NODE = ['core', 'elements', 'lab', 'references', 'stories', 'tools'];
+
 /**
- * `folder`: below test/; `takes`: which of its files. `missing` says why a stage can't run here; it is left out then,
+ * `folders`: below test/; `takes`: which of their files. `missing` says why a stage can't run here; it is left out then,
  * which counts as skipped.
  */
 export const STAGES = [
-  { name: 'core', quick: true, folder: 'core', takes: isQuick, run: coreTests },
-  { name: 'chromium', quick: true, folder: 'browser', takes: isQuick, run: CHROMIUM },
+  { name: 'core', quick: true, folders: IN_NODE, run: nodeTests },
+  { name: 'chromium', quick: true, folders: ['browser'], takes: isQuick, run: CHROMIUM },
 
-  { name: 'core-long', folder: 'core', takes: isLong, run: coreTests },
-  { name: 'chromium-long', folder: 'browser', takes: isLong, run: CHROMIUM },
+  { name: 'soaks', folders: ['soaks'], run: nodeTests },
+  { name: 'chromium-long', folders: ['browser'], takes: isLong, run: CHROMIUM },
   {
     name: 'mutants',
     run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
@@ -91,18 +94,18 @@ export const STAGES = [
   { name: 'stories', run: script(['tools/stories-test.js']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'lab', run: labErrors },
-  { name: 'firefox', folder: 'browser', missing: noFirefox, run: FIREFOX },
-  { name: 'webkit', folder: 'browser', missing: noWebKit, run: WEBKIT },
-  { name: 'content', folder: 'content', missing: noContent, run: CHROMIUM },
+  { name: 'firefox', folders: ['browser'], missing: noFirefox, run: FIREFOX },
+  { name: 'webkit', folders: ['browser'], missing: noWebKit, run: WEBKIT },
+  { name: 'content', folders: ['content'], missing: noContent, run: CHROMIUM },
   {
     name: 'content-firefox',
-    folder: 'content',
+    folders: ['content'],
     missing: () => noContent() ?? noFirefox(),
     run: FIREFOX,
   },
   {
     name: 'content-webkit',
-    folder: 'content',
+    folders: ['content'],
     missing: () => noContent() ?? noWebKit(),
     run: WEBKIT,
   },

@@ -3,7 +3,7 @@
 //   --all                  the quick stages, then the others
 //   --rest                 the others only
 //   --only core,mutants    these stages only (and neither types nor lint); names: see stages.js
-//   --files <glob>         only these test files, e.g. 'test/browser/joints/*.test.ts'
+//   --files <glob>         only these test files, e.g. 'test/core/effects/**/*.test.ts'
 //   --no-build             with dist/ as it is
 //   --strict               a stage that can't run here fails; --may-miss content: but not this one
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -55,14 +55,14 @@ const CHECKS = [
 const BUILD = ['build', ['tools/build.js', ...(options.all || options.rest ? [] : ['--no-types'])]];
 
 /** Test files of a stage; those that `--files` names, be they quick or long. */
-const filesOf = ({ folder, takes = () => true }) =>
-  globSync(`test/${folder}/**/*.test.ts`).filter((file) =>
-    options.files ? matches(file, options.files) : takes(file),
-  );
+const filesOf = ({ folders = [], takes = () => true }) =>
+  folders
+    .flatMap((folder) => globSync(`test/${folder}/**/*.test.ts`))
+    .filter((file) => (options.files ? matches(file, options.files) : takes(file)));
 
 async function runStage(stage) {
   const files = filesOf(stage);
-  if (stage.folder && files.length === 0) return { ...stage, note: 'no test files' };
+  if (stage.folders && files.length === 0) return { ...stage, note: 'no test files' };
   const missing = stage.missing?.();
   if (missing) return leftOut(stage, missing);
   title(stage.name);

@@ -1,4 +1,4 @@
-// Where the first page leads on to. test/core/stories.test.ts holds that all of it is there.
+// Where the first page leads on to. test/stories/links.test.ts holds that all of it is there.
 import { nodeTypes } from '../../physics-core/nodes/index.js';
 
 export interface Link {

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import './console.js';
-import { until } from './bridge/scene.js';
+import { until } from './scene.js';
 import { open, worldIn } from './page.js';
 
 // The paper's four scenes, as the pages that people open.

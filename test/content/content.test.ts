@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import type { World } from '../../physics-core/index.js';
 import { worldOf } from '../../elements/index.js';
 import { claim } from '../browser/console.js';
-import { place } from '../browser/bridge/scene.js';
+import { place } from '../browser/scene.js';
 
 /**
  * Scenes that were written for other X3D browsers. They lie beside the project and not in it: tools/stages.js leaves

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import type { World } from '../../../elements/index.js';
 import '../console.js';
-import { until, wait } from '../bridge/scene.js';
+import { until, wait } from '../scene.js';
 import { open, openText, type PageWindow } from '../page.js';
 import { Shown } from './monitor.js';
 

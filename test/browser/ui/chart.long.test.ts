@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import type { World } from '../../../elements/index.js';
 import '../console.js';
 import { open, type PageWindow } from '../page.js';
-import { until } from '../bridge/scene.js';
+import { until } from '../scene.js';
 
 interface Chart extends HTMLElement {
   world: World | undefined;

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { worldOf } from '../../../elements/index.js';
 import { claim } from '../console.js';
-import { drawn, drawnAt, show, until, wait } from '../bridge/scene.js';
+import { drawn, drawnAt, show, until, wait } from '../scene.js';
 import { addMonitor, Shown, TWO_SCENES } from './monitor.js';
 
 const falling = `<x3d-rigid-body-collection id="collection">

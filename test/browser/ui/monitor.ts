@@ -1,5 +1,5 @@
 import type { X3DPhysicsMonitorElement } from '../../../elements/index.js';
-import { until } from '../bridge/scene.js';
+import { until } from '../scene.js';
 
 /** Two x3d elements: one body in the first, two on a collection in the second, and room for a monitor. */
 export const TWO_SCENES = `

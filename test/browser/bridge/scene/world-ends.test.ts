@@ -1,0 +1,306 @@
+import { expect } from 'chai';
+import { worldOf } from '../../../../elements/index.js';
+import { bothSpellings } from '../../forms.js';
+import { nextFrame, place, show, until, wait } from '../../scene.js';
+
+type PageWorld = NonNullable<ReturnType<typeof worldOf>>;
+
+const append = (x3d: Element, markup: string): Element => {
+  const scene = x3d.querySelector('scene')!;
+  scene.insertAdjacentHTML('beforeend', markup);
+  return scene.lastElementChild!;
+};
+
+const ball = (attributes = ''): string =>
+  `<x3d-rigid-body ${attributes}><x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape></x3d-rigid-body>`;
+
+const collection = (attributes = '', inner = ball()): string =>
+  `<x3d-rigid-body-collection ${attributes}>${inner}</x3d-rigid-body-collection>`;
+
+/** How its promise settles, as far as it has. */
+async function outcome(world: PageWorld): Promise<unknown> {
+  const late = wait(500).then(() => 'neither');
+  return Promise.race([world.ready, late]).then(
+    (value) => (value === world ? 'ready' : value),
+    (reason: { code: string }) => reason.code,
+  );
+}
+
+describe('a world', () => {
+  for (const attributes of ['', 'shared-world="w"'])
+    for (const [spelling, markup] of bothSpellings(collection(attributes)))
+      it(`${spelling} tags ${attributes}: ends with its last collection, and gives back what it had of Bullet`, async () => {
+        const { x3d, world: first } = await show('<group></group>' + ball('id="stays"'), '#stays');
+        first.paused = true;
+        // A block taken for good: where nothing leaks, it lies where the one before could have lain.
+        const heap = first.engine.ammo as unknown as { _malloc(bytes: number): number };
+        const take = (): number => heap._malloc(65536);
+        const worlds: PageWorld[] = [];
+        const cycles = async (count: number): Promise<void> => {
+          for (let i = 0; i < count; i++) {
+            const added = append(x3d, markup);
+            const world = worldOf(added)!;
+            await world.ready;
+            world.step(2);
+            worlds.push(world);
+            added.remove();
+            await wait(0);
+            expect(worldOf(added)).to.equal(undefined);
+          }
+        };
+        await cycles(5);
+        take();
+        const [one, two] = [take(), take()];
+        await cycles(10);
+        take();
+        const before = take();
+        await cycles(10);
+        expect(take() - before).to.equal(two! - one!);
+        expect(new Set(worlds).size).to.equal(25);
+        expect(worlds.filter(({ started }) => started)).to.eql([]);
+        expect(first.started).to.equal(true);
+        expect(first.stats.bodies).to.equal(1);
+      });
+
+  it('that ended takes what is asked of it without a word and without moving', async () => {
+    const { x3d, world } = await show(collection());
+    world.step(1);
+    const snapshot = world.snapshot();
+    x3d.querySelector('x3d-rigid-body-collection')!.remove();
+    await wait(0);
+    expect(await outcome(world)).to.equal('ready');
+    expect(world.step(5)).to.equal(0);
+    expect(world.advance(1)).to.equal(0);
+    expect(world.raycast([0, 9, 0], [0, -9, 0])).to.equal(null);
+    expect(world.stats).to.include({ bodies: 0, awake: 0, joints: 0, contacts: 0 });
+    world.paused = true;
+    world.paused = false;
+    world.reset();
+    world.restore(snapshot);
+    world.accuracy = 'fine';
+    expect(world.node('nobody')).to.equal(undefined);
+    expect(world.problems).to.eql([]);
+    await nextFrame();
+    expect(world.started).to.equal(false);
+  });
+
+  it('goes on while its last body is put back within the task, stepped meanwhile or not', async () => {
+    for (const steps of [0, 3]) {
+      const { x3d, world } = await show(collection('', ball('id="b" position="0 9 0"')));
+      world.paused = true;
+      const time = world.time;
+      for (const selector of ['#b', 'x3d-rigid-body-collection']) {
+        const element = x3d.querySelector(selector)!;
+        const parent = element.parentElement!;
+        element.remove();
+        world.step(steps);
+        parent.append(element);
+        await wait(0);
+        expect(worldOf(element), selector).to.equal(world);
+        world.step(1);
+        expect(world.stats.bodies, selector).to.equal(1);
+      }
+      expect(world.time).to.be.closeTo(time + (2 * steps + 2) * world.timeStep, 1e-9);
+    }
+  });
+
+  it('of a collection put back later is another one, from its markup, and physicsready fires again', async () => {
+    const { x3d, world } = await show(collection('id="c"', ball('id="b" position="0 9 0"')));
+    world.paused = true;
+    world.advance(1);
+    const element = x3d.querySelector('#c')!;
+    const parent = element.parentElement!;
+    element.remove();
+    await wait(0);
+    expect(worldOf(element)).to.equal(undefined);
+    let ready = 0;
+    element.addEventListener('physicsready', () => ready++);
+    parent.append(element);
+    const again = worldOf(element)!;
+    expect(again).not.to.equal(world);
+    expect(await outcome(again)).to.equal('ready');
+    again.paused = true;
+    again.reset();
+    again.advance(1);
+    expect((again.node('b')!.get('position') as number[])[1]).to.be.closeTo(9 - 4.9, 0.05);
+    await wait(0);
+    expect(ready).to.equal(1);
+    expect(world.stats.bodies).to.equal(0);
+  });
+
+  it('the default one, is the <x3d>’s own: it outlives its bodies, and who holds it goes on', async () => {
+    const { x3d, world } = await show(ball('id="b"'), '#b');
+    world.paused = true;
+    x3d.querySelector('#b')!.remove();
+    await wait(20);
+    append(x3d, ball('id="c" position="0 9 0"'));
+    expect(worldOf(x3d.querySelector('#c'))).to.equal(world);
+    world.advance(1);
+    expect((world.node('c')!.get('position') as number[])[1]).to.be.closeTo(9 - 4.9, 0.05);
+    x3d.remove();
+    await wait(0);
+    expect(world.started).to.equal(false);
+  });
+
+  it('shared, ends with the last of its collections', async () => {
+    const { x3d, world } = await show(
+      collection('id="a" shared-world="w"') +
+        collection('id="b" shared-world="w"', ball('position="9 0 0"')),
+    );
+    x3d.querySelector('#a')!.remove();
+    await wait(0);
+    world.step(0);
+    expect([world.started, world.stats.bodies]).to.eql([true, 1]);
+    x3d.querySelector('#b')!.remove();
+    await wait(0);
+    expect(world.started).to.equal(false);
+    const again = worldOf(append(x3d, collection('shared-world="w"')))!;
+    expect(again).not.to.equal(world);
+    expect(await outcome(again)).to.equal('ready');
+  });
+
+  it('whose last collection a listener takes away during a step ends after that step', async () => {
+    const { x3d, world } = await show(collection());
+    world.paused = true;
+    const element = x3d.querySelector('x3d-rigid-body-collection')!;
+    for (const type of ['beforestep', 'afterstep'])
+      element.addEventListener(type, () => element.remove(), { once: true });
+    world.step(3);
+    expect(world.started).to.equal(true);
+    await wait(0);
+    expect(world.started).to.equal(false);
+  });
+
+  it('that loses its collection to another world ends', async () => {
+    const apart = ball('position="9 0 0"');
+    const { x3d, world } = await show(
+      collection('id="a"') + collection('id="b" shared-world="w"', apart),
+    );
+    x3d.querySelector('#a')!.setAttribute('shared-world', 'w');
+    await wait(0);
+    const shared = worldOf(x3d.querySelector('#b'))!;
+    expect(world.started).to.equal(false);
+    expect(worldOf(x3d.querySelector('#a'))).to.equal(shared);
+    await shared.ready;
+    expect(shared.stats.bodies).to.equal(2);
+  });
+
+  it('with nodes that script added lives as long as those', async () => {
+    const { x3d, world } = await show(collection());
+    const own = world.add('RigidBody', { position: [0, 5, 0] });
+    x3d.querySelector('x3d-rigid-body-collection')!.remove();
+    await wait(0);
+    world.step(0);
+    expect([world.started, world.stats.bodies]).to.eql([true, 1]);
+    own.remove();
+    await until(() => !world.started);
+  });
+});
+
+describe('ready', () => {
+  it('rejects with a problem where the <x3d> goes before the start', async () => {
+    for (const markup of [ball('id="b"'), collection('id="b"')]) {
+      const x3d = place(markup);
+      const world = worldOf(x3d.querySelector('#b'))!;
+      x3d.remove();
+      expect(await outcome(world)).to.equal('world-ended');
+      const problem = await world.ready.catch((reason: unknown) => reason);
+      expect(problem).to.deep.include({ severity: 'info', element: x3d });
+    }
+  });
+
+  it('rejects with a problem where the collection goes before the start, and not where it stays', async () => {
+    const x3d = place(collection('id="goes"') + collection('id="stays"'));
+    const [goes, stays] = ['#goes', '#stays'].map((id) => worldOf(x3d.querySelector(id))!);
+    x3d.querySelector('#goes')!.remove();
+    expect(await outcome(goes!)).to.equal('world-ended');
+    expect(await outcome(stays!)).to.equal('ready');
+  });
+});
+
+describe('a CollisionCollection outside any collection', () => {
+  const bouncing = `<x3d-collision-collection id="k" collidables="*" bounce="1" appliedparameters="BOUNCE"></x3d-collision-collection>`;
+  const drop = collection(
+    '',
+    `<x3d-rigid-body fixed="true" position="0 -0.5 0"><x3d-collidable-shape><shape><box size="9 1 9"></box></shape></x3d-collidable-shape></x3d-rigid-body>` +
+      ball('class="ball" position="0 3 0"'),
+  );
+
+  /** How high the ball stands a second and a half after it was let go: 3 m up it has bounced once. */
+  async function height(x3d: Element): Promise<number> {
+    const body = x3d.querySelector('.ball')! as unknown as Element & { position: number[] };
+    const world = worldOf(body)!;
+    await world.ready;
+    world.paused = true;
+    world.reset();
+    world.advance(1.27);
+    return body.position[1]!;
+  }
+
+  for (const where of ['before', 'after'])
+    it(`${where} the collection, speaks for the collection that comes in the place of another`, async () => {
+      const { x3d } = await show(where === 'before' ? bouncing + drop : drop + bouncing);
+      expect(await height(x3d)).to.be.greaterThan(2.5);
+      for (let i = 0; i < 2; i++) {
+        x3d.querySelector('x3d-rigid-body-collection')!.remove();
+        if (i) await wait(0);
+        append(x3d, drop);
+        expect(await height(x3d), `replaced ${i}`).to.be.greaterThan(2.5);
+      }
+      x3d.querySelector('#k')!.remove();
+      expect(await height(x3d)).to.be.below(1.2);
+    });
+
+  it('takes the obstacles that it lists, and a sensor of them, along to the next collection', async () => {
+    const falls = collection('', ball('class="ball" position="0 3 0"'));
+    const { x3d } = await show(`${falls}
+      <x3d-collision-collection def="K"><x3d-collidable-shape translation="0 -0.5 0"><shape><box size="9 1 9"></box></shape></x3d-collidable-shape></x3d-collision-collection>
+      <x3d-collision-sensor id="sensor"><x3d-collision-collection use="K"></x3d-collision-collection></x3d-collision-sensor>`);
+    const worlds = [];
+    for (let i = 0; i < 3; i++) {
+      const world = worldOf(x3d.querySelector('.ball'))!;
+      await world.ready;
+      worlds.push(world);
+      expect(worldOf(x3d.querySelector('#sensor'))).to.equal(world);
+      world.paused = true;
+      world.reset();
+      world.advance(3);
+      const [, y] = world.node(x3d.querySelector('.ball'))!.get('position') as number[];
+      expect(y, `round ${i}`).to.be.closeTo(1, 0.02);
+      x3d.querySelector('x3d-rigid-body-collection')!.remove();
+      await wait(0);
+      append(x3d, falls);
+    }
+    expect(worlds.map(({ started }) => started)).to.eql([false, false, false]);
+  });
+
+  it('speaks for whatever collection is the only one, whichever came first', async () => {
+    const { x3d } = await show(bouncing, '#k');
+    append(x3d, drop);
+    expect(await height(x3d)).to.be.greaterThan(2.5);
+    const other = append(x3d, collection());
+    expect(await height(x3d)).to.be.below(1.2);
+    other.remove();
+    expect(await height(x3d)).to.be.greaterThan(2.5);
+  });
+});
+
+describe('a page without physics', () => {
+  it('makes no world where its start took too long', async () => {
+    const requests = (globalThis as unknown as { x3dom: { RequestManager: object } }).x3dom
+      .RequestManager as { addRequest(request: unknown): void };
+    const { addRequest } = requests;
+    requests.addRequest = () => {};
+    const now = performance.now.bind(performance);
+    try {
+      const x3d = place('<inline url="/never.x3d"></inline>');
+      await wait(200);
+      performance.now = () => now() + 10_000;
+      await wait(200);
+      expect(worldOf(x3d)).to.equal(undefined);
+    } finally {
+      delete (performance as { now?: unknown }).now;
+      requests.addRequest = addRequest;
+    }
+  });
+});

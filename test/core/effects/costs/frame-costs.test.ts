@@ -1,0 +1,103 @@
+import assert from 'node:assert/strict';
+import { PerformanceObserver } from 'node:perf_hooks';
+import { describe } from 'node:test';
+import { FrameCosts } from '../../../../physics-core/effects/costs/frame-costs.js';
+import { addBody, fact, world } from '../../helpers.js';
+
+const effect = (w: Awaited<ReturnType<typeof world>>, name: string) =>
+  w.effects.find((each) => each.name === name)!;
+
+describe('the costs of frames', () => {
+  fact('are told by nearest rank over the last 240 frames', () => {
+    const costs = new FrameCosts();
+    costs.record('somebody', 'a reason');
+    for (let k = 1; k <= 300; k++) {
+      costs.afterStep();
+      costs.frameOver({ step: k, read: 0, write: 1, events: 0 });
+    }
+    // Of 61 to 300 ms.
+    assert.deepEqual(costs.report, {
+      frames: 240,
+      step: { p50: 180, p90: 276, p99: 298 },
+      read: { p50: 0, p90: 0, p99: 0 },
+      write: { p50: 1, p90: 1, p99: 1 },
+      events: { p50: 0, p90: 0, p99: 0 },
+      total: { p50: 181, p90: 277, p99: 299 },
+    });
+  });
+
+  fact('are kept only while somebody looks, who stands in world.effects', async () => {
+    const w = await world();
+    addBody(w);
+    w.frame(1 / 60);
+    w.frameOver(0);
+    assert.equal(w.costs, undefined);
+    assert.equal(effect(w, 'monitor').active, false);
+    const stop = w.recordCosts('me', 'to know');
+    assert.deepEqual(effect(w, 'monitor').because, { element: 'me', reason: 'to know' });
+    w.frame(1 / 60);
+    w.frameOver(0);
+    assert.equal(w.costs!.frames, 1);
+    stop();
+    assert.equal(w.costs, undefined);
+    assert.equal(effect(w, 'monitor').active, false);
+  });
+
+  fact('count each millisecond in one phase', async () => {
+    // Without gravity: free flight would look at the clock, too.
+    const w = await world({ gravity: [0, 0, 0] });
+    addBody(w);
+    w.step(0);
+    const { now } = performance;
+    let ticks = 0;
+    performance.now = () => ticks++;
+    w.frame(1 / 120);
+    w.frameOver(performance.now());
+    performance.now = now;
+    // One tick lies between the readings of the clock around reading poses, and around writing them.
+    assert.deepEqual(w.stats.ms, { step: 2, read: 1, write: 1, events: 0 });
+  });
+
+  fact('leave out frames in which no step was taken', async () => {
+    const w = await world();
+    addBody(w);
+    w.recordCosts('me');
+    for (const seconds of [1 / 60, 0, 0, 1 / 60]) {
+      w.frame(seconds);
+      w.frameOver(0);
+    }
+    assert.equal(w.costs!.frames, 2);
+  });
+});
+
+describe('User Timing', () => {
+  fact('has a measure for each phase while profile is true, and keeps none', async () => {
+    const w = await world();
+    addBody(w);
+    w.on('afterstep', () => {});
+    const seen: string[] = [];
+    const observer = new PerformanceObserver((list) => {
+      seen.push(...list.getEntries().map(({ name }) => name));
+    });
+    observer.observe({ entryTypes: ['measure'] });
+    const frame = async (): Promise<string[]> => {
+      seen.length = 0;
+      w.frame(1 / 120);
+      w.frameOver(0);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+      return [...new Set(seen)].sort();
+    };
+    assert.equal(w.profile, false);
+    assert.deepEqual(await frame(), []);
+    w.profile = true;
+    assert.deepEqual(
+      await frame(),
+      ['events', 'read', 'step', 'write'].map((phase) => `x3d-physics ${phase}`),
+    );
+    assert.equal(effect(w, 'user timing').active, true);
+    assert.equal(performance.getEntriesByType('measure').length, 0);
+    w.profile = false;
+    assert.deepEqual(await frame(), []);
+    observer.disconnect();
+  });
+});

@@ -1,0 +1,49 @@
+import { allEffects } from '../../../physics-core/effects/all.js';
+import assert from 'node:assert/strict';
+import { describe } from 'node:test';
+import { guards } from '../../../physics-core/base/guards.js';
+import { nodeTypes } from '../../../physics-core/index.js';
+import { factsOf } from '../../conformance/all.js';
+import { fact, world } from '../helpers.js';
+import { guardRows, rowsOf } from './rows/all.js';
+
+for (const [type, rows] of Object.entries(rowsOf)) {
+  describe(type, () => {
+    for (const row of rows) fact(`${row.field ?? row.effect}: ${row.fact}`, row.run);
+
+    fact(
+      'every field of its table has at least one row or conformance fact, and every row a field',
+      () => {
+        const fields = Object.keys(nodeTypes[type]!.fields);
+        const proofs = [...rows, ...(factsOf[type] ?? [])];
+        const covered = new Set(proofs.flatMap(({ field }) => field ?? []));
+        assert.deepEqual([...covered].sort(), fields.sort());
+      },
+    );
+  });
+}
+
+describe('guards', () => {
+  for (const row of guardRows) fact(`${row.guard}: ${row.fact}`, row.run);
+
+  fact('every guard has at least one row', () => {
+    const covered = new Set([...guardRows, ...Object.values(rowsOf).flat()].map((r) => r.guard));
+    for (const guard of Object.keys(guards)) assert.ok(covered.has(guard), guard);
+  });
+});
+
+describe('tables', () => {
+  fact('every node type has rows', () => {
+    assert.deepEqual(Object.keys(rowsOf).sort(), Object.keys(nodeTypes).sort());
+  });
+
+  fact('every effect that works in the step has at least one row', async () => {
+    const w = await world();
+    const covered = new Set(Object.values(rowsOf).flatMap((rows) => rows.map((r) => r.effect)));
+    for (const descriptor of allEffects) {
+      const effect = w.registry.get(descriptor);
+      const works = effect.beforeStep || effect.afterStep || effect.contact;
+      if (works) assert.ok(covered.has(descriptor.name), descriptor.name);
+    }
+  });
+});

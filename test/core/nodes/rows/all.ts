@@ -1,0 +1,41 @@
+import { offsetRows, shapeRows } from './collision/collidables.js';
+import { chainRows } from './collision/chains.js';
+import { collectionRows, sensorRows } from './collision/collisions.js';
+import { contactRows } from './collision/contacts.js';
+import { bodyDragRows, collectionDragRows } from './body/dragging.js';
+import { setContactsRows } from './collision/set-contacts.js';
+import { commonRows } from './common.js';
+import { jointSolveRows } from './joints/joint-solve.js';
+import { guardRows } from './guards.js';
+import { ballRows, hingeRows } from './joints/hinge.js';
+import { motorRows } from './joints/motor.js';
+import { sliderRows } from './joints/slider.js';
+import { doubleHingeRows, universalRows } from './joints/two-axes.js';
+import { rows as rigidBodyRows } from './body/rigid-body.js';
+import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
+import type { Row } from './row.js';
+import { spaceRows } from './collision/spaces.js';
+
+const ownRows: Record<string, Row[]> = {
+  RigidBodyCollection: [...rigidBodyCollectionRows, ...setContactsRows, ...collectionDragRows],
+  RigidBody: [...rigidBodyRows, ...bodyDragRows],
+  CollidableShape: shapeRows,
+  CollidableOffset: offsetRows,
+  CollisionCollection: [...collectionRows, ...chainRows],
+  CollisionSpace: spaceRows,
+  CollisionSensor: sensorRows,
+  Contact: contactRows,
+  BallJoint: [...ballRows, ...jointSolveRows],
+  SingleAxisHingeJoint: hingeRows,
+  DoubleAxisHingeJoint: doubleHingeRows,
+  SliderJoint: sliderRows,
+  UniversalJoint: universalRows,
+  MotorJoint: motorRows,
+};
+
+/** The rows of each node type, and those that belong to no field. */
+export const rowsOf: Record<string, Row[]> = Object.fromEntries(
+  Object.entries(ownRows).map(([type, rows]) => [type, [...rows, ...commonRows(type)]]),
+);
+
+export { guardRows };

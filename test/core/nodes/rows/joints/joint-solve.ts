@@ -1,0 +1,84 @@
+import {
+  addBody,
+  addJoint,
+  below,
+  close,
+  position,
+  sphere,
+  spin,
+  velocity,
+  world,
+} from '../../../helpers.js';
+import type { Row } from '../row.js';
+
+const WEIGHTLESS = { gravity: [0, 0, 0] };
+
+/** What the direct solution of joints does, beyond what each field of a joint says. */
+export const jointSolveRows: Row[] = [
+  {
+    effect: 'joint solve',
+    fact: 'a chain of eight balls, the last twenty times as heavy, swings without gaping',
+    run: async () => {
+      const w = await world();
+      const balls = Array.from({ length: 8 }, (_, i) =>
+        addBody(w, { position: [i + 1, 0, 0], mass: i === 7 ? 2 : 0.1, geometry: [sphere(0.1)] }),
+      );
+      const joints = balls.map((ball, i) =>
+        addJoint(w, 'BallJoint', {
+          body1: ball,
+          body2: balls[i - 1] ?? null,
+          anchorPoint: [i, 0, 0],
+        }),
+      );
+      for (let i = 0; i < 120; i++) {
+        w.step();
+        // Bullet's own iterations let it open by 18 mm; poses of 8 m in single precision.
+        for (const joint of joints) below(joint.gap, 4e-6, 'm, gap');
+      }
+    },
+  },
+  {
+    effect: 'joint solve',
+    fact: 'a joint that a blow opens is whole again before anybody sees it',
+    run: async () => {
+      const w = await world(WEIGHTLESS);
+      const links = [1, 2, 3].map((x) =>
+        addBody(w, { position: [x, 0, 0], mass: 0.1, geometry: [sphere(0.2)] }),
+      );
+      const joints = links.map((link, i) =>
+        addJoint(w, 'BallJoint', {
+          body1: link,
+          body2: links[i - 1] ?? null,
+          anchorPoint: [i, 0, 0],
+        }),
+      );
+      const hammer = addBody(w, { position: [2, -1, 0], mass: 50, linearVelocity: [0, 10, 0] });
+      for (let i = 0; i < 30; i++) {
+        w.step();
+        for (const joint of joints) below(joint.gap, 1e-3, 'm, gap');
+      }
+      below(10 - velocity(hammer)[1], 1, 'm/s, the hammer goes on');
+      below(1, velocity(links[1]!)[1], 'm/s, the link was struck');
+    },
+  },
+  {
+    effect: 'joint solve',
+    fact: 'bodies that an edit tore apart come together, and then stand still',
+    run: async () => {
+      const w = await world(WEIGHTLESS);
+      const [a, b] = [addBody(w), addBody(w, { position: [2, 0, 0] })];
+      const joint = addJoint(w, 'BallJoint', { body1: a, body2: b, anchorPoint: [1, 0, 0] });
+      w.step();
+      b.event('position', [2, 1, 0]);
+      w.advance(0.5);
+      below(joint.gap, 1e-4, 'm, gap');
+      close(
+        [...velocity(a), ...velocity(b), ...spin(a), ...spin(b)],
+        new Array(12).fill(0),
+        1e-3,
+        'm/s, rad/s',
+      );
+      below(0.05, Math.hypot(position(a)[1]), 'm, moved by the repair');
+    },
+  },
+];
