@@ -1,0 +1,58 @@
+// docs/effects.md, from the descriptors of all effects and the classes that they load.
+import { allEffects } from '../../physics-core/effects/all.js';
+import type { Effect, EffectDescriptor } from '../../physics-core/effects/effect.js';
+import { createWorld } from '../../physics-core/index.js';
+
+export const PAGE = 'docs/effects.md';
+
+/** What an effect may do in a step, in the order in which it comes to that. */
+const ACTS = ['beforeStep', 'contact', 'settle', 'afterStep'] as const;
+
+const HEAD = `# Effects
+
+Written by \`npm run docs:effects\` from \`physics-core/effects/all.ts\`.
+
+Bullet moves bodies that fall, touch and hang together. Whatever else a scene may ask for is an effect: switched on by
+the first node that needs it, off with the last, and not called at all in between. \`world.effects\` tells which are
+on, because of which element, and what they cost.
+
+The table has them in the order in which they are called at each stage of a step. \`beforeStep\` is before Bullet's
+step, \`contact\` within it, at each contact point between its search and its solver; \`settle\` is right after it, before
+anybody reads where it took the bodies, and \`afterStep\` once poses and velocities are read. An effect without a stage
+is asked by others, or only told of.
+
+| effect | on by | acts in | after |
+| --- | --- | --- | --- |
+`;
+
+/** Those of one reason together; "the same" is the reason before it. */
+function after({ after: reasons = {} }: EffectDescriptor): string {
+  const groups: { names: string[]; why: string }[] = [];
+  for (const [name, why] of Object.entries(reasons)) {
+    const last = groups.at(-1);
+    if (last && (why === 'the same' || why === last.why)) last.names.push(name);
+    else groups.push({ names: [name], why });
+  }
+  return groups.map(({ names, why }) => `*${names.join(', ')}*: ${why}`).join('; ');
+}
+
+const acts = (effect: Effect): string =>
+  ACTS.filter((stage) => effect[stage])
+    .map((stage) => `\`${stage}\``)
+    .join(', ');
+
+export async function effectsPage(): Promise<string> {
+  const world = await createWorld();
+  const rows = allEffects.map((descriptor) =>
+    [
+      `**${descriptor.name}**`,
+      descriptor.causes,
+      acts(world.registry.get(descriptor)),
+      after(descriptor),
+    ]
+      .map((cell) => cell.replaceAll('|', '\\|') || '–')
+      .join(' | '),
+  );
+  world.destroy();
+  return `${HEAD}${rows.map((row) => `| ${row} |\n`).join('')}`;
+}
