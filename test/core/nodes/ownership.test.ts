@@ -1,5 +1,4 @@
 import assert from 'node:assert/strict';
-import { debugLines, type World } from '../../../physics-core/index.js';
 import {
   addBody,
   addFloor,
@@ -14,54 +13,6 @@ import {
   way,
   world,
 } from '../helpers.js';
-import { leavesNoTrace } from '../../soaks/core/no-trace.js';
-
-fact(
-  'a thousand changes of shape, mass, mobility and joint leave no trace in the heap',
-  async () => {
-    const w = await world();
-    addFloor(w);
-    const stone = addBody(w, { position: [0, 2, 0], geometry: [box(1)] });
-    const joint = addJoint(w, 'SingleAxisHingeJoint', { body1: stone });
-    const mesh = {
-      type: 'IndexedFaceSet',
-      coord: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1],
-      coordIndex: [0, 2, 1, -1, 0, 1, 3, -1, 1, 2, 3, -1, 2, 0, 3, -1],
-    };
-    const change = (i: number) => {
-      stone.set('geometry', [[box(1)], [sphere(0.4), box(2)], [mesh]][i % 3]);
-      stone.set('centerOfMass', [0, (i % 5) / 10, 0]);
-      stone.set('fixed', i % 2 === 0);
-      joint.set('anchorPoint', [i % 7, 0, 0]);
-      stone.set('enabled', i % 11 !== 0);
-      w.step(i % 4);
-    };
-    await leavesNoTrace(w, () => {
-      for (let i = 0; i < 1155; i++) change(i);
-    });
-  },
-);
-
-fact('resets and whole worlds come and go without a trace in the heap', async () => {
-  const w = await world();
-  const scene = (to: World) => {
-    addFloor(to);
-    for (let i = 0; i < 10; i++) addBody(to, { position: [0, 1 + i, 0], geometry: [box(1)] });
-    to.add('CollisionCollection', { collidables: '*', bounce: 0.5 });
-    to.step(10);
-  };
-  scene(w);
-  const round = async () => {
-    w.reset();
-    w.step(10);
-    const other = await world();
-    scene(other);
-    other.destroy();
-  };
-  await leavesNoTrace(w, async () => {
-    for (let i = 0; i < 20; i++) await round();
-  });
-});
 
 fact('what a node made of plain data goes with it', async () => {
   const w = await world();
@@ -143,23 +94,4 @@ fact('counts of made and unmade objects follow the nodes', async () => {
   joint.remove();
   ball.remove();
   assert.equal(counts(w).destroyed, before.destroyed + 2);
-});
-
-fact('the debug drawing of a hull gives back what it took', async () => {
-  const w = await world();
-  const coord = { point: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1] };
-  const tetrahedron = {
-    type: 'IndexedTriangleSet',
-    index: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3],
-    coord,
-  };
-  addBody(w, { geometry: [tetrahedron] });
-  w.step(0);
-  await leavesNoTrace(w, async () => {
-    for (let i = 0; i < 100; i++) {
-      const lines = await debugLines(w);
-      lines.update();
-      lines.dispose();
-    }
-  });
 });

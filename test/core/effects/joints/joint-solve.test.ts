@@ -1,13 +1,12 @@
-import { jointSolve } from '../../../../physics-core/index.js';
+import { jointSolve, type World } from '../../../../physics-core/index.js';
 import { chainEnd, type Chain } from '../../../../references/chain.js';
 import { ballChain, boxChain } from '../../../../references/chains.js';
 import { addBallChain, addBoxChain, type Jointed } from './scenes.js';
 import { above, below, claim, distance, fact, velocity, world } from '../../helpers.js';
-import type { World } from '../../../../physics-core/index.js';
 
 const EARTH = [0, -9.81, 0];
 
-/** Ends of a chain each 1/60 s by the reference, at 1/1920 s: within 1 µm of half of that (proved below). */
+/** Ends of a chain each 1/60 s by the reference, at 1/1920 s: within 1 µm of half of that (test/soaks/references). */
 const truth = (chain: Chain, seconds: number, push = 0): number[][] =>
   chainEnd(chain, seconds, 32, push);
 
@@ -20,26 +19,6 @@ function worstError(w: World, { end }: Jointed, expected: number[][]): number {
   }
   return worst;
 }
-
-fact('the reference of chains is the same with half its step, within 1 µm', () => {
-  for (const [chain, push] of [
-    [ballChain(20), 0],
-    [ballChain(1000), 0],
-    [ballChain(1000), 0.5],
-    [boxChain(8, 1), 0],
-  ] as const) {
-    const [whole, half] = [32, 64].map((steps) => chainEnd(chain, 2, steps, push));
-    below(Math.max(...whole!.map((end, i) => distance(end, half![i]!))), 1e-6, 'm');
-  }
-});
-
-fact('the reference of one link is a pendulum: at the bottom after K(½) √(l / g)', () => {
-  const link = { link: 1, centre: 1, masses: [1], moments: [0], gravity: 9.81 };
-  const quarter = 1.854074677301372 / Math.sqrt(9.81);
-  // A time scale that puts the bottom on a frame.
-  const stretched = { ...link, gravity: 9.81 * (quarter * 2) ** 2 };
-  below(distance(chainEnd(stretched, 0.5, 64).at(-1)!, [0, -1, 0]), 1e-9, 'm');
-});
 
 // Metres at the end of a chain of eight; each bound is three to five times what was measured.
 for (const [name, ratio, push, accuracy, seconds, bound] of [

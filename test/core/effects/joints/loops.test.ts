@@ -1,160 +1,22 @@
 import { describe } from 'node:test';
-import {
-  add,
-  compose,
-  conjugate,
-  dot,
-  rotate,
-  scale,
-  subtract,
-} from '../../../../physics-core/base/math.js';
-import type { World } from '../../../../physics-core/index.js';
+import { add, dot, rotate, scale, subtract } from '../../../../physics-core/base/math.js';
 import {
   above,
   addBody,
-  addJoint,
   below,
   box,
   close,
   fact,
   position,
   spin,
-  velocity,
   world,
   type Body,
   type Hinge,
   type Vec3,
 } from '../../helpers.js';
-
-const G = 9.8;
-
-/** A thin rod of 1 kg between two points in the plane of x and y; it turns about the first, rad/s. */
-function addRod(w: World, from: Vec3, to: Vec3, turning = 0): Body {
-  const along = subtract(to, from);
-  return addBody(w, {
-    angularVelocity: [0, 0, turning],
-    linearVelocity: scale([-along[1], along[0], 0], turning / 2),
-    position: scale(add(from, to), 0.5),
-    orientation: [0, 0, 1, Math.atan2(along[1], along[0])],
-    geometry: [box(Math.hypot(...along), 0.02, 0.02)],
-  });
-}
-
-const hinge = (w: World, at: Vec3, body1: Body, body2?: Body, axis: Vec3 = [0, 0, 1]): Hinge =>
-  addJoint(w, 'SingleAxisHingeJoint', { body1, ...(body2 && { body2 }), axis, anchorPoint: at });
-
-/** Nothing collides: only joints count. */
-const quiet = (w: World): void =>
-  void w.add('CollisionCollection', { collidables: '*', enabled: false });
+import { G, addRod, hinge, quiet, GROUND, CRANK, COUPLER, ROCKER, addFourBar } from './linkages.js';
 
 const widest = (joints: readonly Hinge[]): number => Math.max(...joints.map((joint) => joint.gap));
-
-const height = (body: Body): number => body.centerOfMassWorld()[1];
-
-/** Kinetic energy at a velocity and a spin (world), joules. */
-function kinetic(body: Body, v: Vec3, turning: Vec3): number {
-  const { mass, moments } = body.mass;
-  const w = rotate(conjugate(compose(body.pose(), body.centerOfMass).q), turning);
-  return (mass * dot(v, v) + moments.reduce((sum, moment, x) => sum + moment * w[x]! ** 2, 0)) / 2;
-}
-
-/**
- * Highest and lowest energy on the way, less that of the start, over `range`. The velocity of jointed bodies belongs to
- * the middle of the step: at a pose it is the mean of the steps before and after.
- */
-function energyBand(w: World, bodies: Body[], seconds: number, range: number): [number, number] {
-  const before = bodies.map((body) => ({ y: height(body), v: velocity(body), spin: spin(body) }));
-  const total = (): number =>
-    bodies.reduce((sum, body, i) => {
-      const { y, v, spin: turning } = before[i]!;
-      const mean = (a: Vec3, b: Vec3) => scale(add(a, b), 0.5);
-      const moving = kinetic(body, mean(v, velocity(body)), mean(turning, spin(body)));
-      before[i] = { y: height(body), v: velocity(body), spin: spin(body) };
-      return sum + body.mass.mass * G * y + moving;
-    }, 0);
-  const start = bodies.reduce((sum, body) => sum + body.mass.mass * G * height(body), 0);
-  let [most, least] = [start, start];
-  w.step();
-  total();
-  for (let i = 1; i < seconds / w.timeStep; i++) {
-    w.step();
-    const now = total();
-    most = Math.max(most, now);
-    least = Math.min(least, now);
-  }
-  return [(most - start) / range, (start - least) / range];
-}
-
-/** Frictionless systems that start from rest, and the energy (J) that falling to the lowest pose sets free. */
-const systems: Record<string, (w: World) => { bodies: Body[]; range: number }> = {
-  pendulum(w) {
-    const rod = addRod(w, [0, 0, 0], [1, 0, 0]);
-    hinge(w, [0, 0, 0], rod);
-    return { bodies: [rod], range: G / 2 };
-  },
-  'double pendulum'(w) {
-    const [one, two] = [addRod(w, [0, 0, 0], [1, 0, 0]), addRod(w, [1, 0, 0], [2, 0, 0])];
-    hinge(w, [0, 0, 0], one);
-    hinge(w, [1, 0, 0], two, one);
-    return { bodies: [one, two], range: 2 * G };
-  },
-  'four-bar'(w) {
-    const { bars } = addFourBar(w);
-    // From straight up at the crank to straight down.
-    return { bodies: bars, range: G };
-  },
-};
-
-describe('energy without friction', () => {
-  for (const [accuracy, seconds] of [
-    ['game', 20],
-    ['standard', 20],
-    ['fine', 20],
-    ['precise', 60],
-  ] as const) {
-    for (const [name, build] of Object.entries(systems)) {
-      fact(
-        `${name}: never above its start by 1 %, nor below by 5 %, in ${seconds} s at ${accuracy}`,
-        async () => {
-          const w = await world({ accuracy });
-          quiet(w);
-          const { bodies, range } = build(w);
-          const [most, least] = energyBand(w, bodies, seconds, range);
-          below(most, 0.01, 'of the energy gained');
-          below(least, 0.05, 'of the energy lost');
-        },
-      );
-    }
-  }
-});
-
-// ---- loops -----------------------------------------------------------------------------------------------------------
-
-/** Ground 2 m, crank 1 m, coupler 2 m, rocker 2 m: a crank that goes round. */
-const [GROUND, CRANK, COUPLER, ROCKER] = [2, 1, 2, 2];
-
-/** Where the rocker's end is for an angle of the crank: where two circles meet, above. */
-function meeting(crank: number): Vec3 {
-  const [x, y] = [CRANK * Math.cos(crank), CRANK * Math.sin(crank)];
-  const [dx, dy] = [GROUND - x, -y];
-  const d = Math.hypot(dx, dy);
-  const along = (COUPLER ** 2 - ROCKER ** 2 + d * d) / (2 * d);
-  const across = Math.sqrt(COUPLER ** 2 - along ** 2);
-  return [x + (dx * along - dy * across) / d, y + (dy * along + dx * across) / d, 0];
-}
-
-function addFourBar(w: World): { bars: Body[]; joints: Hinge[] } {
-  const [a, b, c, d]: Vec3[] = [[0, 0, 0], [0, 1, 0], meeting(Math.PI / 2), [GROUND, 0, 0]];
-  const bars = [addRod(w, a!, b!), addRod(w, b!, c!), addRod(w, d!, c!)];
-  const [crank, coupler, rocker] = bars as [Body, Body, Body];
-  const joints = [
-    hinge(w, a!, crank),
-    hinge(w, b!, coupler, crank),
-    hinge(w, c!, rocker, coupler),
-    hinge(w, d!, rocker),
-  ];
-  return { bars, joints };
-}
 
 /** Direction of a rod's long side in the plane, radians. */
 function direction(rod: Body): number {

@@ -13,8 +13,8 @@ import {
   world,
   type Body,
   type Node,
-  type Sensor,
 } from '../../helpers.js';
+import { watched } from './watched.js';
 
 async function falling(fields: Record<string, unknown> = {}) {
   const w = await world();
@@ -22,82 +22,6 @@ async function falling(fields: Record<string, unknown> = {}) {
   const ball = addBody(w, { position: [0, 1, 0], ...fields });
   return { w, floor, ball };
 }
-
-// ---- sensors -------------------------------------------------------------------------------------------------------
-
-async function watched(count: number) {
-  const w = await world();
-  const slab = w.add('CollidableShape', { shape: [box(60, 1, 60)] });
-  const shapes = Array.from({ length: count }, () => w.add('CollidableShape', { shape: [box(1)] }));
-  addBody(w, { fixed: true, position: [0, -0.5, 0], geometry: [slab] });
-  const stones = shapes.map((shape, i) =>
-    addBody(w, { position: [2 * i, 0.5, 0], geometry: [shape] }),
-  );
-  const collection = w.add('CollisionCollection', { collidables: [slab, ...shapes] });
-  const sensor = w.add('CollisionSensor', { collider: collection }) as Sensor;
-  return { w, slab, shapes, stones, collection, sensor };
-}
-
-fact('thousands of steps of contacts leave nothing behind', async () => {
-  const { w, sensor, stones } = await watched(10);
-  let most = 0;
-  sensor.on('contacts', (contacts) => {
-    most = Math.max(most, (contacts as unknown[]).length);
-    w.settings.event('set_contacts', contacts);
-  });
-  w.advance(1);
-  const probe = w.add('CollidableShape');
-  w.step();
-  const before = { nodes: [...w.nodes].length, heap: w.stats.heapBytes, made: w.stats.created };
-  w.step(3000);
-  assert.equal(most, 40);
-  assert.deepEqual(
-    { nodes: [...w.nodes].length, heap: w.stats.heapBytes, made: w.stats.created },
-    before,
-  );
-  assert.equal(w.add('CollidableShape').id, probe.id + 1);
-  stones.forEach((stone, i) => close(position(stone), [2 * i, 0.5, 0], 2e-3, 'm'));
-});
-
-fact(
-  'a pair counts only if both members are in the collection, and disabled it sends nothing',
-  async () => {
-    const { w, shapes, collection, sensor } = await watched(2);
-    const sent: string[] = [];
-    for (const name of ['isActive', 'intersections', 'contacts'])
-      sensor.on(name, (value) => sent.push(`${name} ${String(value && (value as []).length)}`));
-    w.step();
-    assert.equal((sensor.get('intersections') as unknown[]).length, 3);
-    collection.set('collidables', shapes);
-    w.step();
-    assert.deepEqual(sent.slice(-3), ['intersections 0', 'contacts 0', 'isActive false']);
-    collection.set('collidables', '*');
-    w.step();
-    const before = sent.length;
-    sensor.set('enabled', false);
-    w.step(3);
-    assert.equal(sent.length, before);
-    assert.equal(sensor.get('isActive'), false);
-  },
-);
-
-fact('in a compound body it is the part that touches', async () => {
-  const w = await world();
-  const slab = w.add('CollidableShape', { shape: [box(60, 1, 60)] });
-  const [low, high] = [0, 1].map(() => w.add('CollidableShape', { shape: [box(1)] }));
-  const at = (y: number, collidable: unknown) => ({
-    type: 'CollidableOffset',
-    translation: [0, y, 0],
-    collidable,
-  });
-  addBody(w, { fixed: true, position: [0, -0.5, 0], geometry: [slab] });
-  addBody(w, { position: [0, 0.5, 0], geometry: [at(0, low), at(1, high)] });
-  const collection = w.add('CollisionCollection', { collidables: '*' });
-  const sensor = w.add('CollisionSensor', { collider: collection });
-  w.advance(0.5);
-  const touching = sensor.get('intersections') as Node[];
-  assert.deepEqual([touching.includes(low!), touching.includes(high!)], [true, false]);
-});
 
 fact('in a compound body each part has the friction of its own collection', async () => {
   const w = await world();
@@ -119,8 +43,6 @@ fact('in a compound body each part has the friction of its own collection', asyn
   const a = (0.4 * 9.8 * 0.5) / (1 + 0.4 * (0.5 / 6));
   close(velocity(sledge)[0], 2 - 0.5 * a, 0.05, 'm/s');
 });
-
-// ---- set_contacts --------------------------------------------------------------------------------------------------
 
 fact(
   'with a collider a list changes parameters, and neither drops contacts nor adds any',
@@ -268,8 +190,6 @@ fact('what a hit passed on is written into no point that Bullet has taken back',
   assert.equal(w.bullet.manifoldCount, 0);
   assert.deepEqual(read(), taken);
 });
-
-// ---- several worlds --------------------------------------------------------------------------------------------------
 
 fact('worlds with different parameters step in turn, each by its own', async () => {
   const all = await Promise.all(

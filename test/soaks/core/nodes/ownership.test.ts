@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import type { World } from '../../../../physics-core/index.js';
 import { addBody, addFloor, addJoint, box, fact, sphere, world } from '../../../core/helpers.js';
-import { leavesNoTrace } from '../no-trace.js';
+import { leavesNoTrace } from '../../../core/no-trace.js';
 
 /** A compound body on a joint, stepped, and taken away in either order. */
 function cycle(w: World, anchor: ReturnType<typeof addBody>, i: number): void {

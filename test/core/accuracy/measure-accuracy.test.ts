@@ -1,6 +1,5 @@
 import assert from 'node:assert/strict';
-import type { LevelMeasurement, LevelName, World } from '../../../../physics-core/index.js';
-import { workPerMoment } from '../../../../physics-core/accuracy/work.js';
+import type { LevelMeasurement, LevelName, World } from '../../../physics-core/index.js';
 import {
   above,
   addBody,
@@ -15,14 +14,11 @@ import {
   sphere,
   world,
   type Body,
-} from '../../../core/helpers.js';
+} from '../helpers.js';
+import { busy } from './scenes.js';
 
 const by = (rows: LevelMeasurement[], level: LevelName): LevelMeasurement =>
   rows.find((row) => row.level === level)!;
-
-/** Poses and velocities of all bodies, to the last bit. */
-const bits = (w: World): string =>
-  JSON.stringify([...w.bodies].map((body) => [body.pose(), [...w.bodies.velocityOf(body)]]));
 
 /** A ball on a hinge, let go level. */
 async function pendulum(fields: Record<string, unknown> = {}): Promise<World> {
@@ -32,28 +28,6 @@ async function pendulum(fields: Record<string, unknown> = {}): Promise<World> {
   w.advance(0.3);
   return w;
 }
-
-/** Boxes and balls that fall onto a floor and a jointed pair, and are listened to. */
-async function busy(): Promise<World> {
-  const w = await world({ rest: 'auto' });
-  addFloor(w);
-  w.add('CollisionCollection', {
-    collidables: '*',
-    appliedParameters: ['BOUNCE'],
-    bounce: 0.4,
-  });
-  for (let i = 0; i < 12; i++)
-    addBody(w, {
-      position: [0.3 * (i % 3), 1 + i, 0.2 * (i % 2)],
-      geometry: [i % 2 ? sphere(0.4) : box(0.7)],
-    }).on('collisionstart', () => {});
-  const last = addBody(w, { position: [4, 2, 0] });
-  addJoint(w, 'BallJoint', { body1: last, anchorPoint: [3, 2, 0] });
-  w.advance(1);
-  return w;
-}
-
-// ---- errors ----------------------------------------------------------------------------------------------------------
 
 fact('errors of a pendulum fall with the square of the step, as the method promises', async () => {
   const w = await pendulum();
@@ -134,8 +108,6 @@ fact(
   },
 );
 
-// ---- chaos -----------------------------------------------------------------------------------------------------------
-
 fact('a scene whose roundings grow is called chaotic, and errors end at its horizon', async () => {
   const w = await world();
   addFloor(w);
@@ -162,43 +134,6 @@ fact('a single ball that bounces is not chaotic, however badly a level bounces i
   w.add('CollisionCollection', { collidables: '*', appliedParameters: ['BOUNCE'], bounce: 0.8 });
   addBody(w, { position: [0, 3, 0] });
   for (const { chaotic } of await w.measureAccuracy({ seconds: 1.5 })) assert.equal(chaotic, false);
-});
-
-// ---- the running world -----------------------------------------------------------------------------------------------
-
-fact(
-  'the running world notices nothing: bits, counts, problems and events are as without',
-  async () => {
-    const run = async (measured: boolean) => {
-      const w = await busy();
-      const events: string[] = [];
-      for (const name of ['accuracy', 'problem', 'restore', 'reset', 'lag'])
-        w.on(name, () => events.push(name));
-      for (const body of w.bodies)
-        for (const name of ['sleep', 'wake', 'collisionstart', 'collisionend'])
-          body.on(name, () => events.push(`${name} ${body.id}`));
-      const before = { bits: bits(w), stats: w.stats, time: w.time, accuracy: w.accuracy };
-      if (measured) await w.measureAccuracy({ seconds: 0.2 });
-      const after = { bits: bits(w), stats: w.stats, time: w.time, accuracy: w.accuracy };
-      assert.deepEqual(after, before);
-      w.advance(1.5);
-      return { bits: bits(w), events, problems: w.problems.length, stats: w.stats };
-    };
-    assert.deepEqual(await run(true), await run(false));
-  },
-);
-
-fact('it may go on running, and be taken down, while it is measured', async () => {
-  const [w, alone] = [await busy(), await busy()];
-  const measuring = w.measureAccuracy({ seconds: 0.2 });
-  for (const each of [w, alone]) each.advance(0.5);
-  assert.equal(bits(w), bits(alone));
-  const rows = await measuring;
-  assert.deepEqual(
-    rows.map(({ error }) => error),
-    (await (await busy()).measureAccuracy({ seconds: 0.2 })).map(({ error }) => error),
-    'from the state it had when it was asked',
-  );
 });
 
 fact('what is listened to switches the same effects on where it is measured', async () => {
@@ -236,20 +171,6 @@ fact('what acts from outside is named', async () => {
   assert.equal(row!.leftOut[1]!.element, body);
   assert.equal(row!.inWorker, false);
 });
-
-fact('work is the mean of what is usual, whatever else the machine does, by any clock', () => {
-  const steady = Array.from({ length: 100 }, (_, i) => 2 + (i % 2));
-  close(workPerMoment(steady), 2.5, 1e-9, 'ms');
-  const disturbed = steady.map((ms, i) => (i % 10 === 0 ? 80 : ms));
-  // Ten of the moments that take 2 ms count as the usual 3.
-  close(workPerMoment(disturbed), 2.6, 1e-9, 'ms');
-  // A clock that ticks once a millisecond shows 0.2 ms as 0 or 1.
-  const ticks = Array.from({ length: 100 }, (_, i) => (i % 5 === 0 ? 1 : 0));
-  close(workPerMoment(ticks), 0.2, 0.01, 'ms');
-  above(workPerMoment([0, 0, 0]), 0, 'ms');
-});
-
-// ---- how it is asked -------------------------------------------------------------------------------------------------
 
 fact('it tells how far it is, and stops when it is told to', async () => {
   const w = await pendulum();

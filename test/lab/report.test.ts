@@ -1,0 +1,37 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { pictureOf } from '../../lab/draw/report.js';
+import { readJoints } from '../../lab/joints/numbers.js';
+import { withErrors } from '../../lab/joints/text.js';
+import { readReport, withCases } from '../../lab/run/report.js';
+import type { Results, Row } from '../../lab/run/row.js';
+
+test('a case measured anew takes its place in the report, with its own machine and date', () => {
+  const of = (id: string, hash: string) => ({ case: id, hash }) as Row;
+  const ours = (hash: string) => ['bounce-1', 'cradle'].map((id) => of(id, hash));
+  const before: Results = {
+    runs: [{ machine: 'a', date: '1', cases: ['bounce-1', 'cradle'] }],
+    rows: ours('old'),
+    notOffered: [{ case: 'bounce-1', engine: 'jolt', reason: 'old' }],
+  };
+  const fresh: Results = {
+    runs: [{ machine: 'b', date: '2', cases: ['bounce-1'] }],
+    rows: [of('bounce-1', 'new')],
+    notOffered: [],
+  };
+  assert.deepEqual(withCases(before, fresh), {
+    runs: [{ machine: 'a', date: '1', cases: ['cradle'] }, ...fresh.runs],
+    rows: [of('bounce-1', 'new'), of('cradle', 'old')],
+    notOffered: [],
+  });
+});
+
+test("the README's picture is drawn from the numbers", () => {
+  assert.equal(readFileSync('docs/pictures/accuracy.svg', 'utf8'), pictureOf(readReport()));
+});
+
+test('the errors in docs/joints.md are those of the numbers', () => {
+  const text = readFileSync('docs/joints.md', 'utf8');
+  assert.equal(withErrors(text, readJoints()), text);
+});
