@@ -1,12 +1,10 @@
 import { expect } from 'chai';
 import type { World } from '../../physics-core/index.js';
 import { worldOf } from '../../elements/index.js';
-import { place, until } from './scene.js';
+import { place, until, position } from './scene.js';
 
 // Machines as authors of X3D build them, in files of their own: joints, motors, sensors, and ROUTEs to what is drawn.
 
-const position = (world: World, name: string): number[] =>
-  world.node(name)!.get('position') as number[];
 const spin = (world: World, name: string): number[] =>
   world.node(name)!.get('angularVelocity') as number[];
 

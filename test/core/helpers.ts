@@ -34,6 +34,9 @@ export async function world(fields: CreateOptions = {}): Promise<World> {
   return made;
 }
 
+/** Fields of a world in which nothing falls. */
+export const WEIGHTLESS = { gravity: [0, 0, 0] };
+
 /** For worlds made in another way: their problems count too. */
 export function watch(made: World): World {
   const came: Watch['came'] = [...made.problems];
@@ -46,6 +49,13 @@ export function watch(made: World): World {
 export function claim(made: World, ...codes: string[]): void {
   for (const code of codes) open.get(made)!.claimed.add(code);
 }
+
+/** Of the problems that a world has told of. */
+export const codes = (of: World): string[] => of.problems.map(({ code }) => code);
+
+/** What was told under a code. */
+export const told = (of: World, code: string): string[] =>
+  of.problems.filter((problem) => problem.code === code).map(({ message }) => message);
 
 /** Ends every open world; with `judge`, throws where problems and claims differ. */
 export function closeWorlds(judge = true): void {

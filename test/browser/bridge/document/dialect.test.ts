@@ -1,10 +1,7 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
-import { drawn, drawnAt, nextFrame, place, show } from '../../scene.js';
+import { drawn, drawnAt, nextFrame, place, show, codes } from '../../scene.js';
 import { worldOf } from '../../../../elements/index.js';
-
-const codes = (world: { problems: { code: string }[] }): string[] =>
-  world.problems.map(({ code }) => code);
 
 function expectNear(actual: number[], expected: number[], tolerance: number): void {
   for (const [i, value] of expected.entries()) expect(actual[i]).to.be.closeTo(value, tolerance);

@@ -2,10 +2,7 @@ import { expect } from 'chai';
 import { worldOf } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
-import { drawn, drawnAt, place, show } from '../../scene.js';
-
-const position = (world: { node(name: string): unknown }, name: string): number[] =>
-  (world.node(name) as { get(field: string): number[] }).get('position');
+import { drawn, drawnAt, place, show, position } from '../../scene.js';
 
 const ball = (at: string): string => `
   <x3d-rigid-body id="ball" position="${at}">

@@ -1,30 +1,8 @@
 import { expect } from 'chai';
 import { worldOf } from '../../../../elements/index.js';
 import { bothSpellings } from '../../forms.js';
-import { nextFrame, place, show, until, wait } from '../../scene.js';
-
-type PageWorld = NonNullable<ReturnType<typeof worldOf>>;
-
-const append = (x3d: Element, markup: string): Element => {
-  const scene = x3d.querySelector('scene')!;
-  scene.insertAdjacentHTML('beforeend', markup);
-  return scene.lastElementChild!;
-};
-
-const ball = (attributes = ''): string =>
-  `<x3d-rigid-body ${attributes}><x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape></x3d-rigid-body>`;
-
-const collection = (attributes = '', inner = ball()): string =>
-  `<x3d-rigid-body-collection ${attributes}>${inner}</x3d-rigid-body-collection>`;
-
-/** How its promise settles, as far as it has. */
-async function outcome(world: PageWorld): Promise<unknown> {
-  const late = wait(500).then(() => 'neither');
-  return Promise.race([world.ready, late]).then(
-    (value) => (value === world ? 'ready' : value),
-    (reason: { code: string }) => reason.code,
-  );
-}
+import { nextFrame, show, until, wait } from '../../scene.js';
+import { type PageWorld, append, ball, collection, outcome } from './collections.js';
 
 describe('a world', () => {
   for (const attributes of ['', 'shared-world="w"'])
@@ -194,113 +172,5 @@ describe('a world', () => {
     expect([world.started, world.stats.bodies]).to.eql([true, 1]);
     own.remove();
     await until(() => !world.started);
-  });
-});
-
-describe('ready', () => {
-  it('rejects with a problem where the <x3d> goes before the start', async () => {
-    for (const markup of [ball('id="b"'), collection('id="b"')]) {
-      const x3d = place(markup);
-      const world = worldOf(x3d.querySelector('#b'))!;
-      x3d.remove();
-      expect(await outcome(world)).to.equal('world-ended');
-      const problem = await world.ready.catch((reason: unknown) => reason);
-      expect(problem).to.deep.include({ severity: 'info', element: x3d });
-    }
-  });
-
-  it('rejects with a problem where the collection goes before the start, and not where it stays', async () => {
-    const x3d = place(collection('id="goes"') + collection('id="stays"'));
-    const [goes, stays] = ['#goes', '#stays'].map((id) => worldOf(x3d.querySelector(id))!);
-    x3d.querySelector('#goes')!.remove();
-    expect(await outcome(goes!)).to.equal('world-ended');
-    expect(await outcome(stays!)).to.equal('ready');
-  });
-});
-
-describe('a CollisionCollection outside any collection', () => {
-  const bouncing = `<x3d-collision-collection id="k" collidables="*" bounce="1" appliedparameters="BOUNCE"></x3d-collision-collection>`;
-  const drop = collection(
-    '',
-    `<x3d-rigid-body fixed="true" position="0 -0.5 0"><x3d-collidable-shape><shape><box size="9 1 9"></box></shape></x3d-collidable-shape></x3d-rigid-body>` +
-      ball('class="ball" position="0 3 0"'),
-  );
-
-  /** How high the ball stands a second and a half after it was let go: 3 m up it has bounced once. */
-  async function height(x3d: Element): Promise<number> {
-    const body = x3d.querySelector('.ball')! as unknown as Element & { position: number[] };
-    const world = worldOf(body)!;
-    await world.ready;
-    world.paused = true;
-    world.reset();
-    world.advance(1.27);
-    return body.position[1]!;
-  }
-
-  for (const where of ['before', 'after'])
-    it(`${where} the collection, speaks for the collection that comes in the place of another`, async () => {
-      const { x3d } = await show(where === 'before' ? bouncing + drop : drop + bouncing);
-      expect(await height(x3d)).to.be.greaterThan(2.5);
-      for (let i = 0; i < 2; i++) {
-        x3d.querySelector('x3d-rigid-body-collection')!.remove();
-        if (i) await wait(0);
-        append(x3d, drop);
-        expect(await height(x3d), `replaced ${i}`).to.be.greaterThan(2.5);
-      }
-      x3d.querySelector('#k')!.remove();
-      expect(await height(x3d)).to.be.below(1.2);
-    });
-
-  it('takes the obstacles that it lists, and a sensor of them, along to the next collection', async () => {
-    const falls = collection('', ball('class="ball" position="0 3 0"'));
-    const { x3d } = await show(`${falls}
-      <x3d-collision-collection def="K"><x3d-collidable-shape translation="0 -0.5 0"><shape><box size="9 1 9"></box></shape></x3d-collidable-shape></x3d-collision-collection>
-      <x3d-collision-sensor id="sensor"><x3d-collision-collection use="K"></x3d-collision-collection></x3d-collision-sensor>`);
-    const worlds = [];
-    for (let i = 0; i < 3; i++) {
-      const world = worldOf(x3d.querySelector('.ball'))!;
-      await world.ready;
-      worlds.push(world);
-      expect(worldOf(x3d.querySelector('#sensor'))).to.equal(world);
-      world.paused = true;
-      world.reset();
-      world.advance(3);
-      const [, y] = world.node(x3d.querySelector('.ball'))!.get('position') as number[];
-      expect(y, `round ${i}`).to.be.closeTo(1, 0.02);
-      x3d.querySelector('x3d-rigid-body-collection')!.remove();
-      await wait(0);
-      append(x3d, falls);
-    }
-    expect(worlds.map(({ started }) => started)).to.eql([false, false, false]);
-  });
-
-  it('speaks for whatever collection is the only one, whichever came first', async () => {
-    const { x3d } = await show(bouncing, '#k');
-    append(x3d, drop);
-    expect(await height(x3d)).to.be.greaterThan(2.5);
-    const other = append(x3d, collection());
-    expect(await height(x3d)).to.be.below(1.2);
-    other.remove();
-    expect(await height(x3d)).to.be.greaterThan(2.5);
-  });
-});
-
-describe('a page without physics', () => {
-  it('makes no world where its start took too long', async () => {
-    const requests = (globalThis as unknown as { x3dom: { RequestManager: object } }).x3dom
-      .RequestManager as { addRequest(request: unknown): void };
-    const { addRequest } = requests;
-    requests.addRequest = () => {};
-    const now = performance.now.bind(performance);
-    try {
-      const x3d = place('<inline url="/never.x3d"></inline>');
-      await wait(200);
-      performance.now = () => now() + 10_000;
-      await wait(200);
-      expect(worldOf(x3d)).to.equal(undefined);
-    } finally {
-      delete (performance as { now?: unknown }).now;
-      requests.addRequest = addRequest;
-    }
   });
 });

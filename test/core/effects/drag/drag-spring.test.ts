@@ -1,5 +1,5 @@
 import { levels } from '../../../../physics-core/index.js';
-import { chain, WEIGHTLESS } from './scenes.js';
+import { chain } from './scenes.js';
 import {
   above,
   addBody,
@@ -12,6 +12,7 @@ import {
   spin,
   velocity,
   world,
+  WEIGHTLESS,
 } from '../../helpers.js';
 
 /** rad/s of the spring, m/s of the hand, m/s² that it gives a body on its own. */

@@ -1,6 +1,6 @@
 import type { World } from '../../../../physics-core/index.js';
 import assert from 'node:assert/strict';
-import { chain, WEIGHTLESS } from './scenes.js';
+import { chain } from './scenes.js';
 import {
   above,
   addBody,
@@ -16,6 +16,7 @@ import {
   world,
   type Body,
   type Vec3,
+  WEIGHTLESS,
 } from '../../helpers.js';
 
 // ---- the other modes ---------------------------------------------------------------------------------------------------

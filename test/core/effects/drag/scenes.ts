@@ -1,8 +1,6 @@
 import type { LevelName } from '../../../../physics-core/index.js';
 import { addBody, addJoint, sphere, world, type Body, type Hinge } from '../../helpers.js';
 
-export const WEIGHTLESS = { gravity: [0, 0, 0] };
-
 /** Eight spheres on ball joints, hanging 1 m apart from the world, the last one heavy. */
 export async function chain(last: number, accuracy: LevelName = 'standard') {
   const w = await world({ accuracy });

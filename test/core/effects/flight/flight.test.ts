@@ -15,11 +15,10 @@ import {
   world,
   type Body,
   type Vec3,
+  WEIGHTLESS,
 } from '../../helpers.js';
 
 // What nothing touches goes where gravity, its author's forces and damping take it: at every level, to rounding.
-
-const WEIGHTLESS = { gravity: [0, 0, 0] };
 
 /** Metres: 12 m in single precision, rounded 2000 times. */
 const ROUNDING = 4e-4;

@@ -25,9 +25,9 @@ import {
   type Body,
   type Node,
   type Vec3,
+  WEIGHTLESS,
 } from '../../helpers.js';
 
-const WEIGHTLESS = { gravity: [0, 0, 0] };
 const output = (joint: Node, name: string): number => joint.get(name) as number;
 const gapOf = (joint: Node): number => (joint as JointNode).gap;
 

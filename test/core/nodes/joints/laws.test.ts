@@ -14,9 +14,9 @@ import {
   world,
   type Node,
   type Vec3,
+  WEIGHTLESS,
 } from '../../helpers.js';
 
-const WEIGHTLESS = { gravity: [0, 0, 0] };
 const output = (joint: Node, name: string): number => joint.get(name) as number;
 const gapOf = (joint: Node): number => (joint as JointNode).gap;
 /** An inertia alike about all axes, so that Bullet's missing gyroscopic torque is none. */

@@ -13,10 +13,9 @@ import {
   way,
   world,
   type Body,
+  WEIGHTLESS,
 } from '../../helpers.js';
 import type { Row } from './row.js';
-
-const WEIGHTLESS = { gravity: [0, 0, 0] };
 
 /** What keeps bad numbers away from Bullet. */
 export const guardRows: Row[] = [

@@ -15,10 +15,9 @@ import {
   way,
   world,
   type Vec3,
+  WEIGHTLESS,
 } from '../../../helpers.js';
 import type { Row } from '../row.js';
-
-const WEIGHTLESS = { gravity: [0, 0, 0] };
 
 /** Solid sphere of 1 kg and 0.5 m: 2/5 m r². */
 const MOMENT = 0.1;

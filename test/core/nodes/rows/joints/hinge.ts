@@ -1,7 +1,16 @@
 import assert from 'node:assert/strict';
 import type { World } from '../../../../../physics-core/index.js';
-import { addBody, addJoint, close, spin, world, type Body, type Hinge } from '../../../helpers.js';
-import { anchorPoint, bodies, forceOutput, outputAnchors, WEIGHTLESS } from './shared.js';
+import {
+  addBody,
+  addJoint,
+  close,
+  spin,
+  world,
+  type Body,
+  type Hinge,
+  WEIGHTLESS,
+} from '../../../helpers.js';
+import { anchorPoint, bodies, forceOutput, outputAnchors } from './shared.js';
 import type { Row } from '../row.js';
 
 export const ballRows: Row[] = [

@@ -8,10 +8,9 @@ import {
   spin,
   velocity,
   world,
+  WEIGHTLESS,
 } from '../../../helpers.js';
 import type { Row } from '../row.js';
-
-const WEIGHTLESS = { gravity: [0, 0, 0] };
 
 /** What the direct solution of joints does, beyond what each field of a joint says. */
 export const jointSolveRows: Row[] = [

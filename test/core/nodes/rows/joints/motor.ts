@@ -1,6 +1,16 @@
 import { quaternionOf, rotate } from '../../../../../physics-core/base/math.js';
-import { above, addBody, addJoint, below, close, position, spin, world } from '../../../helpers.js';
-import { forceOutput, WEIGHTLESS } from './shared.js';
+import {
+  above,
+  addBody,
+  addJoint,
+  below,
+  close,
+  position,
+  spin,
+  world,
+  WEIGHTLESS,
+} from '../../../helpers.js';
+import { forceOutput } from './shared.js';
 import type { Row } from '../row.js';
 
 /** Solid sphere of 1 kg and 0.5 m. */

@@ -13,10 +13,9 @@ import {
   way,
   world,
   type Node,
+  WEIGHTLESS,
 } from '../../../helpers.js';
 import type { Row } from '../row.js';
-
-export const WEIGHTLESS = { gravity: [0, 0, 0] };
 
 const axisOf = (type: string, axis: number[]) => (type === 'SingleAxisHingeJoint' ? { axis } : {});
 

@@ -1,8 +1,17 @@
 import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../../../physics-core/index.js';
 import type { SliderJointNode } from '../../../../../physics-core/nodes/joints/slider-joint.js';
-import { addBody, claim, close, position, velocity, world, type Body } from '../../../helpers.js';
-import { heard, WEIGHTLESS } from './shared.js';
+import {
+  addBody,
+  claim,
+  close,
+  position,
+  velocity,
+  world,
+  type Body,
+  WEIGHTLESS,
+} from '../../../helpers.js';
+import { heard } from './shared.js';
 import type { Row } from '../row.js';
 
 /** A ball of 1 kg on an upright rail; Y up is positive. */

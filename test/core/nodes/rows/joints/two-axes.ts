@@ -1,8 +1,18 @@
 import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../../../physics-core/index.js';
 import type { DoubleAxisHingeJointNode } from '../../../../../physics-core/nodes/joints/double-axis-hinge-joint.js';
-import { addBody, below, claim, close, height, position, spin, world } from '../../../helpers.js';
-import { bodies, heard, WEIGHTLESS } from './shared.js';
+import {
+  addBody,
+  below,
+  claim,
+  close,
+  height,
+  position,
+  spin,
+  world,
+  WEIGHTLESS,
+} from '../../../helpers.js';
+import { bodies, heard } from './shared.js';
 import type { Row } from '../row.js';
 
 const parallel = (type: string): Row => ({

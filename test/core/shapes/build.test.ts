@@ -9,51 +9,14 @@ import {
   height,
   position,
   sphere,
-  spin,
   world,
-  type Vec3,
 } from '../helpers.js';
-
-/** Corners and outward faces of a box, as an IndexedFaceSet. */
-const faces = (x: number, y: number, z: number) => ({
-  type: 'IndexedFaceSet',
-  coord: [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [
-    (i & 1 ? x : -x) / 2,
-    (i & 2 ? y : -y) / 2,
-    (i & 4 ? z : -z) / 2,
-  ]),
-  coordIndex: [
-    0, 2, 3, 1, -1, 4, 5, 7, 6, -1, 0, 1, 5, 4, -1, 2, 6, 7, 3, -1, 0, 4, 6, 2, -1, 1, 3, 7, 5, -1,
-  ],
-});
-
-const triangulated = (x: number, y: number, z: number): number[] => {
-  const { coordIndex } = faces(x, y, z);
-  const index: number[] = [];
-  for (let i = 0; i < coordIndex.length; i += 5) {
-    const [a, b, c, d] = coordIndex.slice(i, i + 4) as [number, number, number, number];
-    index.push(a, b, c, a, c, d);
-  }
-  return index;
-};
+import { faces, indexedTriangles, triangles } from './meshes.js';
 
 const quads = (x: number, y: number, z: number): number[] => {
   const { coord, coordIndex } = faces(x, y, z);
   return coordIndex.flatMap((i) => (i < 0 ? [] : coord.slice(i * 3, i * 3 + 3)));
 };
-
-const indexedTriangles = (x: number, y: number, z: number) => ({
-  type: 'IndexedTriangleSet',
-  coord: faces(x, y, z).coord,
-  index: triangulated(x, y, z),
-});
-
-const triangles = (x: number, y: number, z: number) => ({
-  type: 'TriangleSet',
-  coord: {
-    point: triangulated(x, y, z).flatMap((i) => faces(x, y, z).coord.slice(i * 3, i * 3 + 3)),
-  },
-});
 
 /** Height at which a body of this geometry rests on the floor. */
 async function restHeight(geometry: object | object[], fields: object = {}): Promise<number> {
@@ -68,22 +31,7 @@ async function restHeight(geometry: object | object[], fields: object = {}): Pro
   return height(body);
 }
 
-/** Moments of inertia, kg·m², seen in the spin that 1 N·m gives in one step. */
-async function moments(geometry: object | object[], fields: object = {}): Promise<Vec3> {
-  const w = await world({ gravity: [0, 0, 0] });
-  const body = addBody(w, { geometry: [geometry].flat(), ...fields });
-  return [0, 1, 2].map((axis) => {
-    body.event('angularVelocity', [0, 0, 0]);
-    body.event('orientation', [0, 0, 1, 0]);
-    body.applyTorque([0, 1, 2].map((i) => (i === axis ? 1 : 0)) as Vec3);
-    w.step();
-    return w.timeStep / spin(body)[axis]!;
-  }) as Vec3;
-}
-
 const shear = [1, 0.5, 0, 0, 1, 0, 0, 0, 1];
-
-// ---- rest heights, metres ----------------------------------------------------------------------------------------------
 
 const HEIGHTS: [what: string, geometry: object, height: number, tolerance: number][] = [
   ['a box at half its size', box(1, 2, 3), 1, 1e-3],
@@ -274,74 +222,6 @@ fact('an ElevationGrid carries bodies at its heights, between its points too', a
     close(height(stone), 0.25 * position(stone)[0] + 0.2 * Math.hypot(1, 0.25), 5e-3, 'm');
     stone.remove();
   }
-});
-
-// ---- inertia, kg·m² ------------------------------------------------------------------------------------------------------
-
-const cuboid = (m: number, x: number, y: number, z: number): Vec3 => [
-  (m * (y * y + z * z)) / 12,
-  (m * (x * x + z * z)) / 12,
-  (m * (x * x + y * y)) / 12,
-];
-
-const MOMENTS: [what: string, geometry: object, moments: Vec3, tolerance: number][] = [
-  ['box: m (a² + b²) / 12', box(1, 2, 3), cuboid(2, 1, 2, 3), 1e-3],
-  ['sphere: 2/5 m r²', sphere(1.5), [1.8, 1.8, 1.8], 1e-3],
-  [
-    'cylinder: m r² / 2 and m (3 r² + h²) / 12',
-    { type: 'Cylinder', radius: 1, height: 3 },
-    [2, 1, 2],
-    1e-3,
-  ],
-  [
-    // About its origin at half height: 3/80 m (4 r² + h²) and m (h / 4)² more.
-    'cone about its origin',
-    { type: 'Cone', bottomRadius: 1, height: 2 },
-    [0.6 + 0.5, 0.6, 0.6 + 0.5],
-    1e-3,
-  ],
-  ['IndexedFaceSet by its volume', faces(1, 2, 3), cuboid(2, 1, 2, 3), 1e-3],
-  ['IndexedTriangleSet by its volume', indexedTriangles(1, 2, 3), cuboid(2, 1, 2, 3), 1e-3],
-  ['TriangleSet by its volume', triangles(1, 2, 3), cuboid(2, 1, 2, 3), 1e-3],
-  ['scaled box', { ...box(1), linear: [1, 0, 0, 0, 2, 0, 0, 0, 3] }, cuboid(2, 1, 2, 3), 1e-3],
-  [
-    'ellipsoid: m (b² + c²) / 5, by its 32-sided hull',
-    { ...sphere(1), linear: [1, 0, 0, 0, 2, 0, 0, 0, 3] },
-    [(2 * 13) / 5, (2 * 10) / 5, (2 * 5) / 5],
-    0.15,
-  ],
-  ['turned box', { ...box(1, 2, 3), rotation: [0, 0, 1, Math.PI / 2] }, cuboid(2, 2, 1, 3), 1e-3],
-];
-
-for (const [what, geometry, expected, tolerance] of MOMENTS) {
-  fact(`inertia of a ${what}`, async () => {
-    close(await moments(geometry, { mass: 2 }), expected, tolerance, 'kg·m²');
-  });
-}
-
-fact('inertia of a compound: each part by its share of the volume and its distance', async () => {
-  const ball = (x: number) => ({
-    type: 'CollidableOffset',
-    translation: [x, 0, 0],
-    collidable: sphere(0.5),
-  });
-  // Two balls of 1 kg two metres apart: 2/5 r² + d² each.
-  close(await moments([ball(-1), ball(1)], { mass: 2 }), [0.2, 2.2, 2.2], 1e-3, 'kg·m²');
-});
-
-fact('inertia about the centre of mass that is authored', async () => {
-  const w = await world({ gravity: [0, 0, 0] });
-  const body = addBody(w, { geometry: [box(1)], centerOfMass: [0, 0, 2], torques: [[0, 1, 0]] });
-  w.advance(0.1);
-  close(spin(body)[1], 0.1 / (1 / 6 + 4), 1e-4, 'rad/s');
-});
-
-fact('a needle keeps its moments within a ratio of ten thousand (S15)', async () => {
-  const w = await world({ gravity: [0, 0, 0] });
-  const needle = addBody(w, { geometry: [box(10, 0.001, 0.001)], torques: [[1e-4, 0, 0]] });
-  w.advance(1);
-  // 100/12 kg·m² across, so 1/1200 along.
-  close(spin(needle)[0], 0.12, 2e-3, 'rad/s');
 });
 
 fact('malformed meshes are cleaned: indices without points are left out', async () => {
