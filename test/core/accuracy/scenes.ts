@@ -20,3 +20,12 @@ export async function busy(): Promise<World> {
   w.advance(1);
   return w;
 }
+
+/** A ball on a hinge, let go level. */
+export async function pendulum(fields: Record<string, unknown> = {}): Promise<World> {
+  const w = await world(fields);
+  const ball = addBody(w, { position: [1, 0, 0], geometry: [sphere(0.1)] });
+  addJoint(w, 'SingleAxisHingeJoint', { body1: ball, axis: [0, 0, 1] });
+  w.advance(0.3);
+  return w;
+}
