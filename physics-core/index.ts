@@ -15,7 +15,8 @@ export type { RayHit } from './world/raycast.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { AddOptions, Stats, WorldOptions } from './world/types.js';
 export { PhysicsNode } from './nodes/node/node.js';
-export { nodeTypes, type AnyNodeType as NodeType } from './nodes/index.js';
+export { nodeTypes } from './nodes/index.js';
+export type { NodeDefinition as NodeType } from './nodes/node/define.js';
 export { defaultOf, type Field } from './nodes/node/table.js';
 export { nearest } from './base/nearest.js';
 export { show } from './base/show.js';
@@ -44,7 +45,7 @@ export async function debugLines(world: World): Promise<DebugLines> {
   });
 }
 
-measureWith<World>(async () => (await import('./accuracy/measure.js')).measureAccuracy);
+measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);
 
 export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
   [field: string]: unknown;
