@@ -5,7 +5,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Collider, Pairs } from '../../dynamics/pairs.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import type { Effects } from '../../effects/effects.js';
+import type { Effects } from '../../effects/effect/effects.js';
 import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { NodeData } from './node-data.js';
 import type { PhysicsNode } from './node.js';
