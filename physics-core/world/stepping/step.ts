@@ -87,7 +87,7 @@ export class Step {
   }
 
   #reportOverlaps(): void {
-    this.#world.moved();
+    this.#world.rays.moved();
     if (this.#first) reportOverlaps(this.#world);
     this.#first = false;
   }

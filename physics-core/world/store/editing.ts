@@ -48,7 +48,7 @@ export class Editing {
   }
 
   readonly #apply = (node: PhysicsNode): void =>
-    this.#world.attempt(node, () => {
+    this.#world.failures.attempt(node, () => {
       if (!node.built) this.#heapLimit.check();
       node.apply();
     });
