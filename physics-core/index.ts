@@ -11,7 +11,7 @@ export { configure, type EngineSource } from './engine/wasm.js';
 export type { Engine } from './engine/engine.js';
 export { bulletHas, touchedBy } from './world/bullet-has.js';
 export { World } from './world/world.js';
-export type { RayHit } from './world/raycast.js';
+export type { RayHit } from './world/rays/raycast.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { AddOptions, Stats, WorldOptions } from './world/store/types.js';
 export { PhysicsNode } from './nodes/node/node.js';

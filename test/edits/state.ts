@@ -117,7 +117,7 @@ function ofWorld(world: World): Record<string, unknown> {
   });
   return {
     solver: [world.bullet.settings, world.solver, world.timeStep],
-    enabled: world.enabled,
+    enabled: world.control.enabled,
     touching: touching.sort(),
     meeting: meetings(world),
     time: world.time,

@@ -126,7 +126,7 @@ export class SceneWorld extends World implements PageWorld {
 
   /** For good; what it holds of Bullet is given back. `gone`: what left the page. */
   end(gone: string): void {
-    if (!this.started) this.fail(this.#over(gone));
+    if (!this.started) this.lifecycle.ready.reject(this.#over(gone));
     this.destroy();
   }
 
