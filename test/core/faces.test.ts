@@ -2,7 +2,7 @@ import { cross, dot, length, subtract } from '../../physics-core/base/math.js';
 import type { Geometry } from '../../physics-core/shapes/geometry.js';
 import { tessellate } from '../../physics-core/shapes/tessellate.js';
 import assert from 'node:assert/strict';
-import { close, fact, type Vec3 } from './helpers.js';
+import { addBody, below, close, fact, height, sphere, world, type Vec3 } from './helpers.js';
 
 type Points = [number, number][];
 
@@ -160,3 +160,28 @@ fact(
     assert.ok(areasOf(beyond).flat().every(Number.isFinite));
   },
 );
+
+fact('a ball falls through the gap of a concave face, and rests on its arms', async () => {
+  const w = await world();
+  const U: Points = [
+    [0, 0],
+    [3, 0],
+    [3, 3],
+    [2, 3],
+    [2, 1],
+    [1, 1],
+    [1, 3],
+    [0, 3],
+  ];
+  // Lying, and facing up.
+  const coord = U.flatMap(([x, y]) => [x, 0, -y]);
+  const plate = { type: 'IndexedFaceSet', coord, coordIndex: [...U.keys(), -1] };
+  addBody(w, { fixed: true, geometry: [plate] });
+  const [through, left, right] = [1.5, 0.5, 2.5].map((x) =>
+    addBody(w, { position: [x, 0.5, -2.2], geometry: [sphere(0.3)] }),
+  );
+  w.advance(1);
+  below(height(through!), -3, 'm');
+  close(height(left!), 0.3, 0.01, 'm');
+  close(height(right!), 0.3, 0.01, 'm');
+});
