@@ -5,7 +5,7 @@
 import { writeFileSync } from 'node:fs';
 import { cpus, platform, release, totalmem } from 'node:os';
 import { parseArgs } from 'node:util';
-import { loadEngine, World } from '../physics-core/index.js';
+import { loadEngine, World } from '../physics-core/inside.js';
 import { scenes, type Scene } from './scenes.js';
 
 const { values: options } = parseArgs({

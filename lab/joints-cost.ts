@@ -1,5 +1,5 @@
-import { loadEngine, World, type LevelName } from '../physics-core/index.js';
-import type { PhysicsNode } from '../physics-core/index.js';
+import { loadEngine, World, type LevelName } from '../physics-core/inside.js';
+import type { PhysicsNode } from '../physics-core/inside.js';
 
 /** Steps that one world takes before the next has its turn, and turns of each. */
 const TURN = 20;

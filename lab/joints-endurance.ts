@@ -1,4 +1,4 @@
-import { loadEngine, World, type LevelName } from '../physics-core/index.js';
+import { loadEngine, World, type LevelName } from '../physics-core/inside.js';
 import { addBoxChain, boxChain, Snake } from '../test/core/joint-scenes.js';
 
 /** Gaps of long chains at their worst moment. */

@@ -1,4 +1,4 @@
-import { levels, loadEngine, World } from '../physics-core/index.js';
+import { levels, loadEngine, World } from '../physics-core/inside.js';
 import { chainEnd } from '../test/core/chain-reference.js';
 import { addBallChain, addBoxChain, ballChain, boxChain } from '../test/core/joint-scenes.js';
 import { rawChain, type Stepped } from './joints-raw.js';

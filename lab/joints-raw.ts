@@ -1,4 +1,4 @@
-import { loadEngine } from '../physics-core/index.js';
+import { loadEngine } from '../physics-core/inside.js';
 import { add, rotate } from '../physics-core/base/math.js';
 import type { Chain } from '../test/core/chain-reference.js';
 

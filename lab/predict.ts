@@ -3,7 +3,7 @@
 //   --rounds <n>   rounds of every scene (5)
 //   --scene <word> only those with it in their names
 import { parseArgs } from 'node:util';
-import { levels, loadEngine, World, type LevelName } from '../physics-core/index.js';
+import { levels, loadEngine, World, type LevelName } from '../physics-core/inside.js';
 import { median, workPerMoment } from '../physics-core/accuracy/work.js';
 import { paperScenes, type Scene } from './scenes.js';
 

@@ -1,4 +1,4 @@
-import type { PhysicsNode, World } from '../physics-core/index.js';
+import type { PhysicsNode, World } from '../physics-core/inside.js';
 
 /** A scene to measure. */
 export interface Scene {

@@ -1,4 +1,4 @@
-import { SI, type PhysicsNode } from '../../physics-core/index.js';
+import { SI, type PhysicsNode } from '../../physics-core/inside.js';
 import { isCustom } from './document/dom.js';
 import { COLLISIONS, nodeEvents, STEPS } from './event-types.js';
 import { listening } from './listening.js';

@@ -1,4 +1,4 @@
-import type { Units } from '../../physics-core/index.js';
+import type { Units } from '../../physics-core/inside.js';
 import { firstCopy, tellTwoCopies } from './copies.js';
 import { ownBinding, type Binding } from './nodes/binding.js';
 import { explanation, type Explanation } from './nodes/explain.js';

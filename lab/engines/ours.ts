@@ -1,4 +1,4 @@
-import { levels, loadEngine, World, type Level } from '../../physics-core/index.js';
+import { levels, loadEngine, World, type Level } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
 import { sweep, type Engine, type Running, type Setting } from './engine.js';

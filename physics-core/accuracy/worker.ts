@@ -1,5 +1,5 @@
 // Where measurements run so that the page's frames don't: the file accuracy-worker.js.
-import { loadEngine } from '../index.js';
+import { loadEngine } from '../inside.js';
 import { Measurement, type Job, type Measured } from './measurement.js';
 
 /** What the page sends. */

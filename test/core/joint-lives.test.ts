@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { addBallChain, ballChain } from './joint-scenes.js';
 import { add, cross, scale } from '../../physics-core/base/math.js';
-import type { World } from '../../physics-core/index.js';
+import type { World } from '../../physics-core/inside.js';
 import {
   above,
   addBody,

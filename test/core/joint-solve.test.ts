@@ -1,7 +1,7 @@
 import { chainEnd, type Chain } from './chain-reference.js';
 import { addBallChain, addBoxChain, ballChain, boxChain, type Jointed } from './joint-scenes.js';
 import { above, below, claim, distance, fact, velocity, world } from './helpers.js';
-import type { World } from '../../physics-core/index.js';
+import type { World } from '../../physics-core/inside.js';
 
 const EARTH = [0, -9.81, 0];
 

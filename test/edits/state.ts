@@ -1,4 +1,4 @@
-import type { Field, PhysicsNode, World } from '../../physics-core/index.js';
+import type { Field, PhysicsNode, World } from '../../physics-core/inside.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
 import type { JointConstraint } from '../../physics-core/engine/joint-constraint.js';
 import { BodyNode } from '../../physics-core/nodes/body.js';

@@ -1,4 +1,4 @@
-import { debugLines, type DebugLines } from '../../../physics-core/index.js';
+import { debugLines, type DebugLines } from '../../../physics-core/inside.js';
 import type { PageWorld } from '../nodes/worlds.js';
 import type { Scene } from '../scene.js';
 import type { X3DDocument } from '../x3dom/x3dom.js';

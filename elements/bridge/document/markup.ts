@@ -1,4 +1,4 @@
-import { nearest, show } from '../../../physics-core/index.js';
+import { nearest, show } from '../../../physics-core/inside.js';
 import { attribute, isHTML, isPhysics, lowerName, typeOf, type NodeType } from './dom.js';
 import { attributeOf, fieldsByAttribute } from '../nodes/fields.js';
 import type { Binding } from '../nodes/binding.js';

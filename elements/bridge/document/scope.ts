@@ -1,4 +1,4 @@
-import type { Units } from '../../../physics-core/index.js';
+import type { Units } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isCustom, isInline, lowerName } from './dom.js';
 import { Names } from './names.js';

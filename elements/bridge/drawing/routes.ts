@@ -1,4 +1,4 @@
-import { codecs, type PhysicsNode } from '../../../physics-core/index.js';
+import { codecs, type PhysicsNode } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { inPage } from '../nodes/in-page.js';
 import type { PageWorld } from '../nodes/worlds.js';

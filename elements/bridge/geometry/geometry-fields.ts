@@ -1,4 +1,4 @@
-import type { codecs } from '../../../physics-core/index.js';
+import type { codecs } from '../../../physics-core/inside.js';
 
 export interface GeometryField {
   type: keyof typeof codecs;

@@ -1,4 +1,4 @@
-import { codecs, defaultOf, SI, type PhysicsNode } from '../../../physics-core/index.js';
+import { codecs, defaultOf, SI, type PhysicsNode } from '../../../physics-core/inside.js';
 import { attribute, typeOf, type Field } from '../document/dom.js';
 import { Findings } from './findings.js';
 import { authoredText, fieldsByAttribute, holdsNodes, inFileUnits, inSI } from './fields.js';

@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { PhysicsNode } from '../../../physics-core/inside.js';
 import {
   axisAngleOf,
   decompose,

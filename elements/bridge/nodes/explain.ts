@@ -4,7 +4,7 @@ import {
   touchedBy,
   type PhysicsNode,
   type Problem,
-} from '../../../physics-core/index.js';
+} from '../../../physics-core/inside.js';
 import { selectorOf } from '../document/dom.js';
 import type { Binding } from './binding.js';
 import { holdsNodes } from './fields.js';

@@ -1,4 +1,4 @@
-import { show } from '../../../physics-core/index.js';
+import { show } from '../../../physics-core/inside.js';
 import { nameOf, type NodeType } from '../document/dom.js';
 import type { Scope } from '../document/scope.js';
 import { setState } from '../states.js';

@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { PhysicsNode } from '../../../physics-core/inside.js';
 import type { Binding } from './binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
 import { listsAll, membersOf, nodesOf } from '../document/structure.js';

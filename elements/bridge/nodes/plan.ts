@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { PhysicsNode } from '../../../physics-core/inside.js';
 import type { Binding, Place } from './binding.js';
 import type { GeometryData } from '../geometry/reader.js';
 import type { Pose } from '../geometry/matrix.js';

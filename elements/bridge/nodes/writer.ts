@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { PhysicsNode } from '../../../physics-core/inside.js';
 import type { Binding } from './binding.js';
 import { restoreState, stateOf } from './body-state.js';
 import type { Plan } from './plan.js';

@@ -1,4 +1,4 @@
-import { nodeTypes } from '../../../physics-core/index.js';
+import { nodeTypes } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { ownBinding } from '../nodes/binding.js';
 import { isTransform, tagOf, type NodeType } from '../document/dom.js';

@@ -1,7 +1,8 @@
 import { expect } from 'chai';
-import { explain, worldOf, X3DRigidBodyElement } from '../../../elements/index.js';
+import { explain, X3DRigidBodyElement } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { drawn, drawnAt, place, show, until, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 const both = (markup: string): string[] => [
   markup,

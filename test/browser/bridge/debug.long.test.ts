@@ -1,6 +1,7 @@
 import { expect } from 'chai';
-import { worldOf, type World } from '../../../elements/index.js';
+import { worldOf } from '../../../elements/index.js';
 import { drawn, place, show, until, wait } from './scene.js';
+import type { World } from '../inside.js';
 
 interface LineShape {
   _vf: { isPickable: boolean };

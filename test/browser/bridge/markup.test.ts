@@ -1,8 +1,9 @@
 import { expect } from 'chai';
-import { explain, worldOf, type World } from '../../../elements/index.js';
+import { explain } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { bothSpellings } from './forms.js';
 import { drawn, drawnAt, place, show, until, wait } from './scene.js';
+import { worldOf, type World } from '../inside.js';
 
 type Runtime = { createX3DFromString(text: string): Element };
 

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { place, show, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 const inWorld = (content: string): string =>
   `<x3d-rigid-body-collection id="c">${content}</x3d-rigid-body-collection>`;

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
 import { bothSpellings } from './forms.js';
 import { nextFrame, place, show, until, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 type PageWorld = NonNullable<ReturnType<typeof worldOf>>;
 

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { place, show, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 const world = (x3d: Element, selector: string) => worldOf(x3d.querySelector(selector)!)!;
 

@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { drawn, drawnAt, show, until, wait } from '../bridge/scene.js';
 import { addMonitor, Shown, TWO_SCENES } from './monitor.js';
+import { worldOf } from '../inside.js';
 
 const falling = `<x3d-rigid-body-collection id="collection">
     <x3d-rigid-body id="ball" def="ball" for="shape"></x3d-rigid-body>
