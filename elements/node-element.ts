@@ -86,7 +86,7 @@ for (const [name, act] of Object.entries(LISTENING)) {
 
 /** Properties that a framework set before the element was defined hide our accessors: set them again, through them. */
 function takeEarlyProperties(element: X3DNodeElement): void {
-  const own = element as unknown as Record<string, unknown>;
+  const own = element as X3DNodeElement & Record<string, unknown>;
   const { type } = element.constructor as typeof X3DNodeElement;
   for (const name of [...Object.keys(type.fields), ...additions(type).map(camel)]) {
     if (!Object.hasOwn(own, name)) continue;

@@ -29,7 +29,8 @@ export const propertyType = (field: Field): string =>
 export function settableType(field: Field): string {
   if (holdsContacts(field)) return 'Iterable<Element | Record<string, unknown>>';
   if (field.type === 'SFNode') return 'Element | null';
-  if (field.type === 'MFNode') return `Iterable<Element> | ${field.takesAll ? 'string | ' : ''}null`;
+  if (field.type === 'MFNode')
+    return `Iterable<Element> | ${field.takesAll ? 'string | ' : ''}null`;
   const type = SCRIPT_TYPES[field.type] ?? 'number[]';
   if (type === 'string') return 'string';
   const list = type.startsWith('number[]');

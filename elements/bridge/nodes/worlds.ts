@@ -1,4 +1,9 @@
-import { World, type PhysicsNode, type Problem, type RayHit } from '../../../physics-core/inside.js';
+import {
+  World,
+  type PhysicsNode,
+  type Problem,
+  type RayHit,
+} from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from './binding.js';
 import { logInPage } from '../document/console.js';
 import { attribute, precedes } from '../document/dom.js';
