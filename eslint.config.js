@@ -1,5 +1,6 @@
 import js from '@eslint/js';
 import tseslint from 'typescript-eslint';
+import { trees } from './tools/rooms.config.js';
 
 // The fence between the rooms (who may import and name what). Each rule below replaces the one before it for
 // the same file, so every room lists all that holds for it, from these parts.
@@ -9,6 +10,11 @@ const globals = (...names) => ({ 'no-restricted-globals': ['error', ...names] })
 const syntax = (...selectors) => ({ 'no-restricted-syntax': ['error', ...selectors] });
 
 const noLab = { regex: '(^|/)lab/', message: 'Nothing imports lab/.' };
+const noTest = { regex: '(^|/)test/', message: 'What tests and others share lies in references/.' };
+const noReferences = {
+  regex: '(^|/)references/',
+  message: 'references/ is what the library is measured by.',
+};
 const noElements = { regex: '(^|/)elements/', message: 'physics-core knows no elements.' };
 const noPage = {
   regex: '^(lit|@lit|x3dom)(/|$)',
@@ -42,6 +48,55 @@ const noOnly = {
   message: 'It would switch off all other tests.',
 };
 
+// The rooms of a tree (tools/rooms.config.js): each may import itself and those below, types included.
+
+/** What holds in a room beside its place in the order. */
+const held = {
+  core: (room) => ({
+    imports: [noElements, noPage, noLab, ...(room === 'accuracy' ? [noEngine] : [])],
+    syntax: [noX3domProperty, noDomType, ...(room === 'accuracy' ? [noAmmo] : [])],
+  }),
+  bridge: () => ({
+    imports: [noEngine, noX3domImport, noLab],
+    syntax: [noAmmo],
+  }),
+};
+
+/** Imports of rooms above, from files that lie `depth` folders below the tree's root. */
+function upward(tree, room, depth) {
+  const { rooms } = trees[tree];
+  const above = rooms.slice(rooms.indexOf(room) + 1);
+  const root = `^(\\.\\./){${depth}}`;
+  // Files in the root are the top room.
+  const regex = [...above.map((name) => `${root}${name}/`), `${root}[^./]+\\.js$`].join('|');
+  const message = `${room} imports no room above it (tools/rooms.config.js).`;
+  // `import('…')`, of values and of types, is no import statement. A selector takes no slash.
+  const named = `[value=/${regex.replaceAll('/', '.')}/]`;
+  return {
+    imports: { regex, message },
+    syntax: ['ImportExpression > Literal', 'TSImportType Literal'].map((node) => ({
+      selector: `${node}${named}`,
+      message,
+    })),
+  };
+}
+
+/** The rules of each room of a tree, for files in its folder and in folders of that. */
+const fences = (tree) =>
+  trees[tree].rooms.flatMap((room) =>
+    [1, 2].map((depth) => {
+      const up = upward(tree, room, depth);
+      const all = held[tree](room);
+      return {
+        files: [`${trees[tree].root}/${room}/${'*/'.repeat(depth - 1)}*.ts`],
+        rules: {
+          ...imports(...all.imports, up.imports),
+          ...syntax(...all.syntax, ...up.syntax),
+        },
+      };
+    }),
+  );
+
 export default tseslint.config(
   { ignores: ['dist/', 'storybook-static/', 'coverage/', 'test-bundles/'] },
   js.configs.recommended,
@@ -70,7 +125,7 @@ export default tseslint.config(
   {
     files: ['physics-core/**/*.ts'],
     rules: {
-      ...imports(noElements, noPage, noLab),
+      ...imports(noElements, noPage, noReferences, noTest, noLab),
       ...globals(...DOM, x3dom),
       ...syntax(noX3domProperty, noDomType),
     },
@@ -78,14 +133,14 @@ export default tseslint.config(
   {
     files: ['physics-core/accuracy/**/*.ts'],
     rules: {
-      ...imports(noElements, noPage, noEngine, noLab),
+      ...imports(noElements, noPage, noEngine, noReferences, noTest, noLab),
       ...syntax(noAmmo, noX3domProperty, noDomType),
     },
   },
   {
     files: ['elements/**/*.ts'],
     rules: {
-      ...imports(noEngine, noX3domImport, noLab),
+      ...imports(noEngine, noX3domImport, noReferences, noTest, noLab),
       ...globals(x3dom),
       ...syntax(noAmmo, noX3domProperty),
     },
@@ -94,6 +149,8 @@ export default tseslint.config(
     files: ['elements/bridge/**/*.ts'],
     rules: { ...globals(), ...syntax(noAmmo) },
   },
+  // And `...fences('core')`, once the core keeps its order.
+  ...fences('bridge'),
   {
     // A classic page has the core and the bridge already when it loads a view.
     files: ['elements/ui/*/**/*.ts'],
@@ -115,6 +172,18 @@ export default tseslint.config(
   {
     files: ['stories/**/*.ts'],
     rules: { ...imports(noLab), ...globals(x3dom), ...syntax(noX3domProperty) },
+  },
+  {
+    files: ['references/**/*.ts'],
+    rules: {
+      ...imports(noElements, noPage, noEngine, noTest, noLab),
+      ...globals(...DOM, x3dom),
+      ...syntax(noAmmo),
+    },
+  },
+  {
+    files: ['lab/**/*.ts'],
+    rules: imports(noTest),
   },
   {
     files: ['test/**/*.ts'],

@@ -4,7 +4,7 @@ import { wasmAsText } from '../tools/rollup-plugins.js';
 /**
  * Served as they are, at the addresses they have in the repository. The stories show the built library, the file
  * that a page would load; they show the pages of stories/pages, which name their files from there; and they lead on to
- * the report of the accuracy lab.
+ * the report of the accuracy lab, whose pages tools/stories.js draws.
  */
 const FOLDERS = [
   'node_modules/x3dom',

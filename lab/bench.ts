@@ -3,10 +3,12 @@
 //   --seconds <s>   simulated seconds per run (2)
 //   --json <file>   also write the result there
 import { writeFileSync } from 'node:fs';
-import { cpus, platform, release, totalmem } from 'node:os';
 import { parseArgs } from 'node:util';
-import { loadEngine, World } from '../physics-core/inside.js';
-import { scenes, type Scene } from './scenes.js';
+import { columnsOf } from './draw/table.js';
+import { leaveJointsToBullet } from './engines/ours.js';
+import { machine } from './run/machine.js';
+import { median } from './run/median.js';
+import { scenes, started, type Scene } from './scenes.js';
 
 const { values: options } = parseArgs({
   options: {
@@ -32,30 +34,15 @@ interface Result {
   spread: [number, number];
 }
 
-const median = (values: number[]): number => {
-  const sorted = [...values].sort((a, b) => a - b);
-  const middle = sorted.length >> 1;
-  return sorted.length % 2 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
-};
-
-async function made(scene: Scene): Promise<World> {
-  const world = new World();
-  world.add('RigidBodyCollection', { rest: 'never', ...scene.fields });
-  scene.build(world);
-  world.start(await loadEngine());
-  world.advance(scene.warmUp);
-  return world;
-}
-
 /** Steps that one side takes before the other has its turn: short, so that the machine's mood hits both alike. */
 const TURN = 10;
 
 /** The same scene built twice by us; the second is stepped by Bullet alone, through none of our code. */
 async function pair(scene: Scene, oursFirst: boolean) {
-  const [ours, raw] = [await made(scene), await made(scene)];
+  const [ours, raw] = [await started(scene), await started(scene)];
   const { bullet } = raw.bullet;
   // Its own rows of joints hold from here on.
-  raw.registry.joints.on = false;
+  leaveJointsToBullet(raw);
   raw.step();
   const step = {
     ours: () => ours.step(),
@@ -99,14 +86,6 @@ async function measured(scene: Scene): Promise<Result> {
   };
 }
 
-const machine = {
-  cpu: cpus()[0]?.model ?? 'unknown',
-  cores: cpus().length,
-  memoryGB: Math.round(totalmem() / 2 ** 30),
-  system: `${platform()} ${release()}`,
-  node: process.version,
-};
-
 const results: Result[] = [];
 for (const scene of scenes) results.push(await measured(scene));
 
@@ -121,11 +100,7 @@ const rows = [
     result.spread.map(cell).join(' – '),
   ]),
 ];
-const widths = rows[0]!.map((_, i) => Math.max(...rows.map((row) => row[i]!.length)));
-for (const row of rows)
-  console.log(
-    row.map((text, i) => (i ? text.padStart(widths[i]!) : text.padEnd(widths[i]!))).join('  '),
-  );
+console.log(columnsOf(rows, 1));
 
 const report = { date: new Date().toISOString(), machine, pairs: PAIRS, seconds: SECONDS, results };
 if (options.json) writeFileSync(options.json, `${JSON.stringify(report, null, 2)}\n`);

@@ -75,7 +75,7 @@ export interface Watch {
 }
 
 export interface Case {
-  /** As in "A14". */
+  /** In lower case, parts apart by hyphens; cases of a family begin alike: `chain-1-20`. */
   id: string;
   name: string;
   /** One sentence: what is compared with what. */

@@ -2,7 +2,8 @@
 //   --rounds <n>   edits of each kind in each scene (400)
 import { parseArgs } from 'node:util';
 import { createWorld, type PhysicsNode, type World } from '../physics-core/inside.js';
-import type { BodyNode } from '../physics-core/nodes/body.js';
+import type { BodyNode } from '../physics-core/nodes/body/body.js';
+import { median } from './run/median.js';
 
 const { values: options } = parseArgs({
   options: { rounds: { type: 'string', default: '400' } },
@@ -81,11 +82,6 @@ function timedOutOfRest({ world, lying }: Scene, round: number): number {
   }
   return (performance.now() - start) / BATCH;
 }
-
-const median = (values: number[]): number => {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[sorted.length >> 1]!;
-};
 
 /** Milliseconds of some edits and of their way to Bullet. */
 function timed(at: Scene, edit: (scene: Scene, i: number) => void, round: number): number {

@@ -3,9 +3,10 @@
 //   --rounds <n>   rounds of every scene (5)
 //   --scene <word> only those with it in their names
 import { parseArgs } from 'node:util';
-import { levels, loadEngine, World, type LevelName } from '../physics-core/inside.js';
-import { median, workPerMoment } from '../physics-core/accuracy/work.js';
-import { paperScenes, type Scene } from './scenes.js';
+import { levels, type LevelName, type World } from '../physics-core/inside.js';
+import { workPerMoment } from '../physics-core/accuracy/work.js';
+import { median } from './run/median.js';
+import { paperScenes, started, type Scene } from './scenes.js';
 
 const { values: options } = parseArgs({
   options: { rounds: { type: 'string', default: '5' }, scene: { type: 'string', default: '' } },
@@ -23,15 +24,6 @@ const FRAME = 1 / 60;
 /** Agreement that is promised of the median over the scenes. */
 const PROMISED = 0.25;
 
-async function made(scene: Scene): Promise<World> {
-  const world = new World();
-  world.add('RigidBodyCollection', { rest: 'never', ...scene.fields });
-  scene.build(world);
-  world.start(await loadEngine());
-  world.advance(scene.warmUp);
-  return world;
-}
-
 /** Milliseconds of work per simulated second of the running world, frame by frame as in a page. */
 function running(world: World, level: LevelName): number {
   world.accuracy = level;
@@ -45,7 +37,7 @@ function running(world: World, level: LevelName): number {
 
 /** Predicted / measured, by level. */
 async function round(scene: Scene): Promise<number[]> {
-  const world = await made(scene);
+  const world = await started(scene);
   const predicted = await world.measureAccuracy({ seconds: SECONDS });
   const before = world.snapshot();
   const ratios = predicted.map(({ level, msPerSecond }) => {

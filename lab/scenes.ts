@@ -1,4 +1,4 @@
-import type { PhysicsNode, World } from '../physics-core/inside.js';
+import { loadEngine, World, type PhysicsNode } from '../physics-core/inside.js';
 
 /** A scene to measure. */
 export interface Scene {
@@ -8,6 +8,16 @@ export interface Scene {
   /** Seconds simulated before anything is measured. */
   warmUp: number;
   build(world: World): void;
+}
+
+/** The scene in a world that never rests, ready to be measured. */
+export async function started({ fields, build, warmUp }: Scene): Promise<World> {
+  const world = new World();
+  world.add('RigidBodyCollection', { rest: 'never', ...fields });
+  build(world);
+  world.start(await loadEngine());
+  world.advance(warmUp);
+  return world;
 }
 
 const sphere = (radius: number) => ({ type: 'Sphere', radius });

@@ -15,12 +15,13 @@ export type { NodeOptions, RayHit, World } from './face/world.js';
 export type { Rotation, Vec3 } from './fields/types.js';
 export type { Problem, Severity } from './base/problems.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
-export type { DragEnd, DragMode } from './effects/drag/drag.js';
-export type { EffectReport } from './effects/registry.js';
+export type { DragMode } from './dynamics/body.js';
+export type { DragEnd } from './effects/drag/drag.js';
+export type { EffectReport } from './effects/effects.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
-export type { LevelMeasurement, MeasureOptions } from './accuracy/measure.js';
+export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
 export type { Geometry } from './shapes/geometry.js';
-export type { Snapshot } from './world/snapshot.js';
+export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { Stats } from './world/types.js';
 
 /** The fields of RigidBodyCollection, and what only the world itself has. */

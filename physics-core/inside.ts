@@ -3,6 +3,8 @@ import type { DebugLines } from './effects/debug/debug-lines.js';
 import { loadEngine } from './engine/engine.js';
 import type { EngineSource } from './engine/wasm.js';
 import type { WorldOptions } from './world/types.js';
+import { JointNode } from './nodes/joints/joint.js';
+import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
 
 export { loadEngine } from './engine/engine.js';
@@ -11,11 +13,11 @@ export type { Engine } from './engine/engine.js';
 export { bulletHas, touchedBy } from './world/bullet-has.js';
 export { World } from './world/world.js';
 export type { RayHit } from './world/raycast.js';
-export type { Snapshot } from './world/snapshot.js';
+export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { AddOptions, Stats, WorldOptions } from './world/types.js';
-export { PhysicsNode } from './nodes/node.js';
-export { nodeTypes } from './nodes/index.js';
-export { defaultOf, type Field, type NodeType } from './nodes/table.js';
+export { PhysicsNode } from './nodes/node/node.js';
+export { nodeTypes, type AnyNodeType as NodeType } from './nodes/index.js';
+export { defaultOf, type Field } from './nodes/node/table.js';
 export { nearest } from './base/nearest.js';
 export { show } from './base/show.js';
 export { codecs } from './fields/values.js';
@@ -25,18 +27,26 @@ export { logProblem, type Problem, type ProblemReport, type Severity } from './b
 export { shown } from './face/shown.js';
 export type { DebugLines } from './effects/debug/debug-lines.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
-export type { Drag, DragEnd, DragMode } from './effects/drag/drag.js';
-export type { EffectReport } from './effects/registry.js';
+export type { DragMode } from './dynamics/body.js';
+export type { Drag, DragEnd } from './effects/drag/drag.js';
+export { debugging } from './effects/debug/debugging.js';
+export { jointSolve } from './effects/joints/joint-solve.js';
+export type { EffectReport } from './effects/effects.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
-export type { LevelMeasurement, MeasureOptions } from './accuracy/measure.js';
+export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
 export type { Geometry } from './shapes/geometry.js';
 
 /** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
 export async function debugLines(world: World): Promise<DebugLines> {
   const { DebugLines: Lines } = await import('./effects/debug/debug-lines.js');
-  return new Lines(world);
+  return new Lines(world, {
+    flush: () => world.flush(),
+    joints: () => [...world.nodes].filter((node) => node instanceof JointNode),
+  });
 }
+
+measureWith<World>(async () => (await import('./accuracy/measure.js')).measureAccuracy);
 
 export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
   [field: string]: unknown;

@@ -1,6 +1,6 @@
 // TypeScript's side of the field tables: physics-core/face/fields.ts and elements/properties.ts.
-import { tagOf } from '../elements/bridge/document/dom.js';
-import { eventTypes } from '../elements/bridge/event-types.js';
+import { tagOf } from '../elements/bridge/words/dom.js';
+import { eventTypes } from '../elements/bridge/words/event-types.js';
 import type { Field, NodeType } from '../physics-core/inside.js';
 import {
   additionsOf,

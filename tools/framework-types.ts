@@ -1,6 +1,6 @@
 // Types of all tags for the templates of frameworks, from the field tables and from what the ui says of itself.
-import { camel, tagOf } from '../elements/bridge/document/dom.js';
-import { eventsAt, eventTypes } from '../elements/bridge/event-types.js';
+import { camel, tagOf } from '../elements/bridge/words/dom.js';
+import { eventsAt, eventTypes } from '../elements/bridge/words/event-types.js';
 import type { UIDescription } from '../elements/ui/ui-element.js';
 import type { NodeType } from '../physics-core/inside.js';
 import { additionsOf, attributesOf, describe, settableType } from './manifest-fields.js';

@@ -1,7 +1,7 @@
 // What the manifest, the editor data and the framework types say of one field.
-import { STRUCTURE } from '../elements/bridge/document/markup.js';
-import { camel } from '../elements/bridge/document/dom.js';
-import { attributeOf, holdsNodes } from '../elements/bridge/nodes/fields.js';
+import { STRUCTURE } from '../elements/bridge/words/attributes.js';
+import { camel } from '../elements/bridge/words/dom.js';
+import { attributeOf, holdsNodes } from '../elements/bridge/words/fields.js';
 import { codecs, type Field, type NodeType } from '../physics-core/inside.js';
 
 const SCRIPT_TYPES: Record<string, string> = {

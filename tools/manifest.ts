@@ -1,8 +1,8 @@
-// npm run manifest: dist/custom-elements.json, editor data and the types for frameworks, from the field tables and from what
-// the classes of the ui say of themselves.
+// npm run manifest: dist/custom-elements.json, editor data and the types for frameworks, from the field tables and from
+// what the classes of the ui say of themselves.
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
-import { camel, tagOf } from '../elements/bridge/document/dom.js';
-import { eventsAt, eventTypes } from '../elements/bridge/event-types.js';
+import { camel, tagOf } from '../elements/bridge/words/dom.js';
+import { eventsAt, eventTypes } from '../elements/bridge/words/event-types.js';
 import { uiClasses } from '../elements/define.js';
 import { nodeTypes, type NodeType } from '../physics-core/inside.js';
 import {

@@ -2,6 +2,7 @@
 // concerns it to throw. What survives is a promise that no test keeps.
 //   --only <word>   only mutants whose name contains it
 //   --facts         judged by the conformance facts alone
+import { allEffects } from '../physics-core/effects/all.js';
 import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../physics-core/base/guards.js';
@@ -77,14 +78,15 @@ const rebuildMutants = (): Mutant[] =>
 async function effectMutants(): Promise<Mutant[]> {
   const { registry } = await world();
   closeWorlds(false);
-  return registry.all.flatMap((effect) => {
-    const prototype = Object.getPrototypeOf(effect) as object;
-    return ['beforeStep', 'settle', 'afterStep', 'process', 'look']
+  return allEffects.flatMap((descriptor) => {
+    const prototype = Object.getPrototypeOf(registry.get(descriptor)) as object;
+    return ['beforeStep', 'settle', 'afterStep', 'contact', 'look']
       .filter((method) => Object.hasOwn(prototype, method))
       .map((method) => ({
-        name: `effect "${effect.name}" without ${method}`,
-        rows: allRows.filter((row) => row.effect === effect.name),
-        apply: replacing(prototype, method, () => {}),
+        name: `effect "${descriptor.name}" without ${method}`,
+        rows: allRows.filter((row) => row.effect === descriptor.name),
+        // A contact that an effect does not look at goes on to the others.
+        apply: replacing(prototype, method, () => true),
       }));
   });
 }

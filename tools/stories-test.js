@@ -1,5 +1,6 @@
-// What `npm start` opens: the stories build, and the first page shows a scene that moves. dist/ must be built.
-/* global document, requestAnimationFrame */
+// What `npm start` opens: the stories build, the first page shows a scene that moves, and the files that it leads to are
+// there. dist/ must be built.
+/* global document, fetch, requestAnimationFrame */
 import assert from 'node:assert/strict';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from './browsers.js';
@@ -18,6 +19,13 @@ async function way() {
   return Math.max(...ways);
 }
 
+/** Runs in the page: files that it leads to and that are not there. */
+async function deadLinks() {
+  const links = [...document.querySelectorAll('a[target=_blank], a[download]')];
+  const answers = await Promise.all(links.map(async ({ href }) => [href, (await fetch(href)).ok]));
+  return { count: links.length, dead: answers.filter(([, ok]) => !ok) };
+}
+
 async function main() {
   await buildStories();
   const { port, close } = await serveStories(PORT);
@@ -33,6 +41,9 @@ async function main() {
   const frame = page.frames().find((each) => each.url().includes('iframe.html'));
   assert.match(await frame.locator('#storybook-root h1').innerText(), /x3d-physics/);
   assert.ok((await frame.evaluate(way)) > 0.01, 'a body moves');
+  const { count, dead } = await frame.evaluate(deadLinks);
+  assert.ok(count >= 3, 'it leads to the report and to two scripts');
+  assert.deepEqual(dead, []);
   assert.deepEqual(wrong, []);
   await browser.close();
   await close();

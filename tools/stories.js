@@ -4,8 +4,15 @@ import { serve } from './static-files.js';
 
 const FOLDER = 'storybook-static';
 
-/** Builds the stories, which show the library as it lies in dist/. */
+/** The pages of the lab's report, from its numbers. */
+async function drawReport() {
+  const report = await runNode(['--import', 'tsx', 'lab/run.ts', '--draw'], { quiet: true });
+  if (!report.ok) throw new Error(`${report.output}\nThe report could not be drawn: see above.`);
+}
+
+/** Builds the stories, which show the library as it lies in dist/, and the lab's report. */
 export async function buildStories() {
+  await drawReport();
   const args = ['build', '--output-dir', FOLDER, '--disable-telemetry', '--quiet'];
   const stories = await runNode([BIN.storybook, ...args], { quiet: true });
   if (!stories.ok) throw new Error(`${stories.output}\nThe stories did not build: see above.`);

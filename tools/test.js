@@ -31,7 +31,7 @@ const temporary = mkdtempSync(join(tmpdir(), 'x3d-physics-test-'));
 const seconds = (since) => ((Date.now() - since) / 1000).toFixed(1);
 const title = (text) => console.log(`\n── ${text} ${'─'.repeat(Math.max(2, 70 - text.length))}`);
 
-/** Types, lint, format and the build, side by side; what they say is shown only where they fail. */
+/** Types, lint, format, the order of the rooms and the build, side by side; what they say is shown only where they fail. */
 async function checkAndBuild(checks) {
   title(checks.map(([name]) => name).join(', '));
   const start = Date.now();
@@ -49,6 +49,7 @@ const CHECKS = [
   ['types', [BIN.tsc, '--noEmit']],
   ['lint', [BIN.eslint, '.']],
   ['format', [BIN.prettier, '--check', '.']],
+  ['rooms', ['--import', 'tsx', 'tools/rooms.ts', 'bridge']],
 ];
 /** The quick stages need no declarations. */
 const BUILD = ['build', ['tools/build.js', ...(options.all || options.rest ? [] : ['--no-types'])]];

@@ -34,8 +34,8 @@ function path(bounce: number): Path {
   };
 }
 
-const drop = (bounce: number, i: number): Case => ({
-  id: `A6.${i + 1}`,
+const drop = (bounce: number): Case => ({
+  id: `bounce-${String(bounce).replace('.', '-')}`,
   name: `Bounce ${bounce}`,
   says: `A ball falls ${DROP} m onto a floor that returns ${bounce} of its speed; its path against flight after flight, each ${bounce}² as high as the one before.`,
   scene: {

@@ -1,6 +1,6 @@
 import { add, rotate } from '../../physics-core/base/math.js';
-import { chainEnd, type Chain } from '../../test/core/chain-reference.js';
-import { ballChain, boxChain } from '../../test/core/joint-scenes.js';
+import { chainEnd, type Chain } from '../../references/chain.js';
+import { ballChain, boxChain } from '../../references/chains.js';
 import type { Case, CaseBody, CaseJoint, Vec3 } from '../case.js';
 import { apart, frameOf, rounding, worst } from './judging.js';
 
@@ -74,7 +74,7 @@ const long = boxChain(100);
 export const cases: Case[] = [
   chain(
     {
-      id: 'A16',
+      id: 'pendulum-double',
       name: 'Double pendulum',
       says: 'Two links of 0.5 m on hinges, let go level: the end of the second, against Lagrange.',
     },
@@ -85,7 +85,7 @@ export const cases: Case[] = [
   ),
   chain(
     {
-      id: 'A16b',
+      id: 'chain-1-20',
       name: 'Chain 1:20',
       says: 'Eight balls on ball joints 1 m apart, the last 20 times as heavy, let go level: the last one, against Lagrange.',
     },
@@ -95,7 +95,7 @@ export const cases: Case[] = [
   ),
   chain(
     {
-      id: 'A16c',
+      id: 'chain-1-1000',
       name: 'Chain 1:1000',
       says: 'Eight balls on ball joints 1 m apart, the last 1000 times as heavy, let go level: the last one, against Lagrange.',
     },
@@ -105,7 +105,7 @@ export const cases: Case[] = [
   ),
   chain(
     {
-      id: 'A16d',
+      id: 'chain-100-links',
       name: 'Chain of 100',
       says: 'A hundred hinged links of 0.1 m, let go level: the end of the last, against Lagrange.',
     },

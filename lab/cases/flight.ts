@@ -1,5 +1,5 @@
 import { add, multiply, quaternionOf, rotate, scale } from '../../physics-core/base/math.js';
-import { turn } from '../../test/core/references/turning.js';
+import { turn } from '../../references/turning.js';
 import type { Case, Quaternion, Vec3 } from '../case.js';
 import { apart, frameOf, rounding, turned, worst } from './judging.js';
 
@@ -56,7 +56,7 @@ const pushed = { force: [4, 0, -2] as Vec3, torque: 1.5 };
 
 export const cases: Case[] = [
   {
-    id: 'A1',
+    id: 'flight-projectile',
     name: 'Projectile',
     says: 'A ball thrown at 8.6 m/s, against x = v t + ½ g t².',
     scene: {
@@ -70,7 +70,7 @@ export const cases: Case[] = [
     watch: ({ position }) => worst((t) => apart(position('ball'), thrown(t, GRAVITY))),
   },
   {
-    id: 'A1b',
+    id: 'flight-thrust',
     name: 'Thrust',
     says: 'A ball of 2 kg under a steady force and torque, against ½ a t² and ½ α t².',
     scene: {
@@ -100,7 +100,7 @@ export const cases: Case[] = [
       }),
   },
   {
-    id: 'A2',
+    id: 'flight-drag',
     name: 'Projectile with drag',
     says: 'A ball of 2 kg thrown at 8.6 m/s under a drag of 0.8 N s/m, against v = g/k + (v₀ - g/k) e^(-k t).',
     scene: {
@@ -124,7 +124,7 @@ export const cases: Case[] = [
     watch: ({ position }) => worst((t) => apart(position('ball'), dragged(t))),
   },
   {
-    id: 'A3',
+    id: 'spin-ball',
     name: 'Spinning ball',
     says: 'A ball turning at 13 rad/s, against the angle ω t.',
     scene: {
@@ -139,7 +139,7 @@ export const cases: Case[] = [
       worst((t) => turned(orientation('ball'), quaternionOf([...ballSpin, 13 * t]))),
   },
   {
-    id: 'A4',
+    id: 'spin-cylinder',
     name: 'Wobbling cylinder',
     says: "A free cylinder turning at 5.1 rad/s, not quite about its axis, against its two precessions: L / I₁ and the body's own.",
     scene: {
@@ -159,7 +159,7 @@ export const cases: Case[] = [
     watch: ({ orientation }) => worst((t) => turned(orientation('cylinder'), nutated(t))),
   },
   {
-    id: 'A5',
+    id: 'spin-racket',
     name: 'Flipping racket',
     says: "A free body of moments 1, 2, 3 turning about the middle one at 3 rad/s, which flips over after 3.8 s, against Euler's equations.",
     scene: {
@@ -174,7 +174,7 @@ export const cases: Case[] = [
     watch: ({ orientation }) => worst((t) => turned(orientation('racket'), flips(frameOf(t)))),
   },
   {
-    id: 'A12',
+    id: 'flight-struck-rod',
     name: 'Struck rod',
     says: 'A rod struck off its centre flies at J / m and turns at J r / I: its end and its centre of percussion, against both.',
     scene: {

@@ -51,6 +51,6 @@ function headOn(id: string, a: Ball, b: Ball, bounce: number): Case {
 }
 
 export const cases: Case[] = [
-  headOn('A11.1', { mass: 1, speed: 2 }, { mass: 3, speed: -1 }, 0.5),
-  headOn('A11.2', { mass: 5, speed: 4 }, { mass: 1, speed: 0 }, 1),
+  headOn('hit-bounce-0-5', { mass: 1, speed: 2 }, { mass: 3, speed: -1 }, 0.5),
+  headOn('hit-bounce-1', { mass: 5, speed: 4 }, { mass: 1, speed: 0 }, 1),
 ];

@@ -1,6 +1,7 @@
 import type { Case } from '../case.js';
 import { cases as bounce } from './bounce.js';
 import { cases as chains } from './chains.js';
+import { cases as cradle } from './cradle.js';
 import { cases as flight } from './flight.js';
 import { cases as hits } from './hits.js';
 import { cases as linkages } from './linkages.js';
@@ -10,16 +11,29 @@ import { cases as rolling } from './rolling.js';
 import { cases as sliding } from './sliding.js';
 import { cases as springs } from './springs.js';
 
-/** Every case of the lab, by its number. */
+/** Every case of the lab: what flies, what touches, what hangs together. */
 export const cases: readonly Case[] = [
-  ...bounce,
-  ...chains,
   ...flight,
-  ...hits,
-  ...linkages,
-  ...machines,
-  ...pendulums,
-  ...rolling,
+  ...bounce,
   ...sliding,
+  ...rolling,
+  ...hits,
+  ...pendulums,
+  ...chains,
+  ...cradle,
+  ...machines,
   ...springs,
-].sort((a: Case, b: Case) => a.id.localeCompare(b.id, 'en', { numeric: true }));
+  ...linkages,
+];
+
+/** Those of this name, or of this family: `chain` stands for all of `chain-*`. */
+export function casesNamed(name: string): readonly Case[] {
+  const exact = cases.filter(({ id }) => id === name);
+  return exact.length > 0 ? exact : cases.filter(({ id }) => id.startsWith(`${name}-`));
+}
+
+export function caseOf(id: string): Case {
+  const found = cases.find((one) => one.id === id);
+  if (!found) throw new Error(`there is no case ${id}`);
+  return found;
+}

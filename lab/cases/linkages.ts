@@ -1,5 +1,5 @@
 import { add, rotate } from '../../physics-core/base/math.js';
-import { move, type Mechanism } from '../../test/core/references/mechanism.js';
+import { move, type Mechanism } from '../../references/mechanism.js';
 import type { Case, CaseBody, Vec3 } from '../case.js';
 import { apart, frameOf, round, rounding, worst } from './judging.js';
 
@@ -116,7 +116,7 @@ const sliderCrankTurns = move(mechanismOf(sliderCrank), 0, sliderCrank.speed);
 
 export const cases: Case[] = [
   {
-    id: 'A23',
+    id: 'linkage-four-bar',
     name: 'Four-bar linkage',
     says: 'A flywheel drives a coupler and a rocker: the knee between them, against the loop equation and the energy that all share.',
     scene: {
@@ -141,7 +141,7 @@ export const cases: Case[] = [
       }),
   },
   {
-    id: 'A24',
+    id: 'linkage-slider-crank',
     name: 'Slider-crank',
     says: 'A flywheel drives a piston through a rod: where the piston is, against x = r cos θ + √(l² - r² sin² θ) and the energy that all share.',
     scene: {

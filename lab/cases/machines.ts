@@ -1,5 +1,5 @@
 import { quaternionOf } from '../../physics-core/base/math.js';
-import { move } from '../../test/core/references/mechanism.js';
+import { move } from '../../references/mechanism.js';
 import type { Case, Vec3 } from '../case.js';
 import { apart, frameOf, round, rounding, turned, worst } from './judging.js';
 
@@ -69,7 +69,7 @@ const balanceTips = move(
 
 export const cases: Case[] = [
   {
-    id: 'A18',
+    id: 'motor-run-up',
     name: 'Motor',
     says: 'A wheel that a motor of 4 N m runs up to 8 rad/s and holds there: the angle turned, against ½ α t² and then ω t.',
     scene: {
@@ -96,7 +96,7 @@ export const cases: Case[] = [
       worst((t) => turned(orientation('wheel'), quaternionOf([1, 0, 0, runUp(t)]))),
   },
   {
-    id: 'A18b',
+    id: 'motor-torque',
     name: 'Torque motor',
     says: 'A wheel on a hinge that a steady torque turns: the angle turned, against ½ α t².',
     scene: {
@@ -126,7 +126,7 @@ export const cases: Case[] = [
       ),
   },
   {
-    id: 'A19',
+    id: 'slider-stop',
     name: 'Slider at its stop',
     says: 'A body on a slider that a steady force drives against a stop, which throws 0.7 of its speed back, against the parabolas between the bounces.',
     scene: {
@@ -152,7 +152,7 @@ export const cases: Case[] = [
     watch: ({ position }) => worst((t) => apart(position('carriage'), [thrownBack(t), 0, 0])),
   },
   {
-    id: 'A20',
+    id: 'cardan-shaft',
     name: 'Cardan shaft',
     says: 'A flywheel turns another round a bend of 0.6 rad: the angle of the second, against tan θ₂ = cos β tan θ₁ and the energy that both share.',
     scene: {
@@ -187,7 +187,7 @@ export const cases: Case[] = [
       }),
   },
   {
-    id: 'A25',
+    id: 'balance',
     name: 'Balance',
     says: 'A beam of 2 m on a hinge with 3 kg on one end and 2 kg on the other, let go level, against (I + Σ m L²) α = Σ ± m g L cos θ.',
     scene: {

@@ -1,30 +1,22 @@
 import type { Sight, Vec3, Watch } from '../case.js';
+import { apart, worst } from './judging.js';
 
 /** Where a body's centre is after so many seconds. */
 export type Path = (time: number) => Vec3;
-
-export const distance = (a: Vec3, b: Vec3): number =>
-  Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 const alongFloor = (a: Vec3, b: Vec3): number => Math.hypot(a[0] - b[0], a[2] - b[2]);
 
 type Paths = Record<string, Path>;
 
 const worstOff =
-  (paths: Paths, off: typeof distance) =>
-  (sight: Sight): Watch => {
-    let worst = 0;
-    return {
-      look(time) {
-        for (const [body, path] of Object.entries(paths))
-          worst = Math.max(worst, off(sight.position(body), path(time)));
-      },
-      error: () => worst,
-    };
-  };
+  (paths: Paths, off: typeof apart) =>
+  ({ position }: Sight): Watch =>
+    worst((time) =>
+      Math.max(...Object.entries(paths).map(([body, path]) => off(position(body), path(time)))),
+    );
 
 /** The farthest that any of the named bodies was off its path, metres. */
-export const offPaths = (paths: Paths) => worstOff(paths, distance);
+export const offPaths = (paths: Paths) => worstOff(paths, apart);
 
 /** The same along the floor: how deep an engine lets things lie on it is another matter. */
 export const offPathsOnFloor = (paths: Paths) => worstOff(paths, alongFloor);

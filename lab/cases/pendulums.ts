@@ -1,6 +1,6 @@
 import { quaternionOf, rotate, scale } from '../../physics-core/base/math.js';
-import { move } from '../../test/core/references/mechanism.js';
-import { turn } from '../../test/core/references/turning.js';
+import { move } from '../../references/mechanism.js';
+import { turn } from '../../references/turning.js';
 import type { Case, Vec3 } from '../case.js';
 import { apart, frameOf, rounding, worst } from './judging.js';
 
@@ -54,7 +54,7 @@ const topTurns = turn({
 
 export const cases: Case[] = [
   {
-    id: 'A14',
+    id: 'pendulum-rod',
     name: 'Rod pendulum',
     says: "A rod of 1 m on a hinge at its end, let go level, against the pendulum's equation.",
     scene: {
@@ -77,7 +77,7 @@ export const cases: Case[] = [
       worst((t) => apart(position('rod'), on(0.5, rodSwings(frameOf(t)).at))),
   },
   {
-    id: 'A14b',
+    id: 'pendulum-ball',
     name: 'Ball pendulum',
     says: "A ball of 0.1 m radius on a ball joint 1 m away, let go level, against the pendulum's equation.",
     scene: {
@@ -93,7 +93,7 @@ export const cases: Case[] = [
       worst((t) => apart(position('ball'), on(1, ballSwings(frameOf(t)).at))),
   },
   {
-    id: 'A15',
+    id: 'pendulum-conical',
     name: 'Conical pendulum',
     says: 'A ball on a ball joint 1 m away going round at ω² = g / (L cos θ), against its circle.',
     scene: {
@@ -116,7 +116,7 @@ export const cases: Case[] = [
     watch: ({ position }) => worst((t) => apart(position('ball'), circling(t))),
   },
   {
-    id: 'A17',
+    id: 'spin-top',
     name: 'Spinning top',
     says: "A disc turning at 30 rad/s on a stick of 0.3 m that leans on a ball joint: where it nods and goes round to, against Euler's equations.",
     scene: {

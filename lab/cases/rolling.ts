@@ -54,7 +54,7 @@ function launched(): Case {
     return [way, RADIUS, 0];
   };
   return {
-    id: 'A10',
+    id: 'slide-into-roll',
     name: 'Ball launched sliding',
     says: `A ball without spin on a floor at ${speed} m/s, friction ${friction}: it slides for 2 v/(7 μ g), then rolls at 5/7 of its speed; its place against that.`,
     scene: {
@@ -70,4 +70,8 @@ function launched(): Case {
   };
 }
 
-export const cases: Case[] = [down('A9.1', 0.5), down('A9.2', 0.05), launched()];
+export const cases: Case[] = [
+  down('slope-ball-rolls', 0.5),
+  down('slope-ball-slips', 0.05),
+  launched(),
+];

@@ -24,7 +24,7 @@ const speedingUp =
   (acceleration: number, z = 0): Path =>
   (time) => [(acceleration * time ** 2) / 2, HEIGHT / 2, z];
 
-// ---- A7: an incline -------------------------------------------------------------------------------------------------
+// ---- an incline ------------------------------------------------------------------------------------------------------
 
 const ANGLE = Math.PI / 6;
 /** The floor lies flat and gravity leans instead. */
@@ -64,7 +64,7 @@ function threshold(): Case {
     block({ name, position: [0, HEIGHT / 2, z], forces: [[PUSHES[name] * limit, 0, 0]] });
   const acceleration = (PUSHES.moved - 1) * limit;
   return {
-    id: 'A7.3',
+    id: 'slide-threshold',
     name: 'Threshold of sliding',
     says: 'Two blocks, pushed with 98 % and 102 % of what friction 0.5 holds; the first stays, the second goes (2 % μ g) t²/2.',
     scene: {
@@ -80,7 +80,7 @@ function threshold(): Case {
   };
 }
 
-// ---- A8: thrown flat ------------------------------------------------------------------------------------------------
+// ---- thrown flat -----------------------------------------------------------------------------------------------------
 
 function thrown(id: string, name: string, degrees: number): Case {
   const [speed, friction, seconds] = [3, 0.4, 1];
@@ -112,9 +112,9 @@ function thrown(id: string, name: string, degrees: number): Case {
 }
 
 export const cases: Case[] = [
-  incline('A7.1', 0.3),
-  incline('A7.2', 0.6),
+  incline('slope-block-slides', 0.3),
+  incline('slope-block-sticks', 0.6),
   threshold(),
-  thrown('A8.1', 'Block thrown along an axis', 0),
-  thrown('A8.2', 'Block thrown across the axes', 45),
+  thrown('slide-along-axis', 'Block thrown along an axis', 0),
+  thrown('slide-across-axes', 'Block thrown across the axes', 45),
 ];

@@ -34,7 +34,7 @@ const swings = Math.sqrt(stiffnessOf(pair.force, 1) / reduced);
 
 export const cases: Case[] = [
   {
-    id: 'A21',
+    id: 'spring-suspension',
     name: 'Suspension',
     says: "A wheel of 20 kg let down on its suspension, against x'' + 2 ζ ω x' + ω² x = g, down to the sag m g / k.",
     scene: {
@@ -49,7 +49,7 @@ export const cases: Case[] = [
     watch: ({ position }) => worst((t) => apart(position('wheel'), [0, -sunk(t), 0])),
   },
   {
-    id: 'A22',
+    id: 'spring-between',
     name: 'Spring between two bodies',
     says: 'Two free bodies on an undamped spring: how far they are apart, against ω = √(k / μ).',
     scene: {

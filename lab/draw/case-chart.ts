@@ -15,6 +15,7 @@ const SYMBOLS: Record<string, string> = {
   cannon: 'diamond',
   rapier: 'roundRect',
   jolt: 'path://M0,0 L10,0 L5,9 Z',
+  iterated: 'triangle',
 };
 
 const OUR_LEVELS = 'x3d-physics, levels';
@@ -48,10 +49,13 @@ function line(frame: Frame, engine: Engine, rows: readonly Row[], type: 'solid' 
   };
 }
 
-/** A line per number of iterations; the engine's default one is drawn through. X_ITE's iterations are its steps. */
+/**
+ * A line per number of iterations; the engine's default one is drawn through. X_ITE's iterations are its steps, and levels
+ * have each their own.
+ */
 function linesOf(frame: Frame, engine: Engine) {
   const rows = rowsOf(frame.which, engine.id, frame.rows);
-  if (engine.id === 'x-ite') return [line(frame, engine, rows, 'solid')];
+  if (engine.id === 'x-ite' || rows[0]!.level !== null) return [line(frame, engine, rows, 'solid')];
   const counts = [...new Set(rows.map(({ iterations }) => iterations))];
   return counts.map((count, i) =>
     line(
@@ -63,51 +67,59 @@ function linesOf(frame: Frame, engine: Engine) {
   );
 }
 
-function ours(frame: Frame) {
-  const color = inkOf('ours');
+const inkOfOurs = inkOf('ours');
+
+const dots = (frame: Frame, rows: readonly Row[]) => rows.map((row) => dot(frame, row));
+
+/** The best that we do at any step and number of iterations, and all that was tried. */
+function ourSweep(frame: Frame) {
   const sweep = drawn(rowsOf(frame.which, 'ours', frame.rows));
-  const points = (rows: readonly Row[]) => rows.map((row) => dot(frame, row));
+  const look = { name: OUR_SWEEP, itemStyle: { color: inkOfOurs, opacity: 0.35 } };
   return [
     {
-      name: OUR_SWEEP,
+      ...look,
       type: 'line' as const,
       symbol: 'none',
-      lineStyle: { color, width: 7, opacity: 0.25 },
-      itemStyle: { color, opacity: 0.35 },
-      data: points(frontierOf(sweep)),
+      lineStyle: { color: inkOfOurs, width: 7, opacity: 0.25 },
+      data: dots(frame, frontierOf(sweep)),
     },
     {
-      name: OUR_SWEEP,
+      ...look,
       type: 'scatter' as const,
       symbol: 'circle',
       symbolSize: 4,
-      itemStyle: { color, opacity: 0.35 },
-      data: points(sweep.filter(({ level }) => level === null)),
-    },
-    {
-      name: OUR_LEVELS,
-      type: 'line' as const,
-      symbol: 'circle',
-      symbolSize: 12,
-      z: 5,
-      lineStyle: { color, width: 2.5 },
-      itemStyle: { color },
-      data: drawn(ladderOf(frame.which, frame.rows)).map((row) => ({
-        value: dot(frame, row),
-        label: {
-          show: true,
-          position: 'left' as const,
-          offset: [0, 9],
-          color: ink('ink'),
-          fontSize: 12,
-          formatter: row.level!,
-          textBorderColor: ink('ground'),
-          textBorderWidth: 3,
-        },
-      })),
+      data: dots(
+        frame,
+        sweep.filter(({ level }) => level === null),
+      ),
     },
   ];
 }
+
+const levelName = (row: Row) => ({
+  show: true,
+  position: 'left' as const,
+  offset: [0, 9],
+  color: ink('ink'),
+  fontSize: 12,
+  formatter: row.level!,
+  textBorderColor: ink('ground'),
+  textBorderWidth: 3,
+});
+
+const ourLevels = (frame: Frame) => ({
+  name: OUR_LEVELS,
+  type: 'line' as const,
+  symbol: 'circle',
+  symbolSize: 12,
+  z: 5,
+  lineStyle: { color: inkOfOurs, width: 2.5 },
+  itemStyle: { color: inkOfOurs },
+  data: drawn(ladderOf(frame.which, frame.rows)).map((row) => ({
+    value: dot(frame, row),
+    label: levelName(row),
+  })),
+});
 
 /** A level line from one edge to the other, named at its right end. */
 function across({ span, which }: Frame, name: string, error: number, type: 'dotted' | 'solid') {
@@ -128,20 +140,25 @@ function across({ span, which }: Frame, name: string, error: number, type: 'dott
   };
 }
 
-/** Error against time, both logarithmic. */
-export function caseChart(which: Case, rows: readonly Row[], size: Size): string {
-  const { width, height } = SIZES[size];
+/** Error against time, both logarithmic; `all`: the engines that are drawn. */
+export function caseChart(
+  which: Case,
+  rows: readonly Row[],
+  size: Size,
+  all: readonly Engine[] = engines,
+): string {
   const mine = drawn(rows.filter((row) => row.case === which.id));
   const lines = [which.singlePrecision, floorOf(which)];
   const { min: least } = decades([Math.min(...lines) / 10]);
   const span = decades(mine.map(({ ms }) => ms));
   const frame: Frame = { which, rows, least, span };
-  const others = engines.filter(({ id }) => id !== 'ours' && rowsOf(which, id, mine).length > 0);
+  const others = all.filter(({ id }) => id !== 'ours' && rowsOf(which, id, mine).length > 0);
+  const swept = mine.some(({ engine, level }) => engine === 'ours' && level === null);
   const errors = mine.map((row) => Math.max(errorOf(row), least));
-  return svgOf(width, height, {
+  return svgOf(`${which.id}-${size}`, SIZES[size], {
     legend: legend([
       OUR_LEVELS,
-      { name: OUR_SWEEP, icon: 'roundRect' },
+      ...(swept ? [{ name: OUR_SWEEP, icon: 'roundRect' }] : []),
       ...others.map(({ name }) => name),
     ]),
     grid: { left: 66, right: 20, top: size === 'wide' ? 56 : 100, bottom: 48 },
@@ -154,7 +171,8 @@ export function caseChart(which: Case, rows: readonly Row[], size: Size): string
       across(frame, 'floor', floorOf(which), 'solid'),
       across(frame, 'single precision', which.singlePrecision, 'dotted'),
       ...others.flatMap((engine) => linesOf(frame, engine)),
-      ...ours(frame),
+      ...(swept ? ourSweep(frame) : []),
+      ourLevels(frame),
     ],
   });
 }

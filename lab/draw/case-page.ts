@@ -8,7 +8,9 @@ import { errorOf, goalsOf, ladderOf, rowsOf, timeTo } from './judge.js';
 import { milliseconds, power, quantity, stepOf } from './numbers.js';
 import { chart, page } from './page.js';
 
-export const fileOf = ({ id }: Case): string => `${id.toLowerCase()}.html`;
+export const fileOf = ({ id }: Case): string => `${id}.html`;
+
+export const linkTo = (which: Case): Markup => html`<a href="${fileOf(which)}">${which.name}</a>`;
 
 const settingOf = ({ level, step, iterations }: Row): string =>
   level ?? `${stepOf(step)}, ${iterations} it.`;
@@ -95,10 +97,9 @@ export function casePage(which: Case, all: readonly Case[], results: Results): s
   const rows = results.rows.filter((row) => row.case === which.id);
   const at = all.indexOf(which);
   const link = (to: Case | undefined, word: string) =>
-    to ? html`<a href="${fileOf(to)}">${word} ${to.id}</a>` : html``;
-  const title = `${which.id} ${which.name}`;
+    to ? html`<a href="${fileOf(to)}">${word} ${to.name}</a>` : html``;
   return page(
-    title,
+    which.name,
     html`<a href="index.html">All cases</a
       ><a href="criteria.html">Criteria</a>${link(all[at - 1], '←')}${link(all[at + 1], '→')}`,
     html`<p>${which.says}</p>
@@ -106,8 +107,9 @@ export function casePage(which: Case, all: readonly Case[], results: Results): s
         ${which.seconds} s simulated. The quantity itself: ${quantity(which.size, which.unit)}.
         Floor, under which an error counts as none:
         ${quantity(floorOf(which), which.unit)}.${which.horizon ? ` Chaotic: followed to its horizon of ${which.horizon} s.` : ''}
+        Again: <code>npm run lab -- --case ${which.id}</code>
       </p>
-      ${chart(`${title}: error against time`, themed(caseChart(which, rows, 'wide')), themed(caseChart(which, rows, 'narrow')))}
+      ${chart(`${which.name}: error against time`, themed(caseChart(which, rows, 'wide')), themed(caseChart(which, rows, 'narrow')))}
       <p class="small">
         Both axes logarithmic: left is faster, down is nearer to the truth. Solid lines: an engine's
         own number of iterations, its step from 1/60 to 1/1920 s; dashed: more iterations. Pale: the

@@ -18,13 +18,25 @@ export type Size = keyof typeof SIZES;
 /** Widths of text are guessed by this family's. */
 const FONT = "Arial, Helvetica, 'Liberation Sans', sans-serif";
 
-export function svgOf(width: number, height: number, option: EChartsCoreOption): string {
+/** `name`: no other drawing of the page has it. */
+export function svgOf(
+  name: string,
+  { width, height }: { width: number; height: number },
+  option: EChartsCoreOption,
+): string {
   const chart = init(null, null, { renderer: 'svg', ssr: true, width, height });
   chart.setOption({ animation: false, textStyle: { fontFamily: FONT }, ...option });
   const svg = chart.renderToSVGString();
   chart.dispose();
-  return svg;
+  return named(svg, name);
 }
+
+/** echarts counts its drawings into their ids and classes; the classes are for what lies under a pointer alone. */
+const named = (svg: string, name: string): string =>
+  svg
+    .replace(/<style\b.*?<\/style>\s*/s, '')
+    .replaceAll(/ class="zr[^"]*"/g, '')
+    .replaceAll(/\bzr\d+-/g, `${name}-`);
 
 export const decades = (values: readonly number[]): { min: number; max: number } => ({
   min: 10 ** Math.floor(Math.log10(Math.min(...values))),

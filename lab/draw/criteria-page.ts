@@ -1,6 +1,6 @@
 import { floorOf, type Case } from '../case.js';
 import type { Results, Row } from '../run/row.js';
-import { fileOf } from './case-page.js';
+import { linkTo } from './case-page.js';
 import { html, table, type Markup } from './html.js';
 import {
   brokenRungs,
@@ -98,8 +98,7 @@ const causes = (verdicts: readonly Verdict[]): Markup[] =>
     .map(
       ({ which, broken }) =>
         html`<li>
-          ${which.id} ${which.name}, ${broken.join(' and ')}:
-          ${which.exception ?? 'no cause named.'}
+          ${which.name}, ${broken.join(' and ')}: ${which.exception ?? 'no cause named.'}
         </li>`,
     );
 
@@ -131,7 +130,7 @@ export function criteriaPage(cases: readonly Case[], results: Results): string {
           'factor',
         ],
         verdicts.map((verdict) => [
-          html`<a href="${fileOf(verdict.which)}">${verdict.which.id} ${verdict.which.name}</a>`,
+          linkTo(verdict.which),
           quantity(floorOf(verdict.which), verdict.which.unit),
           ...rungs(verdict),
           mark(verdict.cheap.length === 0, verdict.cheap.join(', ') || 'yes'),

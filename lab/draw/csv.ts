@@ -16,8 +16,6 @@ const COLUMNS: [string, (row: Row) => unknown][] = [
   ['contacts', (row) => row.contacts],
   ['joints', (row) => row.joints],
   ['state hash', (row) => row.hash],
-  ['machine', (row) => row.machine],
-  ['date', (row) => row.date],
 ];
 
 const cell = (value: unknown): string => {

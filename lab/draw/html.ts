@@ -1,3 +1,5 @@
+import type { Table } from './table.js';
+
 /** HTML that needs no escaping any more. */
 export class Markup {
   readonly text: string;
@@ -45,3 +47,5 @@ export function table(head: readonly string[], rows: readonly (readonly (string 
     </table>
   </div>`;
 }
+
+export const tableOf = ({ head, rows }: Table): Markup => table(head, rows);

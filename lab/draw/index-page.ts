@@ -1,7 +1,7 @@
 import { floorOf, type Case } from '../case.js';
 import { engines } from '../engines/index.js';
 import type { Results } from '../run/row.js';
-import { fileOf } from './case-page.js';
+import { linkTo } from './case-page.js';
 import { totals } from './criteria-page.js';
 import { html, table } from './html.js';
 import { themed } from './inks.js';
@@ -17,7 +17,7 @@ function overview(cases: readonly Case[], { rows }: Results) {
       const found = duel(which, 'ammo', rows);
       const ladder = ladderOf(which, rows);
       return [
-        html`<a href="${fileOf(which)}">${which.id} ${which.name}</a>`,
+        linkTo(which),
         quantity(floorOf(which), which.unit),
         ...levelNames.map((name) => {
           const row = ladder.find(({ level }) => level === name);
@@ -31,22 +31,25 @@ function overview(cases: readonly Case[], { rows }: Results) {
   );
 }
 
-const dates = ({ rows }: Results): string => {
-  const days = [...new Set(rows.map(({ date }) => date.slice(0, 10)))].sort();
-  return days.length > 1 ? `${days[0]} to ${days.at(-1)}` : days[0]!;
-};
+/** When and where; of a run that measured a few cases only, which. */
+const measuredIn = ({ runs }: Results): string =>
+  runs
+    .map(({ date, machine, cases }, i) => {
+      const which = i > 0 ? ` (${cases.join(', ')})` : '';
+      return `${date}, ${machine}${which}`;
+    })
+    .join('; ');
 
 export function indexPage(cases: readonly Case[], results: Results): string {
   const { rows } = results;
-  const machines = [...new Set(rows.map(({ machine }) => machine))];
   return page(
     'What accuracy costs',
-    html`<a href="criteria.html">Criteria</a><a href="rows.csv">rows.csv</a
-      ><a href="rows.json">rows.json</a>`,
+    html`<a href="criteria.html">Criteria</a><a href="joints.html">Joints</a
+      ><a href="rows.csv">rows.csv</a><a href="rows.json">rows.json</a>`,
     html`<p>
         ${cases.length} cases with a known answer, ${rows.length} runs: error against time at our
         levels, in a free sweep of step and iterations, and through other engines.
-        ${dates(results)}, ${machines.join('; ')}.
+        ${measuredIn(results)}.
       </p>
       ${totals(cases, results)}
       ${chart(

@@ -11,6 +11,7 @@ const INKS = {
   cannon: ['#9a6a00', '#f0bd4f'],
   rapier: ['#007a59', '#3fcb9f'],
   jolt: ['#c04d00', '#ff9557'],
+  iterated: ['#b85000', '#ffa066'],
 } as const satisfies Record<string, readonly [string, string]>;
 
 type Ink = keyof typeof INKS;

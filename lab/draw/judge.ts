@@ -9,14 +9,14 @@ export const levelNames: readonly string[] = levels.map(({ name }) => name);
 /** What came to no number is as wrong as can be. */
 export const errorOf = ({ error }: Row): number => error ?? Infinity;
 
+export const rowsOf = (which: Case, engine: string, rows: readonly Row[]): Row[] =>
+  rows.filter((row) => row.case === which.id && row.engine === engine);
+
 /** Our rows at the levels, coarse to fine. */
 export const ladderOf = (which: Case, rows: readonly Row[]): Row[] =>
   levelNames.flatMap(
-    (level) => rows.find((row) => row.case === which.id && row.level === level) ?? [],
+    (level) => rowsOf(which, 'ours', rows).find((row) => row.level === level) ?? [],
   );
-
-export const rowsOf = (which: Case, engine: string, rows: readonly Row[]): Row[] =>
-  rows.filter((row) => row.case === which.id && row.engine === engine);
 
 /** Levels whose error is above that of the level before it, and not under the floor. */
 export function brokenRungs(which: Case, rows: readonly Row[]): string[] {

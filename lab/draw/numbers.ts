@@ -30,6 +30,10 @@ export function power(value: number): string {
 const superscript = (n: number): string =>
   String(n).replaceAll(/[-\d]/g, (sign) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(sign)]!);
 
+export const threeDigits = (value: number): string => round(value, 3);
+
+export const percent = (share: number): string => `${round(share * 100)} %`;
+
 export const milliseconds = (ms: number): string => `${round(ms)} ms`;
 
 /** A step as a share of a second, which is how people know it. */

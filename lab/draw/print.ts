@@ -1,8 +1,9 @@
 import type { Case } from '../case.js';
 import { floorOf } from '../case.js';
-import type { Results, Row } from '../run/row.js';
+import type { Measured, Row } from '../run/row.js';
 import { brokenRungs } from './judge.js';
 import { milliseconds, quantity, stepOf } from './numbers.js';
+import { columnsOf } from './table.js';
 
 const cells = (row: Row): string[] => [
   row.engine,
@@ -14,24 +15,12 @@ const cells = (row: Row): string[] => [
   milliseconds(row.ms),
 ];
 
-function columns(rows: string[][]): string {
-  const widths = rows[0]!.map((_, i) => Math.max(...rows.map((row) => row[i]!.length)));
-  return rows
-    .map((row) =>
-      row
-        .map((text, i) => text.padEnd(widths[i]!))
-        .join('  ')
-        .trimEnd(),
-    )
-    .join('\n');
-}
-
-function caseText(which: Case, { rows, notOffered }: Results): string {
+function caseText(which: Case, { rows, notOffered }: Measured): string {
   const of = <T extends { case: string }>(list: T[]) => list.filter((one) => one.case === which.id);
   const broken = brokenRungs(which, rows);
   return [
-    `\n${which.id} ${which.name}: ${which.says} Floor ${quantity(floorOf(which), which.unit)}.`,
-    columns([
+    `\n${which.id}, ${which.name}: ${which.says} Floor ${quantity(floorOf(which), which.unit)}.`,
+    columnsOf([
       ['engine', 'level', 'step', 'iterations', 'error', 'gap', 'per second'],
       ...of(rows).map(cells),
     ]),
@@ -41,5 +30,5 @@ function caseText(which: Case, { rows, notOffered }: Results): string {
 }
 
 /** What was measured, as text. */
-export const printed = (cases: readonly Case[], results: Results): string =>
+export const printed = (cases: readonly Case[], results: Measured): string =>
   cases.map((which) => caseText(which, results)).join('\n');

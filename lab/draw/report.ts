@@ -1,36 +1,43 @@
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { cases } from '../cases/index.js';
+import type { JointNumbers } from '../joints/numbers.js';
 import type { Results } from '../run/row.js';
 import { casePage, fileOf } from './case-page.js';
 import { criteriaPage } from './criteria-page.js';
 import { csvOf } from './csv.js';
 import { indexPage } from './index-page.js';
 import { standalone } from './inks.js';
+import { jointsPage } from './joints-page.js';
 import { summaryChart } from './summary-chart.js';
 
+/** Beside the numbers; the stories lead there. */
 const FOLDER = new URL('../report/', import.meta.url);
-const ROWS = new URL('rows.json', FOLDER);
-/** In the README. */
 const PICTURE = new URL('../../docs/pictures/accuracy.svg', import.meta.url);
 
-export const readReport = (): Results => JSON.parse(readFileSync(ROWS, 'utf8')) as Results;
+const measuredCases = ({ rows }: Results) =>
+  cases.filter(({ id }) => rows.some((row) => row.case === id));
 
-/** One row per line, so that a new run shows what changed. */
-const jsonOf = ({ rows, notOffered }: Results): string => {
-  const lines = (list: readonly object[]) => list.map((one) => JSON.stringify(one)).join(',\n');
-  return `{"rows":[\n${lines(rows)}\n],"notOffered":[\n${lines(notOffered)}\n]}\n`;
-};
-
-/** Everything in lab/report/, and the picture of the README. */
-export function writeReport(results: Results): void {
-  const known = cases.filter(({ id }) => results.rows.some((row) => row.case === id));
-  rmSync(FOLDER, { recursive: true, force: true });
-  mkdirSync(FOLDER, { recursive: true });
-  const write = (name: string, text: string) => writeFileSync(new URL(name, FOLDER), text);
-  write('rows.json', jsonOf(results));
-  write('rows.csv', csvOf(results.rows));
-  write('index.html', indexPage(known, results));
-  write('criteria.html', criteriaPage(known, results));
-  for (const which of known) write(fileOf(which), casePage(which, known, results));
-  writeFileSync(PICTURE, `${standalone(summaryChart(known, results.rows, 'wide'))}\n`);
+/** All pages, by the names of their files. */
+export function pagesOf(results: Results, joints: JointNumbers): Map<string, string> {
+  const known = measuredCases(results);
+  return new Map([
+    ['rows.csv', csvOf(results.rows)],
+    ['index.html', indexPage(known, results)],
+    ['criteria.html', criteriaPage(known, results)],
+    ['joints.html', jointsPage(results, joints)],
+    ...known.map((which): [string, string] => [fileOf(which), casePage(which, known, results)]),
+  ]);
 }
+
+export function drawPages(results: Results, joints: JointNumbers): void {
+  // Of cases that are called otherwise by now.
+  for (const name of readdirSync(FOLDER))
+    if (!name.endsWith('.json')) rmSync(new URL(name, FOLDER));
+  for (const [name, text] of pagesOf(results, joints)) writeFileSync(new URL(name, FOLDER), text);
+}
+
+/** For the README. */
+export const pictureOf = (results: Results): string =>
+  `${standalone(summaryChart(measuredCases(results), results.rows, 'wide'))}\n`;
+
+export const drawPicture = (results: Results): void => writeFileSync(PICTURE, pictureOf(results));

@@ -1,6 +1,6 @@
 import { floorOf, type Case } from '../case.js';
 import type { Row } from '../run/row.js';
-import { decades, legend, logAxis, svgOf } from './chart.js';
+import { decades, legend, logAxis, SIZES, svgOf, type Size } from './chart.js';
 import { ink, inkOf } from './inks.js';
 import { duel, errorOf, ladderOf, type Duel } from './judge.js';
 import { power } from './numbers.js';
@@ -41,13 +41,9 @@ const AMMO = 'the best of raw Ammo in the same time';
 /** Pixels for the names of the cases. */
 const NAMES = { wide: 250, narrow: 132 };
 
-export function summaryChart(
-  cases: readonly Case[],
-  rows: readonly Row[],
-  size: 'wide' | 'narrow',
-): string {
+export function summaryChart(cases: readonly Case[], rows: readonly Row[], size: Size): string {
   const lines = linesOf(cases, rows);
-  const names = lines.map(({ which: { id, name } }) => `${id} ${name}`);
+  const names = lines.map(({ which: { name } }) => name);
   const theirs = lines.map(({ which, duel: { theirs: error } }) =>
     error !== null && Number.isFinite(error) ? share(which, error) : null,
   );
@@ -62,54 +58,58 @@ export function summaryChart(
     data: data.flatMap((value, i) => (value === null ? [] : [[value, i]])),
   });
   const height = 96 + (size === 'narrow' ? 40 : 0) + LINE_HEIGHT * lines.length;
-  return svgOf(size === 'wide' ? 860 : 358, height, {
-    legend: legend([STANDARD, OTHERS, AMMO]),
-    grid: { left: NAMES[size], right: 24, top: size === 'wide' ? 32 : 72, bottom: 48 },
-    xAxis: {
-      ...logAxis('error as a share of the quantity itself', 30, power),
-      ...decades([...ours, ...theirs.flatMap((value) => value ?? [])]),
-    },
-    yAxis: {
-      type: 'category' as const,
-      data: names,
-      axisLabel: {
-        color: ink('ink'),
-        fontSize: 12,
-        interval: 0,
-        width: NAMES[size] - 12,
-        overflow: 'truncate' as const,
+  return svgOf(
+    `summary-${size}`,
+    { width: SIZES[size].width, height },
+    {
+      legend: legend([STANDARD, OTHERS, AMMO]),
+      grid: { left: NAMES[size], right: 24, top: size === 'wide' ? 32 : 72, bottom: 48 },
+      xAxis: {
+        ...logAxis('error as a share of the quantity itself', 30, power),
+        ...decades([...ours, ...theirs.flatMap((value) => value ?? [])]),
       },
-      axisLine: { lineStyle: { color: ink('soft') } },
-      axisTick: { show: false },
-    },
-    series: [
-      ...lines.flatMap((_, i) =>
-        theirs[i] === null
-          ? []
-          : [
-              {
-                type: 'line' as const,
-                symbol: 'none',
-                lineStyle: { color: inkOf(ours[i]! <= theirs[i]! ? 'ours' : 'ammo'), width: 2 },
-                data: [
-                  [ours[i]!, i],
-                  [theirs[i]!, i],
-                ],
-              },
-            ],
-      ),
-      {
-        name: OTHERS,
-        type: 'scatter' as const,
-        symbol: 'circle',
-        symbolSize: 5,
-        itemStyle: { color: inkOf('ours'), opacity: 0.55 },
-        data: lines.flatMap(({ which, others }, i) =>
-          others.map((error) => [share(which, error), i]),
+      yAxis: {
+        type: 'category' as const,
+        data: names,
+        axisLabel: {
+          color: ink('ink'),
+          fontSize: 12,
+          interval: 0,
+          width: NAMES[size] - 12,
+          overflow: 'truncate' as const,
+        },
+        axisLine: { lineStyle: { color: ink('soft') } },
+        axisTick: { show: false },
+      },
+      series: [
+        ...lines.flatMap((_, i) =>
+          theirs[i] === null
+            ? []
+            : [
+                {
+                  type: 'line' as const,
+                  symbol: 'none',
+                  lineStyle: { color: inkOf(ours[i]! <= theirs[i]! ? 'ours' : 'ammo'), width: 2 },
+                  data: [
+                    [ours[i]!, i],
+                    [theirs[i]!, i],
+                  ],
+                },
+              ],
         ),
-      },
-      dots(AMMO, theirs, inkOf('ammo'), 'rect'),
-      dots(STANDARD, ours, inkOf('ours'), 'circle'),
-    ],
-  });
+        {
+          name: OTHERS,
+          type: 'scatter' as const,
+          symbol: 'circle',
+          symbolSize: 5,
+          itemStyle: { color: inkOf('ours'), opacity: 0.55 },
+          data: lines.flatMap(({ which, others }, i) =>
+            others.map((error) => [share(which, error), i]),
+          ),
+        },
+        dots(AMMO, theirs, inkOf('ammo'), 'rect'),
+        dots(STANDARD, ours, inkOf('ours'), 'circle'),
+      ],
+    },
+  );
 }

@@ -74,6 +74,8 @@ export class BulletScene {
         configuration,
       ),
     );
+    // One for all of Bullet's worlds: that of a world of ours would see the contacts of this one.
+    this.world.setContactProcessedCallback(0);
     this.world.setGravity(this.vector(scene.gravity));
     this.#ground = this.#make({ name: 'the world', fixed: true });
     for (const body of scene.bodies) this.#add(body);

@@ -1,5 +1,6 @@
+import { jointSolve } from '../../physics-core/inside.js';
 import { levels, loadEngine, World, type Level } from '../../physics-core/inside.js';
-import type { BodyNode } from '../../physics-core/nodes/body.js';
+import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
 import { sweep, type Engine, type Running, type Setting } from './engine.js';
 
@@ -46,8 +47,14 @@ const levelOf = ({ level, step, iterations }: Setting): Level =>
 /** What a case may be about; any other problem means that the case was told wrongly. */
 const HARD = ['mass-ratio', 'initial-overlap'];
 
-async function make(scene: CaseScene, setting: Setting): Promise<Running> {
+/** Leaves a world's joints to Bullet's own rows. */
+export const leaveJointsToBullet = (world: World): void => {
+  world.registry.get(jointSolve).on = false;
+};
+
+async function make(scene: CaseScene, setting: Setting, solve: boolean): Promise<Running> {
   const world = new World({ level: levelOf(setting) });
+  if (!solve) leaveJointsToBullet(world);
   const nodes = build(world, scene);
   world.start(await loadEngine());
   const wrong = world.problems.filter(({ code }) => !HARD.includes(code));
@@ -66,17 +73,25 @@ async function make(scene: CaseScene, setting: Setting): Promise<Running> {
   };
 }
 
+const LEVELS: Setting[] = levels.map(({ name, timeStep, iterations }) => ({
+  level: name,
+  step: timeStep,
+  iterations,
+}));
+
 export const ours: Engine = {
   id: 'ours',
   name: 'x3d-physics',
   says: 'Our five levels, and behind them a free sweep of step and iterations.',
-  settings: [
-    ...levels.map(({ name, timeStep, iterations }) => ({
-      level: name,
-      step: timeStep,
-      iterations,
-    })),
-    ...sweep([5, 20, 50]),
-  ],
-  make,
+  settings: [...LEVELS, ...sweep([5, 20, 50])],
+  make: (scene, setting) => make(scene, setting, true),
+};
+
+/** For chains alone: what the direct solve of joints is measured by. */
+export const iterated: Engine = {
+  id: 'iterated',
+  name: "Bullet's iterations alone",
+  says: 'Our five levels without the direct solve of joints.',
+  settings: LEVELS,
+  make: (scene, setting) => make(scene, setting, false),
 };

@@ -16,8 +16,14 @@ function gapOf(sight: Sight, { kind, ends: [a, b], spring }: Plan): number {
   return length(subtract(apart, scale(axis, dot(apart, axis))));
 }
 
+/** Of a scene's joints, now. */
+export function gapsIn(scene: CaseScene): (sight: Sight) => number[] {
+  const { joints } = plansOf(scene);
+  return (sight) => joints.map((plan) => gapOf(sight, plan));
+}
+
 /** The widest gap of a scene's joints, now. */
 export function widestGap(scene: CaseScene): (sight: Sight) => number {
-  const { joints } = plansOf(scene);
-  return (sight) => joints.reduce((most, plan) => Math.max(most, gapOf(sight, plan)), 0);
+  const gaps = gapsIn(scene);
+  return (sight) => Math.max(0, ...gaps(sight));
 }

@@ -1,8 +1,8 @@
 import type { Case } from '../case.js';
 import { NotOffered, type Engine, type Setting } from '../engines/engine.js';
 import { follow, type Findings } from './follow.js';
-import type { Results, Row } from './row.js';
-import { MACHINE } from './sources.js';
+import type { Progress } from './progress.js';
+import type { Measured, Row } from './row.js';
 import { Store } from './store.js';
 
 /**
@@ -30,8 +30,6 @@ interface Run extends Entry {
   ms: number;
   findings?: Findings;
 }
-
-export type Progress = (doing: string) => void;
 
 /** Once more; the same scene must come to the same bits. */
 async function repeat(which: Case, run: Run): Promise<void> {
@@ -61,8 +59,6 @@ const rowOf = (which: Case, { engine, setting, ms, findings }: Run): Row => ({
   contacts: findings!.contacts,
   joints: which.scene.joints?.length ?? 0,
   hash: findings!.hash,
-  machine: MACHINE,
-  date: new Date().toISOString(),
 });
 
 /** The entries whose engine has words for the scene, and why the others have not. */
@@ -85,12 +81,19 @@ async function offered(which: Case, entries: readonly Entry[]) {
   };
 }
 
+interface Manner {
+  pains: Pains;
+  /** Measure anew what the store has, too. */
+  fresh: boolean;
+  progress: Progress;
+}
+
 /** Runs a case through all entries that the store does not have yet. */
 export async function measure(
   which: Case,
   entries: readonly Entry[],
-  { pains, fresh, progress }: { pains: Pains; fresh: boolean; progress: Progress },
-): Promise<Results> {
+  { pains, fresh, progress }: Manner,
+): Promise<Measured> {
   const store = new Store(which.id, fresh);
   const { runs, notOffered } = await offered(which, entries);
   const missing = runs.filter(({ engine, setting }) => !store.get(engine.id, setting));
@@ -105,4 +108,26 @@ export async function measure(
   if (pains !== ONCE) store.save();
   const rows = runs.map((run) => store.get(run.engine.id, run.setting) ?? rowOf(which, run));
   return { rows, notOffered };
+}
+
+/** One case after the other, and says how long each took. */
+export async function measureCases(
+  cases: readonly Case[],
+  entries: readonly Entry[],
+  manner: Manner,
+): Promise<Measured> {
+  const all: Measured = { rows: [], notOffered: [] };
+  for (const [i, which] of cases.entries()) {
+    const start = performance.now();
+    const { rows, notOffered } = await measure(which, entries, {
+      ...manner,
+      progress: (doing) =>
+        manner.progress(`case ${i + 1} of ${cases.length}, ${which.name}: ${doing}`),
+    });
+    all.rows.push(...rows);
+    all.notOffered.push(...notOffered);
+    manner.progress('');
+    console.error(`${which.id}: ${((performance.now() - start) / 1000).toFixed(1)} s`);
+  }
+  return all;
 }

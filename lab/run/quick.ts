@@ -1,7 +1,8 @@
 import type { Case } from '../case.js';
 import { engines } from '../engines/index.js';
-import { measure, ONCE, type Entry, type Progress } from './measure.js';
-import type { Results, Row } from './row.js';
+import { measure, ONCE, type Entry } from './measure.js';
+import type { Progress } from './progress.js';
+import type { Measured, Row } from './row.js';
 
 /** Seconds that a run may take to be among those that are compared; our levels always are. */
 const CHEAP = 0.1;
@@ -43,7 +44,7 @@ async function compareCase(which: Case, before: readonly Row[], progress: Progre
 
 /** Runs anew, once, what is cheap in these results, and says where error or state came out otherwise. */
 export async function compareWith(
-  { rows }: Results,
+  { rows }: Measured,
   cases: readonly Case[],
   progress: Progress,
   say: (line: string) => void = console.log,

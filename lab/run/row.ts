@@ -1,4 +1,4 @@
-/** What one run of a case came to: a line of rows.csv. */
+/** What one run of a case came to: a line of rows.json. */
 export interface Row {
   case: string;
   scene: string;
@@ -22,8 +22,6 @@ export interface Row {
   joints: number;
   /** Of all poses and velocities at the end, bit for bit. */
   hash: string;
-  machine: string;
-  date: string;
 }
 
 /** A case that an engine has no words for. */
@@ -33,8 +31,21 @@ export interface NotOfferedRow {
   reason: string;
 }
 
-/** All that a run of the lab leaves. */
-export interface Results {
+/** Cases that were measured together. */
+export interface Run {
+  machine: string;
+  /** As in 2026-11-21. */
+  date: string;
+  cases: string[];
+}
+
+/** All that is known of some cases. */
+export interface Measured {
   rows: Row[];
   notOffered: NotOfferedRow[];
+}
+
+/** The report's numbers. */
+export interface Results extends Measured {
+  runs: Run[];
 }

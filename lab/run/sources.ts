@@ -1,6 +1,5 @@
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
-import { cpus, platform, release } from 'node:os';
 
 const ROOT = new URL('../../', import.meta.url);
 
@@ -27,15 +26,11 @@ const versionOf = (name: string): string => {
 
 /** What the result of any run hangs on: the cases, their references, how they are run, and the engines' versions. */
 const ALL = [
-  hashOf(
-    ...['lab/case.ts', 'lab/cases/', 'lab/engines/', 'lab/run/'],
-    ...['test/core/references/', 'test/core/chain-reference.ts'],
-  ),
+  hashOf(...['lab/case.ts', 'lab/cases/', 'lab/engines/', 'lab/run/'], 'references/'),
   ...PACKAGES.map(versionOf),
 ].join('-');
 const OURS = hashOf('physics-core/');
 
 /** Stands for all code that a run of this engine goes through. */
-export const sourcesOf = (engine: string): string => (engine === 'ours' ? `${ALL}-${OURS}` : ALL);
-
-export const MACHINE = `${cpus()[0]?.model ?? 'unknown'}, ${cpus().length} cores, ${platform()} ${release()}, Node ${process.version}`;
+export const sourcesOf = (engine: string): string =>
+  ['ours', 'iterated'].includes(engine) ? `${ALL}-${OURS}` : ALL;

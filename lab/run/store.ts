@@ -1,7 +1,8 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import type { Setting } from '../engines/engine.js';
+import { MACHINE } from './machine.js';
 import type { Row } from './row.js';
-import { MACHINE, sourcesOf } from './sources.js';
+import { sourcesOf } from './sources.js';
 
 // Rows measured so far: a run of the lab that was broken off goes on where it was.
 
@@ -9,7 +10,7 @@ const FOLDER = new URL('../../node_modules/.cache/x3d-physics-lab/', import.meta
 
 type Stored = Record<string, Row>;
 
-const fileOf = (id: string): URL => new URL(`${id.toLowerCase()}.json`, FOLDER);
+const fileOf = (id: string): URL => new URL(`${id}.json`, FOLDER);
 
 /** Of one run: change what it hangs on, and it is another. */
 const keyOf = (engine: string, { level = '', step, iterations }: Setting): string =>

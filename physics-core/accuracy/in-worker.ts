@@ -1,5 +1,4 @@
-import type { Measured } from './measurement.js';
-import type { Watching } from './slices.js';
+import type { Measured, Watching } from '../world/measuring.js';
 import type { Answer, Order } from './worker.js';
 
 /** Milliseconds that a worker may take to load. */

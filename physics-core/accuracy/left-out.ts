@@ -1,11 +1,7 @@
-import type { PhysicsNode } from '../nodes/node.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
+import { carrying } from '../effects/drag/carrying.js';
+import type { LeftOut } from '../world/measuring.js';
 import type { World } from '../world/world.js';
-
-/** Something of a page that a second world can't have. */
-export interface LeftOut {
-  element: unknown;
-  reason: string;
-}
 
 /** What acts on a world from outside, and so not on a second one made of its snapshot. */
 export function leftOutOf(world: World): LeftOut[] {
@@ -15,7 +11,7 @@ export function leftOutOf(world: World): LeftOut[] {
       out.push({ element: world.settings.host, reason: `${event} listeners` });
   for (const node of world.nodes)
     for (const reason of outside(node)) out.push({ element: node.host, reason });
-  for (const node of world.registry.carrying.causes)
+  for (const node of world.registry.find(carrying)?.causes ?? [])
     out.push({ element: node.host, reason: 'it is moved along from outside' });
   return out;
 }

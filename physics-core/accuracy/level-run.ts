@@ -1,8 +1,9 @@
 import type { Vec3 } from '../fields/types.js';
 import { dot, rotate } from '../base/math.js';
-import type { BodyNode } from '../nodes/body.js';
-import { JointNode } from '../nodes/joint.js';
-import { deepestOverlap } from '../world/overlaps.js';
+import { jointSolve } from '../effects/joints/joint-solve.js';
+import type { BodyNode } from '../nodes/body/body.js';
+import { JointNode } from '../nodes/joints/joint.js';
+import { deepestOverlap } from '../world/pairs/overlaps.js';
 import type { World } from '../world/world.js';
 import type { Level } from '../dynamics/levels.js';
 
@@ -59,9 +60,9 @@ export class LevelRun {
 
   /** At a moment where all levels stop. `early`: gaps and overlaps may still be those it began with. */
   look(early = false): void {
-    const { registry } = this.world;
+    const joints = this.world.registry.find(jointSolve);
     this.bodies.forEach((body, i) => this.positions.set(body.pose().p, 3 * i));
-    this.#lagging = this.bodies.filter((body) => registry.joints.lastStep(body) > 0);
+    this.#lagging = this.bodies.filter((body) => joints !== undefined && joints.lastStep(body) > 0);
     this.#lag = motionOf(this.#lagging);
     this.#settled = motionOf(this.bodies) - this.#lag;
     this.#heightNow = this.bodies.reduce((sum, body) => sum + heightOf(body), 0);

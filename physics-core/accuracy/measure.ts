@@ -1,28 +1,12 @@
 import { show } from '../base/show.js';
-import type { Snapshot } from '../world/snapshot.js';
+import type { LevelMeasurement, Measured, MeasureOptions } from '../world/measuring.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
 import { inWorker } from './in-worker.js';
-import { leftOutOf, type LeftOut } from './left-out.js';
+import { leftOutOf } from './left-out.js';
 import { levelNames, type LevelName } from '../dynamics/levels.js';
-import { Measurement, type Job, type Measured } from './measurement.js';
-import { inSlices, type Watching } from './slices.js';
-
-export interface MeasureOptions extends Watching {
-  /** Simulated seconds, 2 by default. */
-  seconds?: number;
-  /** All by default. */
-  levels?: readonly LevelName[];
-}
-
-/** What one level costs and leaves in a scene, against the finest of those measured. */
-export interface LevelMeasurement extends Omit<Measured, 'worst'> {
-  /** The element (in the core: node) of the body that is farthest off. */
-  worst: unknown;
-  /** Whether it was measured in a worker; else on this thread, in slices. */
-  inWorker: boolean;
-  /** What acts on the scene from outside, and so not where it was measured. */
-  leftOut: LeftOut[];
-}
+import { Measurement, type Job } from './measurement.js';
+import { inSlices } from './slices.js';
 
 const SECONDS = 2;
 const LONGEST = 60;

@@ -1,4 +1,6 @@
-import { copyInto, type Snapshot } from '../world/snapshot.js';
+import type { Measured } from '../world/measuring.js';
+import { copyInto } from '../world/snapshot/restore.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { World } from '../world/world.js';
 import { Comparison } from './comparison.js';
 import { LevelRun } from './level-run.js';
@@ -24,34 +26,6 @@ export interface Job {
   /** Coarse to fine. */
   levels: readonly LevelName[];
   seconds: number;
-}
-
-/** What one level costs and leaves. */
-export interface Measured {
-  level: LevelName;
-  timeStep: number;
-  /** Milliseconds of work per simulated second. */
-  msPerSecond: number;
-  error: {
-    /** The greatest distance of a body from where the finest level has it, metres. */
-    position: number;
-    /** Mean difference from the energy that the finest level has, as a share of the energy in play. */
-    energy: number;
-    /** The widest gap of a joint after the first quarter of the run, metres. */
-    joint: number;
-    /** The deepest overlap after the first quarter, metres. */
-    penetration: number;
-  };
-  /** Id of the body that is farthest off. */
-  worst: number | undefined;
-  /** Whether roundings grow until they decide where bodies are. */
-  chaotic: boolean;
-  /** Seconds up to which levels agree within `tolerance` (metres): `position` and `energy` count up to here. */
-  horizon: number;
-  tolerance: number;
-  seconds: number;
-  /** Contact points at the end. */
-  contacts: number;
 }
 
 type Engine = World['engine'];

@@ -1,14 +1,10 @@
+import type { Watching } from '../world/measuring.js';
+
 /** Milliseconds of work at once: between two slices the page has its turn. */
 const SLICE = 4;
 
 /** Milliseconds after which a page that is never idle gives a slice all the same. */
 const PATIENCE = 100;
-
-export interface Watching {
-  /** The share that is done, 0 to 1. */
-  onprogress?: ((done: number) => void) | undefined;
-  signal?: AbortSignal | undefined;
-}
 
 /** Does a piece of work on this thread, in slices so short that no frame is dropped for them. */
 export async function inSlices<T>(

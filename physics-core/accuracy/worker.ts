@@ -1,6 +1,7 @@
 // Where measurements run so that the page's frames don't: the file accuracy-worker.js.
-import { loadEngine } from '../inside.js';
-import { Measurement, type Job, type Measured } from './measurement.js';
+import { loadEngine } from '../engine/engine.js';
+import type { Measured } from '../world/measuring.js';
+import { Measurement, type Job } from './measurement.js';
 
 /** What the page sends. */
 export interface Order {

@@ -1,6 +1,5 @@
 import type { FieldCodec } from '../fields/values.js';
 import type { Value } from '../fields/types.js';
-import type { Field } from '../nodes/table.js';
 
 /** From here on a number is infinite in single precision. */
 export const LARGEST = '3.4e38';
@@ -9,11 +8,17 @@ export const LARGEST = '3.4e38';
  * What keeps bad numbers away from Bullet, each as one function, so that the mutation tests can let one through at a
  * time and see that a test notices.
  */
+/** Of a field that takes numbers: as its table has it. */
+interface Range {
+  range?: readonly [number, number];
+  open?: boolean;
+}
+
 export const guards = {
   /** The value as its field type, or undefined where it is malformed. */
   wellFormed: (codec: FieldCodec, value: unknown): Value | undefined => codec.accept(value),
 
-  inRange(field: Pick<Field, 'range' | 'open'>, value: Value): boolean {
+  inRange(field: Range, value: Value): boolean {
     if (!field.range) return true;
     const [low, high] = field.range;
     const numbers = Array.isArray(value) ? (value as number[]) : [value as number];

@@ -1,25 +1,25 @@
-import type { BodyNode } from '../nodes/body.js';
-import type { JointNode } from '../nodes/joint.js';
+import type { Body } from './body.js';
+import type { Joint } from './joint.js';
 
 /**
  * Whether the joint solve keeps a joint: it stands in the world and some row of it holds. One whose body is disabled, or is
  * not there yet, keeps nothing, nor does one with free rows only, as MotorJoint is.
  */
-export const holds = ({ attached, lockedRows }: JointNode): boolean =>
+export const holds = ({ attached, lockedRows }: Joint): boolean =>
   attached && lockedRows.length > 0;
 
 /** Whether the joint solve moves a body: some joint holds it to another one, or to the world. */
-export function isJointed(body: BodyNode): boolean {
+export function isJointed(body: Body): boolean {
   for (const joint of body.joints) if (holds(joint)) return body.movable;
   return false;
 }
 
 /** Whether a joint holds a body to another one that moves. */
-export function hangsOnMoving(body: BodyNode): boolean {
+export function hangsOnMoving(body: Body): boolean {
   for (const joint of body.joints) if (holds(joint) && otherEnd(joint, body)?.movable) return true;
   return false;
 }
 
 /** What a joint holds a body to; undefined: the world. */
-export const otherEnd = ({ body1, body2 }: JointNode, body: BodyNode): BodyNode | undefined =>
+export const otherEnd = ({ body1, body2 }: Joint, body: Body): Body | undefined =>
   body1 === body ? body2 : body1;

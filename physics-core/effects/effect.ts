@@ -1,19 +1,56 @@
-import type { PhysicsNode } from '../nodes/node.js';
+import type { Body } from '../dynamics/body.js';
+import type { Joint } from '../dynamics/joint.js';
+import type { Simulation } from '../dynamics/simulation.js';
+import type { Effects } from './effects.js';
 
 /** Weight of the newest step in the running mean of an effect's cost. */
 const NEWEST = 0.05;
 
 /** Who needs an effect: a node, or something outside the world that `world.effects` is to name. */
-export type Cause = Pick<PhysicsNode, 'host'>;
+export interface Cause {
+  readonly host: unknown;
+}
 
-/** Something a plain scene of falling bodies can do without. It runs while at least one node causes it. */
+/** What of a body may change so that other effects act on it. */
+export type BodyChange = 'mass' | 'load' | 'gravity' | 'damping' | 'rest';
+
+/**
+ * All that is to be known of an effect before there is one. Adding an effect is a file with a descriptor, and a line in
+ * `all.ts`.
+ */
+export interface EffectDescriptor<E extends Effect = Effect> {
+  /** As `world.effects` and the docs call it. */
+  readonly name: string;
+  /** What switches it on, for people. */
+  readonly causes: string;
+  /** Effects whose hooks come before its own in every stage of a step, by name, and why. */
+  readonly after?: Readonly<Record<string, string>>;
+  /** Effects that it comes and goes with. */
+  readonly with?: readonly EffectDescriptor[];
+  /** The bodies that cause it: looked at again when one of these changes. Undefined: this one does not. */
+  readonly body?: {
+    readonly on: readonly BodyChange[];
+    reason(body: Body, effects: Effects): string | undefined;
+  };
+  /** The joints that cause it: looked at again whenever one changes. */
+  readonly joint?: (joint: Joint) => string | undefined;
+  /** Makes it for one world, when it is needed first. */
+  readonly load: (simulation: Simulation, effects: Effects) => E;
+}
+
+/** Stages of a step in which effects act. */
+export const STAGES = ['beforeStep', 'settle', 'afterStep'] as const;
+export type Stage = (typeof STAGES)[number];
+
+/** Something a plain scene of falling bodies can do without. It is called while at least one node causes it, and only then. */
 export abstract class Effect {
-  abstract readonly name: string;
   /** Why it is on: the nodes that need it, and what of them. */
   readonly #causes = new Map<Cause, string>();
   /** Milliseconds per step, a running mean, and those of the present step. */
   ms = 0;
   spent = 0;
+  /** Told when it comes on and when it goes off. */
+  onswitch?: () => void;
 
   get active(): boolean {
     return this.#causes.size > 0;
@@ -41,16 +78,27 @@ export abstract class Effect {
 
   need(node: Cause, reason: string): void {
     this.#causes.set(node, reason);
+    if (this.#causes.size === 1) this.onswitch?.();
   }
 
-  drop(node: Cause): void {
-    this.#causes.delete(node);
+  /** The node causes it no more. */
+  release(node: Cause): void {
+    if (this.#causes.delete(node) && this.#causes.size === 0) this.onswitch?.();
+  }
+
+  /** What stood for a node in Bullet is gone; the node may be made again. */
+  unmade(node: Cause): void {
+    this.release(node);
   }
 
   /** Before each step of Bullet, `dt` seconds. */
   beforeStep?(dt: number): void;
   /** Right after each step of Bullet, before anybody reads where it took the bodies. */
   settle?(dt: number): void;
-  /** After each step of Bullet. */
+  /** After each step of Bullet, when poses and velocities are read. */
   afterStep?(dt: number): void;
+  /** Sees every contact point between Bullet's contact search and its solver, by heap pointers. False: takes it back. */
+  contact?(point: number, a: number, b: number): boolean;
+  /** Whether it has to see those of the step that begins. */
+  seesContacts?(): boolean;
 }

@@ -4,7 +4,7 @@ import type { BtBody } from './heap.js';
 import { CONSTRAINT_PARAM } from './offsets.js';
 import { Owner } from './owner.js';
 import { compose, identityPose, quaternionOf, type Pose } from '../base/math.js';
-import type { World } from '../world/world.js';
+import type { BulletWorld } from './bullet-world.js';
 
 type SixDof = Ammo['btGeneric6DofConstraint']['prototype'];
 
@@ -44,7 +44,7 @@ export class JointConstraint {
   readonly swapped: boolean;
   /** Whether both bodies are pushed at one point; else each where its own frame is. */
   atOnePoint = false;
-  readonly #world: World;
+  readonly #world: BulletWorld;
   readonly #owner: Owner;
   readonly #bullet: SixDof;
   readonly #frameA: Pose;
@@ -53,7 +53,7 @@ export class JointConstraint {
   /** What Bullet's value of a row lacks of its own. */
   readonly #shifts = new Float64Array(6);
 
-  constructor(world: World, side1: Side, side2: Side, swapped: boolean) {
+  constructor(world: BulletWorld, side1: Side, side2: Side, swapped: boolean) {
     const { ammo, scratch } = world.engine;
     const [a, b] = swapped ? [side2, side1] : [side1, side2];
     this.#world = world;
@@ -75,12 +75,12 @@ export class JointConstraint {
   /** Into the world. `slides`: its bodies may move apart. */
   add(slides: boolean): void {
     this.atOnePoint = slides;
-    if (slides) this.#world.bullet.pushAtOnePoint(this.#bullet);
-    this.#world.bullet.addConstraint(this.#bullet as BtConstraint);
+    if (slides) this.#world.pushAtOnePoint(this.#bullet);
+    this.#world.addConstraint(this.#bullet as BtConstraint);
   }
 
   dispose(): void {
-    this.#world.bullet.removeConstraint(this.#bullet as BtConstraint);
+    this.#world.removeConstraint(this.#bullet as BtConstraint);
     this.#owner.dispose();
   }
 
@@ -125,14 +125,14 @@ export class JointConstraint {
   setTarget(row: number, value: number): void {
     this.#released = false;
     const shifted = row === MIDDLE ? value : value - this.#shifts[row]!;
-    this.#world.bullet.setRowTarget(this.pointer, row, shifted || LOCKED[0]);
+    this.#world.setRowTarget(this.pointer, row, shifted || LOCKED[0]);
   }
 
   /** Lets go of locked rows until they are told a target or limits. */
   release(rows: readonly number[]): void {
     if (this.#released) return;
     this.#released = true;
-    for (const row of rows) this.#world.bullet.releaseRow(this.pointer, row);
+    for (const row of rows) this.#world.releaseRow(this.pointer, row);
   }
 
   /** Share of a row's error repaired per step, and its softness in Bullet's own terms. */

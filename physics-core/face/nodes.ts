@@ -1,4 +1,5 @@
-import type { DragEnd, DragMode } from '../effects/drag/drag.js';
+import type { DragMode } from '../dynamics/body.js';
+import type { DragEnd } from '../effects/drag/drag.js';
 import type { Vec3 } from '../fields/types.js';
 import type { BodyEvents, CollidableEvents, JointEvents, SensorEvents } from './events.js';
 import type { NodeFields, NodeName, NodeValues } from './fields.js';

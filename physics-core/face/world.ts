@@ -1,10 +1,10 @@
-import type { LevelMeasurement, MeasureOptions } from '../accuracy/measure.js';
+import type { LevelMeasurement, MeasureOptions } from '../world/measuring.js';
 import type { Problem } from '../base/problems.js';
 import type { Level, LevelName } from '../dynamics/levels.js';
 import type { Costs } from '../effects/costs/frame-costs.js';
-import type { EffectReport } from '../effects/registry.js';
+import type { EffectReport } from '../effects/effects.js';
 import type { Vec3 } from '../fields/types.js';
-import type { Snapshot } from '../world/snapshot.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Stats } from '../world/types.js';
 import type { WorldEvents } from './events.js';
 import type { NodeFields, NodeName, NodeValues, RigidBodyCollectionFields } from './fields.js';

@@ -1,37 +1,43 @@
-import { ballJoint } from './ball-joint.js';
-import { collidableOffset } from './collidable-offset.js';
-import { collidableShape } from './collidable-shape.js';
-import { collisionCollection } from './collision-collection.js';
-import { collisionSpace } from './collision-space.js';
-import { collisionSensor } from './collision-sensor.js';
-import { doubleAxisHingeJoint } from './double-axis-hinge-joint.js';
-import { contact } from './contact.js';
-import { motorJoint } from './motor-joint.js';
+import { ballJoint } from './joints/ball-joint.js';
+import { collidableOffset } from './collision/collidable-offset.js';
+import { collidableShape } from './collision/collidable-shape.js';
+import { collisionCollection } from './collision/collision-collection.js';
+import { collisionSpace } from './collision/collision-space.js';
+import { collisionSensor } from './collision/collision-sensor.js';
+import { doubleAxisHingeJoint } from './joints/double-axis-hinge-joint.js';
+import { contact } from './collision/contact.js';
+import { motorJoint } from './joints/motor-joint.js';
 import { rigidBodyCollection } from './rigid-body-collection.js';
-import { rigidBody } from './rigid-body.js';
-import { singleAxisHingeJoint } from './single-axis-hinge-joint.js';
-import { sliderJoint } from './slider-joint.js';
-import { universalJoint } from './universal-joint.js';
-import { byName, type NodeType } from './table.js';
+import { rigidBody } from './body/rigid-body.js';
+import { singleAxisHingeJoint } from './joints/single-axis-hinge-joint.js';
+import { sliderJoint } from './joints/slider-joint.js';
+import { universalJoint } from './joints/universal-joint.js';
+import type { PhysicsNode } from './node/node.js';
+import { byName, type NodeType } from './node/table.js';
+
+/** The type of any node. */
+export type AnyNodeType = NodeType<PhysicsNode>;
 
 /** Every node type by its X3D name. */
-export const nodeTypes: Readonly<Record<string, NodeType>> = byName(
+export const nodeTypes: Readonly<Record<string, AnyNodeType>> = byName(
   Object.fromEntries(
-    [
-      rigidBodyCollection,
-      rigidBody,
-      collidableShape,
-      collidableOffset,
-      collisionCollection,
-      collisionSpace,
-      collisionSensor,
-      contact,
-      ballJoint,
-      singleAxisHingeJoint,
-      doubleAxisHingeJoint,
-      sliderJoint,
-      universalJoint,
-      motorJoint,
-    ].map((type) => [type.name, type]),
+    (
+      [
+        rigidBodyCollection,
+        rigidBody,
+        collidableShape,
+        collidableOffset,
+        collisionCollection,
+        collisionSpace,
+        collisionSensor,
+        contact,
+        ballJoint,
+        singleAxisHingeJoint,
+        doubleAxisHingeJoint,
+        sliderJoint,
+        universalJoint,
+        motorJoint,
+      ] as AnyNodeType[]
+    ).map((type) => [type.name, type]),
   ),
 );

@@ -1,17 +1,21 @@
-import { DRAG_MODES } from '../effects/drag/drag.js';
-import type { Vec3 } from '../fields/types.js';
-import { show, showUsed } from '../base/show.js';
+import { DRAG_MODES } from '../dynamics/body.js';
+import type { ContactGiver } from '../dynamics/contact.js';
+import { givenContacts } from '../effects/contacts/given-contacts.js';
+import { debugging } from '../effects/debug/debugging.js';
+import { BodyNode } from './body/body.js';
+import { unknownTokens } from './collision/contact-parameters.js';
+import { cut, show, showUsed } from '../base/show.js';
 import { AUTO, DEFAULT_LEVEL, levelNames } from '../dynamics/levels.js';
-import type { ContactNode } from './contact.js';
-import { PhysicsNode } from './node.js';
-import { defineNode } from './table.js';
+import type { ContactNode } from './collision/contact.js';
+import { PhysicsNode } from './node/node.js';
+import { defineNode } from './node/table.js';
 
 /** Settings of a world and defaults of the bodies under it. The first collection of a world gives the settings. */
-export class CollectionNode extends PhysicsNode {
+export class CollectionNode extends PhysicsNode implements ContactGiver {
   #taken: ContactNode[] | undefined;
 
-  get gravity(): Vec3 {
-    return this.asked('gravity');
+  get hasCollider(): boolean {
+    return this.asked('collider') !== null;
   }
 
   configureWorld(): void {
@@ -23,11 +27,7 @@ export class CollectionNode extends PhysicsNode {
     for (const [name, field] of Object.entries(this.type.fields)) {
       if (!field.worldWide) continue;
       const [asked, used] = [this.asked(name), first.asked(name)];
-      if (this === first || !this.authored(name) || asked === used) {
-        this.world.settle(this, name, 'shared-world-conflict');
-        continue;
-      }
-      this.report({
+      this.reportWhile(this !== first && this.authored(name) && asked !== used, {
         code: 'shared-world-conflict',
         severity: 'warning',
         attribute: name,
@@ -40,7 +40,8 @@ export class CollectionNode extends PhysicsNode {
 
   /** Bodies read gravity and rest from their own collection. */
   eachBody(field: string): void {
-    for (const body of this.world.bodies) if (body.settings === this) body.touch(field);
+    for (const node of this.world.nodes)
+      if (node instanceof BodyNode && node.settings === this) node.touch(field);
   }
 
   updateColliders(): void {
@@ -52,11 +53,32 @@ export class CollectionNode extends PhysicsNode {
     const list = this.asked<ContactNode[]>('set_contacts');
     if (!this.authored('set_contacts') || list === this.#taken) return;
     this.#taken = list;
-    this.world.registry.given.give(this, list);
+    this.#reportTokens(list);
+    this.world.registry.get(givenContacts).give(this, list);
+  }
+
+  /** Here and not at the contacts, which last a step only. */
+  #reportTokens(list: readonly ContactNode[]): void {
+    const unknown = [...new Set(list.flatMap(unknownTokens))];
+    if (unknown.length === 0) return;
+    this.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'set_contacts',
+      value: unknown.join(' '),
+      used: 'the others',
+      message: `${this.label}: the appliedParameters of a contact in set_contacts have no ${cut(unknown.join(', '))}; the others are used`,
+    });
   }
 
   updateDebug(): void {
-    this.world.registry.debugging.set(this, this.asked('debug'));
+    this.#draw(this.asked('debug'));
+  }
+
+  #draw(on: boolean): void {
+    const { registry: effects } = this.world;
+    if (on) effects.get(debugging).need(this, 'debug');
+    else effects.find(debugging)?.release(this);
   }
 
   protected override created(): void {
@@ -64,7 +86,7 @@ export class CollectionNode extends PhysicsNode {
   }
 
   protected override released(): void {
-    this.world.registry.debugging.set(this, false);
+    this.#draw(false);
     this.world.configure();
     this.world.pairs.refresh();
   }

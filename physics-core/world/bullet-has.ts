@@ -1,11 +1,12 @@
 import { eachContactPoint } from '../effects/contacts/contact-points.js';
 import { ContactPoint } from '../engine/contact-point.js';
 import { SHAPE, SHAPE_TYPE } from '../engine/offsets.js';
-import { BodyNode } from '../nodes/body.js';
-import { CollidableNode } from '../nodes/collidable.js';
-import { JointNode } from '../nodes/joint.js';
-import type { PhysicsNode } from '../nodes/node.js';
+import { BodyNode } from '../nodes/body/body.js';
+import { CollidableNode } from '../nodes/collision/collidable.js';
+import { JointNode } from '../nodes/joints/joint.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
 import { CollectionNode } from '../nodes/rigid-body-collection.js';
+import type { World } from './world.js';
 import type { BtShape } from '../shapes/build.js';
 
 /** Up to this distance bodies touch, metres: that of `collisionstart`. */
@@ -46,7 +47,9 @@ function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
     linearVelocity: [...velocity.subarray(0, 3)],
     angularVelocity: [...velocity.subarray(3)],
     gravity: [...body.gravity],
-    joints: [...body.joints].filter((joint) => joint.attached).map(nameOf),
+    joints: [...body.joints].flatMap((joint) =>
+      joint.attached && joint instanceof JointNode ? [nameOf(joint)] : [],
+    ),
   };
 }
 
@@ -87,7 +90,8 @@ function jointIn(joint: JointNode): Record<string, unknown> | undefined {
   return { anchor: p, frame: q, gap: joint.gap, rows };
 }
 
-function worldIn({ world }: CollectionNode): Record<string, unknown> {
+function worldIn(collection: CollectionNode): Record<string, unknown> {
+  const world = collection.world as World;
   const { iterations, contactErrorReduction, linearSlop } = world.bullet.settings;
   const { bodies, joints, contacts } = world.stats;
   const solver = { iterations, contactErrorReduction, linearSlop };
@@ -103,7 +107,7 @@ export function touchedBy(node: PhysicsNode): PhysicsNode[] | undefined {
   eachContactPoint(body.world, (pointer, a, b) => {
     if (a !== body && b !== body) return;
     if (point.at(pointer, a.pointer, b.pointer).distance <= TOUCHING)
-      others.add((a === body ? b : a).standsFor);
+      others.add(((a === body ? b : a) as BodyNode).standsFor);
   });
   return [...others];
 }

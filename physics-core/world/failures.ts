@@ -1,16 +1,19 @@
-import type { PhysicsNode } from '../nodes/node.js';
-import type { World } from './world.js';
+import type { HeapLimit } from './heap-limit.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
 
 /**
  * What becomes of a node that fails while it is made or patched: nothing of it stays in Bullet, its author is told, and
  * its next edit tries again. The others go on.
  */
 export class Failures {
-  readonly #world: World;
+  readonly #world: NodeWorld;
+  readonly #heapLimit: HeapLimit;
   readonly #failed = new WeakSet<PhysicsNode>();
 
-  constructor(world: World) {
+  constructor(world: NodeWorld, heapLimit: HeapLimit) {
     this.#world = world;
+    this.#heapLimit = heapLimit;
   }
 
   attempt(node: PhysicsNode, act: () => void): void {
@@ -20,7 +23,7 @@ export class Failures {
     } catch (error) {
       this.#failed.add(node);
       this.#undo(node);
-      if (this.#world.engine.isExhaustion(error)) this.#world.heapLimit.exhausted(node);
+      if (this.#world.engine.isExhaustion(error)) this.#heapLimit.exhausted(node);
       else this.#tell(node, error);
     }
   }
@@ -35,7 +38,7 @@ export class Failures {
 
   #settle(node: PhysicsNode): void {
     if (!this.#failed.delete(node)) return;
-    for (const code of ['edit-failed', 'heap-exhausted']) this.#world.settle(node, undefined, code);
+    for (const code of ['edit-failed', 'heap-exhausted']) node.settle(undefined, code);
   }
 
   #tell(node: PhysicsNode, error: unknown): void {

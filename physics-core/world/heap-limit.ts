@@ -1,7 +1,7 @@
 import { HeapExhausted } from '../engine/exhausted.js';
-import type { PhysicsNode } from '../nodes/node.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
 import { show } from '../base/show.js';
-import type { World } from './world.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
 
 /** Share of the heap limit from which an author is warned. */
 const HEAP_LOW = 0.9;
@@ -12,11 +12,13 @@ const megabytes = (bytes: number): number => Math.round(bytes / 2 ** 20);
 
 /** How large the wasm heap may grow. Past the limit nothing is made any more; shortly before it authors are warned. */
 export class HeapLimit {
-  readonly #world: World;
+  readonly #world: NodeWorld;
+  readonly #pause: () => void;
   readonly #most: number;
 
-  constructor(world: World, maxHeapBytes = DEFAULT_HEAP) {
+  constructor(world: NodeWorld, pause: () => void, maxHeapBytes = DEFAULT_HEAP) {
     this.#world = world;
+    this.#pause = pause;
     this.#most = maxHeapBytes > 0 ? maxHeapBytes : this.#refuse(maxHeapBytes);
   }
 
@@ -50,7 +52,7 @@ export class HeapLimit {
 
   /** The addition is undone, and the world pauses; the page lives. */
   exhausted(node: PhysicsNode): void {
-    this.#world.paused = true;
+    this.#pause();
     this.#world.report(
       {
         code: 'heap-exhausted',

@@ -17,11 +17,11 @@ import {
   subtract,
   type Pose,
 } from '../base/math.js';
-import type { BodyNode } from '../nodes/body.js';
-import type { CollidableNode, CollidablePart } from '../nodes/collidable.js';
-import type { PhysicsNode } from '../nodes/node.js';
+import type { BodyNode } from '../nodes/body/body.js';
+import type { CollidableNode, NodePart } from '../nodes/collision/collidable.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
 import { entryInto } from '../shapes/ray.js';
-import type { World } from './world.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
 
 /** Every group of Bullet's, so that a ray hits whatever collides with anything or nothing. */
 const EVERYTHING = -1;
@@ -56,12 +56,12 @@ type Shape = Ammo['btCollisionShape']['prototype'];
 
 /** Asks what lies on straight lines through a world. */
 export class Rays {
-  readonly #world: World;
+  readonly #world: NodeWorld;
   /** Bullet's boxes around the bodies are those of the present poses. */
   #boxesHold = false;
   #probe: Probe | undefined;
 
-  constructor(world: World) {
+  constructor(world: NodeWorld) {
     this.#world = world;
   }
 
@@ -86,7 +86,7 @@ export class Rays {
     for (let tries = 0; tries < MOST_NEAR_MISSES && gone < 1; tries++) {
       const start = add(from, scale(subtract(to, from), gone));
       const hit = castIn(this.#world.bullet, start, to);
-      const body = hit && this.#world.bodyAt(hit.pointer);
+      const body = hit && (this.#world.bodyAt(hit.pointer) as BodyNode | undefined);
       const part = body && this.#partOf(body, start, to);
       if (!part) return null;
       const fraction = gone + (1 - gone) * hit.fraction;
@@ -120,13 +120,13 @@ export class Rays {
   }
 
   /** Bullet does not say which child of a compound was hit, so each is asked alone. */
-  #partOf(body: BodyNode, from: Vec3, to: Vec3): CollidablePart | undefined {
+  #partOf(body: BodyNode, from: Vec3, to: Vec3): NodePart | undefined {
     const parts = body.solidParts;
     if (parts.length <= 1) return parts[0];
     const { ammo } = this.#world.engine;
     const compound = ammo.castObject(body.body.getCollisionShape(), ammo.btCompoundShape);
     this.#probe ??= new Probe(this.#world);
-    let nearest: { fraction: number; part: CollidablePart } | undefined;
+    let nearest: { fraction: number; part: NodePart } | undefined;
     for (const [i, part] of parts.entries()) {
       const child = compound.getChildShape(i);
       const fraction = this.#probe.cast(child, compose(body.pose(), part.pose), from, to);
@@ -144,12 +144,12 @@ export class Rays {
 
 /** One shape alone in a world of its own. */
 class Probe {
-  readonly #world: World;
+  readonly #world: NodeWorld;
   readonly #alone: BulletWorld;
   readonly #owner: Owner;
   readonly #body: BtBody;
 
-  constructor(world: World) {
+  constructor(world: NodeWorld) {
     const { engine } = world;
     const { ammo, scratch } = engine;
     this.#world = world;
@@ -198,12 +198,7 @@ function castIn(world: BulletWorld, from: Vec3, to: Vec3): Hit | undefined {
 const placed = ({ position, normal, fraction }: Hit): Surface => ({ position, normal, fraction });
 
 /** Boxes, spheres and cylinders have a formula. Null: the ray misses by it. */
-function exactly(
-  body: BodyNode,
-  part: CollidablePart,
-  from: Vec3,
-  to: Vec3,
-): Surface | null | undefined {
+function exactly(body: BodyNode, part: NodePart, from: Vec3, to: Vec3): Surface | null | undefined {
   const pose = compose(body.pose(), part.pose);
   const toPart = invert(pose);
   const local = (point: Vec3): Vec3 => add(toPart.p, rotate(toPart.q, point));

@@ -1,13 +1,13 @@
 import { Emitter, type Listener } from '../base/emitter.js';
 import { EventQueue } from '../base/event-queue.js';
-import { PhysicsNode } from '../nodes/node.js';
+import { PhysicsNode } from '../nodes/node/node.js';
 import { logProblem, ProblemLog, type Problem, type ProblemReport } from '../base/problems.js';
 
 /** Whether problems are logged, or what logs them. */
 export type Console = boolean | ((problem: Problem) => void);
 
 /** Problems and events: what a world tells those who run it. */
-export abstract class Reporting {
+export class Reporting {
   readonly #problems = new ProblemLog();
   readonly #emitter = new Emitter();
   /** Its own events and those of its nodes, on their way to listeners. */
@@ -21,25 +21,24 @@ export abstract class Reporting {
     };
   }
 
-  get problems(): Problem[] {
+  get all(): Problem[] {
     return this.#problems.all;
   }
 
-  report(report: ProblemReport, about: PhysicsNode | unknown = this): void {
+  report(report: ProblemReport, about: unknown): void {
     this.#problems.report(hostOf(about), report, about);
   }
 
-  settle(about: PhysicsNode | unknown, attribute?: string, code?: string): void {
+  settle(about: unknown, attribute?: string, code?: string): void {
     this.#problems.settle(hostOf(about), attribute, code);
   }
 
-  /** A node is gone, and with it what it reported; what others say of its element stands. */
-  takeBack(node: PhysicsNode): void {
-    for (const { attribute, code } of this.#problems.by(node, node.host))
-      this.settle(node.host, attribute, code);
+  /** What a node itself has reported of its host. */
+  by(node: PhysicsNode): Problem[] {
+    return this.#problems.by(node, node.host);
   }
 
-  problemsOf(about: PhysicsNode | unknown): Problem[] {
+  of(about: unknown): Problem[] {
     return this.#problems.of(hostOf(about));
   }
 

@@ -1,8 +1,9 @@
-import { JointNode } from '../nodes/joint.js';
+import { JointNode } from '../nodes/joints/joint.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
+import type { BodySlots } from './body-slots.js';
 import type { Stats } from './types.js';
-import type { World } from './world.js';
 
-export function statsOf(world: World): Stats {
+export function statsOf(world: NodeWorld & { bodies: BodySlots }, ms: Stats['ms']): Stats {
   let joints = 0;
   for (const node of world.nodes) if (node instanceof JointNode && node.attached) joints++;
   return {
@@ -12,6 +13,6 @@ export function statsOf(world: World): Stats {
     contacts: world.started ? world.bullet.contactCount : 0,
     ...world.counts,
     heapBytes: world.engine?.heapBytes ?? 0,
-    ms: { ...world.stepping.ms },
+    ms: { ...ms },
   };
 }

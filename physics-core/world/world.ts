@@ -1,158 +1,214 @@
+import type { Listener } from '../base/emitter.js';
+import type { EventQueue } from '../base/event-queue.js';
+import type { Problem, ProblemReport } from '../base/problems.js';
+import { show } from '../base/show.js';
 import { AUTO, levels, type Level, type LevelName } from '../dynamics/levels.js';
-import type { Costs } from '../effects/costs/frame-costs.js';
-import type { LevelMeasurement, MeasureOptions } from '../accuracy/measure.js';
-import { EffectRegistry, type EffectReport } from '../effects/registry.js';
-import { BulletWorld } from '../engine/bullet-world.js';
+import { Poses } from '../dynamics/poses.js';
+import { allEffects } from '../effects/all.js';
+import { contactSurface } from '../effects/contacts/contact-surface.js';
+import { frameCosts, type Costs } from '../effects/costs/frame-costs.js';
+import { userTiming } from '../effects/costs/user-timing.js';
+import type { Cause } from '../effects/effect.js';
+import { Effects, type EffectReport } from '../effects/effects.js';
+import { JointRows } from '../effects/joints/joint-rows.js';
+import type { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
 import type { Vec3 } from '../fields/types.js';
-import type { MovingNode } from '../nodes/body-motion.js';
-import type { BodyNode } from '../nodes/body.js';
-import type { PhysicsNode } from '../nodes/node.js';
-import { Accuracy } from './accuracy.js';
-import { Bodies } from './bodies.js';
-import { RANKS } from './edits.js';
+import type { BodyNode } from '../nodes/body/body.js';
+import type { NodeData } from '../nodes/node/node-data.js';
+import type { JointSettings } from '../nodes/node/node-world.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
+import { nodeTypes } from '../nodes/index.js';
+import { LevelControl } from './accuracy/level-control.js';
+import { BodySlots } from './body-slots.js';
+import { Editing } from './editing.js';
 import { Failures } from './failures.js';
 import { HeapLimit } from './heap-limit.js';
-import { NodeWorld } from './node-world.js';
-import { Obstacles } from './obstacles.js';
-import { Pairs } from './pairs.js';
-import { Poses } from '../dynamics/poses.js';
+import { Lifecycle } from './lifecycle.js';
+import { measure, type LevelMeasurement, type MeasureOptions } from './measuring.js';
+import { NodeStore } from './node-store.js';
+import { Obstacles } from './pairs/obstacles.js';
+import { Pairs } from './pairs/pairs.js';
 import { Rays, type RayHit } from './raycast.js';
-import type { JointSettings } from './solver-settings.js';
-import { restoreSnapshot, takeSnapshot, type Snapshot } from './snapshot.js';
+import { Reporting } from './reporting.js';
+import { restoreSnapshot } from './snapshot/restore.js';
+import type { Snapshot } from './snapshot/snapshot.js';
+import { takeSnapshot } from './snapshot/take.js';
 import { statsOf } from './stats.js';
-import { Stepping } from './stepping.js';
-import type { Stats, WorldOptions } from './types.js';
+import { Stepping, type TimedWorld } from './stepping/stepping.js';
+import type { AddOptions, Stats, WorldOptions } from './types.js';
 
 /** A world of X3D nodes on a Bullet world. It exists before the engine does; `start` builds what was added so far. */
-export class World extends NodeWorld {
-  #ready!: Promise<World>;
+export class World implements TimedWorld {
   engine!: Engine;
   bullet!: BulletWorld;
-  readonly poses = new Poses();
-  readonly bodies: Bodies = new Bodies(this, this.poses);
-  readonly registry: EffectRegistry;
-  readonly pairs: Pairs = new Pairs(this);
-  readonly obstacles: Obstacles = new Obstacles(this);
-  readonly rays: Rays = new Rays(this);
-  readonly heapLimit: HeapLimit;
-  readonly failures: Failures = new Failures(this);
-  readonly stepping: Stepping = new Stepping(this);
-  readonly counts = { created: 0, patched: 0, destroyed: 0 };
+  /** Whether there is a Bullet world. */
   started = false;
   /** FALSE on the first collection freezes the world. */
   enabled = true;
+  /** Tells the page's loop that there is work again. */
+  onwork?: () => void;
 
-  readonly control: Accuracy;
-  #settleReady: { resolve: (world: World) => void; reject: (problem: unknown) => void } | undefined;
+  readonly #reporting: Reporting;
+  readonly #store = new NodeStore(this);
+  readonly poses = new Poses();
+  readonly bodies: BodySlots = new BodySlots(this, this.poses);
+  readonly registry: Effects = new Effects(this, allEffects);
+  readonly pairs: Pairs = new Pairs(this, this.bodies);
+  readonly jointRows: JointRows = new JointRows(this);
+  readonly stepping: Stepping = new Stepping(this);
+  readonly counts = { created: 0, patched: 0, destroyed: 0 };
+  readonly obstacles: Obstacles = new Obstacles(this, this.pairs);
+  readonly rays: Rays = new Rays(this);
+  readonly #heapLimit: HeapLimit;
+  readonly #failures: Failures;
+  readonly #edits: Editing;
+  readonly #control: LevelControl;
+  readonly #lifecycle: Lifecycle;
+  readonly #profiling: Cause = { host: this };
 
   constructor(options: WorldOptions = {}) {
-    super(options.console ?? false);
-    this.control = new Accuracy(this, options.level);
-    this.heapLimit = new HeapLimit(this, options.maxHeapBytes);
-    this.registry = new EffectRegistry(this);
-    this.awaitStart();
+    this.#reporting = new Reporting(options.console ?? false);
+    const lengthen = (from: number, to: number): void => this.stepping.lengthen(from, to);
+    this.#control = new LevelControl(this, lengthen, options.level);
+    this.#heapLimit = new HeapLimit(this, () => (this.paused = true), options.maxHeapBytes);
+    this.#failures = new Failures(this, this.#heapLimit);
+    this.#edits = new Editing(this, this.obstacles, this.#heapLimit, this.#control);
+    this.#lifecycle = new Lifecycle(this);
   }
 
-  /** Settles when the world has started; rejects with the problem if it can't. */
-  get ready(): Promise<World> {
-    return this.#ready;
+  // ---- nodes ------------------------------------------------------------------------------------------------------
+
+  get nodes(): Iterable<PhysicsNode> {
+    return this.#store.all;
   }
 
-  /** After a failed attempt to start another one is made: who asks for `ready` from now on hears how that ends. */
-  awaitStart(): void {
-    if (this.#settleReady) return;
-    this.#ready = new Promise((resolve, reject) => (this.#settleReady = { resolve, reject }));
-    // Nobody need listen; who awaits still hears.
-    this.#ready.catch(() => {});
+  /** The RigidBodyCollections that share this world. */
+  get rigidBodyCollections(): Iterable<PhysicsNode> {
+    return this.#store.collections;
+  }
+
+  /** Settings of the world: its first collection's, or X3D's defaults. */
+  get settings(): PhysicsNode {
+    return this.#store.settings;
+  }
+
+  /** Adds a node of an X3D type. Field values are X3D's, in SI units; nodes may be given as nodes or plain data. */
+  add(type: string, fields: Record<string, unknown> = {}, options: AddOptions = {}): PhysicsNode {
+    if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${show(type)}`);
+    return this.events.during(() => this.#store.add(type, fields, options));
+  }
+
+  addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined {
+    return this.#store.addData(data, parent, types);
+  }
+
+  /** The node with this DEF, id, or host; the last one where several have it. */
+  node(nameOrHost: unknown): PhysicsNode | undefined {
+    return this.#store.find(nameOrHost);
+  }
+
+  forget(node: PhysicsNode): void {
+    this.#store.forget(node);
+    this.#edits.drop(node);
+    this.takeBack(node);
+    this.work();
+  }
+
+  /** The world is its first RigidBodyCollection. */
+  get(field: string): unknown {
+    return this.settings.get(field);
+  }
+
+  set(field: string, value: unknown): void {
+    if (this.#store.collections.size === 0) this.add('RigidBodyCollection');
+    this.settings.set(field, value);
   }
 
   bodyAt(pointer: number): BodyNode | undefined {
     return this.bodies.behind(pointer);
   }
 
-  // ---- edits ----------------------------------------------------------------------------------------------------
+  // ---- edits ------------------------------------------------------------------------------------------------------
+
+  enqueue(node: PhysicsNode): void {
+    if (node === this.#store.defaults) return;
+    this.#edits.add(node);
+    this.work();
+  }
+
+  work(): void {
+    this.onwork?.();
+  }
+
+  /** Whether edits wait for the next step or frame. */
+  get pending(): boolean {
+    return this.#edits.pending;
+  }
 
   /** Applies pending edits. */
   flush(): void {
-    if (this.started) this.events.during(this.#applyAll);
+    if (this.started) this.#edits.flush();
   }
 
-  readonly #applyAll = (): void => {
-    do this.edits.applyAll(this.#apply);
-    while (this.obstacles.update());
-    this.control.tell();
-  };
+  /** Applies one pending edit, unheard. False: there is none. */
+  applyNext(): boolean {
+    return this.#edits.applyNext();
+  }
 
-  readonly #apply = (node: PhysicsNode): void =>
-    this.failures.attempt(node, () => {
-      if (!node.built) this.heapLimit.check();
-      node.apply();
-    });
+  attempt(node: PhysicsNode, act: () => void): void {
+    this.#failures.attempt(node, act);
+  }
+
+  obstaclesDue(): void {
+    this.obstacles.due();
+  }
+
+  contactParametersChanged(body: BodyNode): void {
+    if (!body.built) return;
+    const reason = this.registry.find(contactSurface);
+    if (reason || this.pairs.collections.length > 0) this.registry.get(contactSurface).update(body);
+  }
+
+  moved(): void {
+    this.rays.moved();
+  }
 
   // ---- start, reset, end ------------------------------------------------------------------------------------------
 
-  /** Builds everything added so far, in order, and settles `ready`. */
-  start(engine: Engine): void {
-    if (this.started) return;
-    this.engine = engine;
-    this.events.during(() => {
-      this.#build();
-      this.flush();
-      this.awaitStart();
-      this.#settleReady!.resolve(this);
-      this.emit('ready', this);
-      this.work();
-    });
+  /** Settles when the world has started; rejects with the problem if it can't. */
+  get ready(): Promise<this> {
+    return this.#lifecycle.ready.promise as Promise<this>;
   }
 
-  /** The same in pieces, unheard: each `next` makes one node, so that nobody need be held up. */
-  *starting(engine: Engine): Generator<void> {
-    this.engine = engine;
-    this.#build();
-    do while (this.edits.applyNext(this.#apply)) yield;
-    while (this.obstacles.update());
+  /** After a failed attempt to start another one is made: who asks for `ready` from now on hears how that ends. */
+  awaitStart(): void {
+    this.#lifecycle.ready.await();
   }
 
   /** The world can't start: `ready` rejects with the problem. */
   fail(problem: unknown): void {
-    this.#settleReady?.reject(problem);
-    this.#settleReady = undefined;
+    this.#lifecycle.ready.reject(problem);
   }
 
-  #build(): void {
-    this.bullet = new BulletWorld(this.engine);
-    this.started = true;
-    if (!this.engine.heapTrusted) this.#reportUnknownBuild();
-    this.configure();
-    this.stepping.restart();
+  /** Builds everything added so far, in order, and settles `ready`. */
+  start(engine: Engine): void {
+    this.#lifecycle.start(engine);
   }
 
-  #reportUnknownBuild(): void {
-    this.report({
-      code: 'unknown-ammo-build',
-      severity: 'warning',
-      used: "Bullet's own settings",
-      message:
-        "the memory of this Ammo build is laid out in another way: the parameters of CollisionCollections, the level's solver settings and rest are left out",
-    });
+  /** The same in pieces, unheard: each `next` makes one node, so that nobody need be held up. */
+  starting(engine: Engine): Generator<void> {
+    return this.#lifecycle.starting(engine);
+  }
+
+  /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
+  rebuild(between: () => void): void {
+    this.#lifecycle.rebuild(between);
   }
 
   /** Back to what the markup says, at time 0. The next n steps are the first n steps, bit for bit. */
   reset(): void {
-    if (!this.started) return;
-    this.flush();
-    this.events.anew(() => {
-      const tellWoken = this.bodies.sleepers();
-      this.rebuild(() => {
-        this.stepping.setTime(0);
-        this.registry.resting.sinceLook = 0;
-        this.control.begin();
-        for (const node of this.nodes) node.forgetEvents();
-      });
-      tellWoken();
-      this.emit('reset', this);
-    });
+    this.#lifecycle.reset();
   }
 
   /** The state of everything, as plain data: it may be kept, cloned, or sent elsewhere. */
@@ -168,46 +224,15 @@ export class World extends NodeWorld {
     this.events.anew(() => restoreSnapshot(this, snapshot));
   }
 
-  /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
-  rebuild(between: () => void): void {
-    this.registry.contacts.reset();
-    this.registry.given.reset();
-    this.registry.dragging.reset('reset');
-    this.#unbuild();
-    between();
-    this.#build();
-    for (const node of this.nodes) this.enqueue(node);
-    this.flush();
-  }
-
-  /** Newest first: joints before the bodies they hold. */
-  #unbuild(): void {
-    this.obstacles.clear();
-    const nodes = [...this.nodes].toReversed();
-    for (let rank = RANKS - 1; rank >= 0; rank--) {
-      for (const node of nodes) if (node.type.rank === rank) node.unmake();
-    }
-    this.rays.dispose();
-    this.bullet.dispose();
-    this.started = false;
-  }
-
   destroy(): void {
-    this.events.anew(() => {
-      if (this.started) {
-        this.registry.contacts.reset('removed');
-        this.registry.dragging.reset('removed');
-        this.#unbuild();
-      }
-      for (const node of [...this.nodes]) node.remove();
-    });
+    this.#lifecycle.destroy();
   }
 
   // ---- accuracy ---------------------------------------------------------------------------------------------------
 
   /** The level in force. */
   get accuracy(): LevelName {
-    return this.control.level.name;
+    return this.#control.level.name;
   }
 
   set accuracy(name: LevelName | typeof AUTO) {
@@ -223,34 +248,46 @@ export class World extends NodeWorld {
   /** What each level costs and leaves, in the scene as it is now: run anew in a second world, in a worker where there are any. */
   async measureAccuracy(options: MeasureOptions = {}): Promise<LevelMeasurement[]> {
     if (!this.started) await this.ready;
-    const snapshot = this.snapshot();
-    const { measureAccuracy } = await import('../accuracy/measure.js');
-    return measureAccuracy(this, snapshot, options);
+    return measure(this, this.snapshot(), options);
   }
 
   /** Seconds of one step. */
   get timeStep(): number {
-    return this.control.level.timeStep;
+    return this.#control.level.timeStep;
   }
 
   get solver(): JointSettings {
-    return this.control.joints;
+    return this.#control.joints;
   }
 
   /** Takes the settings of the first collection into Bullet. */
   configure(): void {
     if (!this.started) return;
     this.enabled = this.settings.asked('enabled');
-    this.control.configure();
+    this.#control.configure();
+    this.#store.compareCollections();
     this.work();
   }
 
   /** What Bullet's solver works with now. */
   configureSolver(): void {
-    this.control.configureSolver();
+    this.#control.configureSolver();
   }
 
-  // ---- time -----------------------------------------------------------------------------------------------------
+  /** Where the level is left to itself, it begins at this one. */
+  begin(level?: LevelName): void {
+    this.#control.begin(level);
+  }
+
+  noteFrame(ms: number, seconds: number): void {
+    this.#control.noteFrame(ms, seconds);
+  }
+
+  watchHeap(): void {
+    this.#heapLimit.watch();
+  }
+
+  // ---- time -------------------------------------------------------------------------------------------------------
 
   get paused(): boolean {
     return this.stepping.paused;
@@ -263,6 +300,15 @@ export class World extends NodeWorld {
   /** Simulated seconds since the start or the last reset. */
   get time(): number {
     return this.stepping.time;
+  }
+
+  get stepsTaken(): number {
+    return this.stepping.taken;
+  }
+
+  /** Goes on from a time. */
+  resume(time: number): void {
+    this.stepping.resume(time);
   }
 
   /** Simulated seconds per second of the clock; 0 stands still. */
@@ -307,14 +353,50 @@ export class World extends NodeWorld {
     return this.stepping.needsFrame;
   }
 
-  // ---- what bodies ask of it --------------------------------------------------------------------------------------
-
-  push(body: MovingNode, force: Vec3, torque: Vec3): void {
-    this.registry.forces.push(body, force, torque);
+  /** The page has drawn: it began to write poses at `start`, on the clock of `performance.now()`. */
+  frameOver(start: number): void {
+    this.stepping.frameOver(start);
   }
 
-  contactParametersChanged(body: BodyNode): void {
-    if (body.built) this.registry.surface.update(body);
+  // ---- problems and events ----------------------------------------------------------------------------------------
+
+  get problems(): Problem[] {
+    return this.#reporting.all;
+  }
+
+  problemsOf(about: unknown): Problem[] {
+    return this.#reporting.of(about);
+  }
+
+  report(report: ProblemReport, about: unknown = this): void {
+    this.#reporting.report(report, about);
+  }
+
+  settle(about: unknown, attribute?: string, code?: string): void {
+    this.#reporting.settle(about, attribute, code);
+  }
+
+  /** A node is gone, and with it what it reported; what others say of its element stands. */
+  takeBack(node: PhysicsNode): void {
+    for (const { attribute, code } of this.#reporting.by(node))
+      this.settle(node.host, attribute, code);
+  }
+
+  /** Its own events and those of its nodes, on their way to listeners. */
+  get events(): EventQueue {
+    return this.#reporting.events;
+  }
+
+  on(event: string, listener: Listener): () => void {
+    return this.#reporting.on(event, listener);
+  }
+
+  heard(event: string): boolean {
+    return this.#reporting.heard(event);
+  }
+
+  emit(event: string, detail: unknown): void {
+    this.#reporting.emit(event, detail);
   }
 
   // ---- looking in -------------------------------------------------------------------------------------------------
@@ -325,34 +407,31 @@ export class World extends NodeWorld {
   }
 
   get stats(): Stats {
-    return statsOf(this);
+    return statsOf(this, this.stepping.ms);
   }
 
+  /** What the scene has switched on, because of which element, at what cost. */
   get effects(): EffectReport[] {
     return this.registry.report();
   }
 
   /** What frames cost of late, while `recordCosts` asks for it. */
   get costs(): Costs | undefined {
-    return this.registry.costs.report;
+    return this.registry.find(frameCosts)?.report;
   }
 
   /** Keeps what frames cost, for `costs`; `who` looks stands in `effects`. Returns how to stop. */
   recordCosts(who: unknown, reason = 'costs'): () => void {
-    return this.registry.costs.record(who, reason);
+    return this.registry.get(frameCosts).record(who, reason);
   }
 
   /** Whether the browser's Performance panel is told of each phase (User Timing). */
   get profile(): boolean {
-    return this.registry.timing.active;
+    return this.registry.active(userTiming);
   }
 
   set profile(on: boolean) {
-    this.registry.timing.turn(on);
-  }
-
-  /** The page has drawn: it began to write poses at `start`, on the clock of `performance.now()`. */
-  frameOver(start: number): void {
-    this.stepping.frameOver(start);
+    if (on) this.registry.get(userTiming).need(this.#profiling, 'profile');
+    else this.registry.find(userTiming)?.release(this.#profiling);
   }
 }

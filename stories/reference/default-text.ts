@@ -1,7 +1,7 @@
 // What a field is where its markup says nothing, as text.
-import { holdsNodes } from '../../elements/bridge/nodes/fields.js';
+import { holdsNodes } from '../../elements/bridge/words/fields.js';
 import { codecs } from '../../physics-core/fields/values.js';
-import type { Field } from '../../physics-core/nodes/table.js';
+import type { Field } from '../../physics-core/nodes/node/table.js';
 
 export const withPi = (text: string): string => text.replace(`${Math.PI}`, 'π');
 

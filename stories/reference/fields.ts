@@ -1,8 +1,8 @@
 // The table of a node's fields, from the same table that the code runs on.
 import { html, nothing } from 'lit';
-import { attributeOf } from '../../elements/bridge/nodes/fields.js';
+import { attributeOf } from '../../elements/bridge/words/fields.js';
 import type { Dimension } from '../../physics-core/fields/types.js';
-import type { Field, NodeType } from '../../physics-core/nodes/table.js';
+import type { Field, NodeType } from '../../physics-core/nodes/node/table.js';
 import { defaultText, withPi } from './default-text.js';
 
 const EDITS: Record<Field['edit'], string> = {

@@ -1,9 +1,9 @@
 // What a node has beside its fields: attributes of structure, events, and what page code can call.
 import { html, nothing } from 'lit';
 import type { X3DBodyElement } from '../../elements/body-element.js';
-import { eventsAt, eventTypes } from '../../elements/bridge/event-types.js';
+import { eventsAt, eventTypes } from '../../elements/bridge/words/event-types.js';
 import type { X3DNodeElement } from '../../elements/node-element.js';
-import type { NodeType } from '../../physics-core/nodes/table.js';
+import type { NodeType } from '../../physics-core/inside.js';
 import type { World } from '../../physics-core/world/world.js';
 import { additionsOf } from '../../tools/manifest-fields.js';
 import { sentence } from './fields.js';

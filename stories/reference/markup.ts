@@ -2,7 +2,7 @@
 import { nothing, type TemplateResult } from 'lit';
 import { codecs } from '../../physics-core/fields/values.js';
 import { nodeTypes } from '../../physics-core/nodes/index.js';
-import { tagOf } from '../../elements/bridge/document/dom.js';
+import { tagOf } from '../../elements/bridge/words/dom.js';
 
 interface Element {
   tag: string;

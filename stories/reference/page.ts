@@ -1,6 +1,6 @@
 // The reference page of one node: what it is, a live example, its markup, its fields.
 import { html, nothing, type TemplateResult } from 'lit';
-import { tagOf } from '../../elements/bridge/document/dom.js';
+import { tagOf } from '../../elements/bridge/words/dom.js';
 import { nodeTypes } from '../../physics-core/nodes/index.js';
 import { copyable } from '../copyable.js';
 import { fieldTables } from './fields.js';

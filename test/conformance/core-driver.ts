@@ -48,7 +48,7 @@ class CoreStage implements Stage {
   #worldOf(data: NodeData): World {
     const names = new Set(JSON.stringify(data).match(/(?<="USE":")[^"]*/g));
     const named = [...this.#named].find(([name]) => names.has(name));
-    return named?.[1].world ?? this.worlds[0]!;
+    return (named?.[1].world as World | undefined) ?? this.worlds[0]!;
   }
 
   #add(world: World, data: NodeData): PhysicsNode {
@@ -67,7 +67,7 @@ class CoreStage implements Stage {
 
   /** Nodes in a field: those that are no USE are made now, in document order. */
   #hold(node: PhysicsNode, field: string, value: unknown): void {
-    const found = nodesIn(value)!.map((data) => this.#made(node.world, data));
+    const found = nodesIn(value)!.map((data) => this.#made(node.world as World, data));
     this.#waiting.push(() => {
       const held = found.map((find) => find());
       if (!MEMBERS.has(field)) node.set(field, fitting(node, field, held));
@@ -105,7 +105,7 @@ class CoreStage implements Stage {
       node.event(field, value);
       return;
     }
-    const found = nodesIn(value)!.map((data) => this.#made(node.world, data));
+    const found = nodesIn(value)!.map((data) => this.#made(node.world as World, data));
     this.#connect();
     const held = found.map((find) => find());
     node.event(field, fitting(node, field, held));

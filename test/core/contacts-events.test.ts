@@ -1,3 +1,4 @@
+import { contactReader } from '../../physics-core/effects/contacts/contact-reader.js';
 import assert from 'node:assert/strict';
 import type { World } from '../../physics-core/inside.js';
 import type { Collision } from '../../physics-core/effects/contacts/touches.js';
@@ -92,7 +93,7 @@ fact('what lies still for 10 s tells nothing more, awake or asleep', async () =>
       rest,
     );
     assert.equal(ball.sleeping, rest === 'auto');
-    assert.equal(w.registry.contacts.colliding(ball), true);
+    assert.equal(w.registry.find(contactReader)?.colliding(ball), true);
   }
 });
 
@@ -111,7 +112,7 @@ fact('a touch ends by its reason: parted, removed, disabled, reset', async () =>
     w.step(3);
     assert.deepEqual(names(heard).slice(0, 2), ['collisionstart', `collisionend ${reason}`]);
     assert.equal(heard[1]!.detail.other, ball);
-    if (reason !== 'reset') assert.equal(w.registry.contacts.colliding(ball), false);
+    if (reason !== 'reset') assert.equal(w.registry.find(contactReader)?.colliding(ball), false);
   }
 });
 

@@ -225,9 +225,9 @@ fact('points that a list moved are written no more once Bullet has taken them ba
   w.bullet.eachManifold((manifold) => manifolds.push(ammo.getPointer(manifold)));
   const read = (): number[] =>
     manifolds.flatMap((at) => [...ammo.HEAP32.subarray(at >> 2, (at >> 2) + 64)]);
-  const park = stone.park.bind(stone);
+  const park = stone.presence.park.bind(stone.presence);
   let taken: number[] | undefined;
-  stone.park = () => {
+  stone.presence.park = () => {
     park();
     taken = read();
   };
@@ -260,7 +260,7 @@ fact('what a hit passed on is written into no point that Bullet has taken back',
         pushed += manifold.getContactPoint(i).getAppliedImpulse();
     });
     readBodies();
-    ball.park();
+    ball.presence.park();
     taken = read();
   };
   w.step();

@@ -1,3 +1,4 @@
+import type { World } from '../../physics-core/inside.js';
 import assert from 'node:assert/strict';
 import { chain, WEIGHTLESS } from './drag-scenes.js';
 import {
@@ -203,8 +204,12 @@ for (const [what, act, reason] of [
   ['it is removed', (body: Body) => body.remove(), 'removed'],
   ['it is disabled', (body: Body) => body.set('enabled', false), 'disabled'],
   ['it is fixed', (body: Body) => body.set('fixed', true), 'disabled'],
-  ['the world starts again', (body: Body) => body.world.reset(), 'reset'],
-  ['a snapshot is restored', (body: Body) => body.world.restore(body.world.snapshot()), 'reset'],
+  ['the world starts again', (body: Body) => (body.world as World).reset(), 'reset'],
+  [
+    'a snapshot is restored',
+    (body: Body) => (body.world as World).restore((body.world as World).snapshot()),
+    'reset',
+  ],
 ] as [string, (body: Body) => void, string][])
   for (const dragMode of ['spring', 'teleport'])
     fact(`a ${dragMode} drag is over once ${what}`, async () => {

@@ -1,7 +1,7 @@
 import { describe } from 'node:test';
 import { dot, quaternionOf, rotate } from '../../physics-core/base/math.js';
-import type { JointNode } from '../../physics-core/nodes/joint.js';
-import { turn } from './references/turning.js';
+import type { JointNode } from '../../physics-core/nodes/joints/joint.js';
+import { turn } from '../../references/turning.js';
 import {
   addBody,
   below,

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { addBallChain, ballChain } from './joint-scenes.js';
+import { ballChain } from '../../references/chains.js';
+import { addBallChain } from './joint-scenes.js';
 import { add, cross, scale } from '../../physics-core/base/math.js';
 import type { World } from '../../physics-core/inside.js';
 import {

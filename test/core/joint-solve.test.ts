@@ -1,5 +1,7 @@
-import { chainEnd, type Chain } from './chain-reference.js';
-import { addBallChain, addBoxChain, ballChain, boxChain, type Jointed } from './joint-scenes.js';
+import { jointSolve } from '../../physics-core/inside.js';
+import { chainEnd, type Chain } from '../../references/chain.js';
+import { ballChain, boxChain } from '../../references/chains.js';
+import { addBallChain, addBoxChain, type Jointed } from './joint-scenes.js';
 import { above, below, claim, distance, fact, velocity, world } from './helpers.js';
 import type { World } from '../../physics-core/inside.js';
 
@@ -84,7 +86,7 @@ fact('without the solve the same chain is more than a hundred times as far off',
   const errors: number[] = [];
   for (const on of [true, false]) {
     const w = await world({ accuracy: 'fine', gravity: EARTH });
-    w.registry.joints.on = on;
+    w.registry.get(jointSolve).on = on;
     errors.push(worstError(w, addBallChain(w, chain), truth(chain, 1)));
   }
   above(errors[1]! / errors[0]!, 100, 'times');

@@ -1,6 +1,6 @@
 import { describe } from 'node:test';
 import type { World } from '../../physics-core/inside.js';
-import type { JointNode } from '../../physics-core/nodes/joint.js';
+import type { JointNode } from '../../physics-core/nodes/joints/joint.js';
 import {
   add,
   cross,

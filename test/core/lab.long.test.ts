@@ -1,14 +1,19 @@
 import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { floorOf, type Case, type Vec3 } from '../../lab/case.js';
-import { cases } from '../../lab/cases/index.js';
+import { cases, caseOf, casesNamed } from '../../lab/cases/index.js';
 import { brokenRungs, duel, errorAt } from '../../lab/draw/judge.js';
+import { pagesOf, pictureOf } from '../../lab/draw/report.js';
 import { NotOffered, type Engine, type Setting } from '../../lab/engines/engine.js';
 import { engines } from '../../lab/engines/index.js';
+import { readJoints } from '../../lab/joints/numbers.js';
+import { withErrors } from '../../lab/joints/text.js';
 import { follow } from '../../lab/run/follow.js';
 import { compareWith } from '../../lab/run/quick.js';
 import { measure, ONCE } from '../../lab/run/measure.js';
-import type { Row } from '../../lab/run/row.js';
+import { readReport, withCases } from '../../lab/run/report.js';
+import type { Results, Row } from '../../lab/run/row.js';
 
 const engine = (id: string): Engine => engines.find((one) => one.id === id)!;
 const level = (name: string): Setting =>
@@ -78,7 +83,7 @@ test('our engine takes the step it is set to, at levels and between them', async
 });
 
 test('a joint that an engine has no words for is not offered, and the reason is told', async () => {
-  const slider = cases.find(({ id }) => id === 'A19')!;
+  const slider = caseOf('slider-stop');
   await assert.rejects(
     () => run(slider, 'cannon'),
     (error) => error instanceof NotOffered && error.message === 'sliders',
@@ -89,11 +94,11 @@ test('a joint that an engine has no words for is not offered, and the reason is 
     { pains: ONCE, fresh: true, progress: () => {} },
   );
   assert.deepEqual(rows, []);
-  assert.deepEqual(notOffered, [{ case: 'A19', engine: 'cannon', reason: 'sliders' }]);
+  assert.deepEqual(notOffered, [{ case: 'slider-stop', engine: 'cannon', reason: 'sliders' }]);
 });
 
 test('the gap is the way between the halves of a joint', async () => {
-  const pendulum = cases.find(({ id }) => id === 'A14')!;
+  const pendulum = caseOf('pendulum-rod');
   const raw = await run(pendulum, 'ammo');
   assert.ok(raw.gap! > 1e-3 && raw.gap! < 0.1, `raw Ammo's hinge gapes ${raw.gap} m`);
   assert.equal((await run(thrown, 'ammo')).gap, 0);
@@ -139,7 +144,7 @@ test('every case is well formed', () => {
   assert.equal(new Set(cases.map(({ id }) => id)).size, cases.length, 'ids differ');
   for (const which of cases) {
     const { id, name, says, size, singlePrecision, seconds, every = 1 / 60 } = which;
-    assert.match(id, /^A\d+/);
+    assert.match(id, /^[a-z]+(-[a-z0-9]+)*$/);
     assert.ok(name.length > 3 && says.endsWith('.'), `${id} has a name and a sentence`);
     assert.ok(size > 0 && singlePrecision > 0, `${id} has a size and a floor`);
     assert.ok(floorOf(which) < 0.05 * size, `${id}: its floor is small against what is measured`);
@@ -150,6 +155,59 @@ test('every case is well formed', () => {
       `${id} ends at a look`,
     );
   }
+});
+
+test('every file of cases is listed', () => {
+  const text = (file: string) => readFileSync(`lab/cases/${file}`, 'utf8');
+  const files = readdirSync('lab/cases').filter((file) =>
+    text(file).includes('export const cases: Case[]'),
+  );
+  assert.ok(files.length > 5);
+  for (const file of files) assert.ok(text('index.ts').includes(`./${file.replace('.ts', '.js')}`));
+});
+
+test('a name stands for its case, and a family for all of its cases', () => {
+  const ids = (name: string) => casesNamed(name).map(({ id }) => id);
+  assert.deepEqual(ids('chain'), ['chain-1-20', 'chain-1-1000', 'chain-100-links']);
+  assert.deepEqual(ids('bounce-0'), ['bounce-0']);
+  assert.deepEqual(ids('chai'), []);
+});
+
+test('a case measured anew takes its place in the report, with its own machine and date', () => {
+  const of = (id: string, hash: string) => ({ case: id, hash }) as Row;
+  const ours = (hash: string) => ['bounce-1', 'cradle'].map((id) => of(id, hash));
+  const before: Results = {
+    runs: [{ machine: 'a', date: '1', cases: ['bounce-1', 'cradle'] }],
+    rows: ours('old'),
+    notOffered: [{ case: 'bounce-1', engine: 'jolt', reason: 'old' }],
+  };
+  const fresh: Results = {
+    runs: [{ machine: 'b', date: '2', cases: ['bounce-1'] }],
+    rows: [of('bounce-1', 'new')],
+    notOffered: [],
+  };
+  assert.deepEqual(withCases(before, fresh), {
+    runs: [{ machine: 'a', date: '1', cases: ['cradle'] }, ...fresh.runs],
+    rows: [of('bounce-1', 'new'), of('cradle', 'old')],
+    notOffered: [],
+  });
+});
+
+test('the report has every case, and what it draws of one does not hang on the others', () => {
+  const report = readReport();
+  const pages = pagesOf(report, readJoints());
+  for (const { id } of cases) assert.ok(pages.has(`${id}.html`), id);
+  const drawn = pagesOf(report, readJoints());
+  for (const [name, text] of pages) assert.equal(drawn.get(name), text, name);
+});
+
+test("the README's picture is drawn from the numbers", () => {
+  assert.equal(readFileSync('docs/pictures/accuracy.svg', 'utf8'), pictureOf(readReport()));
+});
+
+test('the errors in docs/joints.md are those of the numbers', () => {
+  const text = readFileSync('docs/joints.md', 'utf8');
+  assert.equal(withErrors(text, readJoints()), text);
 });
 
 const QUICK = ['game', 'standard', 'fine'];

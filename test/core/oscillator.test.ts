@@ -1,6 +1,6 @@
 import { test } from 'node:test';
 import { Oscillator } from '../../physics-core/effects/joints/oscillator.js';
-import { follow } from './references/runge-kutta.js';
+import { follow } from '../../references/runge-kutta.js';
 import { below } from './helpers.js';
 
 // ω², δ and the load of x'' + 2 δ x' + ω² x = a.

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { html, nothing } from 'lit';
-import { kebab, tagOf } from '../../elements/bridge/document/dom.js';
+import { kebab, tagOf } from '../../elements/bridge/words/dom.js';
 import { nodeTypes } from '../../physics-core/inside.js';
 import { markupOf } from '../../stories/reference/markup.js';
 

@@ -1,9 +1,10 @@
 import { test } from 'node:test';
 import { quaternionOf, rotate } from '../../physics-core/base/math.js';
-import { chainEnd, type Chain } from './chain-reference.js';
-import { ballChain, boxChain } from './joint-scenes.js';
-import { move, type Mechanism } from './references/mechanism.js';
-import { turn, type Turning } from './references/turning.js';
+import { chainEnd, type Chain } from '../../references/chain.js';
+import { ballChain, boxChain } from '../../references/chains.js';
+import { cradleAngles } from '../../references/cradle.js';
+import { move, type Mechanism } from '../../references/mechanism.js';
+import { turn, type Turning } from '../../references/turning.js';
 import { below, distance } from './helpers.js';
 
 // What the lab and the tests take for the truth: half the step must not change it.
@@ -23,6 +24,12 @@ for (const [name, [chain, seconds, perFrame, tolerance]] of Object.entries(chain
     whole!.forEach((end, frame) => below(distance(end, half![frame]!), tolerance, 'm'));
   });
 }
+
+void test('cradle: half the step, the same places', () => {
+  const cradle = { count: 5, radius: 0.1, gap: 0.001, arm: 1, gravity: G };
+  const [whole, half] = [128, 256].map((n) => cradleAngles(cradle, Math.PI / 6, 1.5, n));
+  whole!.forEach((angles, frame) => below(distance(angles, half![frame]!), 1e-8, 'rad'));
+});
 
 const turnings: Record<string, Turning> = {
   racket: { moments: [1, 2, 3], spin: [0.05, 3, 0.02] },

@@ -1,5 +1,5 @@
 import { levels } from '../../physics-core/inside.js';
-import { Snake } from './joint-scenes.js';
+import { Snake } from '../../references/snake.js';
 import {
   above,
   addBody,

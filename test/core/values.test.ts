@@ -29,7 +29,7 @@ const told = (w: World, code: string): string[] =>
 function inertia(body: Body): number {
   const [before] = spin(body);
   body.applyTorque([100, 0, 0]);
-  body.world.step();
+  (body.world as World).step();
   return (100 * body.world.timeStep) / (spin(body)[0] - before);
 }
 

@@ -1,9 +1,10 @@
+import { allEffects } from '../../physics-core/effects/all.js';
 import type { Field, PhysicsNode, World } from '../../physics-core/inside.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
 import type { JointConstraint } from '../../physics-core/engine/joint-constraint.js';
-import { BodyNode } from '../../physics-core/nodes/body.js';
-import { CollisionCollectionNode } from '../../physics-core/nodes/collision-collection.js';
-import { JointNode } from '../../physics-core/nodes/joint.js';
+import { BodyNode } from '../../physics-core/nodes/body/body.js';
+import { CollisionCollectionNode } from '../../physics-core/nodes/collision/collision-collection.js';
+import { JointNode } from '../../physics-core/nodes/joints/joint.js';
 import { quaternionOf } from '../../physics-core/base/math.js';
 import { plain } from '../conformance/plain.js';
 
@@ -58,7 +59,7 @@ export function stateOf(world: World): State {
 }
 
 function innards(node: PhysicsNode): Record<string, unknown> {
-  const effects = node.world.registry.all.filter((effect) => [...effect.causes].includes(node));
+  const effects = allEffects.filter((each) => node.world.registry.find(each)?.isNeededBy(node));
   const common = { built: node.built, effects: effects.map(({ name }) => name) };
   if (node instanceof BodyNode) return { ...common, ...ofBody(node) };
   if (node instanceof JointNode) return { ...common, ...ofJoint(node) };

@@ -1,70 +1,8 @@
-import { nearest, show } from '../../../physics-core/inside.js';
-import { attribute, isHTML, isPhysics, lowerName, typeOf, type NodeType } from './dom.js';
-import { attributeOf, fieldsByAttribute } from '../nodes/fields.js';
+import type { ProblemReport } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
-import type { Report } from '../nodes/findings.js';
-
-/** Attributes that any element of a page or any X3D node may have. */
-const COMMON = new Set([
-  'def',
-  'use',
-  'id',
-  'class',
-  'style',
-  'slot',
-  'title',
-  'lang',
-  'hidden',
-  'part',
-  'is',
-  'key',
-  'ref',
-  'containerfield',
-  'name',
-  'metadata',
-  'render',
-  'visible',
-  'bboxcenter',
-  'bboxsize',
-  'bboxdisplay',
-  'bboxmargin',
-  'bboxcolor',
-]);
-const COMMON_PREFIX = /^(on|data-|aria-|xml|xsi:|_|:|@)/;
-
-/** Additions of ours that say something about structure, and so are no fields. */
-export const STRUCTURE: Record<string, string[]> = {
-  RigidBodyCollection: ['default', 'shared-world'],
-  RigidBody: ['for'],
-  CollidableShape: ['for'],
-};
-
-export function known(type: NodeType, name: string): boolean {
-  const lower = name.toLowerCase();
-  return (
-    COMMON.has(lower) ||
-    COMMON_PREFIX.test(lower) ||
-    (STRUCTURE[type.name]?.includes(lower) ?? false) ||
-    fieldsByAttribute(type).has(lower)
-  );
-}
-
-export function unknownAttribute({ element, type, label }: Binding, name: string): Report {
-  const meant = nearest(name, attributesOf(type));
-  return {
-    code: 'unknown-attribute',
-    severity: 'warning',
-    attribute: name,
-    value: attribute(element, name),
-    used: 'nothing',
-    message: `${label} has no attribute ${show(name)}${meant ? `; did you mean ${meant}?` : ''}`,
-  };
-}
-
-const attributesOf = (type: NodeType): string[] => [
-  ...Object.entries(type.fields).map(([field, entry]) => attributeOf(field, entry)),
-  ...(STRUCTURE[type.name] ?? []),
-];
+import type { Scope } from '../scopes/scope.js';
+import { known, unknownAttribute } from '../words/attributes.js';
+import { attribute, isCustom, isHTML, isPhysics, lowerName } from '../words/dom.js';
 
 /** What may not stand in what: these pairs come from a tag that the author thought closed, or are misplaced. */
 const IMPOSSIBLE: Record<string, RegExp> = {
@@ -88,20 +26,33 @@ export function checkMarkup(binding: Binding): void {
   const child =
     impossible && [...element.children].find((each) => impossible.test(lowerName(each)));
   if (child) binding.problem(misplacedChild(binding, child));
-  if (binding.scope!.firstForeign(binding)) binding.problem(NOT_UPGRADED);
+  if (isFirstForeign(binding)) binding.problem(NOT_UPGRADED);
   const def = attribute(element, 'DEF');
   if (def && binding.scope!.names.bearers(def).at(-1) !== element)
     binding.problem(duplicate(def, binding));
 }
 
-const NOT_UPGRADED: Report = {
+/** By scope: the one that says that hyphenated tags there are no custom elements. */
+const foreign = new WeakMap<Scope, Binding>();
+
+function isFirstForeign(binding: Binding): boolean {
+  const { element } = binding;
+  const scope = binding.scope!;
+  if (!element.localName.startsWith('x3d-') || isCustom(element)) return false;
+  const first = foreign.get(scope);
+  if (first?.scope === scope) return first === binding;
+  foreign.set(scope, binding);
+  return true;
+}
+
+const NOT_UPGRADED: ProblemReport = {
   code: 'not-upgraded',
   severity: 'info',
   message:
     'hyphenated tags outside the XHTML namespace are no custom elements: they simulate, but have no properties and methods',
 };
 
-const duplicate = (def: string, { label }: Binding): Report => ({
+const duplicate = (def: string, { label }: Binding): ProblemReport => ({
   code: 'duplicate-def',
   severity: 'warning',
   attribute: 'DEF',
@@ -110,7 +61,7 @@ const duplicate = (def: string, { label }: Binding): Report => ({
   message: `${label} shares its DEF with a later element, and a USE means the later one`,
 });
 
-function misplacedChild({ element, type, label }: Binding, child: Element): Report {
+function misplacedChild({ element, type, label }: Binding, child: Element): ProblemReport {
   // A collection that is thought closed swallows whole bodies and collections, not single collidables.
   const stray = type.name === 'RigidBodyCollection' && /collidable/.test(lowerName(child));
   const swallowed = isHTML(element) && !stray && (isPhysics(child) || lowerName(child) === 'scene');
@@ -130,12 +81,3 @@ function misplacedChild({ element, type, label }: Binding, child: Element): Repo
         message: `<${child.localName}> can't stand in ${label}${lowerName(child) === 'shape' ? '; put it into a CollidableShape' : ''}`,
       };
 }
-
-/** The types a physics child may be, given by its name: used where roles are told apart. */
-export const isType = (element: Element, ...names: string[]): boolean => {
-  const type = typeOf(element);
-  return type !== undefined && names.includes(type.name);
-};
-
-export const containerField = (element: Element): string | null =>
-  attribute(element, 'containerField');

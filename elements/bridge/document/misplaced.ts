@@ -1,12 +1,12 @@
-import type { Report } from '../nodes/findings.js';
-import { setState } from '../states.js';
-import { logInPage } from './console.js';
+import type { ProblemReport } from '../../../physics-core/inside.js';
+import { setState } from '../base/states.js';
+import { logInPage } from '../words/console.js';
 
 const misplaced = new WeakSet<Element>();
 const told = new WeakMap<Element, Set<string>>();
 
 /** Of an element that no world has: the console and the event are all. */
-export function tellPage(report: Report, element: Element): void {
+export function tellPage(report: ProblemReport, element: Element): void {
   const key = `${report.code} ${report.attribute}`;
   const before = told.get(element) ?? new Set();
   if (before.has(key)) return;

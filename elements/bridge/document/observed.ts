@@ -1,10 +1,17 @@
 import { ownBinding } from '../nodes/binding.js';
-import { fieldsByAttribute } from '../nodes/fields.js';
-import { attribute, isInline, isPhysics, isTransform, lowerName, subtree } from './dom.js';
-import { isType } from './markup.js';
-import type { Scene } from '../scene.js';
-import type { Scope } from './scope.js';
-import { noteRead, PLACING } from '../x3dom/transforms.js';
+import { fieldsByAttribute } from '../words/fields.js';
+import {
+  attribute,
+  isInline,
+  isPhysics,
+  isTransform,
+  isType,
+  lowerName,
+  subtree,
+} from '../words/dom.js';
+import type { Readers } from '../scopes/readers.js';
+import type { Scope } from '../scopes/scope.js';
+import { noteRead, PLACING } from '../x3dom/transform-edits.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Names and what decides who an element stands for. */
@@ -19,16 +26,32 @@ const NAMING = new Set([
   'inlinedef',
 ]);
 
+/** Who hears of elements that come and go. */
+export interface Elements {
+  connect(root: Element, scope: Scope): void;
+  /** `from`: what it was taken out of. */
+  disconnect(root: Element, scope: Scope, from: Element): void;
+  /** It has other names, or stands for another one. */
+  renamed(element: Element, scope: Scope): void;
+  /** What the nodes of an Inline live in changed. */
+  requeueInline(inline: Element): void;
+}
+
 /** Follows the document under an `<x3d>` and in its Inlines; x3dom's own observer misses much (x3dom.md). */
 export class Observed {
-  readonly #scene: Scene;
-  constructor(scene: Scene) {
-    this.#scene = scene;
+  readonly #elements: Elements;
+  readonly #readers: Readers;
+  readonly #observers = new Map<Scope, MutationObserver>();
+
+  constructor(elements: Elements, readers: Readers) {
+    this.#elements = elements;
+    this.#readers = readers;
   }
 
   observe(scope: Scope): void {
-    scope.observer = new MutationObserver((records) => this.#take(records, scope));
-    scope.observer.observe(scope.root, {
+    const observer = new MutationObserver((records) => this.#take(records, scope));
+    this.#observers.set(scope, observer);
+    observer.observe(scope.root, {
       childList: true,
       attributes: true,
       attributeOldValue: true,
@@ -36,11 +59,16 @@ export class Observed {
     });
   }
 
+  stop(scope: Scope): void {
+    this.#observers.get(scope)?.disconnect();
+    this.#observers.delete(scope);
+  }
+
   /** What happened so far in this task, now: x3dom hears of it later. */
   takeRecords(): void {
-    for (const scope of this.#scene.scopes) {
-      const records = scope.observer?.takeRecords();
-      if (records?.length) this.#take(records, scope);
+    for (const [scope, observer] of this.#observers) {
+      const records = observer.takeRecords();
+      if (records.length > 0) this.#take(records, scope);
     }
   }
 
@@ -56,18 +84,14 @@ export class Observed {
   #children(parent: Element, { addedNodes, removedNodes }: MutationRecord, scope: Scope): void {
     for (const node of removedNodes) {
       if (node instanceof Element && !scope.root.contains(node))
-        this.#eachLeft(node, scope, parent);
+        this.#elements.disconnect(node, scope, parent);
       else if (node instanceof Element) this.#eachMoved(node);
     }
     for (const node of addedNodes) {
-      if (node instanceof Element && scope.root.contains(node)) this.#scene.connectAll(node, scope);
+      if (node instanceof Element && scope.root.contains(node)) this.#elements.connect(node, scope);
     }
     if ([...addedNodes, ...removedNodes].some((node) => concerns(parent, node)))
       this.#touch(parent);
-  }
-
-  #eachLeft(root: Element, scope: Scope, from: Element): void {
-    for (const element of subtree(root)) this.#scene.disconnect(element, scope, from);
   }
 
   /** Taken out and put back within one task. */
@@ -78,40 +102,36 @@ export class Observed {
   /** The children of an element changed, or it moved. */
   #touch(element: Element): void {
     const binding = isPhysics(element) ? ownBinding(element) : undefined;
-    if (binding?.scope) this.#scene.dirty(binding);
-    for (const reader of this.#scene.readers.of(element)) this.#scene.dirty(reader);
+    binding?.dirty();
+    for (const reader of this.#readers.of(element)) reader.dirty();
   }
 
   #attribute(element: Element, name: string, oldValue: string | null, scope: Scope): void {
     const lower = name.toLowerCase();
     if (NAMING.has(lower)) return this.#renamed(element, scope);
+    if (isPhysics(element)) return this.#physics(element, name, oldValue);
     const value = attribute(element, name);
-    if (isPhysics(element)) this.#physics(element, name, value === oldValue);
-    else if (isTransform(element)) this.#transform(element, name, oldValue, value);
+    if (isTransform(element)) this.#transform(element, name, oldValue, value);
     else this.#touch(element);
-    if (isInline(element) && lower === 'shared-world') this.#scene.requeueInline(element);
+    if (isInline(element) && lower === 'shared-world') this.#elements.requeueInline(element);
     // x3dom follows no attribute in a file of its own.
-    if (element.ownerDocument !== document && !isPhysics(element) && value !== null)
+    if (element.ownerDocument !== document && value !== null)
       nodeOf(element)?.updateField(name, value);
   }
 
   #renamed(element: Element, scope: Scope): void {
-    scope.names.remove(element);
-    scope.noteStatement(element, false);
-    const binding = isPhysics(element) ? ownBinding(element) : undefined;
-    if (binding?.scope && attribute(element, 'USE')) this.#scene.updates.drop(binding);
-    this.#scene.connect(element, scope);
+    this.#elements.renamed(element, scope);
     this.#touch(element);
     if (element.parentElement) this.#touch(element.parentElement);
   }
 
   /** Custom elements hear of the attributes of their fields themselves, at once; of all others they do not. */
-  #physics(element: Element, name: string, same: boolean): void {
+  #physics(element: Element, name: string, oldValue: string | null): void {
     const binding = ownBinding(element);
     if (!binding) return;
     const heard = isUpgraded(element) && fieldsByAttribute(binding.type).has(name.toLowerCase());
     if (heard) return;
-    if (same) binding.attributeRepeated(name);
+    if (attribute(element, name) === oldValue) binding.attributeRepeated(name);
     else binding.attributeChanged(name);
   }
 

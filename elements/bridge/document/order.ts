@@ -1,6 +1,6 @@
 import type { Binding } from '../nodes/binding.js';
-import { precedes } from './dom.js';
-import type { Scope } from './scope.js';
+import { precedes } from '../words/dom.js';
+import type { Scope } from '../scopes/scope.js';
 
 /** By rank, then in document order: arrival is that within a scope. */
 export function inOrder(bindings: Binding[]): Binding[] {

@@ -1,16 +1,8 @@
 import type { Binding } from '../nodes/binding.js';
-import { attribute, isPhysics, isTransform } from './dom.js';
+import { attribute, isPhysics, isTransform } from '../words/dom.js';
 import { multiply, type Affine } from '../geometry/matrix.js';
-import type { Scope } from './scope.js';
-import { drivenMatrix, matrixAbove, transformsAbove } from '../geometry/transforms.js';
-
-/** What a body or collidable stands for in the scene: the Transform it moves, and where its Shapes are. */
-export interface StandIn {
-  scope: Scope;
-  /** Undefined for a Shape with no Transform above it: nothing can be moved. */
-  transform: Element | undefined;
-  shapes: Element;
-}
+import type { StandIn } from '../nodes/stand-in.js';
+import { drivenMatrix, matrixAbove, transformsAbove } from '../scopes/transforms.js';
 
 /** Shortcut 2: `for="ID"` names a Transform, a Shape or a group. */
 function named(binding: Binding, name: string): StandIn | undefined {
@@ -20,7 +12,7 @@ function named(binding: Binding, name: string): StandIn | undefined {
     binding.waitFor('for', name);
     return undefined;
   }
-  const at = scope.scene.scopeOf(element) ?? scope;
+  const at = scope.all.around(element) ?? scope;
   const transform = isTransform(element) ? element : transformsAbove(element, at)[0];
   return { scope: at, transform, shapes: element };
 }

@@ -1,11 +1,7 @@
-import type { Binding } from '../nodes/binding.js';
-import { attribute, lowerName, precedes } from './dom.js';
-import { ownBinding } from '../nodes/binding.js';
-import { nodeElement, parentIn } from './instances.js';
-import { containerField, isType } from './markup.js';
-import { namersOf } from '../nodes/named.js';
-import type { PageWorld } from '../nodes/worlds.js';
-import type { Scope } from './scope.js';
+import { namers, ownBinding, type Binding } from '../nodes/binding.js';
+import { attribute, isType, lowerName, precedes } from '../words/dom.js';
+import { nodeElement, parentIn } from '../scopes/instances.js';
+import type { Scope } from '../scopes/scope.js';
 
 // Who belongs to whom, read off the document: pure questions, asked anew whenever something near changed.
 
@@ -25,7 +21,7 @@ function inMetadata(element: Element): boolean {
 }
 
 function collectionAbove(element: Element, scope: Scope): Binding | undefined {
-  const [namer] = namersOf(element, 'RigidBodyCollection');
+  const [namer] = namers.of(element, 'RigidBodyCollection');
   if (namer) return namer;
   for (let at = parentIn(element, scope); at; at = above(at, scope)) {
     if (isType(at, 'RigidBodyCollection')) return ownBinding(at);
@@ -34,8 +30,8 @@ function collectionAbove(element: Element, scope: Scope): Binding | undefined {
 }
 
 /** What stands above may be in the file around an instance. */
-const above = (element: Element, { scene }: Scope): Element | null => {
-  const scope = scene.scopeOf(element);
+const above = (element: Element, { all }: Scope): Element | null => {
+  const scope = all.around(element);
   return scope ? parentIn(element, scope) : element.parentElement;
 };
 
@@ -64,7 +60,7 @@ export function meant(user: Binding, element: Element, role: string): Binding | 
   const use = attribute(element, 'USE');
   if (!use) return ownBinding(element);
   // What a prototype's field names stands in the file around it.
-  const scope = user.scope!.scene.scopeOf(element) ?? user.scope!;
+  const scope = user.scope!.all.around(element) ?? user.scope!;
   const found = scope.find(use, user);
   if (!found) {
     user.waitFor(role, use);
@@ -90,7 +86,7 @@ export function ownerOf(collidable: Binding): Binding | undefined {
 function holdersOf(place: Element, { scope }: Binding, ...types: string[]): Binding[] {
   const parent = parentIn(place, scope!);
   const holder = parent && isType(parent, ...types) ? ownBinding(parent) : undefined;
-  return [...(holder ? [holder] : []), ...namersOf(place, ...types)];
+  return [...(holder ? [holder] : []), ...namers.of(place, ...types)];
 }
 
 /**
@@ -111,14 +107,11 @@ export function listing(binding: Binding, asked = new Set<Binding>()): Binding |
   return undefined;
 }
 
-export const isCollidable = (binding: Binding): boolean =>
-  binding.is('CollidableShape', 'CollidableOffset');
-
 /** The nodes of these types that a field names; where it names none, those among the children. */
 export function nodesOf(binding: Binding, role: string, ...types: string[]): Binding[] {
   const elements = binding.named(role) ?? [...binding.element.children];
   return elements
-    .map((element) => nodeElement(element, binding.scope!.scene))
+    .map((element) => nodeElement(element, binding.scope!.all))
     .filter((element) => isType(element, ...types))
     .map((element) => meant(binding, element, role))
     .filter((found) => found !== undefined);
@@ -138,92 +131,9 @@ export function listsAll(binding: Binding): boolean {
 export const membersOf = (binding: Binding): Binding[] =>
   nodesOf(binding, 'collidables', 'CollidableShape', 'CollidableOffset', 'CollisionSpace');
 
-export type Side = 'body1' | 'body2';
-
-/** A joint's body: named by an attribute or property, else by a child. */
-export function jointBody(joint: Binding, side: Side): Binding | 'missing' | undefined {
-  const elements = joint.named(side);
-  if (elements) return elements[0] && bodyOf(meant(joint, elements[0], side));
-  const named = joint.authored(side);
-  if (typeof named === 'string' && named.trim()) return namedBody(joint, side, named.trim());
-  const child = jointChild(joint, side);
-  if (!child) return undefined;
-  return bodyOf(meant(joint, child, side)) ?? 'missing';
-}
-
-function namedBody(joint: Binding, side: Side, name: string): Binding | 'missing' {
-  const scope = joint.scope!;
-  const element = scope.find(name, joint);
-  const body = element && (bodyOf(ownBinding(element)) ?? scope.scene.drivers.of(element));
-  if (body) return body;
-  joint.waitFor(side, name);
-  return 'missing';
-}
-
-/** By containerField; children without one fill the sides that are left, in order. */
-function jointChild({ element, scope }: Binding, side: Side): Element | undefined {
-  const node = (child: Element): Element => nodeElement(child, scope!.scene);
-  const children = [...element.children].filter((child) =>
-    isType(node(child), 'RigidBody', 'CollidableShape', 'CollidableOffset'),
-  );
-  const role = (child: Element): string | undefined => containerField(child)?.toLowerCase();
-  const explicit = children.find((child) => role(child) === side);
-  if (explicit) return node(explicit);
-  const taken = new Set(children.map(role));
-  const loose = children.filter((child) => role(child) !== 'body1' && role(child) !== 'body2');
-  const left = loose[side === 'body1' || taken.has('body1') ? 0 : 1];
-  return left && node(left);
-}
-
 /** In X3DOM's older dialect joints name their bodies by a collidable. */
 export function bodyOf(binding: Binding | undefined): Binding | undefined {
   if (!binding) return undefined;
   if (binding.is('RigidBody')) return binding;
-  return isCollidable(binding) && binding.scope ? ownerOf(binding) : undefined;
-}
-
-/** The world that a node lives in; undefined while it lives in none. */
-export function worldFor(binding: Binding): PageWorld | undefined {
-  const { worlds } = binding.scope!.scene;
-  if (binding.is('RigidBodyCollection')) return worlds.of(binding);
-  if (isCollidable(binding) || binding.is('CollisionSpace')) {
-    const user = ownerOf(binding) ?? listing(binding);
-    if (user) return user.scope ? worldFor(user) : undefined;
-    const free = isCollidable(binding) && placesOf(binding).length > 0;
-    return free ? binding.scope!.scene.unlisted.worldOf(binding) : undefined;
-  }
-  if (placesOf(binding).length === 0) return undefined;
-  const collection = collectionOf(binding);
-  if (collection) return worlds.of(collection);
-  if (binding.is('RigidBody')) return worlds.default;
-  if (binding.is('CollisionCollection'))
-    return worldOfMembers(binding) ?? worlds.onlyFor(binding) ?? worlds.default;
-  if (binding.is('CollisionSensor')) return worldOfCollider(binding);
-  if (binding.is('Contact')) return undefined;
-  return worldOfBodies(binding);
-}
-
-/** A CollisionCollection outside any collection speaks for the world of what it lists. */
-function worldOfMembers(binding: Binding, asked = new Set<Binding>()): PageWorld | undefined {
-  if (asked.has(binding) || !binding.scope) return undefined;
-  asked.add(binding);
-  for (const member of membersOf(binding)) {
-    const owner = isCollidable(member) ? ownerOf(member) : undefined;
-    const world = owner ? worldFor(owner) : worldOfMembers(member, asked);
-    if (world) return world;
-  }
-  return undefined;
-}
-
-function worldOfCollider(sensor: Binding): PageWorld | undefined {
-  const [collider] = nodesOf(sensor, 'collider', 'CollisionCollection');
-  return collider?.scope ? worldFor(collider) : undefined;
-}
-
-function worldOfBodies(joint: Binding): PageWorld | undefined {
-  for (const side of ['body1', 'body2'] as const) {
-    const body = jointBody(joint, side);
-    if (body && body !== 'missing' && body.scope) return worldFor(body);
-  }
-  return undefined;
+  return binding.isCollidable && binding.scope ? ownerOf(binding) : undefined;
 }

@@ -1,18 +1,17 @@
 import type { Binding } from '../nodes/binding.js';
 import {
   copyInto,
-  fromX3D,
   identity,
-  intoX3D,
   invert,
   multiply,
   poseMatrix,
   quaternionInto,
   type Affine,
 } from '../geometry/matrix.js';
-import type { Scope } from '../document/scope.js';
-import { Sets } from '../sets.js';
-import type { PageWorld } from '../nodes/worlds.js';
+import type { Scope } from '../scopes/scope.js';
+import { Sets } from '../base/sets.js';
+import type { PageWorld } from '../nodes/surroundings.js';
+import { fromX3D, intoX3D, noteDrawn } from '../x3dom/matrices.js';
 import { nodeOf, type X3DNode, type X3DQuaternion, type X3DVector } from '../x3dom/x3dom.js';
 
 /** Something that a body moves on the screen. */
@@ -72,10 +71,15 @@ function linearMatrix([a, b, c, d, e, f, g, h, i]: number[]): Affine {
 export class Drawing {
   /** Targets by the Transforms above them: when one of those moves, the local matrix below changes. */
   readonly #under = new Sets<Element, Binding>();
-  readonly #written = new WeakSet<Element>();
   readonly #targets = new Map<Binding, { targets: Target[]; above: Element[] }>();
   readonly #byElement = new Map<Element, Binding>();
   readonly #bindings = new WeakMap<object, Binding>();
+
+  readonly #requestRender: () => void;
+
+  constructor(requestRender: () => void) {
+    this.#requestRender = requestRender;
+  }
 
   /** What a body moves from now on, and the Transforms above that. */
   setTargets(binding: Binding, targets: Target[], above: Element[]): void {
@@ -110,10 +114,6 @@ export class Drawing {
     return this.#under.get(element) ?? [];
   }
 
-  hasWritten(element: Element): boolean {
-    return this.#written.has(element);
-  }
-
   /** Draws the bodies that moved. */
   drawMoved(physics: PageWorld): void {
     const { moved, movedCount, data } = physics.poses;
@@ -122,7 +122,7 @@ export class Drawing {
       const binding = body && this.#bindings.get(body);
       if (binding) this.#draw(binding, moved[i] * POSE, data);
     }
-    if (movedCount > 0) physics.scene.requestRender();
+    if (movedCount > 0) this.#requestRender();
   }
 
   /** Draws a body where it is: it or what it moves came anew. */
@@ -130,7 +130,7 @@ export class Drawing {
     const body = binding.node as Body | null;
     if (!body || !binding.world || body.slot < 0) return;
     this.#draw(binding, body.slot * POSE, binding.world.poses.data);
-    binding.world.scene.requestRender();
+    this.#requestRender();
   }
 
   #draw(binding: Binding, at: number, data: Float64Array): void {
@@ -152,7 +152,7 @@ export class Drawing {
     const local = target.linear ? multiply(world, linearMatrix(target.linear), product) : world;
     intoX3D(local, node._trafo!);
     if (node._vf.translation && node._vf.center) keepFields(node, local, world);
-    this.#written.add(target.element);
+    noteDrawn(node);
     node.invalidateVolume();
   }
 }

@@ -1,5 +1,6 @@
 import type { Binding } from '../nodes/binding.js';
-import { intoX3D, matrixOf, quaternionOf } from '../geometry/matrix.js';
+import { matrixOf, quaternionOf } from '../geometry/matrix.js';
+import { intoX3D } from '../x3dom/matrices.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
 
 /** Until a body moves it, a collidable stands where its fields say: lengths of its file, angles in radians. */

@@ -1,9 +1,7 @@
-import { codecs, type PhysicsNode } from '../../../physics-core/inside.js';
-import type { Binding } from '../nodes/binding.js';
+import { codecs, type PhysicsNode, type World } from '../../../physics-core/inside.js';
+import { ownBinding, type Binding } from '../nodes/binding.js';
 import { inPage } from '../nodes/in-page.js';
-import type { PageWorld } from '../nodes/worlds.js';
-import type { PhysicsX3DNode } from '../x3dom/node-types.js';
-import { nodeOf } from '../x3dom/x3dom.js';
+import { nodeOf, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 
 /** Sent by the core in the very step, since what begins and ends within a frame would be lost. */
 const SENT_BY_STEP: Record<string, readonly string[]> = {
@@ -23,6 +21,8 @@ interface Selective extends PhysicsNode {
   outputs?(field: string): boolean;
 }
 
+const bindingOf = ({ element }: PhysicsX3DNode): Binding => ownBinding(element!)!;
+
 /** Sends what the simulation changed to where it is ROUTEd: once per drawn frame, contacts with each step. */
 export class Routes {
   readonly #senders = new Map<PhysicsX3DNode, Sender>();
@@ -39,16 +39,17 @@ export class Routes {
     if (sender) this.#listen(node, sender);
   }
 
-  send(world: PageWorld): void {
+  send(world: World): void {
     for (const [node, sender] of this.#senders) {
       // x3dom makes a new node when an element moves or comes back.
       if (!node._xmlNode) this.#forget(node, sender);
-      else if (node.binding.world === world && node.binding.node) this.#sendFrom(node, sender);
+      else this.#sendFrom(node, sender, world);
     }
   }
 
-  #sendFrom(node: PhysicsX3DNode, { sent }: Sender): void {
-    const { binding } = node;
+  #sendFrom(node: PhysicsX3DNode, { sent }: Sender, world: World): void {
+    const binding = bindingOf(node);
+    if (binding.world !== world || !binding.node) return;
     for (const name of node.routedFields) {
       const field = binding.type.fields[name];
       if (byStep(binding, name) || !field) continue;
@@ -64,7 +65,7 @@ export class Routes {
   }
 
   #listen(node: PhysicsX3DNode, { heard }: Sender): void {
-    const { binding } = node;
+    const binding = bindingOf(node);
     const fields = node.routedFields.filter((name) => byStep(binding, name));
     for (const [name, { node: known, stop }] of heard) {
       if (known === binding.node && fields.includes(name)) continue;

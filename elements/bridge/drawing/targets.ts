@@ -1,5 +1,5 @@
 import type { Binding } from '../nodes/binding.js';
-import { above, localPose, repeatsBodyPose } from '../geometry/collidable-pose.js';
+import { above, localPose, repeatsBodyPose } from '../document/collidable-pose.js';
 import { decompose, identity, multiply, type Affine } from '../geometry/matrix.js';
 import type { Target } from './drawing.js';
 import { standInMatrix } from '../document/shortcuts.js';

@@ -1,5 +1,11 @@
 import type { codecs } from '../../../physics-core/inside.js';
 
+/** Geometry as the core takes it; see physics-core/shapes/geometry.ts. */
+export interface GeometryData {
+  type: string;
+  [field: string]: unknown;
+}
+
 export interface GeometryField {
   type: keyof typeof codecs;
   /** Its values are lengths. */

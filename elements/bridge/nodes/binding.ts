@@ -1,50 +1,74 @@
-import { codecs, defaultOf, SI, type PhysicsNode } from '../../../physics-core/inside.js';
-import { attribute, typeOf, type Field } from '../document/dom.js';
+import {
+  codecs,
+  defaultOf,
+  SI,
+  type PhysicsNode,
+  type ProblemReport,
+} from '../../../physics-core/inside.js';
+import type { Names, Watcher } from '../scopes/names.js';
+import type { Scope } from '../scopes/scope.js';
+import { known, unknownAttribute } from '../words/attributes.js';
+import { attribute, typeOf, type Field } from '../words/dom.js';
+import {
+  fieldsByAttribute,
+  forCore,
+  holdsNodes,
+  inFileUnits,
+  inSI,
+  isKept,
+} from '../words/fields.js';
+import { Authored } from './authored.js';
 import { Findings } from './findings.js';
-import { authoredText, fieldsByAttribute, holdsNodes, inFileUnits, inSI } from './fields.js';
 import { inCore, inPage } from './in-page.js';
-import { elementsAmong, nodesGiven, noteNamed } from './named.js';
-import type { Names } from '../document/names.js';
-import type { GeometryData } from '../geometry/reader.js';
-import { known, unknownAttribute } from '../document/markup.js';
-import type { StandIn } from '../document/shortcuts.js';
-import type { PageWorld } from './worlds.js';
-
-/** The Transform that a body stands for, and what `for` says. */
-export interface Place {
-  transform: Element | undefined;
-  name: string | null;
-}
+import { Namers, nodesGiven } from './named.js';
+import type { StandIn } from './stand-in.js';
+import type { PageWorld, Surroundings } from './surroundings.js';
 
 /**
  * What ties one physics element, of either spelling, to its node in the core. An element that only stands for
  * another by USE has none: `bindingOf` gives that of its DEF.
  */
-export class Binding extends Findings {
-  protected override get self(): Binding {
-    return this;
-  }
-
+export class Binding extends Findings implements Watcher {
+  #scope: Scope | null = null;
+  #scene: Surroundings | null = null;
   #world: PageWorld | null = null;
+  /** What it was taken out of, with whatever stood around it: there its last events are heard. */
+  leftFrom: Element | undefined;
   /** Null while something it needs is missing. */
   node: PhysicsNode | null = null;
   /** What it moves and takes its Shapes from, by a shortcut or in X3DOM's older dialect. */
   standIn: StandIn | undefined;
-  /** What its node was last placed by. */
-  placed: Place | undefined;
-  /** The collidable that a shortcut gives a body. */
-  shortcutNode: PhysicsNode | null = null;
-  /** The scopes in which it watches names. */
   readonly watching = new Set<Names>();
   /** Those that hold its node, and are told when it is made again. */
   readonly users = new Set<Binding>();
   readonly uses = new Set<Binding>();
   /** Relations as last handed to the core. */
   relations: Record<string, unknown> = {};
-  /** Geometry as last handed to the core for a shortcut. */
-  shapes: GeometryData[] | undefined;
-  /** What script set since the attribute was last written; in file units. */
-  readonly #properties = new Map<string, unknown>();
+  readonly #authored = new Authored(this.element, this.type);
+
+  // ---- where it stands ------------------------------------------------------------------------------------------
+
+  /** Null while the element is in no `<x3d>`, as is `scene`. */
+  get scope(): Scope | null {
+    return this.#scope;
+  }
+
+  get scene(): Surroundings | null {
+    return this.#scene;
+  }
+
+  enter(scope: Scope, scene: Surroundings): void {
+    this.#scope = scope;
+    this.#scene = scene;
+    namers.note(this, [], this.#authored.allNamed);
+  }
+
+  leave(): void {
+    namers.note(this, this.#authored.allNamed, []);
+    this.#scope = null;
+    this.#scene = null;
+    this.world = null;
+  }
 
   /** The world that it lives in, whether its node could be made yet or not. */
   get world(): PageWorld | null {
@@ -62,27 +86,46 @@ export class Binding extends Findings {
     return names.includes(this.type.name);
   }
 
-  get units() {
-    return this.scope?.units ?? SI;
+  get isCollidable(): boolean {
+    return this.is('CollidableShape', 'CollidableOffset');
   }
 
-  // ---- values -------------------------------------------------------------------------------------------------
+  get units() {
+    return this.#scope?.units ?? SI;
+  }
+
+  dirty(): void {
+    this.#scene?.dirty(this);
+  }
+
+  protected tell(report: ProblemReport): void {
+    this.#scene?.reports.report(report, this);
+  }
+
+  settle(code: string, attributeName?: string): void {
+    this.#scene?.reports.settle(this, attributeName, code);
+  }
+
+  // ---- what the author wrote --------------------------------------------------------------------------------------
 
   /** What the author wrote for a field: by script since, else in the attribute; undefined when nothing. */
   authored(name: string): unknown {
-    if (this.#properties.has(name)) return this.#properties.get(name);
-    return authoredText(this.element, name, this.type);
+    return this.#authored.get(name);
   }
 
   /** All that the author wrote, in SI. */
   authoredFields(): Record<string, unknown> {
-    const fields: Record<string, unknown> = {};
-    for (const [name, field] of Object.entries(this.type.fields)) {
-      if (holdsNodes(field)) continue;
-      const value = this.authored(name);
-      if (value !== undefined) fields[name] = inSI(field, value, this.units);
-    }
-    return fields;
+    return this.#authored.fields(this.units);
+  }
+
+  /** Elements named for a field that holds nodes; undefined: its children stand for it. */
+  named(name: string): Element[] | undefined {
+    return this.#authored.named(name);
+  }
+
+  /** Whether the author wrote any of these fields. */
+  wrote(...names: string[]): boolean {
+    return names.some((name) => this.authored(name) !== undefined);
   }
 
   /** What the author wrote for a field holds again, or its default. */
@@ -91,8 +134,10 @@ export class Binding extends Findings {
     const ours = holdsNodes(field) && field.access !== 'outputOnly';
     const value = ours ? undefined : this.authored(name);
     if (value === undefined) this.node?.unset(name);
-    else this.node?.set(name, inSI(field, value, this.units), value);
+    else this.node?.set(name, forCore(field, value, this.units), value);
   }
+
+  // ---- attributes -------------------------------------------------------------------------------------------------
 
   /** An attribute was written or removed. */
   attributeChanged(attributeName: string): void {
@@ -101,30 +146,32 @@ export class Binding extends Findings {
     const field = this.type.fields[name];
     if (field.access === 'outputOnly') return this.restore(name);
     if (holdsNodes(field)) return this.#setNodes(name, null);
-    this.#properties.delete(name);
-    this.#takeBack(name);
+    this.#authored.takeBack(name);
+    this.#tookBack(name);
   }
 
   /** It was written with what it says already: no edit, but perhaps meant as one. */
   attributeRepeated(attributeName: string): void {
     const name = fieldsByAttribute(this.type).get(attributeName.toLowerCase());
     const live = name !== undefined && this.type.fields[name].instead;
-    if (live && !this.#properties.has(name)) this.restore(name);
+    if (live && !this.#authored.byScript(name)) this.restore(name);
   }
 
   /** Script's word is gone: that of the markup holds, or the default. */
-  #takeBack(name: string): void {
-    if (this.#decides(name)) this.scope?.scene.dirty(this);
+  #tookBack(name: string): void {
+    if (this.#isPlanned(name)) this.dirty();
     else this.restore(name);
-    this.scope?.scene.valueChanged(this);
+    this.#valueChanged();
   }
 
   #otherAttribute(attributeName: string): void {
-    if (known(this.type, attributeName)) this.scope?.scene.dirty(this);
+    if (known(this.type, attributeName)) this.dirty();
     else if (attribute(this.element, attributeName) === null)
       this.settle('unknown-attribute', attributeName);
     else this.problem(unknownAttribute(this, attributeName));
   }
+
+  // ---- properties -------------------------------------------------------------------------------------------------
 
   /**
    * A property was set: the value is in file units; a joint's body may be an element or its name. Nothing, as frameworks
@@ -135,61 +182,48 @@ export class Binding extends Findings {
     if (field.access === 'outputOnly') return void this.node?.set(name, value);
     if (holdsNodes(field) && field.access !== 'inputOnly') return this.#setNodes(name, value);
     if (value === undefined || value === null) {
-      if (this.#properties.delete(name)) this.#takeBack(name);
+      if (this.#authored.takeBack(name)) this.#tookBack(name);
       return;
     }
     if (field.access === 'inputOnly') return this.event(name, value);
     const accepted = codecs[field.type].accept(value);
-    if (accepted !== undefined || !this.node) this.#properties.set(name, accepted ?? value);
-    if (this.#decides(name)) this.scope?.scene.dirty(this);
-    else this.node?.set(name, inSI(field, value, this.units), value);
-    this.scope?.scene.valueChanged(this);
-  }
-
-  /** Whether the node's value is not the field's own but what the plan makes of it: a place in another frame. */
-  #decides(name: string): boolean {
-    return this.node !== null && name in this.relations;
-  }
-
-  #setNodes(name: string, value: unknown): void {
-    const before = this.named(name) ?? [];
-    const given = nodesGiven(value);
-    if (given === undefined) this.#properties.delete(name);
-    else this.#properties.set(name, given);
-    const after = this.named(name) ?? [];
-    if (this.scope) noteNamed(this, before, after);
-    this.scope?.scene.dirty(this);
-    for (const element of [...before, ...after]) {
-      const other = ownBinding(element);
-      other?.scope?.scene.dirty(other);
-    }
-  }
-
-  /** All that it names: those know of it while it stands in a scene. */
-  get allNamed(): Element[] {
-    return [...this.#properties.keys()].flatMap((name) => this.named(name) ?? []);
-  }
-
-  #namedNodes(name: string): unknown {
-    const elements = this.named(name);
-    return this.type.fields[name].type === 'SFNode' ? elements?.[0] : elements;
-  }
-
-  /** Elements named for a field that holds nodes; undefined: its children stand for it. */
-  named(name: string): Element[] | undefined {
-    return elementsAmong(this.#properties.get(name));
+    if (accepted !== undefined || !this.node) this.#authored.set(name, accepted ?? value);
+    if (this.#isPlanned(name)) this.dirty();
+    else this.node?.set(name, forCore(field, value, this.units), value);
+    this.#valueChanged();
   }
 
   /** An X3D event: a ROUTE, setFieldValue. */
   event(name: string, value: unknown): void {
     const field = this.type.fields[name];
-    if (field.access === 'inputOnly') return this.node?.event(name, inCore(value, this.units));
+    if (field.access === 'inputOnly')
+      return this.node?.event(name, inCore(value, this.units, ownBinding));
     if (holdsNodes(field)) return this.#setNodes(name, value);
     const accepted = codecs[field.type].accept(value);
-    if (this.node && !this.#decides(name)) this.node.event(name, inSI(field, value, this.units));
-    else if (accepted !== undefined || !this.node) this.#properties.set(name, accepted ?? value);
-    if (this.#decides(name)) this.scope?.scene.dirty(this);
-    this.scope?.scene.valueChanged(this);
+    if (this.node && !this.#isPlanned(name)) this.node.event(name, inSI(field, value, this.units));
+    else if (accepted !== undefined || !this.node) this.#authored.set(name, accepted ?? value);
+    if (this.#isPlanned(name)) this.dirty();
+    this.#valueChanged();
+  }
+
+  /** Whether the node's value is not the field's own but what the plan makes of it: a place in another frame. */
+  #isPlanned(name: string): boolean {
+    return this.node !== null && name in this.relations;
+  }
+
+  #valueChanged(): void {
+    if (this.isCollidable) this.#scene?.placeChanged(this);
+  }
+
+  #setNodes(name: string, value: unknown): void {
+    const before = this.named(name) ?? [];
+    const given = nodesGiven(value);
+    if (given === undefined) this.#authored.takeBack(name);
+    else this.#authored.set(name, given);
+    const after = this.named(name) ?? [];
+    if (this.#scope) namers.note(this, before, after);
+    this.dirty();
+    for (const element of [...before, ...after]) ownBinding(element)?.dirty();
   }
 
   /** The live value, or before there is a node what was asked for; a fresh copy in file units. */
@@ -197,35 +231,28 @@ export class Binding extends Findings {
     const field = this.type.fields[name];
     const body = PLACE[name] && this.#movedBy();
     if (body) return body.get(PLACE[name]);
-    if (holdsNodes(field)) {
-      const nodes = this.node && !isKept(field) ? this.node.get(name) : this.#namedNodes(name);
-      return inPage(nodes ?? field.default, this.units);
-    }
+    if (holdsNodes(field)) return this.#getNodes(name, field);
     if (this.node && !(name in this.relations))
       return inFileUnits(field, this.node.get(name), this.units);
     const codec = codecs[field.type];
     const asked = this.authored(name);
-    return codec.copy(
-      (asked === undefined ? undefined : codec.accept(asked)) ?? this.#defaultOf(field),
-    );
+    const accepted = asked === undefined ? undefined : codec.accept(asked);
+    return codec.copy(accepted ?? defaultOf(field, this.#scope?.version ?? 4));
   }
 
-  /** X3D 3 had some other defaults. */
-  #defaultOf(field: Field): unknown {
-    return defaultOf(field, this.scope?.version ?? 4);
+  #getNodes(name: string, field: Field): unknown {
+    const elements = this.named(name);
+    const kept = field.type === 'SFNode' ? elements?.[0] : elements;
+    const nodes = this.node && !isKept(field) ? this.node.get(name) : kept;
+    return inPage(nodes ?? field.default, this.units);
   }
 
   /** A collidable of a body is where that is. */
   #movedBy(): Binding | undefined {
     const body = this.is('CollidableShape')
-      ? this.scope?.scene.drawing.bodyMoving(this.element)
+      ? this.#scene?.drawing.bodyMoving(this.element)
       : undefined;
     return body?.node ? body : undefined;
-  }
-
-  /** Whether the author wrote any of these fields. */
-  wrote(...names: string[]): boolean {
-    return names.some((name) => this.authored(name) !== undefined);
   }
 
   // ---- ties to others -----------------------------------------------------------------------------------------
@@ -239,26 +266,20 @@ export class Binding extends Findings {
 
   /** Forgets what it knew of its surroundings, before `plan` reads them anew. */
   override beginPlan(): void {
-    this.forgetTies();
-    super.beginPlan();
-  }
-
-  /** Lets go of all that was noted, before it is noted anew. */
-  forgetTies(): void {
     for (const other of this.uses) other.users.delete(this);
     this.uses.clear();
     for (const names of this.watching) names.unwatch(this);
     this.watching.clear();
-    this.scope?.scene.readers.forget(this);
+    this.#scene?.readers.forget(this);
+    super.beginPlan();
   }
 }
 
-/** A field of nodes of which the core makes nothing. */
-const isKept = ({ edit, nodes, access }: Field): boolean =>
-  edit === 'passive' && !nodes && access === 'inputOutput';
-
 /** Fields of a collidable that its body decides, by the body's own. */
 const PLACE: Record<string, string> = { translation: 'position', rotation: 'orientation' };
+
+/** Which nodes that stand in a scene name which elements for their fields. */
+export const namers = new Namers<Binding>();
 
 const bindings = new WeakMap<Element, Binding>();
 

@@ -1,34 +1,23 @@
-import { show } from '../../../physics-core/inside.js';
-import { nameOf, type NodeType } from '../document/dom.js';
-import type { Scope } from '../document/scope.js';
-import { setState } from '../states.js';
-import type { Binding } from './binding.js';
-
-export interface Report {
-  code: string;
-  severity: 'error' | 'warning' | 'info';
-  message: string;
-  attribute?: string;
-  value?: unknown;
-  used?: unknown;
-}
+import { show, type ProblemReport } from '../../../physics-core/inside.js';
+import { setState } from '../base/states.js';
+import { nameOf, type NodeType } from '../words/dom.js';
 
 /** What is wrong with an element, and what it waits for: told once its node is as its surroundings say. */
 export abstract class Findings {
   readonly element: Element;
   readonly type: NodeType;
-  /** Null while the element is in no `<x3d>`. */
-  scope: Scope | null = null;
-  /** What it was taken out of, with whatever stood around it: there its last events are heard. */
-  leftFrom: Element | undefined;
-  readonly #refused = new Map<string, Report>();
+  readonly #refused = new Map<string, ProblemReport>();
   #waiting = new Map<string, string>();
   /** What was reported while its node was planned: taken back when the next plan does not find it again. */
-  #found = new Map<string, Report>();
+  #found = new Map<string, ProblemReport>();
   #told = this.#found;
   #planning = false;
 
-  protected abstract get self(): Binding;
+  /** Takes a report to those who hear of it. */
+  protected abstract tell(report: ProblemReport): void;
+  /** Takes a report back. */
+  abstract settle(code: string, attributeName?: string): void;
+  abstract dirty(): void;
 
   constructor(element: Element, type: NodeType) {
     this.element = element;
@@ -39,27 +28,27 @@ export abstract class Findings {
     return nameOf(this.element);
   }
 
-  problem(report: Report): void {
-    if (this.#planning) this.#found.set(`${report.code} ${report.attribute}`, report);
-    else this.scope?.scene.reports.report(report, this.self);
+  get label(): string {
+    return this.name ? `${this.type.name} "${this.name}"` : this.type.name;
   }
 
-  settle(code: string, attributeName?: string): void {
-    this.scope?.scene.reports.settle(this.self, attributeName, code);
+  problem(report: ProblemReport): void {
+    if (this.#planning) this.#found.set(`${report.code} ${report.attribute}`, report);
+    else this.tell(report);
   }
 
   /** A ROUTE that may not be: told with what its markup has wrong. */
-  refuse(report: Report): void {
+  refuse(report: ProblemReport): void {
     this.#refused.set(`${report.code} ${report.attribute}`, report);
-    this.scope?.scene.dirty(this.self);
+    this.dirty();
   }
 
   /** That ROUTE went. */
-  permit({ code, attribute: name }: Report): void {
-    if (this.#refused.delete(`${code} ${name}`)) this.scope?.scene.dirty(this.self);
+  permit({ code, attribute: name }: ProblemReport): void {
+    if (this.#refused.delete(`${code} ${name}`)) this.dirty();
   }
 
-  get refused(): Iterable<Report> {
+  get refused(): Iterable<ProblemReport> {
     return this.#refused.values();
   }
 
@@ -110,9 +99,5 @@ export abstract class Findings {
   /** Whether the markup as last read has this problem, whatever its node says of the field. */
   found(code: string, attributeName: string | undefined): boolean {
     return this.#found.has(`${code} ${attributeName}`);
-  }
-
-  get label(): string {
-    return this.name ? `${this.type.name} "${this.name}"` : this.type.name;
   }
 }

@@ -1,7 +1,6 @@
 import { codecs, nodeTypes, PhysicsNode, type Units } from '../../../physics-core/inside.js';
-import type { Field } from '../document/dom.js';
-import { ownBinding } from './binding.js';
-import { holdsNodes, inFileUnits, inSI } from './fields.js';
+import type { Field } from '../words/dom.js';
+import { holdsNodes, inFileUnits, inSI } from '../words/fields.js';
 
 // Nodes on their way between core and page: a page sees elements, and contacts, which have none, as plain objects.
 
@@ -30,35 +29,46 @@ function contactInPage(contact: PhysicsNode, units: Units): Data {
   return data;
 }
 
+/** What ties an element to its node. */
+interface Tie {
+  readonly node: PhysicsNode | null;
+  is(type: string): boolean;
+  authoredFields(): Record<string, unknown>;
+  named(field: string): Element[] | undefined;
+}
+type TieOf = (element: Element) => Tie | undefined;
+
 /** What script hands over as contacts: elements, or plain objects as it got them, changed or of its own making. */
-export function inCore(value: unknown, units: Units): unknown {
+export function inCore(value: unknown, units: Units, tieOf: TieOf): unknown {
   if (typeof value !== 'object' || value === null || value instanceof PhysicsNode) return value;
-  if (value instanceof Element) return elementInCore(value);
+  if (value instanceof Element) return elementInCore(value, tieOf);
   if (Symbol.iterator in value)
-    return [...(value as Iterable<unknown>)].map((each) => inCore(each, units)).filter(Boolean);
-  return contactInCore(value as Data, units);
+    return Array.from(value as Iterable<unknown>, (each) => inCore(each, units, tieOf)).filter(
+      Boolean,
+    );
+  return contactInCore(value as Data, units, tieOf);
 }
 
 /** An element that stands in no scene has no node: its fields are handed over. */
-function elementInCore(element: Element): unknown {
-  const binding = ownBinding(element);
-  if (!binding || binding.node || !binding.is('Contact')) return binding?.node ?? null;
-  const data: Data = { type: 'Contact', ...binding.authoredFields() };
+function elementInCore(element: Element, tieOf: TieOf): unknown {
+  const tie = tieOf(element);
+  if (!tie || tie.node || !tie.is('Contact')) return tie?.node ?? null;
+  const data: Data = { type: 'Contact', ...tie.authoredFields() };
   for (const [name, field] of Object.entries(contactFields())) {
-    const [named] = holdsNodes(field) ? (binding.named(name) ?? []) : [];
-    if (named) data[name] = elementInCore(named);
+    const [named] = holdsNodes(field) ? (tie.named(name) ?? []) : [];
+    if (named) data[name] = elementInCore(named, tieOf);
   }
   return data;
 }
 
 /** One that the core sent goes back as it is, with what page code changed. */
-function contactInCore(contact: Data, units: Units): unknown {
+function contactInCore(contact: Data, units: Units, tieOf: TieOf): unknown {
   const shown = contact[SHOWN];
   const data: Data = { type: 'Contact' };
   for (const [name, field] of Object.entries(contactFields())) {
     const value = contact[name];
     if (value === undefined) continue;
-    const given = holdsNodes(field) ? inCore(value, units) : inSI(field, value, units);
+    const given = holdsNodes(field) ? inCore(value, units, tieOf) : inSI(field, value, units);
     if (!shown) data[name] = given;
     else if (!codecs[field.type].equal(given, shown.get(name))) shown.set(name, given);
   }

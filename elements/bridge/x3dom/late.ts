@@ -1,4 +1,4 @@
-import { isPhysics } from '../document/dom.js';
+import { isPhysics } from '../words/dom.js';
 import { documentOf, nodeOf, type NameSpace, type X3DElement } from './x3dom.js';
 
 // x3dom has already met what we come to late: cures for that (x3dom.md).
@@ -76,7 +76,7 @@ export function makeUnread(x3d: Element): void {
 }
 
 function unpatch(element: Element): void {
-  const own = element as unknown as Record<string, unknown>;
+  const own = element as Element & Record<string, unknown>;
   for (const name of PATCHED) {
     for (const each of [name, `__${name}`]) if (Object.hasOwn(own, each)) delete own[each];
   }

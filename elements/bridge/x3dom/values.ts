@@ -1,6 +1,6 @@
-import type { Field } from '../document/dom.js';
+import type { Field } from '../words/dom.js';
 import { axisAngleOf, quaternionOf } from '../geometry/matrix.js';
-import { holdsNodes } from '../nodes/fields.js';
+import { holdsNodes } from '../words/fields.js';
 import type { X3DNode, X3DOM, X3DQuaternion, X3DVector } from './x3dom.js';
 
 /** A value of ours as x3dom's fields have it, for ROUTEs and getFieldValue. */

@@ -65,6 +65,15 @@ export interface X3DNode {
   removeChild(child: X3DNode): boolean;
 }
 
+/** What our nodes have beside x3dom's own. */
+export interface PhysicsX3DNode extends X3DNode {
+  readonly element: Element | null;
+  /** Sends an output to whatever is ROUTEd from it. */
+  emit(field: string, value: unknown): void;
+  /** The fields that something is ROUTEd from, or that somebody listens to. */
+  readonly routedFields: readonly string[];
+}
+
 export interface NameSpace {
   doc: X3DDocument;
   superInlineNode: X3DNode | null;

@@ -1,10 +1,7 @@
-import { LineChart } from 'echarts/charts';
-import { GridComponent } from 'echarts/components';
-import { init, use } from 'echarts/core';
-import { SVGRenderer } from 'echarts/renderers';
+import { html, nothing, svg, type TemplateResult } from '../lit.js';
 import { ERRORS, type ErrorName } from './errors.js';
-
-use([LineChart, GridComponent, SVGRenderer]);
+import { labelsOf } from './labels.js';
+import { at, decades, ticks, type Scale } from './scale.js';
 
 /** One level. */
 export interface Dot {
@@ -15,132 +12,102 @@ export interface Dot {
   present: boolean;
 }
 
-export interface Colors {
-  text: string;
-  quiet: string;
-  line: string;
-  accent: string;
-  panel: string;
-  warning: string;
-}
-
 export interface Drawing {
   dots: readonly Dot[];
   kind: ErrorName;
   /** Milliseconds per simulated second that the frame budget allows. */
   budget: number;
-  colors: Colors;
   width: number;
   height: number;
 }
 
-/** Room for a level's name beside its dot: so much farther to the right. */
-const NAME = 4;
+/** Pixels around the grid, for what is written there. */
+const EDGE = { left: 80, right: 16, top: 28, bottom: 48 };
 
-interface Range {
-  min: number;
-  max: number;
+/** Pixels that the numbers of an axis need at least. */
+const ROOM = { x: 44, y: 16 };
+
+interface Axes {
+  x: Scale;
+  y: Scale;
+  /** Errors of zero have no place on a logarithmic axis: they stand here, a decade below the least. */
+  zero: number | undefined;
 }
 
-/** The powers of ten around some values. */
-function decades(values: readonly number[]): Range {
-  const min = 10 ** Math.floor(Math.log10(Math.min(...values)));
-  const max = 10 ** Math.ceil(Math.log10(Math.max(...values)));
-  return { min, max: max > min ? max : min * 10 };
-}
-
-/** Errors that are zero have no place on a logarithmic axis: they stand a decade below the least. */
-function heights(dots: readonly Dot[]): { heights: number[]; range: Range } {
+function axesOf({ dots, budget, width, height }: Drawing): Axes {
   const some = dots.map(({ error }) => error).filter((error) => error > 0);
   const { min, max } = decades(some.length > 0 ? some : [1e-6]);
-  const floor = dots.some(({ error }) => error === 0) ? min / 10 : min;
+  const zero = some.length < dots.length ? min / 10 : undefined;
+  const costs = dots.map(({ cost }) => cost);
   return {
-    heights: dots.map(({ error }) => (error > 0 ? error : floor)),
-    range: { min: floor, max },
+    x: {
+      ...decades(budget > 0 ? [...costs, budget] : costs),
+      from: EDGE.left,
+      to: width - EDGE.right,
+    },
+    y: { min: zero ?? min, max, from: height - EDGE.bottom, to: EDGE.top },
+    zero,
   };
 }
 
-/** Error against cost, both logarithmic, as the text of an SVG. */
-export function plot({ dots, kind, budget, colors, width, height }: Drawing): string {
-  const chart = init(null, null, { renderer: 'svg', ssr: true, width, height });
-  const { heights: errors, range } = heights(dots);
-  const most = Math.max(...dots.map(({ cost }) => cost));
-  const costs = decades([...dots.map(({ cost }) => cost), budget || most, NAME * most]);
-  const axis = (name: string, { min, max }: Range, formatter: (value: number) => string) => ({
-    type: 'log' as const,
-    name,
-    min,
-    max,
-    nameLocation: 'middle' as const,
-    nameTextStyle: { color: colors.text },
-    axisLabel: { color: colors.quiet, formatter, hideOverlap: true },
-    axisLine: { show: true, lineStyle: { color: colors.quiet } },
-    splitLine: { show: true, lineStyle: { color: colors.line } },
+function costAxis({ x, y }: Axes, height: number): TemplateResult {
+  const lines = ticks(x, ROOM.x).map((value) => {
+    const place = at(x, value);
+    return svg`<line class="grid" x1=${place} x2=${place} y1=${y.from} y2=${y.to} />
+      <text class="tick" text-anchor="middle" x=${place} y=${y.from + 18}>${String(value)}</text>`;
   });
-  const floorLabel = (value: number): string =>
-    value < range.min * 1.01 && dots.some(({ error }) => error === 0)
-      ? '0'
-      : ERRORS[kind].text(value);
-  chart.setOption({
-    animation: false,
-    textStyle: { fontFamily: 'system-ui, sans-serif' },
-    grid: { left: 76, right: 24, top: 28, bottom: 48 },
-    xAxis: { ...axis('ms of work per simulated second', costs, String), nameGap: 30 },
-    yAxis: { ...axis(ERRORS[kind].axis, range, floorLabel), nameGap: 58 },
-    series: [
-      ...(budget > 0 ? [budgetLine(budget, range, colors)] : []),
-      levelsLine(dots, errors, colors),
-    ],
-  });
-  const svg = chart.renderToSVGString();
-  chart.dispose();
-  return svg;
+  return svg`${lines}<line class="axis" x1=${x.from} x2=${x.to} y1=${y.from} y2=${y.from} />
+    <text class="title" text-anchor="middle" x=${(x.from + x.to) / 2} y=${height - 8}>ms of work per simulated second</text>`;
 }
 
-const budgetLine = (budget: number, { min, max }: Range, colors: Colors) => ({
-  type: 'line' as const,
-  symbol: 'none',
-  lineStyle: { color: colors.warning, type: 'dashed' as const, width: 2 },
-  data: [
-    [budget, min],
-    {
-      value: [budget, max],
-      symbol: 'circle',
-      symbolSize: 1,
-      label: {
-        show: true,
-        position: 'top' as const,
-        color: colors.warning,
-        formatter: 'frame budget',
-      },
-    },
-  ],
-});
+function errorAxis({ x, y, zero }: Axes, kind: ErrorName): TemplateResult {
+  const { axis, text } = ERRORS[kind];
+  const lines = ticks(y, ROOM.y).map((value) => {
+    const place = at(y, value);
+    const isZero = zero !== undefined && value < zero * 1.01;
+    return svg`<line class="grid" x1=${x.from} x2=${x.to} y1=${place} y2=${place} />
+      <text class="tick" text-anchor="end" x=${x.from - 8} y=${place + 4}>${isZero ? '0' : text(value)}</text>`;
+  });
+  const middle = (y.from + y.to) / 2;
+  return svg`${lines}<line class="axis" x1=${x.from} x2=${x.from} y1=${y.from} y2=${y.to} />
+    <text class="title" text-anchor="middle" transform=${`translate(14 ${middle}) rotate(-90)`}>${axis}</text>`;
+}
 
-/** The level in force is the filled one; those compared with nothing, or without error, are drawn at the bottom. */
-const levelsLine = (dots: readonly Dot[], errors: readonly number[], colors: Colors) => ({
-  type: 'line' as const,
-  lineStyle: { color: colors.accent, width: 2 },
-  data: dots.map(({ level, cost, present }, i) => ({
-    value: [cost, errors[i]!],
-    symbol: 'circle',
-    symbolSize: present ? 16 : 10,
-    itemStyle: {
-      color: present ? colors.accent : colors.panel,
-      borderColor: colors.accent,
-      borderWidth: 2,
-    },
-    label: {
-      show: true,
-      position: 'right' as const,
-      distance: 8,
-      // Above the axis, where there is no error.
-      offset: [0, dots[i]!.error > 0 ? 0 : -9],
-      color: colors.text,
-      fontWeight: present ? ('bold' as const) : ('normal' as const),
-      formatter: level,
-      textBorderColor: colors.panel,
-      textBorderWidth: 3,
-    },
-  })),
-});
+const BUDGET = 'frame budget';
+
+function budgetLine({ x, y }: Axes, budget: number): TemplateResult {
+  const place = at(x, budget);
+  const side = place < (x.from + x.to) / 2 ? 'start' : 'end';
+  return svg`<line class="budget" x1=${place} x2=${place} y1=${y.from} y2=${y.to} />
+    <text class="budget" text-anchor=${side} x=${place} y=${y.to - 8}>${BUDGET}</text>`;
+}
+
+/** The level in force is the filled one. */
+function levels({ x, y, zero }: Axes, dots: readonly Dot[]): TemplateResult {
+  const places = dots.map(({ level, cost, error }) => ({
+    name: level,
+    x: at(x, cost),
+    y: at(y, error > 0 ? error : zero!),
+  }));
+  const circles = dots.map(
+    ({ present }, i) =>
+      svg`<circle class=${present ? 'present' : ''} cx=${places[i]!.x} cy=${places[i]!.y} r=${present ? 8 : 5} />`,
+  );
+  const grid = { left: x.from, right: x.to, top: y.to, bottom: y.from };
+  const names = labelsOf(places, grid).map(
+    (label, i) =>
+      svg`<text class=${dots[i]!.present ? 'level present' : 'level'} text-anchor=${label.anchor} x=${label.x} y=${label.y}>${label.text}</text>`,
+  );
+  const line = places.map((place) => `${place.x},${place.y}`).join(' ');
+  return svg`<polyline class="levels" points=${line} />${circles}${names}`;
+}
+
+/** Error against cost, both logarithmic. What it shows is said beside it, in words and as a table. */
+export function plot(drawing: Drawing): TemplateResult {
+  const { dots, kind, budget, width, height } = drawing;
+  const axes = axesOf(drawing);
+  return html`<svg width=${width} height=${height} viewBox=${`0 0 ${width} ${height}`}>
+    ${costAxis(axes, height)} ${errorAxis(axes, kind)}
+    ${budget > 0 ? budgetLine(axes, budget) : nothing} ${levels(axes, dots)}
+  </svg>`;
+}

@@ -5,30 +5,27 @@ import type { X3DUIElement } from '../ui-element.js';
 import type { View } from '../view.js';
 import type { ErrorName } from './errors.js';
 import { panel, type Actions, type State } from './panel.js';
-import type { Colors, Drawing } from './plot.js';
+import { plot } from './plot.js';
 
 /** Frames per second that the budget of a frame is reckoned with. */
 const FRAMES = 60;
 
-const COLORS = ['text', 'quiet', 'line', 'accent', 'panel', 'warning'] as const;
-
 /** How often it looks for another world, milliseconds. */
 const INTERVAL = 500;
 
-/** Width over height of the drawing, and bounds of its height, pixels. */
+/** Width over height of the drawing; its least width and bounds of its height, pixels. */
 const SHAPE = 16 / 9;
+const LEAST_WIDTH = 200;
 const HEIGHTS = [240, 420] as const;
 
 class ChartView implements View, Actions {
   readonly #host: X3DUIElement;
   readonly #root: ShadowRoot;
   readonly #size = new ResizeObserver(() => this.#draw());
-  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   #state: State;
   #timer: ReturnType<typeof setInterval> | undefined;
   #stopHearing: (() => void) | undefined;
   #measuring: AbortController | undefined;
-  #plot: ((drawing: Drawing) => string) | undefined;
 
   constructor(host: X3DUIElement) {
     this.#host = host;
@@ -45,7 +42,6 @@ class ChartView implements View, Actions {
 
   start(): void {
     this.#timer = setInterval(() => this.#follow(), INTERVAL);
-    this.#dark.addEventListener('change', this.#draw);
     this.#show();
     this.#hear();
     this.#follow();
@@ -57,7 +53,6 @@ class ChartView implements View, Actions {
     this.#timer = undefined;
     this.#stopHearing?.();
     this.#size.disconnect();
-    this.#dark.removeEventListener('change', this.#draw);
     if (!this.#host.isConnected) this.cancel();
   }
 
@@ -91,7 +86,6 @@ class ChartView implements View, Actions {
     try {
       const onprogress = (progress: number): void => this.#show({ progress });
       ended.measured = await world.measureAccuracy({ signal: measuring.signal, onprogress });
-      this.#plot ??= (await import('./plot.js')).plot;
     } catch (error) {
       if (!measuring.signal.aborted) ended.failed = `Could not be measured: ${String(error)}`;
     }
@@ -117,12 +111,12 @@ class ChartView implements View, Actions {
     if (this.#state.progress === undefined) this.#draw();
   }
 
-  readonly #draw = (): void => {
+  #draw(): void {
     const { measured, kind, world } = this.#state;
-    const place = this.#root.querySelector('[part=chart]');
-    if (!place || !measured || !this.#plot || place.clientWidth === 0) return;
-    const width = place.clientWidth;
-    const svg = this.#plot({
+    const place = this.#root.querySelector<HTMLElement>('[part=chart]');
+    if (!place || !measured || place.clientWidth === 0) return;
+    const width = Math.max(LEAST_WIDTH, place.clientWidth);
+    const drawing = {
       dots: measured.map(({ level, msPerSecond, error }) => ({
         level,
         cost: msPerSecond,
@@ -131,26 +125,10 @@ class ChartView implements View, Actions {
       })),
       kind,
       budget: FRAMES * (world?.get('timeBudget') as number),
-      colors: this.#colors(place),
       width,
       height: Math.min(HEIGHTS[1], Math.max(HEIGHTS[0], Math.round(width / SHAPE))),
-    });
-    const { documentElement } = new DOMParser().parseFromString(svg, 'image/svg+xml');
-    // For what lies under the pointer: nothing of this picture does, and a security policy may refuse it.
-    for (const style of documentElement.querySelectorAll('style')) style.remove();
-    place.replaceChildren(document.importNode(documentElement, true));
-  };
-
-  /** What the theme's colours are at this moment: an SVG made by the chart library knows no `light-dark()`. */
-  #colors(place: Element): Colors {
-    const probe = document.createElement('span');
-    place.append(probe);
-    const colors = COLORS.map((name) => {
-      probe.style.color = `var(--${name})`;
-      return [name, getComputedStyle(probe).color];
-    });
-    probe.remove();
-    return Object.fromEntries(colors) as Colors;
+    };
+    render(plot(drawing), place);
   }
 }
 

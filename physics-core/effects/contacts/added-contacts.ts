@@ -1,17 +1,10 @@
 import type { Vec2, Vec3 } from '../../fields/types.js';
-import {
-  add,
-  cross,
-  dot,
-  normalize,
-  perpendicular,
-  rotate,
-  scale,
-  subtract,
-} from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { ContactNode } from '../../nodes/contact.js';
-import type { World } from '../../world/world.js';
+import { add, cross, dot, normalize, scale, subtract } from '../../base/math.js';
+import type { Body, Velocity } from '../../dynamics/body.js';
+import { applyInverseInertia } from '../../dynamics/inertia.js';
+import type { Contact } from '../../dynamics/contact.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { layInSurface } from './friction-directions.js';
 
 /** Share of the depth that an added contact pushes out per step. */
 const PUSH_SHARE = 0.2;
@@ -30,7 +23,7 @@ interface Row {
 }
 
 interface Moving {
-  body: BodyNode;
+  body: Body;
   linear: Vec3;
   angular: Vec3;
 }
@@ -46,36 +39,40 @@ interface Added {
  * Contacts of page code where Bullet has none: solved before the step, impulse by impulse, from the velocities that
  * forces and gravity would lead to.
  */
-export function solveAdded(contacts: readonly ContactNode[], world: World, dt: number): void {
-  const moving = new Map<BodyNode, Moving>();
-  const all = contacts.flatMap((contact) => addedContact(contact, moving, dt) ?? []);
+export function solveAdded(contacts: readonly Contact[], simulation: Simulation, dt: number): void {
+  const moving = new Map<Body, Moving>();
+  const movingOf = (body: Body | undefined): Moving | undefined => {
+    if (!body?.active || !body.movable) return undefined;
+    let found = moving.get(body);
+    if (!found) moving.set(body, (found = { body, ...predicted(simulation, body, dt) }));
+    return found;
+  };
+  const all = contacts.flatMap((contact) => addedContact(contact, movingOf, dt) ?? []);
   for (let i = 0; i < ROUNDS; i++) for (const one of all) solve(one);
-  for (const { body, linear, angular } of moving.values()) {
-    const { scratch } = world.engine;
-    const before = predicted(body, dt);
-    body.body.setLinearVelocity(scratch.vector(...kept(body, 0, linear, before.linear)));
-    body.body.setAngularVelocity(scratch.vector(...kept(body, 3, angular, before.angular)));
-    body.wake();
-  }
+  for (const one of moving.values()) give(simulation, one, dt);
 }
 
-/** The velocity that becomes `after` with what the step will add. */
-function kept(body: BodyNode, at: number, after: Vec3, before: Vec3): Vec3 {
-  const now = velocityNow(body);
-  return [0, 1, 2].map((i) => now[at + i]! + after[i]! - before[i]!) as Vec3;
+/** The velocity that becomes the one found with what the step will add. */
+function give(simulation: Simulation, { body, linear, angular }: Moving, dt: number): void {
+  const { scratch } = simulation.engine;
+  const before = predicted(simulation, body, dt);
+  const now = velocityNow(simulation, body);
+  const kept = (found: Vec3, was: Vec3, nows: Vec3): Vec3 =>
+    found.map((value, i) => nows[i]! + value - was[i]!) as Vec3;
+  body.body.setLinearVelocity(scratch.vector(...kept(linear, before.linear, now.linear)));
+  body.body.setAngularVelocity(scratch.vector(...kept(angular, before.angular, now.angular)));
+  body.wake();
 }
 
 function addedContact(
-  contact: ContactNode,
-  moving: Map<BodyNode, Moving>,
+  { bodies: named, parameters, touching }: Contact,
+  movingOf: (body: Body | undefined) => Moving | undefined,
   dt: number,
 ): Added | undefined {
-  const bodies = contact.bodies.map((body) => body && movingOf(body, moving, dt));
+  const bodies = named.map(movingOf);
   if (!bodies.some(Boolean)) return undefined;
-  const { parameters } = contact;
-  const normal = normalize(contact.asked<Vec3>('contactNormal'));
-  const position = contact.asked<Vec3>('position');
-  const depth = contact.asked<number>('depth');
+  const { position, depth } = touching;
+  const normal = normalize(touching.normal);
   const approach = -speedOf(bodies, rowOf(bodies, position, normal, 0));
   const bounce = approach >= parameters.minBounceSpeed ? parameters.bounce * approach : 0;
   const push = depth > 0 ? (PUSH_SHARE * depth) / dt : depth / dt;
@@ -91,32 +88,26 @@ function addedContact(
   };
 }
 
-/** As for Bullet's contacts: what is given, or the world's x axis laid into the surface, and what is across. */
+/** As for Bullet's contacts. */
 function directionsOf(normal: Vec3, given: Vec3 | undefined): [Vec3, Vec3] {
-  const along = given ?? (Math.abs(normal[0]) > 0.9 ? [0, 0, 1] : [1, 0, 0]);
-  const flat = subtract(along, scale(normal, dot(along, normal)));
-  const first = normalize(flat, perpendicular(normal));
+  layInSurface(laid, ...normal, given);
+  const first: Vec3 = [laid[0]!, laid[1]!, laid[2]!];
   return [first, cross(first, normal)];
 }
 
-function movingOf(body: BodyNode, moving: Map<BodyNode, Moving>, dt: number): Moving | undefined {
-  if (!body.active || !body.movable) return undefined;
-  let found = moving.get(body);
-  if (!found) moving.set(body, (found = { body, ...predicted(body, dt) }));
-  return found;
-}
+const laid = new Float64Array(3);
 
 /** Velocities at the end of the step, without contacts. */
-function predicted(body: BodyNode, dt: number): { linear: Vec3; angular: Vec3 } {
-  const [vx, vy, vz, wx, wy, wz] = velocityNow(body);
-  return { linear: add([vx!, vy!, vz!], scale(body.gravity, dt)), angular: [wx!, wy!, wz!] };
+function predicted(simulation: Simulation, body: Body, dt: number): Velocity {
+  const { linear, angular } = velocityNow(simulation, body);
+  return { linear: add(linear, scale(body.gravity, dt)), angular };
 }
 
 /** As Bullet has it: other effects changed it before this step. */
-function velocityNow({ world, body, pointer }: BodyNode): Float64Array {
-  const velocity = new Float64Array(6);
-  world.engine.reader.velocity(body, pointer, velocity, 0);
-  return velocity;
+function velocityNow({ engine }: Simulation, { body, pointer }: Body): Velocity {
+  const v = new Float64Array(6);
+  engine.reader.velocity(body, pointer, v, 0);
+  return { linear: [v[0]!, v[1]!, v[2]!], angular: [v[3]!, v[4]!, v[5]!] };
 }
 
 function rowOf(
@@ -132,26 +123,10 @@ function rowOf(
   bodies.forEach((one, i) => {
     if (!one) return;
     const turn = cross(arms[i]!, direction);
-    response += 1 / one.body.mass.mass + dot(turn, turned(one.body, turn));
+    response += 1 / one.body.mass.mass + dot(turn, applyInverseInertia(one.body, turn));
   });
   return { direction, arms, response, target, impulse: 0 };
 }
-
-/** What an angular impulse does to the spin of a body: world frame. */
-function turned(body: BodyNode, impulse: Vec3): Vec3 {
-  const { q } = body.pose();
-  const principal = body.centerOfMass.q;
-  const into = (v: Vec3): Vec3 => rotate(inverse(principal), rotate(inverse(q), v));
-  const local = into(impulse).map((value, i) => value / body.mass.moments[i]!) as Vec3;
-  return rotate(q, rotate(principal, local));
-}
-
-const inverse = (q: readonly number[]): [number, number, number, number] => [
-  -q[0]!,
-  -q[1]!,
-  -q[2]!,
-  q[3]!,
-];
 
 function speedOf(bodies: (Moving | undefined)[], { direction, arms }: Row): number {
   let speed = 0;
@@ -180,6 +155,6 @@ function push(bodies: (Moving | undefined)[], row: Row, least: number, most: num
     if (!one) return;
     const j = scale(row.direction, i === 0 ? change : -change);
     one.linear = add(one.linear, scale(j, 1 / one.body.mass.mass));
-    one.angular = add(one.angular, turned(one.body, cross(row.arms[i]!, j)));
+    one.angular = add(one.angular, applyInverseInertia(one.body, cross(row.arms[i]!, j)));
   });
 }

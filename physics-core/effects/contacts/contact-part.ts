@@ -2,8 +2,8 @@ import type { Ammo } from '../../engine/ammo.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Vec3 } from '../../fields/types.js';
 import { conjugate, rotate, subtract, type Pose } from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { CollidableNode, CollidablePart } from '../../nodes/collidable.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Collidable, CollidablePart } from '../../dynamics/collidable.js';
 import { boundsOf } from '../../shapes/mass.js';
 import { tessellate } from '../../shapes/tessellate.js';
 
@@ -11,7 +11,7 @@ import { tessellate } from '../../shapes/tessellate.js';
  * The number among the solid parts of a body of the one that a contact point lies on; `side` 0 is the manifold's first
  * body. Bullet numbers the children of a compound, but a triangle of a mesh child overwrites that number with its own.
  */
-function partNumberAt(ammo: Ammo, body: BodyNode, point: number, side: 0 | 1): number {
+function partNumberAt(ammo: Ammo, body: Body, point: number, side: 0 | 1): number {
   if (body.solidParts.length <= 1) return 0;
   const heap = ammo.HEAP32;
   const triangle = heap[(point + (side === 0 ? POINT.part0 : POINT.part1)) >> 2]! >= 0;
@@ -21,33 +21,29 @@ function partNumberAt(ammo: Ammo, body: BodyNode, point: number, side: 0 | 1): n
   return meshNumberAt(body, [HEAPF32[at]!, HEAPF32[at + 1]!, HEAPF32[at + 2]!]);
 }
 
-const partOf = (
-  ammo: Ammo,
-  body: BodyNode,
-  point: number,
-  side: 0 | 1,
-): CollidablePart | undefined => body.solidParts[partNumberAt(ammo, body, point, side)];
+const partOf = (ammo: Ammo, body: Body, point: number, side: 0 | 1): CollidablePart | undefined =>
+  body.solidParts[partNumberAt(ammo, body, point, side)];
 
 /** The collidable of a body that a contact point lies on. */
 export const partAt = (
   ammo: Ammo,
-  body: BodyNode,
+  body: Body,
   point: number,
   side: 0 | 1,
-): CollidableNode | undefined => partOf(ammo, body, point, side)?.collidable;
+): Collidable | undefined => partOf(ammo, body, point, side)?.collidable;
 
 /** The parts of both bodies that a contact point lies on, as one number; it holds as long as their shapes. */
-export const partsAt = (ammo: Ammo, a: BodyNode, b: BodyNode, point: number): number =>
+export const partsAt = (ammo: Ammo, a: Body, b: Body, point: number): number =>
   partNumberAt(ammo, a, point, 0) * b.solidParts.length + partNumberAt(ammo, b, point, 1);
 
 /** Whether it is a ball that the point lies on, which touches anything in one point. */
-export function isBallAt(ammo: Ammo, body: BodyNode, point: number, side: 0 | 1): boolean {
+export function isBallAt(ammo: Ammo, body: Body, point: number, side: 0 | 1): boolean {
   const part = partOf(ammo, body, point, side);
   return part?.geometry.type === 'Sphere' && !part.mesh;
 }
 
 /** Whether any part of it is a ball. */
-export const isRound = (body: BodyNode): boolean =>
+export const isRound = (body: Body): boolean =>
   body.solidParts.some(({ geometry }) => geometry.type === 'Sphere');
 
 /** Boxes around parts, each in its own frame. A body whose shape changes has new parts. */
@@ -60,7 +56,7 @@ function boxOf(part: CollidablePart): ReturnType<typeof boundsOf> {
 }
 
 /** The number of the mesh among the solid parts of a body whose box lies nearest to a point, world frame. */
-function meshNumberAt(body: BodyNode, position: Vec3): number {
+function meshNumberAt(body: Body, position: Vec3): number {
   const local = within(body.pose(), position);
   let nearest = 0;
   let least = Infinity;
@@ -81,7 +77,7 @@ function distanceTo(part: CollidablePart, point: Vec3): number {
 }
 
 /** The least extent of anything solid of a body, metres; Infinity where it is all triangles. */
-export function thicknessOf(body: BodyNode): number {
+export function thicknessOf(body: Body): number {
   const extents = body.solidParts.flatMap((part) => {
     if (part.mesh) return [];
     const { min, max } = boxOf(part);

@@ -1,26 +1,26 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Vec3 } from '../../fields/types.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { CollidableNode } from '../../nodes/collidable.js';
-import type { CollisionCollectionNode } from '../../nodes/collision-collection.js';
-import { CollisionSensorNode } from '../../nodes/collision-sensor.js';
-import type { ContactNode } from '../../nodes/contact.js';
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Collidable } from '../../dynamics/collidable.js';
+import type { Collider } from '../../dynamics/pairs.js';
+import type { Sensor } from '../../dynamics/sensor.js';
+import type { SimulationNode } from '../../dynamics/node.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { eachContactPoint } from './contact-points.js';
-import { foundContact } from '../../nodes/found-contact.js';
 import { partAt } from './contact-part.js';
-import { Effect } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { givenContacts } from './given-contacts.js';
 import { Touches, type TouchPoint } from './touches.js';
 
 /** A resting sphere has a distance of 1.5e-16 in some steps, so a sensor needs a tolerance, metres. */
 const TOUCHING = 0.0005;
 
-type Visit = (pointer: number, a: BodyNode, b: BodyNode) => void;
+type Visit = (pointer: number, a: Body, b: Body) => void;
 
 /** What of its collisions is listened to. */
-const heardBy = (node: PhysicsNode): string | undefined =>
+const heardBy = (node: SimulationNode): string | undefined =>
   node.heard('collisionstart')
     ? 'collisionstart'
     : node.heard('collisionend')
@@ -29,24 +29,25 @@ const heardBy = (node: PhysicsNode): string | undefined =>
 
 /** Reads what touches after each step, for CollisionSensors and for listeners to collisions of bodies. */
 export class ContactReader extends Effect {
-  readonly name = 'contact reading';
-  readonly #world: World;
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
   readonly #touches: Touches;
-  readonly #sensors = new Set<CollisionSensorNode>();
+  readonly #sensors = new Set<Sensor>();
   /** Whether anybody listens to collisions at all. */
   #listening = false;
   /** Somebody ceased to listen: the next step finds out whether another does. */
   #ceased = false;
   #readPoint: ContactPoint | undefined;
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
+    this.#effects = effects;
     this.#touches = new Touches((touch, into) => this.#pointsOf(touch.a, touch.b, into));
   }
 
   get #point(): ContactPoint {
-    return (this.#readPoint ??= new ContactPoint(this.#world.engine.ammo));
+    return (this.#readPoint ??= new ContactPoint(this.#simulation.engine.ammo));
   }
 
   // ---- who needs it -----------------------------------------------------------------------------------------------
@@ -55,7 +56,7 @@ export class ContactReader extends Effect {
    * Somebody began or ceased to listen to a body, or to a collidable without one. Frameworks cease and begin again with
    * each rendering: a touch goes on meanwhile.
    */
-  update(node: PhysicsNode): void {
+  update(node: SimulationNode): void {
     const event = heardBy(node);
     if (event && !node.removed) this.need(node, event);
     else this.#ceased = true;
@@ -64,64 +65,75 @@ export class ContactReader extends Effect {
   override beforeStep(): void {
     if (!this.#ceased) return;
     this.#ceased = false;
-    for (const node of this.causes as Iterable<PhysicsNode>)
-      if (!(node instanceof CollisionSensorNode) && !heardBy(node)) super.drop(node);
-    this.#sortCauses();
+    for (const node of this.causes as Iterable<SimulationNode>)
+      if (!this.#sensors.has(node as Sensor) && !heardBy(node)) super.release(node);
+    this.#lookWhoListens();
   }
 
-  override need(node: PhysicsNode, reason: string): void {
+  override need(node: Cause, reason: string): void {
     super.need(node, reason);
-    this.#sortCauses();
-    if (node instanceof CollisionSensorNode) this.#world.pairs.watchChanged();
+    this.#lookWhoListens();
+  }
+
+  override release(node: Cause): void {
+    super.release(node);
+    this.#lookWhoListens();
   }
 
   /** A body that is made anew goes on touching and being listened to. */
-  override drop(node: PhysicsNode): void {
-    if (!(node instanceof CollisionSensorNode) && !node.removed) return;
-    super.drop(node);
-    this.#sortCauses();
-    if (node instanceof CollisionSensorNode) this.#world.pairs.watchChanged();
+  override unmade(node: Cause): void {
+    if ((node as SimulationNode).removed) this.release(node);
+  }
+
+  /** What a sensor looks at is to be known after each step. */
+  watch(sensor: Sensor): void {
+    this.#sensors.add(sensor);
+    this.need(sensor, 'CollisionSensor');
+    this.#simulation.pairs.watchChanged();
+  }
+
+  ignore(sensor: Sensor): void {
+    this.#sensors.delete(sensor);
+    this.release(sensor);
+    this.#simulation.pairs.watchChanged();
   }
 
   /** What sensors look at. */
-  get watched(): CollisionCollectionNode[] {
+  get watched(): Collider[] {
     return [...this.#sensors].map((sensor) => sensor.collider!);
   }
 
-  #sortCauses(): void {
+  #lookWhoListens(): void {
     this.#listening = false;
-    this.#sensors.clear();
-    for (const node of this.causes)
-      if (node instanceof CollisionSensorNode) this.#sensors.add(node);
-      else this.#listening = true;
+    for (const node of this.causes) if (!this.#sensors.has(node as Sensor)) this.#listening = true;
     if (!this.#listening) this.#touches.forget();
   }
 
   /** Whether the node touches another; known while somebody listens to its collisions. */
-  colliding(node: PhysicsNode): boolean {
+  colliding(node: SimulationNode): boolean {
     return this.#touches.touching(node);
   }
 
   /** The body is no longer in the world. */
-  part(body: BodyNode, reason: 'removed' | 'disabled'): void {
-    this.#touches.part(body, reason, this.#world.time);
+  part(body: Body, reason: 'removed' | 'disabled'): void {
+    this.#touches.part(body, reason, this.#simulation.time);
   }
 
   /** The world begins anew, or ends. */
   reset(reason: 'reset' | 'removed' = 'reset'): void {
-    this.#touches.endAll(reason, this.#world.time);
+    this.#touches.endAll(reason, this.#simulation.time);
   }
 
   // ---- after each step --------------------------------------------------------------------------------------------
 
   override afterStep(): void {
-    if (!this.#world.engine.heapTrusted) return;
-    this.#world.registry.given.forget();
+    if (!this.#simulation.engine.heapTrusted) return;
+    this.#effects.find(givenContacts)?.forget();
     this.#touches.begin();
     for (const sensor of this.#sensors) sensor.beginSensing();
-    eachContactPoint(this.#world, this.#read);
+    eachContactPoint(this.#simulation, this.#read);
     for (const sensor of this.#sensors) sensor.finishSensing();
-    this.#touches.finish(this.#world.time);
+    this.#touches.finish(this.#simulation.time);
   }
 
   readonly #read: Visit = (pointer, a, b) => {
@@ -133,7 +145,7 @@ export class ContactReader extends Effect {
     for (const sensor of this.#sensors) this.#sense(sensor, pointer, a, b);
   };
 
-  #sense(sensor: CollisionSensorNode, pointer: number, a: BodyNode, b: BodyNode): void {
+  #sense(sensor: Sensor, pointer: number, a: Body, b: Body): void {
     const [first, second] = this.#collidablesAt(pointer, a, b);
     if (first && second && this.#watches(sensor.collider!, first, second))
       sensor.noteTouch(first, second);
@@ -141,40 +153,39 @@ export class ContactReader extends Effect {
 
   #collidablesAt(
     pointer: number,
-    a: BodyNode,
-    b: BodyNode,
-  ): [CollidableNode | undefined, CollidableNode | undefined] {
-    const { ammo } = this.#world.engine;
+    a: Body,
+    b: Body,
+  ): [Collidable | undefined, Collidable | undefined] {
+    const { ammo } = this.#simulation.engine;
     return [partAt(ammo, a, pointer, 0), partAt(ammo, b, pointer, 1)];
   }
 
-  #watches(collider: CollisionCollectionNode, a: CollidableNode, b: CollidableNode): boolean {
-    return collider.asked<boolean>('enabled') && this.#world.pairs.speaksFor(collider, a, b);
+  #watches(collider: Collider, a: Collidable, b: Collidable): boolean {
+    return collider.enabled && this.#simulation.pairs.speaksFor(collider, a, b);
   }
 
   // ---- what touches, in full --------------------------------------------------------------------------------------
 
-  /** The contacts of the last step that a sensor watches, each a new node of its own. */
-  contactsOf(sensor: CollisionSensorNode): ContactNode[] {
-    const contacts: ContactNode[] = [];
+  /** The contact points of the last step that a sensor watches. `point` is moved on from one to the next. */
+  eachWatched(
+    sensor: Sensor,
+    visit: (point: ContactPoint, a: Body, b: Body, first: Collidable, second: Collidable) => void,
+  ): void {
     const { collider } = sensor;
-    if (!collider || !this.#world.engine.heapTrusted) return contacts;
-    eachContactPoint(this.#world, (pointer, a, b) => {
-      if (this.#point.at(pointer, a.pointer, b.pointer).distance > TOUCHING) return;
+    if (!collider || !this.#simulation.engine.heapTrusted) return;
+    eachContactPoint(this.#simulation, (pointer, a, b) => {
+      const point = this.#point.at(pointer, a.pointer, b.pointer);
+      if (point.distance > TOUCHING) return;
       const [first, second] = this.#collidablesAt(pointer, a, b);
-      if (!first || !second || !this.#watches(collider, first, second)) return;
-      contacts.push(
-        foundContact(this.#point.at(pointer, a.pointer, b.pointer), a, b, first, second),
-      );
+      if (first && second && this.#watches(collider, first, second))
+        visit(point, a, b, first, second);
     });
-    this.#world.registry.given.report(contacts);
-    return contacts;
   }
 
   /** Where two bodies touch, for the event of one of them. */
-  #pointsOf(a: BodyNode, b: BodyNode, into: BodyNode): TouchPoint[] {
+  #pointsOf(a: Body, b: Body, into: Body): TouchPoint[] {
     const points: TouchPoint[] = [];
-    eachContactPoint(this.#world, (pointer, first, second) => {
+    eachContactPoint(this.#simulation, (pointer, first, second) => {
       if ((first !== a || second !== b) && (first !== b || second !== a)) return;
       const point = this.#point.at(pointer, first.pointer, second.pointer);
       const sign = first === into ? 1 : -1;
@@ -193,3 +204,10 @@ export class ContactReader extends Effect {
     return points;
   }
 }
+
+export const contactReader: EffectDescriptor<ContactReader> = {
+  name: 'contact reading',
+  causes: 'a CollisionSensor, or a listener to collisionstart or collisionend',
+  after: { 'given contacts': 'they are put back as Bullet had them before they are read' },
+  load: (simulation, effects) => new ContactReader(simulation, effects),
+};

@@ -1,8 +1,9 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Vec3 } from '../../fields/types.js';
-import type { BodyNode } from '../../nodes/body.js';
+import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
+import { layInSurface } from './friction-directions.js';
 
 /** A distance at which Bullet leaves a contact point out of its solver; the pair filter takes points farther away, metres. */
 export const FAR = 1e25;
@@ -10,16 +11,13 @@ export const FAR = 1e25;
 /** Below this the surfaces stick, and there is no direction of sliding, m/s. */
 const STICKING = 1e-6;
 
-/** Above this share of x in a normal, x gives no direction in the surface. */
-const ALONG_X = 0.9;
-
 /** Slip above so many times what one step at most takes from the speed, dt / mass, is a great one. */
 const SLIPPERY = 10;
 
 /** A pair of bodies for Bullet, as manifolds have them. */
 export interface Pair {
-  a: BodyNode;
-  b: BodyNode;
+  a: Body;
+  b: Body;
   /** Undefined: they differ from collidable to collidable. Null: contacts wait for set_contacts. */
   parameters: ContactParameters | null | undefined;
   /** Those already looked up, by the number of both parts. */
@@ -131,22 +129,8 @@ class Directions {
     point.putInt(POINT.directionsGiven, 1);
   }
 
-  /**
-   * Direction 1 is the one that is given, or the world's x axis, or z where the surface faces along x; laid into the
-   * surface. Direction 2 is at right angles to it: z on a floor.
-   */
-  lay(point: ContactPoint, direction: Vec3 | undefined): void {
-    const facesX = Math.abs(point.normal(0)) > ALONG_X;
-    const x = direction ? direction[0] : facesX ? 0 : 1;
-    const y = direction ? direction[1] : 0;
-    const z = direction ? direction[2] : facesX ? 1 : 0;
-    const out = x * point.normal(0) + y * point.normal(1) + z * point.normal(2);
-    const { first } = this;
-    first[0] = x - out * point.normal(0);
-    first[1] = y - out * point.normal(1);
-    first[2] = z - out * point.normal(2);
-    const size = Math.hypot(first[0], first[1], first[2]) || 1;
-    for (let i = 0; i < 3; i++) first[i]! /= size;
+  lay(point: ContactPoint, given: Vec3 | undefined): void {
+    layInSurface(this.first, point.normal(0), point.normal(1), point.normal(2), given);
   }
 
   /** Direction 2, so that the two and the normal into body1 are x, z and y on a floor. */

@@ -1,42 +1,53 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import { BODY, MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { CollidableNode } from '../../nodes/collidable.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Collidable } from '../../dynamics/collidable.js';
 import {
   isPlain,
   isSoft,
   PLAIN,
   type ContactParameters,
 } from '../../dynamics/contact-parameters.js';
-import type { PhysicsNode } from '../../nodes/node.js';
 import { carriedBy } from '../../dynamics/contact-order.js';
-import type { World } from '../../world/world.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
 import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
-import { Effect } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
 import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
 /** Numbers of a linear velocity. */
 const VELOCITY = 3;
 
+/** Told of every contact point that has parameters, between Bullet's contact search and its solver. */
+export interface ContactListener {
+  note(point: ContactPoint, pair: Pair, parameters: ContactParameters): void;
+}
+
+/** Says of single points what they are like. Null leaves a point out; undefined: nothing is said of it. */
+export interface ContactOverrides {
+  at(point: ContactPoint, pair: Pair): ContactParameters | null | undefined;
+}
+
 /**
  * Writes a CollisionCollection's parameters into every contact of its pairs, between Bullet's contact search and its
  * solver. Without a collection that says more than the default this effect is off and costs nothing.
  */
 export class ContactSurface extends Effect {
-  readonly name = 'contact surface';
-  readonly #world: World;
-  readonly #demands = new Map<PhysicsNode, SolverDemands>();
+  readonly #simulation: Simulation;
+  readonly #demands = new Map<Cause, SolverDemands>();
   readonly #count = new DemandCount();
-  /** Of the contacts that set_contacts gave for the step that runs. */
-  #given = NO_DEMANDS;
+  /** What is told of every point, once its surface is written. */
+  listener: ContactListener | undefined;
+  /** What is said of single points for the step that runs, and what that demands. */
+  #overrides: ContactOverrides | undefined;
+  #given: SolverDemands | undefined;
   /** Of all that need it. */
   demands = NO_DEMANDS;
-  #limiting: PhysicsNode | undefined;
+  #limiting: Cause | undefined;
   /** Bodies that need it for one step more: points keep what was written into them. */
-  readonly #leaving = new Set<BodyNode>();
+  readonly #leaving = new Set<Body>();
   /** By pointer of the first body, then of the second. */
   #pairs = new Map<number, Map<number, Pair>>();
   #point: ContactPoint | undefined;
@@ -49,67 +60,67 @@ export class ContactSurface extends Effect {
     changes: new Float64Array(VELOCITY * 16),
   };
 
-  constructor(world: World) {
+  constructor(simulation: Simulation) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
   }
 
   // ---- who needs it -----------------------------------------------------------------------------------------------
 
-  override get active(): boolean {
-    return super.active || this.#world.registry.given.active;
-  }
-
   /** Some other collection speaks for the body now, or says something else. */
-  update(body: BodyNode): void {
+  update(body: Body): void {
     this.#pairs.clear();
     this.#step.changes.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
-    const collections = this.#world.pairs.collectionsOf(body);
+    const collections = this.#simulation.pairs.collectionsOf(body);
     const speaking = collections.filter(({ parameters }) => !isPlain(parameters));
-    const waits = this.#world.pairs.waits(body);
+    const waits = this.#simulation.pairs.waits(body);
     this.#leaving.delete(body);
     if (waits && speaking.length === 0)
-      this.#demand(body, 'contacts that wait for set_contacts', []);
+      this.demand(body, 'contacts that wait for set_contacts', []);
     else if (speaking.length > 0)
-      this.#demand(
+      this.demand(
         body,
         `collidable of ${speaking[0]!.label}`,
         speaking.map(({ parameters }) => demandsOf(parameters)),
       );
     else if (this.#demands.has(body)) {
-      this.#demand(body, 'contacts of a former collection', []);
+      this.demand(body, 'contacts of a former collection', []);
       this.#leaving.add(body);
     }
   }
 
   /** maxCorrectionSpeed of the world; Infinity: no limit. */
-  limit(collection: PhysicsNode, speed: number): void {
-    if (this.#limiting) this.drop(this.#limiting);
+  limit(collection: Cause, speed: number): void {
+    if (this.#limiting) this.release(this.#limiting);
     this.#limiting = collection;
     this.#step.maxCorrectionSpeed = speed;
     if (speed < Infinity)
-      this.#demand(collection, 'maxCorrectionSpeed', [{ ...NO_DEMANDS, pushing: true }]);
+      this.demand(collection, 'maxCorrectionSpeed', [{ ...NO_DEMANDS, pushing: true }]);
   }
 
-  #demand(node: PhysicsNode, reason: string, demands: SolverDemands[]): void {
+  demand(node: Cause, reason: string, demands: SolverDemands[]): void {
     this.need(node, reason);
     this.#setDemands(node, union(demands));
   }
 
-  demandGiven(demands: SolverDemands): void {
+  /** Contacts that page code gave for the step that comes; undefined: that step is over. They are no cause of a body's. */
+  demandGiven(given: Cause & ContactOverrides, demands: SolverDemands | undefined): void {
+    if (demands) super.need(given, 'set_contacts');
+    else super.release(given);
+    this.#overrides = demands && given;
     this.#count.replace(this.#given, demands);
     this.#given = demands;
     this.#sumUp();
   }
 
-  override drop(node: PhysicsNode): void {
-    super.drop(node);
+  override release(node: Cause): void {
+    super.release(node);
     this.#pairs.clear();
-    this.#leaving.delete(node as BodyNode);
+    this.#leaving.delete(node as Body);
     if (this.#demands.has(node)) this.#setDemands(node, undefined);
   }
 
-  #setDemands(node: PhysicsNode, demands: SolverDemands | undefined): void {
+  #setDemands(node: Cause, demands: SolverDemands | undefined): void {
     this.#count.replace(this.#demands.get(node), demands);
     if (demands) this.#demands.set(node, demands);
     else this.#demands.delete(node);
@@ -120,16 +131,18 @@ export class ContactSurface extends Effect {
     const before = this.demands;
     this.demands = this.#count.union;
     const { pushing, directed } = this.demands;
-    if (pushing !== before.pushing || directed !== before.directed) this.#world.configureSolver();
+    if (pushing !== before.pushing || directed !== before.directed)
+      this.#simulation.configureSolver();
   }
 
   // ---- around a step ----------------------------------------------------------------------------------------------
 
   override beforeStep(dt: number): void {
     this.#step.dt = dt;
-    this.#step.slop = this.#world.bullet.settings.linearSlop;
+    this.#step.slop = this.#simulation.bullet.settings.linearSlop;
     if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
-    if (this.#world.engine.heapTrusted && anyFast(this.#world, dt)) forgetStale(this.#world, dt);
+    if (this.#simulation.engine.heapTrusted && anyFast(this.#simulation, dt))
+      forgetStale(this.#simulation, dt);
   }
 
   override afterStep(): void {
@@ -137,7 +150,7 @@ export class ContactSurface extends Effect {
       this.#eachVelocity(this.#noteChange);
       this.#sumImpulses();
     }
-    for (const body of this.#leaving) if (!body.sleeping) this.drop(body);
+    for (const body of this.#leaving) if (!body.sleeping) this.release(body);
   }
 
   readonly #noteBefore = (value: number, at: number): void => {
@@ -150,7 +163,7 @@ export class ContactSurface extends Effect {
 
   /** Of all points of a pair. */
   #sumImpulses(): void {
-    const { bullet, engine } = this.#world;
+    const { bullet, engine } = this.#simulation;
     const step = ++this.#steps;
     bullet.eachManifold((manifold, a, b) => {
       const count = manifold.getNumContacts();
@@ -165,8 +178,8 @@ export class ContactSurface extends Effect {
   }
 
   #eachVelocity(visit: (value: number, at: number) => void): void {
-    const heap = this.#world.engine.ammo.HEAPF32;
-    for (const { slot, pointer } of this.#world.bodies) {
+    const heap = this.#simulation.engine.ammo.HEAPF32;
+    for (const { slot, pointer } of this.#simulation.bodies) {
       if ((slot + 1) * VELOCITY > this.#before.length) this.#grow(slot);
       const from = (pointer + BODY.linearVelocity) >> 2;
       for (let i = 0; i < VELOCITY; i++) visit(heap[from + i]!, slot * VELOCITY + i);
@@ -185,20 +198,23 @@ export class ContactSurface extends Effect {
 
   // ---- at a contact point -----------------------------------------------------------------------------------------
 
-  /** Called by Bullet for every contact point of every step: no allocation here. */
-  process(pointer: number, a: number, b: number): void {
+  /** For every contact point of every step: no allocation here. */
+  override contact(pointer: number, a: number, b: number): true {
     const pair = this.#pairOf(a, b);
-    if (!pair) return;
+    if (pair) this.#write(pointer, pair, a, b);
+    return true;
+  }
+
+  #write(pointer: number, pair: Pair, a: number, b: number): void {
     const point = this.#at(pointer, a, b);
-    const { given } = this.#world.registry;
-    const said = given.active ? given.at(point, pair) : undefined;
+    const said = this.#overrides?.at(point, pair);
     const parameters = said === undefined ? this.#parametersAt(point, pair) : said;
     if (!parameters) {
       leaveOut(point);
       return;
     }
     writeSurface(point, pair, parameters, this.#step);
-    this.#world.registry.chains.note(point, pair, parameters);
+    this.listener?.note(point, pair, parameters);
     if (point.get(POINT.distance) >= FAR) return;
     const gently = parameters.bounce > 0 && isJointedPair(pair);
     if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
@@ -206,7 +222,7 @@ export class ContactSurface extends Effect {
   }
 
   #at(pointer: number, a: number, b: number): ContactPoint {
-    return (this.#point ??= new ContactPoint(this.#world.engine.ammo)).at(pointer, a, b);
+    return (this.#point ??= new ContactPoint(this.#simulation.engine.ammo)).at(pointer, a, b);
   }
 
   #pairOf(a: number, b: number): Pair | undefined {
@@ -219,7 +235,7 @@ export class ContactSurface extends Effect {
   }
 
   #find(pointerA: number, pointerB: number): Pair | undefined {
-    const [a, b] = [this.#world.bodyAt(pointerA), this.#world.bodyAt(pointerB)];
+    const [a, b] = [this.#simulation.bodyAt(pointerA), this.#simulation.bodyAt(pointerB)];
     if (!a || !b) return undefined;
     return {
       a,
@@ -236,7 +252,7 @@ export class ContactSurface extends Effect {
   }
 
   /** The parameters of a pair of bodies; undefined where their collidables differ in them. */
-  #common(a: BodyNode, b: BodyNode): Pair['parameters'] {
+  #common(a: Body, b: Body): Pair['parameters'] {
     const found = new Set<ContactParameters | null>();
     for (const { collidable: first } of a.parts)
       for (const { collidable: second } of b.parts) found.add(this.#between(a, first, b, second));
@@ -245,29 +261,32 @@ export class ContactSurface extends Effect {
   }
 
   /** Null: their contacts wait for set_contacts. */
-  #between(
-    a: BodyNode,
-    first: CollidableNode,
-    b: BodyNode,
-    second: CollidableNode,
-  ): ContactParameters | null {
-    const { pairs } = this.#world;
+  #between(a: Body, first: Collidable, b: Body, second: Collidable): ContactParameters | null {
+    const { pairs } = this.#simulation;
     if (!pairs.collide(a, first, b, second)) return null;
     return pairs.between(first, second)?.parameters ?? PLAIN;
   }
 
   #parametersAt(point: ContactPoint, pair: Pair): ContactParameters | null {
     if (pair.parameters !== undefined) return pair.parameters;
-    const parts = partsAt(this.#world.engine.ammo, pair.a, pair.b, point.pointer);
+    const parts = partsAt(this.#simulation.engine.ammo, pair.a, pair.b, point.pointer);
     let found = pair.byParts.get(parts);
     if (found === undefined) pair.byParts.set(parts, (found = this.#ofParts(point, pair)));
     return found;
   }
 
   #ofParts(point: ContactPoint, { a, b }: Pair): ContactParameters | null {
-    const { ammo } = this.#world.engine;
+    const { ammo } = this.#simulation.engine;
     const first = partAt(ammo, a, point.pointer, 0);
     const second = partAt(ammo, b, point.pointer, 1);
     return first && second ? this.#between(a, first, b, second) : PLAIN;
   }
 }
+
+export const contactSurface: EffectDescriptor<ContactSurface> = {
+  name: 'contact surface',
+  causes:
+    'a CollisionCollection that says more than the default, maxCorrectionSpeed, or set_contacts',
+  after: { 'joint solve': 'it notes velocities as Bullet gets them' },
+  load: (simulation) => new ContactSurface(simulation),
+};

@@ -1,16 +1,15 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
-import type { Vec3 } from '../../fields/types.js';
 import { length, normalize, subtract } from '../../base/math.js';
-import type { ContactNode } from '../../nodes/contact.js';
-import { unknownTokens, type ContactParameters } from '../../dynamics/contact-parameters.js';
-import type { CollectionNode } from '../../nodes/rigid-body-collection.js';
-import type { World } from '../../world/world.js';
-import { cut } from '../../base/show.js';
+import type { Contact, ContactGiver } from '../../dynamics/contact.js';
+import type { ContactParameters } from '../../dynamics/contact-parameters.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { solveAdded } from './added-contacts.js';
 import type { Pair } from './contact-rows.js';
-import { Effect } from '../effect.js';
-import { demandsOf, NO_DEMANDS, union } from './solver-demands.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { contactSurface, type ContactSurface } from './contact-surface.js';
+import { demandsOf, union } from './solver-demands.js';
 import { keyOf } from './touches.js';
 
 /** Reports of one and the same point lie this near, metres. */
@@ -30,8 +29,8 @@ const NEAR = 0.01;
 
 /** A contact that a sensor reported, and what stands for it in the list, with its parameters; null: it is left out. */
 interface Said {
-  contact: ContactNode;
-  listed: ContactNode | null;
+  contact: Contact;
+  listed: Contact | null;
   parameters: ContactParameters | null;
 }
 
@@ -41,24 +40,27 @@ interface Said {
  * What no sensor reported yet acts as always. With a collider the list only changes parameters.
  */
 export class GivenContacts extends Effect {
-  readonly name = 'given contacts';
-  readonly #world: World;
+  readonly #simulation: Simulation;
+  readonly #surface: ContactSurface;
+  /** As `world.effects` names who needs contacts to be written. */
+  host: unknown;
   /** What sensors reported after the last step. */
-  readonly #reported = new Set<ContactNode>();
-  readonly #lists = new Map<CollectionNode, ContactNode[]>();
+  readonly #reported = new Set<Contact>();
+  readonly #lists = new Map<ContactGiver, readonly Contact[]>();
   /** For the step that runs, by pair of bodies. */
   readonly #said = new Map<number, Said[]>();
   /** Points as Bullet had them where a list moved them: the pointer, then both positions and the normal. */
   readonly #moved: number[] = [];
   #dt = 0;
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
+    this.#surface = effects.get(contactSurface);
   }
 
   /** Sensors tell what they hand out, so that a contact that does not come back is known to be left out. */
-  report(contacts: ContactNode[]): void {
+  report(contacts: readonly Contact[]): void {
     for (const contact of contacts) this.#reported.add(contact);
   }
 
@@ -73,26 +75,26 @@ export class GivenContacts extends Effect {
     if (this.active) this.#letGo();
   }
 
-  give(collection: CollectionNode, list: ContactNode[]): void {
+  give(collection: ContactGiver, list: readonly Contact[]): void {
     this.#lists.set(collection, list);
     this.need(collection, 'set_contacts');
-    reportTokens(collection, list);
     for (const contact of list) if (contact.isChanged) contact.wakeBodies();
     const all = [...this.#lists.values()].flat();
-    this.#world.registry.surface.demandGiven(union(all.map((each) => demandsOf(each.parameters))));
+    this.host = collection.host;
+    this.#surface.demandGiven(this, union(all.map((each) => demandsOf(each.parameters))));
   }
 
-  override drop(collection: CollectionNode): void {
-    super.drop(collection);
-    this.#lists.delete(collection);
+  override release(node: Cause): void {
+    super.release(node);
+    this.#lists.delete(node as ContactGiver);
   }
 
   override beforeStep(dt: number): void {
     this.#dt = dt;
-    const added: ContactNode[] = [];
+    const added: Contact[] = [];
     for (const [collection, list] of this.#lists) {
-      const onlyChanges = collection.asked('collider') !== null;
-      const said = new Map<ContactNode, ContactNode>();
+      const onlyChanges = collection.hasCollider;
+      const said = new Map<Contact, Contact>();
       for (const listed of list) {
         const contact = this.#meant(listed);
         if (contact) said.set(contact, listed);
@@ -104,18 +106,17 @@ export class GivenContacts extends Effect {
         if (parameters || !onlyChanges) this.#say({ contact, listed, parameters });
       }
     }
-    if (added.length > 0) solveAdded(added, this.#world, dt);
+    if (added.length > 0) solveAdded(added, this.#simulation, dt);
   }
 
   /** The reported contact that a listed one is, or is a copy of. */
-  #meant(listed: ContactNode): ContactNode | undefined {
+  #meant(listed: Contact): Contact | undefined {
     if (this.#reported.has(listed)) return listed;
-    const position = listed.asked<Vec3>('position');
-    const [first, second] = [listed.asked('geometry1'), listed.asked('geometry2')];
+    const { position, first, second } = listed.touching;
     for (const contact of this.#reported) {
       const found = contact.found!;
-      const same = found.geometry1 === first && found.geometry2 === second;
-      if (same && length(subtract(found.position as Vec3, position)) < NEAR) return contact;
+      const same = found.first === first && found.second === second;
+      if (same && length(subtract(found.position, position)) < NEAR) return contact;
     }
     return undefined;
   }
@@ -141,13 +142,13 @@ export class GivenContacts extends Effect {
 
   #letGo(): void {
     this.#said.clear();
-    for (const collection of [...this.#lists.keys()]) this.drop(collection);
-    this.#world.registry.surface.demandGiven(NO_DEMANDS);
+    for (const collection of [...this.#lists.keys()]) this.release(collection);
+    this.#surface.demandGiven(this, undefined);
   }
 
   #restore(): void {
     const moved = this.#moved;
-    const heap = this.#world.engine.ammo.HEAPF32;
+    const heap = this.#simulation.engine.ammo.HEAPF32;
     for (let at = 0; at < moved.length;) {
       const pointer = moved[at++]!;
       for (const offset of MOVED)
@@ -168,12 +169,11 @@ export class GivenContacts extends Effect {
   }
 
   /** Position, normal and depth as the page wrote them. */
-  #move(point: ContactPoint, pair: Pair, contact: ContactNode): void {
+  #move(point: ContactPoint, pair: Pair, contact: Contact): void {
     this.#moved.push(point.pointer);
     for (const offset of MOVED) for (let i = 0; i < 3; i++) this.#moved.push(point.get(offset, i));
-    const position = contact.asked<Vec3>('position');
-    const normal = normalize(contact.asked<Vec3>('contactNormal'));
-    const depth = contact.asked<number>('depth');
+    const { position, depth, ...touching } = contact.touching;
+    const normal = normalize(touching.normal);
     for (let i = 0; i < 3; i++) {
       const n = normal[i]! * pair.carried;
       point.put(POINT.normalB, n, i);
@@ -185,12 +185,15 @@ export class GivenContacts extends Effect {
 }
 
 /** Whether page code wrote another position, normal or depth. */
-function isMoved(listed: ContactNode, contact: ContactNode): boolean {
+function isMoved(listed: Contact, contact: Contact): boolean {
   if (!listed.isChanged) return false;
-  const off = (field: string): number =>
-    length(subtract(listed.asked<Vec3>(field), contact.found![field] as Vec3));
-  const deeper = Math.abs(listed.asked<number>('depth') - (contact.found!.depth as number));
-  return Math.max(off('position'), off('contactNormal'), deeper) > UNCHANGED;
+  const [now, found] = [listed.touching, contact.found!];
+  const off = Math.max(
+    length(subtract(now.position, found.position)),
+    length(subtract(now.normal, found.normal)),
+    Math.abs(now.depth - found.depth),
+  );
+  return off > UNCHANGED;
 }
 
 const isLeftOut = ({ parameters }: Said): boolean => parameters === null;
@@ -202,7 +205,7 @@ function nearest(all: readonly Said[], point: ContactPoint, within: number): Sai
   for (const said of all) {
     const { position, depth } = said.contact.found!;
     // Pushing an overlap apart moves the point without speed.
-    const distance = point.distanceTo(position as Vec3) - Math.abs(depth as number);
+    const distance = point.distanceTo(position) - Math.abs(depth);
     if (distance > least + SAME) continue;
     if (!best || distance < least - SAME || said.parameters) best = said;
     least = Math.min(least, distance);
@@ -210,16 +213,12 @@ function nearest(all: readonly Said[], point: ContactPoint, within: number): Sai
   return best;
 }
 
-/** At the collection: contacts last a step only. */
-function reportTokens(collection: CollectionNode, list: readonly ContactNode[]): void {
-  const unknown = [...new Set(list.flatMap(unknownTokens))];
-  if (unknown.length === 0) return;
-  collection.report({
-    code: 'bad-value',
-    severity: 'warning',
-    attribute: 'set_contacts',
-    value: unknown.join(' '),
-    used: 'the others',
-    message: `${collection.label}: the appliedParameters of a contact in set_contacts have no ${cut(unknown.join(', '))}; the others are used`,
-  });
-}
+export const givenContacts: EffectDescriptor<GivenContacts> = {
+  name: 'given contacts',
+  causes: 'set_contacts of a RigidBodyCollection',
+  after: {
+    'joint solve': 'what page code adds acts on the velocities that joints leave',
+    'contact surface': 'its step is summed up before the lists go',
+  },
+  load: (simulation, effects) => new GivenContacts(simulation, effects),
+};

@@ -1,7 +1,7 @@
 import { BODY, MANIFOLD } from '../../engine/offsets.js';
-import type { World } from '../../world/world.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 
-type Manifold = Parameters<Parameters<World['bullet']['eachManifold']>[0]>[0];
+type Manifold = Parameters<Parameters<Simulation['bullet']['eachManifold']>[0]>[0];
 
 /** Share of the way that a contact point lives for, in a step. */
 const LONG = 0.5;
@@ -10,11 +10,12 @@ const LONG = 0.5;
 const SHORT = 0.005;
 
 /** Whether any body moves so far in a step that contact points may not keep up. */
-export const anyFast = ({ bodies }: World, dt: number): boolean => bodies.anyFaster(SHORT / dt);
+export const anyFast = ({ bodies }: Simulation, dt: number): boolean =>
+  bodies.anyFaster(SHORT / dt);
 
 /** Visits pairs near each other that move farther along each other in a step than their contact points live for. */
 export function eachFastPair(
-  { bullet, engine: { ammo } }: World,
+  { bullet, engine: { ammo } }: Simulation,
   dt: number,
   visit: (manifold: Manifold, a: number, b: number) => void,
 ): void {
@@ -35,9 +36,9 @@ export function eachFastPair(
  * for leaves them behind: they take up the room of new ones, and rub where nothing touches any more (measured: a tenth of
  * a ball's friction, and blocks that stand on two of their corners).
  */
-export function forgetStale(world: World, dt: number): void {
-  const { ammo } = world.engine;
-  eachFastPair(world, dt, (manifold) => {
+export function forgetStale(simulation: Simulation, dt: number): void {
+  const { ammo } = simulation.engine;
+  eachFastPair(simulation, dt, (manifold) => {
     ammo.HEAP32[(ammo.getPointer(manifold) + MANIFOLD.pointCount) >> 2] = 0;
   });
 }

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../fields/types.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { PhysicsNode } from '../../nodes/node.js';
+import type { Body } from '../../dynamics/body.js';
+import type { SimulationNode } from '../../dynamics/node.js';
 
 /** A resting sphere has a distance of 1.5e-16 in some steps: bodies touch from the first on, until the second, metres. */
 const BEGIN = 0.001;
@@ -21,7 +21,7 @@ export interface TouchPoint {
 /** Detail of `collisionstart` and `collisionend`. */
 export interface Collision {
   /** The other body, or the collidable without one. */
-  other: PhysicsNode;
+  other: SimulationNode;
   /** N s passed on between them from the first push of the hit on; 0 at the end. */
   impulse: number;
   contacts: TouchPoint[];
@@ -34,8 +34,8 @@ const UNSEEN = 1;
 
 /** Two bodies near each other. */
 interface Touch {
-  a: BodyNode;
-  b: BodyNode;
+  a: Body;
+  b: Body;
   /** The pass that last saw them. */
   pass: number;
   nearest: number;
@@ -44,16 +44,16 @@ interface Touch {
 }
 
 /** Node ids of a pair in one number. */
-export const keyOf = (a: BodyNode, b: BodyNode): number =>
+export const keyOf = (a: Body, b: Body): number =>
   a.id < b.id ? a.id * 2 ** 26 + b.id : b.id * 2 ** 26 + a.id;
 
 /** What touches what, from step to step: one beginning and one end for each touch. */
 export class Touches {
   readonly #touches = new Map<number, Touch>();
   #pass = 0;
-  readonly #pointsOf: (touch: { a: BodyNode; b: BodyNode }, into: BodyNode) => TouchPoint[];
+  readonly #pointsOf: (touch: { a: Body; b: Body }, into: Body) => TouchPoint[];
 
-  constructor(pointsOf: (touch: { a: BodyNode; b: BodyNode }, into: BodyNode) => TouchPoint[]) {
+  constructor(pointsOf: (touch: { a: Body; b: Body }, into: Body) => TouchPoint[]) {
     this.#pointsOf = pointsOf;
   }
 
@@ -63,7 +63,7 @@ export class Touches {
   }
 
   /** One contact point of the pass. */
-  note(a: BodyNode, b: BodyNode, distance: number, impulse: number): void {
+  note(a: Body, b: Body, distance: number, impulse: number): void {
     const key = keyOf(a, b);
     let touch = this.#touches.get(key);
     if (!touch) {
@@ -89,14 +89,14 @@ export class Touches {
     }
   }
 
-  touching(node: PhysicsNode): boolean {
+  touching(node: SimulationNode): boolean {
     for (const { a, b, begun } of this.#touches.values())
       if (begun && (a.standsFor === node || b.standsFor === node)) return true;
     return false;
   }
 
   /** A body is gone from the world: what it touched ends now. */
-  part(body: BodyNode, reason: CollisionEnd, time: number): void {
+  part(body: Body, reason: CollisionEnd, time: number): void {
     for (const [key, touch] of this.#touches) {
       if (touch.a !== body && touch.b !== body) continue;
       this.#touches.delete(key);
@@ -134,7 +134,7 @@ export class Touches {
 /** Both are told, each of the other. */
 function eachSide(
   { a, b }: Touch,
-  tell: (body: BodyNode, node: PhysicsNode, other: PhysicsNode) => void,
+  tell: (body: Body, node: SimulationNode, other: SimulationNode) => void,
 ): void {
   tell(a, a.standsFor, b.standsFor);
   tell(b, b.standsFor, a.standsFor);

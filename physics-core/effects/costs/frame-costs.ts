@@ -1,4 +1,4 @@
-import { Effect, type Cause } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
 
 /** What a frame's milliseconds are split by: Bullet and effects, reading poses, writing them to the page, listeners. */
 export const PHASES = ['step', 'read', 'write', 'events'] as const;
@@ -21,7 +21,6 @@ const WINDOW = 240;
 
 /** What frames cost, kept while somebody looks: a monitor. */
 export class FrameCosts extends Effect {
-  readonly name = 'monitor';
   /** Per frame the phases one after another; the oldest is overwritten. */
   #ring: Float64Array | undefined;
   #frames = 0;
@@ -33,7 +32,7 @@ export class FrameCosts extends Effect {
     const cause: Cause = { host: who };
     this.need(cause, reason);
     return () => {
-      this.drop(cause);
+      this.release(cause);
       if (!this.active) this.#forget();
     };
   }
@@ -76,3 +75,9 @@ function percentiles(values: number[]): Percentiles {
   const rank = (share: number): number => sorted[Math.ceil(share * sorted.length) - 1]!;
   return { p50: rank(0.5), p90: rank(0.9), p99: rank(0.99) };
 }
+
+export const frameCosts: EffectDescriptor<FrameCosts> = {
+  name: 'monitor',
+  causes: 'somebody who looks at what frames cost',
+  load: () => new FrameCosts(),
+};

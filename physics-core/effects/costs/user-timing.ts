@@ -1,25 +1,11 @@
-import type { World } from '../../world/world.js';
+import { Effect, type EffectDescriptor } from '../effect.js';
 import type { Phase } from './frame-costs.js';
-import { Effect, type Cause } from '../effect.js';
 
 /** How browsers' Performance panels know what belongs on a track of its own. */
 const TRACK = { devtools: { dataType: 'track-entry', track: 'x3d-physics' } };
 
 /** Tells the browser's Performance panel of each phase (User Timing), while `world.profile` is true. */
 export class UserTiming extends Effect {
-  readonly name = 'user timing';
-  readonly #cause: Cause;
-
-  constructor(world: World) {
-    super();
-    this.#cause = { host: world };
-  }
-
-  turn(on: boolean): void {
-    if (on) this.need(this.#cause, 'profile');
-    else this.drop(this.#cause);
-  }
-
   /** From `start` to `end`, on the clock of `performance.now()`. */
   measure(phase: Phase, start: number, end: number): void {
     const name = `x3d-physics ${phase}`;
@@ -28,3 +14,9 @@ export class UserTiming extends Effect {
     performance.clearMeasures(name);
   }
 }
+
+export const userTiming: EffectDescriptor<UserTiming> = {
+  name: 'user timing',
+  causes: 'world.profile',
+  load: () => new UserTiming(),
+};

@@ -1,7 +1,7 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
-import type { World } from '../../world/world.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { eachContactPoint } from '../contacts/contact-points.js';
 import { COLOR } from './colors.js';
 import type { DebugLines } from './debug-lines.js';
@@ -10,10 +10,10 @@ import type { DebugLines } from './debug-lines.js';
 const TOUCHING = 0.0005;
 
 /** A cross at each contact point, on the surface of the second body, and the normal from there into the first. */
-export function markContacts(lines: DebugLines, world: World): void {
-  if (!world.engine.heapTrusted) return;
-  const point = new ContactPoint(world.engine.ammo);
-  eachContactPoint(world, (pointer, a, b) => {
+export function markContacts(lines: DebugLines, simulation: Simulation): void {
+  if (!simulation.engine.heapTrusted) return;
+  const point = new ContactPoint(simulation.engine.ammo);
+  eachContactPoint(simulation, (pointer, a, b) => {
     point.at(pointer, a.pointer, b.pointer);
     const at: Vec3 = [point.position(0), point.position(1), point.position(2)];
     const normal: Vec3 = [point.normal(0), point.normal(1), point.normal(2)];

@@ -1,9 +1,9 @@
-import type { BodyNode } from '../../nodes/body.js';
-import type { CollidablePart } from '../../nodes/collidable.js';
-import { JointNode } from '../../nodes/joint.js';
+import type { Body } from '../../dynamics/body.js';
+import type { CollidablePart } from '../../dynamics/collidable.js';
+import type { Joint } from '../../dynamics/joint.js';
 import { rotate, scale, type Pose } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
-import type { World } from '../../world/world.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { COLOR, type Color } from './colors.js';
 import { markContacts } from './contact-marks.js';
 import { markJoint } from './joint-marks.js';
@@ -22,27 +22,36 @@ interface Outline {
   reach: number;
 }
 
+/** What is drawn beside bodies. */
+export interface DebugScene {
+  /** Applies edits that wait. */
+  flush(): void;
+  joints(): Iterable<Joint>;
+}
+
 /** A world as Bullet has it, as coloured lines in the world's frame: shapes, centres of mass, joints, contacts. */
 export class DebugLines extends LineBuffer {
-  readonly #world: World;
+  readonly #simulation: Simulation;
+  readonly #scene: DebugScene;
   readonly #outlines: Outlines;
-  readonly #byBody = new WeakMap<BodyNode, Outline>();
+  readonly #byBody = new WeakMap<Body, Outline>();
   readonly #pose = new Float64Array(7);
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, scene: DebugScene) {
     super();
-    this.#world = world;
-    this.#outlines = new Outlines(world);
+    this.#simulation = simulation;
+    this.#scene = scene;
+    this.#outlines = new Outlines(simulation);
   }
 
   /** Draws all of it anew, edits that wait included. */
   update(): void {
-    this.#world.flush();
-    const { bodies, nodes } = this.#world;
+    this.#scene.flush();
     this.clear();
-    for (const body of bodies) if (body.built) this.#body(body);
-    for (const node of nodes) if (node instanceof JointNode && node.attached) markJoint(this, node);
-    markContacts(this, this.#world);
+    for (const body of this.#simulation.bodies) this.#body(body);
+    for (const joint of this.#scene.joints())
+      if (joint.attached) markJoint(this, this.#simulation, joint);
+    markContacts(this, this.#simulation);
   }
 
   dispose(): void {
@@ -50,18 +59,18 @@ export class DebugLines extends LineBuffer {
   }
 
   /** How large marks on a body are, metres. */
-  markOn(body: BodyNode): number {
+  markOn(body: Body): number {
     return MARK * this.#outlineOf(body).reach;
   }
 
   /** The pose of a body's centre of mass, as Bullet has it. */
-  poseOf(body: BodyNode): Pose {
+  poseOf(body: Body): Pose {
     const p = this.#pose;
-    this.#world.engine.reader.pose(body.body, body.pointer, p, 0);
+    this.#simulation.engine.reader.pose(body.body, body.pointer, p, 0);
     return { p: [p[0]!, p[1]!, p[2]!], q: [p[3]!, p[4]!, p[5]!, p[6]!] };
   }
 
-  #outlineOf(body: BodyNode): Outline {
+  #outlineOf(body: Body): Outline {
     const known = this.#byBody.get(body);
     if (known?.parts === body.solidParts) return known;
     const lines = this.#outlines.of(body.body.getCollisionShape());
@@ -73,7 +82,7 @@ export class DebugLines extends LineBuffer {
     return outline;
   }
 
-  #body(body: BodyNode): void {
+  #body(body: Body): void {
     const { lines, reach } = this.#outlineOf(body);
     const pose = this.poseOf(body);
     this.#place(lines, pose, colorOf(body));
@@ -113,7 +122,7 @@ const AXES: readonly Vec3[] = [
   [0, 0, 1],
 ];
 
-function colorOf(body: BodyNode): Color {
+function colorOf(body: Body): Color {
   if (!body.active) return COLOR.out;
   if (body.body.isKinematicObject()) return COLOR.kinematic;
   if (body.body.isStaticObject()) return COLOR.fixed;

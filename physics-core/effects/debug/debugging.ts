@@ -1,27 +1,35 @@
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
 
 /** Collections that ask to be drawn as Bullet has them. Who draws hears of it by the world's `debug`. */
 export class Debugging extends Effect {
-  readonly name = 'debug drawing';
-  readonly #world: World;
+  readonly #simulation: Simulation;
 
-  constructor(world: World) {
+  constructor(simulation: Simulation) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
   }
 
-  /** `debug` of a collection. */
-  set(node: PhysicsNode, on: boolean): void {
+  override need(node: Cause, reason: string): void {
     const before = this.active;
-    if (on) this.need(node, 'debug');
-    else this.drop(node);
-    if (this.active !== before) this.#world.emit('debug', this.active);
+    super.need(node, reason);
+    if (!before) this.#simulation.emit('debug', true);
+  }
+
+  override release(node: Cause): void {
+    const before = this.active;
+    super.release(node);
+    if (before && !this.active) this.#simulation.emit('debug', false);
   }
 
   /** What is drawn is no longer true. */
   stale(): void {
-    if (this.active) this.#world.work();
+    if (this.active) this.#simulation.work();
   }
 }
+
+export const debugging: EffectDescriptor<Debugging> = {
+  name: 'debug drawing',
+  causes: 'debug of a RigidBodyCollection',
+  load: (simulation) => new Debugging(simulation),
+};

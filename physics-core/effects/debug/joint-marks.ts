@@ -10,9 +10,9 @@ import {
   scale,
   type Pose,
 } from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { JointNode } from '../../nodes/joint.js';
-import type { Stop } from '../joints/stops.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { COLOR } from './colors.js';
 import type { DebugLines } from './debug-lines.js';
 
@@ -37,13 +37,12 @@ interface Seen {
 }
 
 /** Where a joint holds each body, its axes, and how far it may go. */
-export function markJoint(lines: DebugLines, joint: JointNode): void {
-  const { engine } = joint.world;
+export function markJoint(lines: DebugLines, { engine }: Simulation, joint: Joint): void {
   const { constraint, body1, body2 } = joint;
   if (!constraint || !engine.heapTrusted) return;
   const view = new JointView(engine.ammo);
   const [bodyA, bodyB] = constraint.swapped ? [body2, body1] : [body1, body2];
-  const frame = (body: BodyNode | undefined, side: 'A' | 'B'): Pose =>
+  const frame = (body: Body | undefined, side: 'A' | 'B'): Pose =>
     compose(body ? lines.poseOf(body) : identityPose(), view.frame(constraint.pointer, side));
   const seen: Seen = {
     lines,
@@ -59,26 +58,25 @@ export function markJoint(lines: DebugLines, joint: JointNode): void {
   if ([3, 4, 5].some((row) => locked(seen.bounds(row)))) turn(seen);
 }
 
-function sizeOf(lines: DebugLines, bodies: readonly (BodyNode | undefined)[]): number {
-  const movable = bodies.filter((body) => body?.movable) as BodyNode[];
+function sizeOf(lines: DebugLines, bodies: readonly (Body | undefined)[]): number {
+  const movable = bodies.filter((body) => body?.movable) as Body[];
   return SIZE * Math.min(...movable.map((body) => lines.markOn(body)));
 }
 
 /** Bullet's rows that lock are let go as long as nothing touches their bodies. */
-const lockedBounds = (joint: JointNode, row: number): readonly [number, number] | undefined =>
+const lockedBounds = (joint: Joint, row: number): readonly [number, number] | undefined =>
   joint.lockedRows.includes(row) ? [0, 0] : undefined;
 
 /** Stops that give way are kept by an effect; Bullet's row is free there. They are of body1 against body2, A and B. */
-function softBounds(joint: JointNode, row: number): readonly [number, number] | undefined {
-  const { stops } = joint as JointNode & { stops?: readonly Stop[] };
-  const soft = stops?.find((stop) => stop.row === row && stop.softness > 0);
+function softBounds({ stops }: Joint, row: number): readonly [number, number] | undefined {
+  const soft = stops.find((stop) => stop.row === row && stop.softness > 0);
   return soft && [soft.low, soft.high];
 }
 
 const locked = ([low, high]: readonly [number, number]): boolean => low === high;
 
 /** From the centre of mass to the joint, and a cross there. */
-function hold({ lines, size }: Seen, body: BodyNode | undefined, frame: Pose): void {
+function hold({ lines, size }: Seen, body: Body | undefined, frame: Pose): void {
   if (body) lines.line(lines.poseOf(body).p, frame.p, COLOR.joint);
   const axes = AXES.map((axis) => scale(rotate(frame.q, axis), size / 4));
   lines.cross(frame.p, axes, COLOR.joint);

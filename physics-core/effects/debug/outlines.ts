@@ -4,7 +4,7 @@ import { Owner } from '../../engine/owner.js';
 import type { Vec3 } from '../../fields/types.js';
 import { length, subtract } from '../../base/math.js';
 import type { BtShape } from '../../shapes/build.js';
-import type { World } from '../../world/world.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 
 /** Numbers per line. */
 const LINE = 6;
@@ -15,20 +15,20 @@ const MARK = 0.7;
 
 /** The edges of Bullet's shapes, as Bullet's own debug drawing has them, in the frame of the shape. */
 export class Outlines {
-  readonly #world: World;
+  readonly #simulation: Simulation;
   readonly #owner: Owner;
   readonly #drawer: Ammo['DebugDrawer']['prototype'];
   /** Lines by shape drawn: of a compound itself, then of each child from the last to the first. */
   #drawn: number[][] = [];
 
-  constructor(world: World) {
-    this.#world = world;
-    this.#owner = new Owner(world.engine.ammo);
+  constructor(simulation: Simulation) {
+    this.#simulation = simulation;
+    this.#owner = new Owner(simulation.engine.ammo);
     this.#drawer = this.#makeDrawer();
   }
 
   #makeDrawer(): Ammo['DebugDrawer']['prototype'] {
-    const { ammo } = this.#world.engine;
+    const { ammo } = this.#simulation.engine;
     const drawer = this.#owner.own(new ammo.DebugDrawer());
     // Bullet hands over pointers to vectors.
     drawer.drawLine = (from: number, to: number, color: number) => {
@@ -61,7 +61,7 @@ export class Outlines {
 
   #childrenOf(shape: BtShape): BtShape[] {
     if (this.#typeOf(shape) !== SHAPE_TYPE.compound) return [];
-    const { ammo } = this.#world.engine;
+    const { ammo } = this.#simulation.engine;
     const compound = ammo.castObject(shape, ammo.btCompoundShape);
     return Array.from({ length: compound.getNumChildShapes() }, (_, i) =>
       compound.getChildShape(i),
@@ -69,7 +69,7 @@ export class Outlines {
   }
 
   #typeOf(shape: BtShape): number {
-    const { ammo, heapTrusted } = this.#world.engine;
+    const { ammo, heapTrusted } = this.#simulation.engine;
     return heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
   }
 
@@ -78,10 +78,10 @@ export class Outlines {
   }
 
   #draw(shape: BtShape): void {
-    const { scratch } = this.#world.engine;
+    const { scratch } = this.#simulation.engine;
     this.#drawn = [];
     const origin = scratch.transform([0, 0, 0], [0, 0, 0, 1]);
-    const { bullet } = this.#world.bullet;
+    const { bullet } = this.#simulation.bullet;
     // Only for this call: in a step Bullet would ask it whether bodies may rest.
     bullet.setDebugDrawer(this.#drawer as never);
     bullet.debugDrawObject(origin, shape, scratch.vector(1, 1, 1, 1));
@@ -93,7 +93,7 @@ export class Outlines {
    * has its edges; to work them out in the shape itself would change how it collides.
    */
   #hull(chain: readonly number[]): number[] {
-    const { ammo, scratch } = this.#world.engine;
+    const { ammo, scratch } = this.#simulation.engine;
     const owner = new Owner(ammo);
     const points: Vec3[] = [];
     for (let i = 0; i < chain.length; i += LINE)

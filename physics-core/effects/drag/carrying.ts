@@ -1,7 +1,7 @@
 import { mix, type Pose } from '../../base/math.js';
-import type { MovingNode } from '../../nodes/body-motion.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
 
 /** Seconds without a new pose after which a carried body stands still. */
 const STILL = 0.1;
@@ -25,17 +25,16 @@ interface Move {
  * again, since nothing may sleep on a kinematic body.
  */
 export class Carrying extends Effect {
-  readonly name = 'carrying';
-  readonly #world: World;
-  readonly #moves = new Map<MovingNode, Move>();
+  readonly #simulation: Simulation;
+  readonly #moves = new Map<Body, Move>();
 
-  constructor(world: World) {
+  constructor(simulation: Simulation) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
   }
 
-  carried(body: MovingNode, from: Pose, to: Pose): void {
-    const since = this.#world.time;
+  carry(body: Body, from: Pose, to: Pose): void {
+    const since = this.#simulation.time;
     const last = this.#moves.get(body);
     // Position and orientation come one after the other: together they are one move.
     if (last && last.since === since) last.to = to;
@@ -43,16 +42,16 @@ export class Carrying extends Effect {
     this.need(body, 'position');
   }
 
-  override drop(body: MovingNode): void {
-    super.drop(body);
-    this.#moves.delete(body);
+  override release(node: Cause): void {
+    super.release(node);
+    this.#moves.delete(node as Body);
   }
 
   /** Bullet takes the velocity of a kinematic body from how far its pose is from the interpolation pose. */
   override beforeStep(dt: number): void {
-    const { scratch } = this.#world.engine;
+    const { scratch } = this.#simulation.engine;
     for (const [body, { from, to, since, duration }] of this.#moves) {
-      if (this.#world.time - since >= duration - dt / 2) continue;
+      if (this.#simulation.time - since >= duration - dt / 2) continue;
       const { p, q } = mix(to, from, Math.min(1, dt / duration));
       body.body.setInterpolationWorldTransform(scratch.transform(p, q));
     }
@@ -60,9 +59,15 @@ export class Carrying extends Effect {
 
   override afterStep(): void {
     for (const [body, { since }] of this.#moves) {
-      if (this.#world.time - since < STILL) continue;
-      this.drop(body);
+      if (this.#simulation.time - since < STILL) continue;
+      this.release(body);
       body.standStill();
     }
   }
 }
+
+export const carrying: EffectDescriptor<Carrying> = {
+  name: 'carrying',
+  causes: 'a fixed body that a ROUTE, a Transform above it or a hand moves along',
+  load: (simulation) => new Carrying(simulation),
+};

@@ -1,15 +1,8 @@
 import type { Vec3 } from '../../fields/types.js';
-import {
-  add,
-  compose,
-  conjugate,
-  cross,
-  length,
-  rotate,
-  scale,
-  subtract,
-} from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
+import { add, compose, cross, length, scale, subtract } from '../../base/math.js';
+import type { Body } from '../../dynamics/body.js';
+import { applyInertia, applyInverseInertia } from '../../dynamics/inertia.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { backward, factor, forward } from '../../base/cholesky.js';
 import { BODY_BLOCK, rowOf, SIDE } from '../joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
@@ -41,7 +34,8 @@ const AXES: readonly Vec3[] = [
  * n steps, where h is SWIFTNESS times the step.
  */
 export class DragSpring {
-  readonly #body: BodyNode;
+  readonly #simulation: Simulation;
+  readonly #body: Body;
   /** In the body's frame. */
   readonly #grip: Vec3;
   /** Of the body and all that hangs on it by joints, kg. */
@@ -51,7 +45,8 @@ export class DragSpring {
   readonly #load = new Float64Array(SIDE);
   readonly #hand: Hand;
 
-  constructor(body: BodyNode, grip: Vec3) {
+  constructor(simulation: Simulation, body: Body, grip: Vec3) {
+    this.#simulation = simulation;
     this.#body = body;
     this.#grip = grip;
     this.#mass = hangingMass(body);
@@ -102,8 +97,8 @@ export class DragSpring {
 
   /** On a body that no joint holds: forces for this step. */
   push(dt: number): void {
-    const { body, world } = this.#body;
-    const { scratch } = world.engine;
+    const { body } = this.#body;
+    const { scratch } = this.#simulation.engine;
     const arm = this.#arm;
     const impulse = this.#impulse(arm, dt);
     body.applyCentralForce(scratch.vector(...scale(impulse, 1 / dt)));
@@ -117,7 +112,7 @@ export class DragSpring {
     AXES.forEach((axis, i) => {
       const ease = add(
         scale(axis, 1 / this.#body.mass.mass),
-        cross(this.#turned(cross(arm, axis)), arm),
+        cross(applyInverseInertia(this.#body, cross(arm, axis)), arm),
       );
       for (let j = 0; j < 3; j++) matrix[i * 3 + j] = ease[j]! + axis[j]! / drag;
     });
@@ -129,37 +124,26 @@ export class DragSpring {
     return [vector[0]!, vector[1]!, vector[2]!];
   }
 
-  /** I⁻¹ v in the world. */
-  #turned(v: Vec3): Vec3 {
-    return this.#byMoments(v, -1);
-  }
-
-  /** I v, or I⁻¹ v. */
-  #byMoments(v: Vec3, power: 1 | -1): Vec3 {
-    const { q } = compose(this.#body.pose(), this.#body.centerOfMass);
-    const { moments } = this.#body.mass;
-    const [x, y, z] = rotate(conjugate(q), v);
-    return rotate(q, [x * moments[0] ** power, y * moments[1] ** power, z * moments[2] ** power]);
-  }
-
   /** Of the point at the end of the step, if nobody held it. */
   #rate(arm: Vec3, dt: number): Vec3 {
-    const { world, body, pointer, mass, gravity } = this.#body;
+    const { body, pointer, mass, gravity } = this.#body;
     const load = this.#load;
-    world.engine.reader.load(body, pointer, load, 0);
-    const [vx, vy, vz, wx, wy, wz] = world.bodies.velocityOf(this.#body);
+    this.#simulation.engine.reader.load(body, pointer, load, 0);
+    const [vx, vy, vz, wx, wy, wz] = this.#simulation.bodies.velocityOf(this.#body);
     const force: Vec3 = [load[0]!, load[1]!, load[2]!];
     const torque: Vec3 = [load[3]!, load[4]!, load[5]!];
     const linear = add([vx!, vy!, vz!], scale(add(gravity, scale(force, 1 / mass.mass)), dt));
-    const angular = add([wx!, wy!, wz!], scale(this.#turned(torque), dt));
+    const angular = add([wx!, wy!, wz!], scale(applyInverseInertia(this.#body, torque), dt));
     return add(linear, cross(angular, arm));
   }
 
   /** Takes from its spin. */
   slow(): void {
-    const { body, world } = this.#body;
+    const { body } = this.#body;
     const { angular } = this.#body.velocityAtOrigin();
-    body.applyTorque(world.engine.scratch.vector(...scale(this.#byMoments(angular, 1), -GRIP)));
+    body.applyTorque(
+      this.#simulation.engine.scratch.vector(...scale(applyInertia(this.#body, angular), -GRIP)),
+    );
   }
 
   /**
@@ -194,7 +178,7 @@ export class DragSpring {
 }
 
 /** Of a body and of all movable ones that joints tie to it. */
-function hangingMass(body: BodyNode): number {
+function hangingMass(body: Body): number {
   const found = new Set([body]);
   for (const each of found)
     for (const joint of each.joints) {

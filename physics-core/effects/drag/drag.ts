@@ -1,12 +1,10 @@
 import { Emitter } from '../../base/emitter.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, compose, invert, length, scale, subtract, type Pose } from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
+import type { Body, DragMode } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { DragSpring } from './drag-spring.js';
 import { TOP_SPEED } from './hand.js';
-
-export const DRAG_MODES = ['spring', 'kinematic', 'teleport'] as const;
-export type DragMode = (typeof DRAG_MODES)[number];
 
 /** Why a drag ended. */
 export type DragEnd = 'released' | 'cancelled' | 'removed' | 'disabled' | 'reset';
@@ -23,9 +21,18 @@ interface Moment {
   time: number;
 }
 
+/** The effect that carries drags out. */
+interface Hands {
+  /** Whether a drag still acts on its body. */
+  holds(drag: Drag): boolean;
+  end(drag: Drag, reason: DragEnd): void;
+}
+
 /** One body held at one point, from `body.drag` until it is let go. */
 export class Drag {
-  readonly body: BodyNode;
+  readonly #hands: Hands;
+  readonly #simulation: Simulation;
+  readonly body: Body;
   readonly spring: DragSpring;
   /** Where the grabbed point is to be: world frame, metres. */
   target: Vec3;
@@ -39,11 +46,13 @@ export class Drag {
   /** What its end leaves the body with, before anybody hears of it. */
   #leave = (): void => {};
 
-  constructor(body: BodyNode, point: Vec3, onend: Ended) {
+  constructor(hands: Hands, simulation: Simulation, body: Body, point: Vec3, onend: Ended) {
+    this.#hands = hands;
+    this.#simulation = simulation;
     this.body = body;
     this.#start = body.pose();
     this.target = [...point];
-    this.spring = new DragSpring(body, compose(invert(body.pose()), at(point)).p);
+    this.spring = new DragSpring(simulation, body, compose(invert(body.pose()), at(point)).p);
     this.#emitter.on('end', (reason) => onend(reason as DragEnd));
     this.engage();
   }
@@ -78,12 +87,11 @@ export class Drag {
 
   /** What a call brings about is told when it is over. */
   #whole(call: () => void): void {
-    if (!this.#over) this.body.world.events.during(call);
+    if (!this.#over) this.#simulation.events.during(call);
   }
 
   #move(point: Vec3): void {
-    const { registry } = this.body.world;
-    if (!registry.dragging.holds(this)) return registry.dragging.release(this, 'disabled');
+    if (!this.#hands.holds(this)) return this.#hands.end(this, 'disabled');
     const to = this.body.argument<Vec3>('drag', 'SFVec3f', point);
     if (!to) return;
     this.target = to;
@@ -92,7 +100,7 @@ export class Drag {
   }
 
   #place(p: Vec3): void {
-    const { time } = this.body.world;
+    const { time } = this.#simulation;
     const [before, last] = this.#moments ?? [undefined, { p: this.body.pose().p, time }];
     const now = { p, time };
     // Several moves within one step are one.
@@ -110,7 +118,7 @@ export class Drag {
   #end(still: boolean): void {
     const velocity = this.mode === 'kinematic' && !still ? this.#thrown() : REST;
     if (still || this.mode !== 'spring') this.#leave = () => this.#goOn(velocity);
-    this.body.world.registry.dragging.release(this, 'released');
+    this.#hands.end(this, 'released');
   }
 
   /** Lets go; what was not moved by a spring returns to where it was grabbed. */
@@ -124,7 +132,7 @@ export class Drag {
         this.body.moveTo(this.#start);
         this.#goOn(REST);
       };
-    this.body.world.registry.dragging.release(this, 'cancelled');
+    this.#hands.end(this, 'cancelled');
   }
 
   #goOn(velocity: Vec3): void {
@@ -137,7 +145,7 @@ export class Drag {
     if (!this.#moments) return REST;
     const [before, last] = this.#moments;
     const seconds = last.time - before.time;
-    if (seconds <= 0 || this.body.world.time - last.time > FLING) return REST;
+    if (seconds <= 0 || this.#simulation.time - last.time > FLING) return REST;
     const velocity = scale(subtract(last.p, before.p), 1 / seconds);
     return scale(velocity, Math.min(1, TOP_SPEED / (length(velocity) || 1)));
   }
@@ -147,7 +155,7 @@ export class Drag {
     this.#over = true;
     this.body.hold(false);
     this.#leave();
-    this.body.world.events.tell(this.#emitter, 'end', reason);
+    this.#simulation.events.tell(this.#emitter, 'end', reason);
   }
 }
 

@@ -1,35 +1,39 @@
 import type { Vec3 } from '../../fields/types.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { isJointed } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../joints/row-system.js';
 import { Drag, type DragEnd } from './drag.js';
-import { Effect } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { jointSolve, type Pull } from '../joints/joint-solve.js';
+import { resting } from '../rest/resting.js';
 
 /**
  * Bodies that somebody holds. A drag by a spring is one more force of the body, or one more term of the joint solve where
  * joints hold it: a point-to-point constraint of Bullet's would be solved by iterations, after the joints, and tear
  * them. The other modes make a body immovable while they last. Nothing of Bullet's is made or unmade.
  */
-export class Dragging extends Effect {
-  readonly name = 'dragging';
-  readonly #world: World;
+export class Dragging extends Effect implements Pull {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
   readonly #drags = new Set<Drag>();
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
+    this.#effects = effects;
   }
 
   /** Undefined where the body can't be dragged so, or by one hand only. */
-  grab(body: BodyNode, point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined {
+  grab(body: Body, point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined {
     const alone = body.dragMode !== 'spring';
     if (!body.active || (!alone && !body.movable) || (alone && this.#of(body).length > 0))
       return undefined;
-    const drag = new Drag(body, point, onend);
+    const drag = new Drag(this, this.#simulation, body, point, onend);
     this.#drags.add(drag);
     this.need(body, 'drag');
+    this.#effects.find(jointSolve)?.pulls.add(this);
     return drag;
   }
 
@@ -38,58 +42,65 @@ export class Dragging extends Effect {
     return body.active && (mode !== 'spring' || body.movable);
   }
 
-  release(drag: Drag, reason: DragEnd): void {
+  end(drag: Drag, reason: DragEnd): void {
     if (!this.#drags.delete(drag)) return;
-    if (this.#of(drag.body).length === 0) super.drop(drag.body);
+    if (this.#of(drag.body).length === 0) this.release(drag.body);
     drag.over(reason);
   }
 
   /** The world begins anew, or ends. */
   reset(reason: DragEnd): void {
-    for (const drag of [...this.#drags]) this.release(drag, reason);
+    for (const drag of [...this.#drags]) this.end(drag, reason);
   }
 
   /** All hands off a body. */
-  letGo(body: PhysicsNode, reason: DragEnd): void {
-    for (const drag of this.#of(body)) this.release(drag, reason);
+  letGo(body: Body, reason: DragEnd): void {
+    for (const drag of this.#of(body)) this.end(drag, reason);
   }
 
   /** Its drags go on in another mode: all of them by springs, or the first one alone. */
-  modeChanged(body: BodyNode): void {
+  modeChanged(body: Body): void {
     const [first, ...others] = this.#of(body);
     first?.engage();
     for (const drag of others)
       if (drag.mode === 'spring') drag.engage();
-      else this.release(drag, 'disabled');
+      else this.end(drag, 'disabled');
   }
 
-  #of(body: PhysicsNode): Drag[] {
+  #of(body: Body): Drag[] {
     return this.active ? [...this.#drags].filter((drag) => drag.body === body) : [];
   }
 
-  override drop(node: PhysicsNode): void {
-    this.letGo(node, node.removed ? 'removed' : 'reset');
+  override unmade(node: Cause): void {
+    const body = node as Body;
+    this.letGo(body, body.removed ? 'removed' : 'reset');
   }
 
   /** What is held does not sleep. */
   override beforeStep(dt: number): void {
     for (const drag of this.#drags) {
-      if (!this.holds(drag)) this.release(drag, 'disabled');
+      if (!this.holds(drag)) this.end(drag, 'disabled');
       else if (drag.mode === 'spring') this.#pull(drag, dt);
     }
   }
 
   #pull({ body, spring, target }: Drag, dt: number): void {
     if (body.sleeping) body.wake();
-    this.#world.registry.resting.restart(body.slot);
+    this.#effects.find(resting)?.restart(body.slot);
     spring.slow();
     spring.move(target, dt);
     if (!isJointed(body)) spring.push(dt);
   }
 
   /** A body in the joint solve, where it is number `i`. */
-  pullIn(body: BodyNode, system: RowSystem, i: number, dt: number): void {
+  pullIn(body: Body, system: RowSystem, i: number, dt: number): void {
     for (const { body: held, mode, spring } of this.#drags)
       if (held === body && mode === 'spring') spring.pullIn(system, i, dt);
   }
 }
+
+export const dragging: EffectDescriptor<Dragging> = {
+  name: 'dragging',
+  causes: 'a body that somebody holds',
+  load: (simulation, effects) => new Dragging(simulation, effects),
+};

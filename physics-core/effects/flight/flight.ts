@@ -1,11 +1,15 @@
 import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Body } from '../../dynamics/body.js';
+import { turnsAlike } from '../../dynamics/inertia.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { dragging } from '../drag/dragging.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { impactPropagation } from '../hits/impact-propagation.js';
+import { jointSolve } from '../joints/joint-solve.js';
+import { forces } from './forces.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
-import { turnsAlike } from './gyroscopic.js';
 
 const POSE = 7;
 const VELOCITY = 6;
@@ -21,7 +25,7 @@ const EVEN = 1.02;
 
 /** A body that something known pulls or turns: linear parts, then angular ones. */
 interface Flyer {
-  body: BodyNode;
+  body: Body;
   /** m/s² and rad/s², world frame. */
   acceleration: Float64Array;
   /** Newtons and newton metres that its author gave. */
@@ -38,9 +42,9 @@ interface Flyer {
  * whose forces change from step to step, as those of springs made by page code do: they would gain energy.
  */
 export class Flight extends Effect {
-  readonly name = 'free flight';
-  readonly #world: World;
-  readonly #flyers = new Map<PhysicsNode, Flyer>();
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #flyers = new Map<Body, Flyer>();
   readonly #now = new Float64Array(VELOCITY);
   /** What is to be added to the place and the orientation, and whether velocities are others than Bullet's. */
   readonly #displacement = new Float64Array(VELOCITY);
@@ -49,39 +53,30 @@ export class Flight extends Effect {
   readonly #turn = new Float64Array(4);
   readonly #rotation = new Float64Array(3);
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
+    this.#effects = effects;
   }
 
-  /** Gravity, forces, damping, mass or mobility changed. */
-  update(body: BodyNode): void {
+  /** Its gravity, forces, damping, mass or mobility may be others. */
+  override need(body: Body, reason: string): void {
     const before = this.#flyers.get(body);
-    const { force, torque } = this.#world.registry.forces.constant(body);
-    const { mass, moments } = body.mass;
-    const alike = turnsAlike(moments);
-    const acceleration = Float64Array.from([
-      ...add(body.gravity, scale(force, 1 / mass)),
-      ...(alike ? scale(torque, 1 / moments[0]) : [0, 0, 0]),
-    ]);
-    const { linear, angular } = body.dampedShare;
-    const turns = angular > 0 || acceleration.subarray(3).some(Boolean);
-    if (!body.movable || !(turns || linear > 0 || acceleration.some(Boolean))) {
-      this.drop(body);
-      return;
-    }
+    const { force } = body.constantLoad;
+    const acceleration = accelerationOf(body);
+    const turns = isTurned(body, acceleration);
     const varies = before !== undefined && (before.varies || other(before.load, force));
     this.#flyers.set(body, { body, acceleration, load: force, turns, varies });
-    this.need(body, 'gravity, forces or damping');
+    super.need(body, reason);
   }
 
-  override drop(node: PhysicsNode): void {
-    super.drop(node);
-    this.#flyers.delete(node);
+  override release(node: Cause): void {
+    super.release(node);
+    this.#flyers.delete(node as Body);
   }
 
   override settle(dt: number): void {
-    const { bodies } = this.#world;
+    const { bodies } = this.#simulation;
     for (const flyer of this.#flyers.values()) {
       const { body, varies } = flyer;
       flyer.varies = false;
@@ -91,14 +86,15 @@ export class Flight extends Effect {
   }
 
   /** The joint solve keeps its velocity in the middle of each step, which is exact enough. */
-  #held(body: BodyNode): boolean {
-    return this.#world.registry.joints.lastStep(body) > 0;
+  #held(body: Body): boolean {
+    const joints = this.#effects.find(jointSolve);
+    return joints !== undefined && joints.lastStep(body) > 0;
   }
 
   #fly(flyer: Flyer, dt: number): void {
     const { body, acceleration, turns } = flyer;
     const { linear, angular } = body.dampedShare;
-    this.#world.engine.reader.velocity(body.body, body.pointer, this.#now, 0);
+    this.#simulation.engine.reader.velocity(body.body, body.pointer, this.#now, 0);
     if (!turns && linear === 0) {
       this.#fall(flyer, dt);
       return;
@@ -113,13 +109,13 @@ export class Flight extends Effect {
     if (this.#faster) this.#hasten(body);
   }
 
-  #shift({ body, pointer }: BodyNode, x: number, y: number, z: number): void {
-    this.#world.engine.reader.shift(body, pointer, x, y, z);
+  #shift({ body, pointer }: Body, x: number, y: number, z: number): void {
+    this.#simulation.engine.reader.shift(body, pointer, x, y, z);
   }
 
   /** What most do: the rest in one go, for its speed (measured: 35 ns instead of 110). */
   #fall({ body, acceleration }: Flyer, dt: number): void {
-    const v = this.#world.bodies.velocities;
+    const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY;
     const x = acceleration[0]! * dt;
     const y = acceleration[1]! * dt;
@@ -134,7 +130,7 @@ export class Flight extends Effect {
   /** Three parts of a damped or turning motion, from `part` on. False: something else acted on them in this step. */
   #lead(part: 0 | 3, slot: number, acceleration: Float64Array, share: number, dt: number): boolean {
     const now = this.#now;
-    const v = this.#world.bodies.velocities;
+    const v = this.#simulation.bodies.velocities;
     const at = slot * VELOCITY;
     const left = (1 - share) ** dt;
     for (let i = part; i < part + 3; i++)
@@ -155,8 +151,8 @@ export class Flight extends Effect {
    * What slides or rolls is pushed evenly over the step, and goes on with the mean of the speeds at its ends. A hit is
    * more than what acts by itself could be; its speed Bullet takes at once. What page code or a hand pulls may hang on a spring.
    */
-  #glide(body: BodyNode, acceleration: Float64Array, dt: number): boolean {
-    const v = this.#world.bodies.velocities;
+  #glide(body: Body, acceleration: Float64Array, dt: number): boolean {
+    const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY;
     let change = 0;
     let most = 0;
@@ -169,13 +165,16 @@ export class Flight extends Effect {
       this.#displacement[i] = (-dt / 2) * gained;
     }
     if (speed < RESTING ** 2 || change > most * EVEN) return false;
-    const { chains, forces, dragging } = this.#world.registry;
-    return !chains.struck(body) && !forces.pending(body) && !dragging.isNeededBy(body);
+    return (
+      !this.#effects.find(impactPropagation)?.struck(body) &&
+      !this.#effects.find(forces)?.pending(body) &&
+      !this.#effects.find(dragging)?.isNeededBy(body)
+    );
   }
 
   /** With another orientation. */
-  #place({ body, pointer }: BodyNode): void {
-    const { reader, scratch } = this.#world.engine;
+  #place({ body, pointer }: Body): void {
+    const { reader, scratch } = this.#simulation.engine;
     const pose = this.#pose;
     const [turn, rotation, displacement] = [this.#turn, this.#rotation, this.#displacement];
     reader.pose(body, pointer, pose, 0);
@@ -190,13 +189,34 @@ export class Flight extends Effect {
     );
   }
 
-  #hasten({ body }: BodyNode): void {
-    const { scratch } = this.#world.engine;
+  #hasten({ body }: Body): void {
+    const { scratch } = this.#simulation.engine;
     const now = this.#now;
     body.setLinearVelocity(scratch.vector(now[0]!, now[1]!, now[2]!));
     body.setAngularVelocity(scratch.vector(now[3]!, now[4]!, now[5]!));
   }
 }
+
+/** By gravity and its author's forces: m/s² and rad/s², linear then angular. */
+function accelerationOf({ gravity, mass: { mass, moments }, constantLoad }: Body): Float64Array {
+  const { force, torque } = constantLoad;
+  return Float64Array.from([
+    ...add(gravity, scale(force, 1 / mass)),
+    ...(turnsAlike(moments) ? scale(torque, 1 / moments[0]) : [0, 0, 0]),
+  ]);
+}
+
+const isTurned = ({ dampedShare }: Body, acceleration: Float64Array): boolean =>
+  dampedShare.angular > 0 || acceleration.subarray(3).some(Boolean);
+
+/** Whether something known pulls, turns or brakes it. */
+const isLed = ({ movable, gravity, constantLoad, dampedShare }: Body): boolean =>
+  movable &&
+  (gravity.some(Boolean) ||
+    constantLoad.force.some(Boolean) ||
+    constantLoad.torque.some(Boolean) ||
+    dampedShare.linear > 0 ||
+    dampedShare.angular > 0);
 
 /** Whether a velocity is what it was and what it gained. */
 const same = (now: number, before: number, gained: number): boolean =>
@@ -208,3 +228,13 @@ const TINY = 1e-12;
 /** Whether one force gave way to another: one that begins or ends is none that follows the motion. */
 const other = (a: Vec3, b: Vec3): boolean =>
   a.some(Boolean) && b.some(Boolean) && a.some((x, i) => x !== b[i]);
+
+export const flight: EffectDescriptor<Flight> = {
+  name: 'free flight',
+  causes: 'a body that gravity, its author’s forces or damping move',
+  body: {
+    on: ['mass', 'gravity', 'load', 'damping'],
+    reason: (body) => (isLed(body) ? 'gravity, forces or damping' : undefined),
+  },
+  load: (simulation, effects) => new Flight(simulation, effects),
+};

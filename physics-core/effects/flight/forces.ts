@@ -1,78 +1,77 @@
-import type { Vec3 } from '../../fields/types.js';
 import { add } from '../../base/math.js';
-import type { MovingNode } from '../../nodes/body-motion.js';
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
-
-export interface Load {
-  force: Vec3;
-  torque: Vec3;
-}
-
-const NONE: Load = { force: [0, 0, 0], torque: [0, 0, 0] };
+import type { Body, Load } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import type { Vec3 } from '../../fields/types.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
 
 const isZero = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
 
 /** RigidBody.forces and torques in every step, and what `applyForce` and `applyTorque` ask for the next one. */
 export class AuthoredForces extends Effect {
-  readonly name = 'forces';
-  readonly #world: World;
-  readonly #constant = new Map<MovingNode, Load>();
-  readonly #once = new Map<MovingNode, Load>();
+  readonly #simulation: Simulation;
+  readonly #constant = new Set<Body>();
+  readonly #once = new Map<Body, Load>();
 
-  constructor(world: World) {
+  constructor(simulation: Simulation) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
   }
 
-  set(body: MovingNode, force: Vec3, torque: Vec3): void {
-    if (isZero(force) && isZero(torque)) {
-      this.#constant.delete(body);
-      if (!this.#once.has(body)) super.drop(body);
-      return;
-    }
-    this.#constant.set(body, { force, torque });
-    this.need(body, isZero(force) ? 'torques' : 'forces');
+  /** Its `forces` or `torques` are others. */
+  override need(body: Body, reason: string): void {
+    this.#constant.add(body);
+    super.need(body, reason);
   }
 
-  push(body: MovingNode, force: Vec3, torque: Vec3): void {
+  override release(body: Body): void {
+    this.#constant.delete(body);
+    if (!this.#once.has(body)) super.release(body);
+  }
+
+  push(body: Body, force: Vec3, torque: Vec3): void {
     const before = this.#once.get(body) ?? { force: [0, 0, 0], torque: [0, 0, 0] };
     this.#once.set(body, { force: add(before.force, force), torque: add(before.torque, torque) });
-    if (!this.#constant.has(body)) this.need(body, 'applyForce');
-  }
-
-  /** What acts in every step. */
-  constant(body: MovingNode): Load {
-    return this.#constant.get(body) ?? NONE;
+    if (!this.#constant.has(body)) super.need(body, 'applyForce');
   }
 
   /** What waits for the next step. */
-  pending(body: MovingNode): Load | undefined {
+  pending(body: Body): Load | undefined {
     return this.#once.get(body);
   }
 
-  override drop(node: PhysicsNode): void {
-    this.#constant.delete(node as MovingNode);
-    this.#once.delete(node as MovingNode);
-    super.drop(node);
+  override unmade(node: Cause): void {
+    this.#once.delete(node as Body);
+    this.release(node as Body);
   }
 
   override beforeStep(): void {
-    for (const [body, load] of this.#constant) this.#apply(body, load);
+    for (const body of this.#constant) this.#apply(body, body.constantLoad);
     for (const [body, load] of this.#once) this.#apply(body, load);
   }
 
-  #apply(body: MovingNode, { force, torque }: Load): void {
+  #apply(body: Body, { force, torque }: Load): void {
     if (!body.active || !body.movable || body.sleeping) return;
-    const { scratch } = this.#world.engine;
+    const { scratch } = this.#simulation.engine;
     body.body.applyCentralForce(scratch.vector(...force));
     body.body.applyTorque(scratch.vector(...torque));
   }
 
   /** What was asked for one step is spent. */
   override afterStep(): void {
-    for (const body of this.#once.keys()) if (!this.#constant.has(body)) super.drop(body);
+    for (const body of this.#once.keys()) if (!this.#constant.has(body)) super.release(body);
     this.#once.clear();
   }
 }
+
+export const forces: EffectDescriptor<AuthoredForces> = {
+  name: 'forces',
+  causes: 'forces or torques of a RigidBody, applyForce and applyTorque',
+  body: {
+    on: ['load'],
+    reason({ constantLoad: { force, torque } }) {
+      if (!isZero(force)) return 'forces';
+      return isZero(torque) ? undefined : 'torques';
+    },
+  },
+  load: (simulation) => new AuthoredForces(simulation),
+};

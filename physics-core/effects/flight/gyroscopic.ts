@@ -1,7 +1,9 @@
-import type { BodyNode } from '../../nodes/body.js';
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Body } from '../../dynamics/body.js';
+import { turnsAlike } from '../../dynamics/inertia.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { jointSolve } from '../joints/joint-solve.js';
 import {
   applyInertia,
   applyInverseInertia,
@@ -10,9 +12,6 @@ import {
   writeAxes,
   writeTurn,
 } from '../../base/flat-math.js';
-
-/** Moments that differ by less than this share of the largest turn a body like a ball. */
-const ALIKE = 1e-3;
 
 /** Radians per step below which the torque is left out: it grows with the square. */
 const SLOW = 1e-3;
@@ -58,10 +57,10 @@ interface Spin {
  * after it: momentum is kept to rounding, however thin the body and fast the spin, and the axis wanders as it should.
  */
 export class Gyroscopic extends Effect {
-  readonly name = 'gyroscopic torque';
-  readonly #world: World;
-  readonly #tops = new Map<PhysicsNode, Top>();
-  readonly #spinning = new Map<BodyNode, Spin>();
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #tops = new Map<Body, Top>();
+  readonly #spinning = new Map<Body, Spin>();
   readonly #pose = new Float64Array(7);
   readonly #velocity = new Float64Array(6);
   readonly #axes = new Float64Array(9);
@@ -70,34 +69,32 @@ export class Gyroscopic extends Effect {
   readonly #orientation = new Float64Array(4);
   readonly #turn = new Float64Array(4);
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
+    this.#effects = effects;
   }
 
-  /** Mass, inertia or mobility changed. */
-  update(body: BodyNode): void {
-    this.drop(body);
-    const { moments } = body.mass;
-    if (!body.movable || turnsAlike(moments)) return;
-    this.#tops.set(body, topOf(moments));
-    this.need(body, 'unequal moments of inertia');
+  /** Its mass, inertia or mobility may be others. */
+  override need(body: Body, reason: string): void {
+    this.forget(body);
+    this.#tops.set(body, topOf(body.mass.moments));
+    super.need(body, reason);
   }
 
-  override drop(node: PhysicsNode): void {
-    super.drop(node);
-    this.#tops.delete(node);
-    this.forget(node);
+  override release(node: Cause): void {
+    super.release(node);
+    this.#tops.delete(node as Body);
+    this.forget(node as Body);
   }
 
   /** It jumps and keeps its spin: with another pose that is another momentum. */
-  forget(node: PhysicsNode): void {
-    this.#spinning.delete(node as BodyNode);
+  forget(body: Body): void {
+    this.#spinning.delete(body);
   }
 
   override beforeStep(dt: number): void {
-    for (const [node, top] of this.#tops) {
-      const body = node as BodyNode;
+    for (const [body, top] of this.#tops) {
       if (body.active && !body.sleeping) this.#lead(body, top, dt);
     }
   }
@@ -107,14 +104,14 @@ export class Gyroscopic extends Effect {
       if (body.active && !body.sleeping) this.#follow(body, spin);
   }
 
-  #read({ body, pointer }: BodyNode): void {
-    const { reader } = this.#world.engine;
+  #read({ body, pointer }: Body): void {
+    const { reader } = this.#simulation.engine;
     reader.pose(body, pointer, this.#pose, 0);
     reader.velocity(body, pointer, this.#velocity, 0);
     writeAxes(this.#axes, this.#pose, 3);
   }
 
-  #lead(body: BodyNode, top: Top, dt: number): void {
+  #lead(body: Body, top: Top, dt: number): void {
     this.#read(body);
     const v = this.#velocity;
     const turn = Math.hypot(v[3]!, v[4]!, v[5]!) * dt;
@@ -136,7 +133,7 @@ export class Gyroscopic extends Effect {
   }
 
   /** The spin that goes with the momentum at an orientation. */
-  #writeEnd({ mass }: BodyNode, { end, momentum }: Spin, q: Float64Array, at: number): void {
+  #writeEnd({ mass }: Body, { end, momentum }: Spin, q: Float64Array, at: number): void {
     writeAxes(this.#axes, q, at);
     applyInverseInertia(end, 0, this.#axes, mass.moments, momentum, 0);
   }
@@ -175,13 +172,13 @@ export class Gyroscopic extends Effect {
     for (let i = 0; i < 3; i++) out[i] = Math.fround(turn[i]! * per);
   }
 
-  #follow(body: BodyNode, state: Spin): void {
+  #follow(body: Body, state: Spin): void {
     const { given, end, left } = state;
     const spin = this.#spin;
     const v = this.#velocity;
-    this.#world.engine.reader.velocity(body.body, body.pointer, v, 0);
+    this.#simulation.engine.reader.velocity(body.body, body.pointer, v, 0);
     const free = same3(given, v, 3);
-    const alone = state.slow && this.#world.registry.joints.alone(body);
+    const alone = state.slow && (this.#effects.find(jointSolve)?.alone(body) ?? false);
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
     if (alone) this.#takeMomentum(body, state);
     else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
@@ -189,28 +186,22 @@ export class Gyroscopic extends Effect {
     if (free || alone) left.set(spin);
     else left.fill(NaN);
     this.#give(body, spin);
-    this.#world.bodies.readVelocity(body);
+    this.#simulation.bodies.readVelocity(body);
   }
 
   /** What only joints changed in the step is momentum: it stays as it is while the body turns. */
-  #takeMomentum(body: BodyNode, state: Spin): void {
+  #takeMomentum(body: Body, state: Spin): void {
     const { axes, momentum, end } = state;
     applyInertia(this.#change, 0, axes, body.mass.moments, this.#spin, 0);
     for (let i = 0; i < 3; i++) momentum[i]! += this.#change[i]!;
-    this.#world.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+    this.#simulation.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
     this.#writeEnd(body, state, this.#pose, 3);
     this.#spin.set(end);
   }
 
-  #give({ body }: BodyNode, spin: Float64Array): void {
-    body.setAngularVelocity(this.#world.engine.scratch.vector(spin[0]!, spin[1]!, spin[2]!));
+  #give({ body }: Body, spin: Float64Array): void {
+    body.setAngularVelocity(this.#simulation.engine.scratch.vector(spin[0]!, spin[1]!, spin[2]!));
   }
-}
-
-/** Whether a body turns about every axis as about any other. */
-export function turnsAlike(moments: readonly number[]): boolean {
-  const most = Math.max(...moments);
-  return most - Math.min(...moments) < ALIKE * most;
 }
 
 /** Round about the axis that leaves the two most like moments across. */
@@ -241,3 +232,15 @@ const newSpin = (): Spin => ({
 
 const same3 = (a: Float64Array, b: Float64Array, at: number): boolean =>
   a[0] === b[at] && a[1] === b[at + 1] && a[2] === b[at + 2];
+
+export const gyroscopic: EffectDescriptor<Gyroscopic> = {
+  name: 'gyroscopic torque',
+  causes: 'a body that moves and whose principal moments of inertia differ',
+  after: { 'axis damping': 'it begins with the spin that damping leaves' },
+  body: {
+    on: ['mass'],
+    reason: ({ movable, mass }) =>
+      movable && !turnsAlike(mass.moments) ? 'unequal moments of inertia' : undefined,
+  },
+  load: (simulation, effects) => new Gyroscopic(simulation, effects),
+};

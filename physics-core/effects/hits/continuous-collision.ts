@@ -1,10 +1,10 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import { compose } from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { thicknessOf } from '../contacts/contact-part.js';
-import { Effect } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect.js';
 
 /** What passes more than this share of its least extent in a step could pass through something thin. */
 const SHARE = 0.5;
@@ -13,7 +13,7 @@ const SHARE = 0.5;
 const BALL = 0.9;
 
 /** Two bodies of one joint don't collide, which a sweep does not know. */
-function areJoined({ joints }: BodyNode, other: BodyNode): boolean {
+function areJoined({ joints }: Body, other: Body): boolean {
   for (const { attached, body1, body2 } of joints)
     if (attached && (body1 === other || body2 === other)) return true;
   return false;
@@ -25,26 +25,25 @@ function areJoined({ joints }: BodyNode, other: BodyNode): boolean {
  * other. It is a ball within the body that is sent: the ends of a long one that turns may still miss what they should hit.
  */
 export class ContinuousCollision extends Effect {
-  readonly name = 'continuous collision';
-  readonly #world: World;
+  readonly #simulation: Simulation;
   readonly #pose = new Float64Array(7);
   #point: ContactPoint | undefined;
   /** Metres, by the parts that a body has. */
   readonly #extents = new WeakMap<object, number>();
 
-  constructor(world: World) {
+  constructor(simulation: Simulation) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
   }
 
   /** A body will go so many metres, squared, in the next step. */
-  judge(body: BodyNode, square: number): void {
+  judge(body: Body, square: number): void {
     const fast = square > (SHARE * this.#extentOf(body)) ** 2;
     if (fast) this.need(body, 'passes more than half its size in a step');
-    else if (this.active) this.drop(body);
+    else if (this.active) this.release(body);
   }
 
-  #extentOf(body: BodyNode): number {
+  #extentOf(body: Body): number {
     const { solidParts } = body;
     let extent = this.#extents.get(solidParts);
     if (extent === undefined) this.#extents.set(solidParts, (extent = thicknessOf(body)));
@@ -53,16 +52,16 @@ export class ContinuousCollision extends Effect {
 
   /** Calls `visit` with a contact point for each that has passed something in the step, as deep as it came since. */
   look(visit: (pointer: number, a: number, b: number) => void): void {
-    const { engine, bullet } = this.#world;
+    const { engine, bullet } = this.#simulation;
     for (const node of this.causes) {
-      const body = node as BodyNode;
+      const body = node as Body;
       if (!body.active || !body.movable || body.sleeping) continue;
       const radius = this.#extentOf(body) / 2;
       const from = compose(body.pose(), body.centerOfMass).p;
       engine.reader.pose(body.body, body.pointer, this.#pose, 0);
       if (!engine.sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;
       const { met } = engine.sweep;
-      const other = this.#world.bodyAt(met);
+      const other = this.#simulation.bodyAt(met);
       if (other && areJoined(body, other)) continue;
       const pointer = engine.pairTest.add(body.pointer, met);
       if (pointer === 0) return;
@@ -73,7 +72,7 @@ export class ContinuousCollision extends Effect {
 
   /** The plane in which they touched; gaps count from the ball's end of the way. */
   #write(pointer: number, body: number, radius: number): void {
-    const { engine } = this.#world;
+    const { engine } = this.#simulation;
     const { position, normal } = engine.sweep;
     const point = (this.#point ??= new ContactPoint(engine.ammo));
     point.at(pointer, body, engine.sweep.met);
@@ -92,3 +91,9 @@ export class ContinuousCollision extends Effect {
     for (const offset of [POINT.index0, POINT.index1]) point.putInt(offset, 0);
   }
 }
+
+export const continuousCollision: EffectDescriptor<ContinuousCollision> = {
+  name: 'continuous collision',
+  causes: 'a body that passes more than half its least extent in a step',
+  load: (simulation) => new ContinuousCollision(simulation),
+};

@@ -1,8 +1,8 @@
 import type { Ammo } from '../../engine/ammo.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
 import { BODY } from '../../engine/offsets.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { JointRows } from '../joints/joint-rows.js';
 import { holds, otherEnd } from '../../dynamics/jointed.js';
 
 /** Linear, then angular. */
@@ -13,30 +13,37 @@ const HELD = 1e-6;
 
 /** What an impulse does to a body at once: W = M⁻¹, less what the joints that hold it to immovable things take away. */
 export class EffectiveMassMatrix {
-  body!: BodyNode;
+  readonly #ammo: Ammo;
+  readonly #rows: JointRows;
+  body!: Body;
   readonly #w = new Float64Array(WIDTH * WIDTH);
   readonly #push = new Float64Array(WIDTH);
   /** Of the velocity, by the push that `inverseEffectiveMass` was last asked about. */
   readonly change = new Float64Array(WIDTH);
 
-  read(body: BodyNode, world: World): void {
+  constructor(ammo: Ammo, rows: JointRows) {
+    this.#ammo = ammo;
+    this.#rows = rows;
+  }
+
+  read(body: Body): void {
     this.body = body;
     this.#w.fill(0);
     if (!body.movable) return;
-    this.#readFree(world.engine.ammo);
+    this.#readFree();
     for (const joint of body.joints) {
       if (!holds(joint) || otherEnd(joint, body)?.movable) continue;
       const first = joint.body1 === body;
-      const { rows } = world.registry;
+      const rows = this.#rows;
       rows.fill(joint, 0);
       for (const row of joint.lockedRows)
         this.#hold(rows.jacobian, row * 2 * WIDTH + (first ? 0 : WIDTH), rows.between(row, row));
     }
   }
 
-  #readFree(ammo: Ammo): void {
+  #readFree(): void {
     const { pointer } = this.body;
-    const heap = ammo.HEAPF32;
+    const heap = this.#ammo.HEAPF32;
     const basis = (pointer + BODY.basis) >> 2;
     const inertia = (pointer + BODY.inverseInertiaLocal) >> 2;
     const mass = heap[(pointer + BODY.inverseMass) >> 2]!;
@@ -72,11 +79,11 @@ export class EffectiveMassMatrix {
   }
 
   /** Change of speed along (x, y, z) at a contact point for an impulse of 1 N s there, 1/kg. */
-  inverseEffectiveMass(point: ContactPoint, ammo: Ammo, x: number, y: number, z: number): number {
+  inverseEffectiveMass(point: ContactPoint, x: number, y: number, z: number): number {
     const o = (this.body.pointer + BODY.origin) >> 2;
-    const rx = point.position(0) - ammo.HEAPF32[o]!;
-    const ry = point.position(1) - ammo.HEAPF32[o + 1]!;
-    const rz = point.position(2) - ammo.HEAPF32[o + 2]!;
+    const rx = point.position(0) - this.#ammo.HEAPF32[o]!;
+    const ry = point.position(1) - this.#ammo.HEAPF32[o + 1]!;
+    const rz = point.position(2) - this.#ammo.HEAPF32[o + 2]!;
     const push = this.#push;
     [push[0], push[1], push[2]] = [x, y, z];
     push[3] = ry * z - rz * y;

@@ -1,12 +1,22 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
-import type { BodyNode } from '../../nodes/body.js';
+import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
-import type { World } from '../../world/world.js';
-import { Impact, StruckBody, OVER } from './impact.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { continuousCollision } from './continuous-collision.js';
+import { Impact, OVER } from './impact.js';
+import { StruckBody } from './struck-body.js';
 import { isBallAt, isRound } from '../contacts/contact-part.js';
 import { leaveOut, type Pair } from '../contacts/contact-rows.js';
-import { Effect } from '../effect.js';
+import {
+  contactSurface,
+  type ContactListener,
+  type ContactSurface,
+} from '../contacts/contact-surface.js';
+import { pairFilter } from '../contacts/pair-filter.js';
+import { Effect, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
 
@@ -23,9 +33,11 @@ const SAME_TIME = 1e-6;
  * bounce at once. All this happens between Bullet's contact search and its solver, which then finds nothing left to do.
  * What touches in several points, and what rests, is Bullet's.
  */
-export class ImpactPropagation extends Effect {
-  readonly name = 'chains of hits';
-  readonly #world: World;
+export class ImpactPropagation extends Effect implements ContactListener {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #surface: ContactSurface;
+  readonly #rows: JointRows;
   /** Kept from step to step, so that a contact allocates nothing. */
   readonly #hits: Impact[] = [];
   /** By slot of the body. */
@@ -44,20 +56,13 @@ export class ImpactPropagation extends Effect {
   /** What is noted lay on the way of something fast. */
   #swept = false;
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
-  }
-
-  /** As long as surfaces say something, or something is fast. */
-  override get active(): boolean {
-    const { surface, continuous } = this.#world.registry;
-    return surface.active || continuous.active;
-  }
-
-  override get because(): Effect['because'] {
-    const { surface, continuous } = this.#world.registry;
-    return surface.active ? surface.because : continuous.because;
+    this.#simulation = simulation;
+    this.#effects = effects;
+    this.#rows = new JointRows(simulation);
+    this.#surface = effects.get(contactSurface);
+    this.#surface.listener = this;
   }
 
   override beforeStep(dt: number): void {
@@ -70,11 +75,11 @@ export class ImpactPropagation extends Effect {
   note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
     const { bounce, minBounceSpeed, softness } = parameters;
     if (softness > 0 || isDirected(parameters)) return;
-    const { ammo } = this.#world.engine;
+    const { ammo } = this.#simulation.engine;
     const { a, b } = pair;
     const round = isBallAt(ammo, a, at.pointer, 0) || isBallAt(ammo, b, at.pointer, 1);
     if (!round && !this.#swept && bounce === 0) return;
-    const hit = (this.#hits[this.#count++] ??= new Impact(this.#world));
+    const hit = (this.#hits[this.#count++] ??= new Impact(this.#simulation.engine));
     hit.point.at(at.pointer, a.pointer, b.pointer);
     hit.a = this.#linkOf(a);
     hit.b = this.#linkOf(b);
@@ -93,14 +98,14 @@ export class ImpactPropagation extends Effect {
   /** What touches in several points, or has others hanging on it, bounces in Bullet's solver: off all of them at once. */
   #leave(hit: Impact): void {
     const { point, a, b } = hit;
-    const { HEAPF32 } = this.#world.engine.ammo;
+    const { HEAPF32 } = this.#simulation.engine.ammo;
     // After Bullet's step it is too late.
     if (this.#until === 0) return;
     const share = hit.comes(this.#dt, this.#until) ? hit.shareAt(this.#dt) : 0;
     point.put(POINT.restitution, share);
     if (share === 0) return;
     // Neither a gap to close nor a depth to push out: the body is moved after the step.
-    point.put(POINT.distance, -this.#world.bullet.settings.linearSlop);
+    point.put(POINT.distance, -this.#simulation.bullet.settings.linearSlop);
     if (a.movable) a.bounce(HEAPF32, hit.time);
     if (b.movable) b.bounce(HEAPF32, hit.time);
   }
@@ -111,8 +116,8 @@ export class ImpactPropagation extends Effect {
     if (hit.comes(this.#dt, this.#until)) this.#handOn(hit);
   }
 
-  #linkOf(body: BodyNode): StruckBody {
-    const link = (this.#links[body.slot] ??= new StruckBody());
+  #linkOf(body: Body): StruckBody {
+    const link = (this.#links[body.slot] ??= new StruckBody(this.#simulation.engine, this.#rows));
     if (link.step !== this.#steps) {
       link.take(body, this.#steps);
       this.#touched.push(link);
@@ -199,15 +204,14 @@ export class ImpactPropagation extends Effect {
 
   /** How far both give way along a direction, 1/kg. */
   #inverseEffectiveMass({ point, a, b }: Impact, x: number, y: number, z: number): number {
-    const { ammo } = this.#world.engine;
     return (
-      a.known(this.#world).inverseEffectiveMass(point, ammo, x, y, z) +
-      b.known(this.#world).inverseEffectiveMass(point, ammo, x, y, z)
+      a.known().inverseEffectiveMass(point, x, y, z) +
+      b.known().inverseEffectiveMass(point, x, y, z)
     );
   }
 
   #push({ a, b }: Impact, impulse: number, time: number): void {
-    const { HEAPF32 } = this.#world.engine.ammo;
+    const { HEAPF32 } = this.#simulation.engine.ammo;
     if (a.movable) a.push(HEAPF32, impulse, time);
     if (b.movable) b.push(HEAPF32, -impulse, time);
   }
@@ -219,13 +223,13 @@ export class ImpactPropagation extends Effect {
    * what carries it all along.
    */
   override settle(dt: number): void {
-    const { engine, bullet } = this.#world;
+    const { engine, bullet } = this.#simulation;
     if (!engine.heapTrusted) return;
     const struck = this.#strikes > 0;
     this.#makeUpAll(dt);
     engine.pairTest.clear(bullet.bullet);
     this.#until = 0;
-    if (struck || anyFast(this.#world, dt)) this.#lookAgain(dt);
+    if (struck || anyFast(this.#simulation, dt)) this.#lookAgain(dt);
     this.#noteImpulses();
   }
 
@@ -245,8 +249,8 @@ export class ImpactPropagation extends Effect {
    * other body, or behind it, before it is turned back. So that is looked at once more, then what it was turned into.
    */
   #lookAgain(dt: number): void {
-    const { continuous } = this.#world.registry;
-    if (continuous.active) {
+    const continuous = this.#effects.find(continuousCollision);
+    if (continuous?.active) {
       this.#newRound();
       this.#swept = true;
       continuous.look(this.#process);
@@ -254,12 +258,12 @@ export class ImpactPropagation extends Effect {
       this.#makeUpAll(dt);
     }
     this.#newRound();
-    eachFastPair(this.#world, dt, this.#lookAt);
-    this.#world.bullet.eachManifold(this.#lookBehind);
+    eachFastPair(this.#simulation, dt, this.#lookAt);
+    this.#simulation.bullet.eachManifold(this.#lookBehind);
     for (let i = 0; i < MOST_HITS && this.#strikes > 0; i++) {
       this.#makeUpAll(dt);
       this.#newRound();
-      this.#world.bullet.eachManifold(this.#lookBehind);
+      this.#simulation.bullet.eachManifold(this.#lookBehind);
     }
     this.#touched.length = 0;
   }
@@ -277,8 +281,8 @@ export class ImpactPropagation extends Effect {
   };
 
   readonly #lookAt = (_: object, a: number, b: number): void => {
-    const { engine, bullet } = this.#world;
-    const [first, second] = [this.#world.bodyAt(a), this.#world.bodyAt(b)];
+    const { engine, bullet } = this.#simulation;
+    const [first, second] = [this.#simulation.bodyAt(a), this.#simulation.bodyAt(b)];
     if (!first || !second || !(isRound(first) || isRound(second))) return;
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
@@ -289,21 +293,32 @@ export class ImpactPropagation extends Effect {
     pairTest.each(bullet.bullet, this.#process, from);
   };
 
-  readonly #process = (point: number, a: number, b: number): void =>
-    this.#world.registry.process(point, a, b);
+  /** A contact point that is none of Bullet's. */
+  readonly #process = (point: number, a: number, b: number): void => {
+    const filter = this.#effects.find(pairFilter);
+    if (!filter?.active || filter.contact(point, a, b)) this.#surface.contact(point, a, b);
+  };
 
   /** Whether it was hit in this step, as far as it is known. */
-  struck({ pointer }: BodyNode): boolean {
+  struck({ pointer }: Body): boolean {
     return this.#struckIn(pointer, this.#steps);
   }
 
   #struckIn(pointer: number, round: number): boolean {
-    const body = this.#world.bodyAt(pointer);
+    const body = this.#simulation.bodyAt(pointer);
     return body !== undefined && this.#links[body.slot]?.struckIn === round;
   }
 
   #makeUpAll(dt: number): void {
-    for (const link of this.#touched) link.makeUp(this.#world.engine, dt);
+    for (const link of this.#touched) link.makeUp(this.#simulation.engine, dt);
     this.#touched.length = 0;
   }
 }
+
+export const impactPropagation: EffectDescriptor<ImpactPropagation> = {
+  name: 'chains of hits',
+  causes: 'contacts that say more than the default, or something fast',
+  after: { 'free flight': 'what hits is put right from where its free flight would end' },
+  with: [contactSurface, continuousCollision],
+  load: (simulation, effects) => new ImpactPropagation(simulation, effects),
+};

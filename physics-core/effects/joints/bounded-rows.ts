@@ -1,7 +1,5 @@
 import { perStep, softnessAtStep } from '../../dynamics/levels.js';
-import type { JointNode } from '../../nodes/joint.js';
-import type { Motor } from './motors.js';
-import type { Stop } from './stops.js';
+import type { Joint, Motor, Stop } from '../../dynamics/joint.js';
 import { ROWS } from './blocks.js';
 import type { Component } from './forest.js';
 import type { LockedRows } from './locked-rows.js';
@@ -12,18 +10,12 @@ import { StopBounce } from './stop-bounce.js';
 /** Below this rate (rad/s, m/s) a stop holds instead of bouncing. */
 const LEAST_BOUNCE = 0.01;
 
-/** Joints that may have them. */
-interface Bounded extends JointNode {
-  readonly stops?: readonly Stop[];
-  readonly motors?: readonly Motor[];
-}
-
-export const isBounded = ({ stops, motors }: Bounded): boolean =>
-  !!(stops?.length || motors?.length);
+export const isBounded = ({ stops, motors }: Joint): boolean =>
+  stops.length > 0 || motors.length > 0;
 
 /** Told which stops are in the way of a joint. */
 interface StopListener {
-  note(joint: JointNode, stop: Stop, value: number, side: -1 | 0 | 1): void;
+  note(joint: Joint, stop: Stop, value: number, side: -1 | 0 | 1): void;
 }
 
 /** Stops, which push one way only, and motors, which push as hard as they can: rows behind the locked ones of a joint. */
@@ -31,7 +23,7 @@ export class BoundedRows {
   readonly #system: RowSystem;
   readonly #bodies: JointedBodies;
   readonly #rows: LockedRows;
-  #joints: readonly Bounded[] = [];
+  #joints: readonly Joint[] = [];
   /** Per row: where it stands, and on which side of a stop. */
   #values = new Float64Array(0);
   #sides = new Int8Array(0);
@@ -48,8 +40,8 @@ export class BoundedRows {
     this.#rows = rows;
   }
 
-  take(joints: readonly JointNode[]): void {
-    this.#joints = joints as readonly Bounded[];
+  take(joints: readonly Joint[]): void {
+    this.#joints = joints;
     if (this.#values.length < joints.length * ROWS) {
       this.#values = new Float64Array(joints.length * 2 * ROWS);
       this.#sides = new Int8Array(joints.length * 2 * ROWS);
@@ -60,7 +52,7 @@ export class BoundedRows {
     }
     this.#rates.fill(NaN);
     this.#landings.fill(NaN);
-    this.#joints.forEach(({ stops = [], motors = [] }, k) => {
+    this.#joints.forEach(({ stops, motors }, k) => {
       const first = k * ROWS + this.#rows.count(k);
       const count = stops.length + motors.length;
       this.#system.rowCount[k] = this.#rows.count(k) + count;
@@ -73,8 +65,8 @@ export class BoundedRows {
     const { stops, motors } = this.#joints[k]!;
     let r = this.#rows.count(k);
     let worst = 0;
-    if (stops) for (const stop of stops) worst = Math.max(worst, this.#fillStop(k, r++, stop, dt));
-    if (motors) for (const motor of motors) this.#fillMotor(k, r++, motor, dt);
+    for (const stop of stops) worst = Math.max(worst, this.#fillStop(k, r++, stop, dt));
+    for (const motor of motors) this.#fillMotor(k, r++, motor, dt);
     return worst;
   }
 
@@ -108,12 +100,11 @@ export class BoundedRows {
     const { rowCount, threshold, targetVelocity, compliance } = this.#system;
     let i = k * ROWS + this.#rows.count(k);
     const end = k * ROWS + rowCount[k]!;
-    if (stops)
-      for (const stop of stops) {
-        threshold[i] = targetVelocity[i] = -this.#sides[i]! * this.#beyond(i, stop);
-        if (compliance[i] !== 0) this.#release(i);
-        i++;
-      }
+    for (const stop of stops) {
+      threshold[i] = targetVelocity[i] = -this.#sides[i]! * this.#beyond(i, stop);
+      if (compliance[i] !== 0) this.#release(i);
+      i++;
+    }
     for (; i < end; i++) this.#release(i);
   }
 
@@ -125,7 +116,6 @@ export class BoundedRows {
   /** The rates that stops are to have: that of a bounce, or one that ends at the stop. */
   setTargets(k: number, dt: number, repair: 0 | 1): void {
     const { stops } = this.#joints[k]!;
-    if (!stops) return;
     let r = this.#rows.count(k);
     for (const stop of stops) this.#setStopTarget(k, r++, stop, dt, repair);
   }
@@ -177,7 +167,6 @@ export class BoundedRows {
   /** Once the motion is found: the same, and the share of the overshoot on top that is repaired, however soft the stop. */
   setRepairTargets(k: number, dt: number): void {
     const { stops } = this.#joints[k]!;
-    if (!stops) return;
     let r = this.#rows.count(k);
     for (const stop of stops) this.#setRepairTargets(k, r++, stop, dt);
   }
@@ -197,7 +186,6 @@ export class BoundedRows {
   /** Tells which stops held in this step. */
   tell(k: number, listener: StopListener): void {
     const joint = this.#joints[k]!;
-    if (!joint.stops) return;
     let i = k * ROWS + this.#rows.count(k);
     for (const stop of joint.stops) {
       const side = this.#system.holds(i) ? (this.#sides[i] as -1 | 1) : 0;

@@ -1,8 +1,9 @@
-import type { JointNode } from '../../nodes/joint.js';
+import type { Joint } from '../../dynamics/joint.js';
 import { dot3 } from '../../base/flat-math.js';
 import { Gimbal } from './gimbal.js';
 import { SIDE } from './blocks.js';
-import type { End, JointEnds } from './joint-ends.js';
+import type { JointEnds } from './joint-ends.js';
+import type { End } from './joint-geometry.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { RowSystem } from './row-system.js';
 
@@ -28,14 +29,15 @@ export class BulletTargets {
     this.#ends = ends;
   }
 
-  tell(k: number, joint: JointNode, dt: number): void {
+  tell(k: number, joint: Joint, dt: number): void {
     const { place, turn } = this.#bodies;
     const { constraint } = joint;
+    const { one, two } = this.#ends.geometry;
     this.#ends.read(k, place, turn);
-    this.#readMotion(k, constraint!.atOnePoint ? this.#ends.two : this.#ends.one);
+    this.#readMotion(k, constraint!.atOnePoint ? two : one);
     const swapped = constraint!.swapped;
-    const a = swapped ? this.#ends.two : this.#ends.one;
-    const b = swapped ? this.#ends.one : this.#ends.two;
+    const a = swapped ? two : one;
+    const b = swapped ? one : two;
     const sign = swapped ? -1 : 1;
     this.#gimbal.look(a.axes, b.axes);
     for (const row of joint.lockedRows) {
@@ -60,7 +62,7 @@ export class BulletTargets {
     this.#speed.fill(0);
     this.#spin.fill(0);
     this.#addMotion(a, origin, 1);
-    this.#addMotion(b, this.#ends.two.origin, -1);
+    this.#addMotion(b, this.#ends.geometry.two.origin, -1);
   }
 
   #addMotion(body: number, point: Float64Array, sign: 1 | -1): void {

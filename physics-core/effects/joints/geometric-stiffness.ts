@@ -1,4 +1,4 @@
-import type { JointNode } from '../../nodes/joint.js';
+import type { Joint } from '../../dynamics/joint.js';
 import { INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { RowSystem } from './row-system.js';
@@ -29,7 +29,7 @@ export class GeometricStiffness {
   }
 
   /** Joints are numbered anew: what pulls in those that were there before goes on. */
-  take(before: readonly (JointNode | undefined)[], now: readonly JointNode[]): void {
+  take(before: readonly (Joint | undefined)[], now: readonly Joint[]): void {
     const pulls = new Map(before.map((joint, k) => [joint, this.#pulls.slice(k * 3, k * 3 + 3)]));
     if (this.#pulls.length < now.length * 3) this.#pulls = new Float64Array(now.length * 6);
     const none = new Float64Array(3);

@@ -1,27 +1,21 @@
-import type { JointNode } from '../../nodes/joint.js';
+import type { Joint } from '../../dynamics/joint.js';
 import type { Pose } from '../../base/math.js';
 import type { Edge } from './forest.js';
+import { JointGeometry, type End } from './joint-geometry.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
 
 /** Origin and rotation matrix of a frame. */
 const FRAME = 3 + MATRIX;
 
-/** The frame of a joint as one side carries it, world: its origin, and its axes x, y, z, three numbers each. */
-export class End {
-  readonly origin = new Float64Array(3);
-  readonly axes = new Float64Array(9);
-}
-
 /** Both ends of each joint, and where they are, one joint at a time. */
 export class JointEnds {
   edges: readonly Edge[] = [];
-  readonly one = new End();
-  readonly two = new End();
+  readonly geometry = new JointGeometry();
   /** Per joint both frames: from the centre of mass of a moving body, or in the world. */
   #frames = new Float64Array(0);
   readonly #quaternion = new Float64Array(4);
 
-  take(joints: readonly JointNode[], edges: readonly Edge[]): void {
+  take(joints: readonly Joint[], edges: readonly Edge[]): void {
     this.edges = edges;
     if (this.#frames.length < joints.length * 2 * FRAME)
       this.#frames = new Float64Array(joints.length * 4 * FRAME);
@@ -29,7 +23,7 @@ export class JointEnds {
   }
 
   /** Both frames of joint `k`. */
-  takeFrames(k: number, joint: JointNode): void {
+  takeFrames(k: number, joint: Joint): void {
     const { a, b } = this.edges[k]!;
     this.#takeFrame(k * 2, a < 0 ? joint.worldFrame(1) : joint.centred1);
     this.#takeFrame(k * 2 + 1, b < 0 ? joint.worldFrame(2) : joint.centred2);
@@ -44,8 +38,9 @@ export class JointEnds {
   /** Of joint `k`, with the bodies at these places and turned by these matrices. */
   read(k: number, place: Float64Array, turn: Float64Array): void {
     const { a, b } = this.edges[k]!;
-    this.#read(this.one, k * 2 * FRAME, a, place, turn);
-    this.#read(this.two, (k * 2 + 1) * FRAME, b, place, turn);
+    this.#read(this.geometry.one, k * 2 * FRAME, a, place, turn);
+    this.#read(this.geometry.two, (k * 2 + 1) * FRAME, b, place, turn);
+    this.geometry.look();
   }
 
   #read(end: End, frame: number, body: number, place: Float64Array, turn: Float64Array): void {

@@ -1,32 +1,28 @@
-import type { BodyNode } from '../../nodes/body.js';
-import type { JointNode } from '../../nodes/joint.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { backward, factor, forward } from '../../base/cholesky.js';
-import { applyInverseInertia, arm, place, writeAxes } from '../../base/flat-math.js';
-import { Gimbal } from './gimbal.js';
+import { applyInverseInertia, place, writeAxes } from '../../base/flat-math.js';
+import type { Pose } from '../../base/math.js';
+import { JointGeometry, LINEAR, type End } from './joint-geometry.js';
 
 /** Velocities of both bodies: linear and angular of body1, then of body2. */
 const WIDTH = 12;
 const ROWS = 6;
 const POSE = 7;
 
-/** One side of a joint. Axes are columns: x, y, z, three numbers each. */
-class End {
-  readonly centre = new Float64Array(POSE);
-  /** Principal axes of the body. */
+/** The centre of mass of a side, and its principal axes as columns: x, y, z, three numbers each. */
+class Centre {
+  readonly pose = new Float64Array(POSE);
   readonly principal = new Float64Array(9);
-  /** The joint's frame as this side carries it. */
-  readonly origin = new Float64Array(3);
-  readonly axes = new Float64Array(9);
 }
 
 /**
- * The six rows of one joint as Bullet's 6-DoF has them, in double precision: 0 to 2 move body1 against body2 along the
- * axes of frame 1, 3 to 5 turn it about x of frame 2, about what is at right angles to both, and about z of frame 1.
- * Made once and filled for one joint after the other: nothing is allocated in a step.
+ * The six rows of one joint in double precision, and what an impulse along one does while the locked ones hold. Made once
+ * and filled for one joint after the other: nothing is allocated in a step.
  */
 export class JointRows {
-  readonly #world: World;
+  readonly #simulation: Simulation;
   /** J: the rates of the rows from the velocities. */
   readonly jacobian = new Float64Array(ROWS * WIDTH);
   /** M⁻¹ Jᵀ: the velocities that a unit impulse along each row gives. */
@@ -35,10 +31,10 @@ export class JointRows {
   readonly values = new Float64Array(ROWS);
   /** Velocities now. */
   readonly #now = new Float64Array(WIDTH);
-  readonly #one = new End();
-  readonly #two = new End();
-  readonly #gimbal = new Gimbal();
-  #joint!: JointNode;
+  readonly #geometry = new JointGeometry();
+  readonly #one = new Centre();
+  readonly #two = new Centre();
+  #joint!: Joint;
   #dt = 0;
   #locked: readonly number[] = [];
   readonly #factors = new Float64Array(ROWS * ROWS);
@@ -51,47 +47,79 @@ export class JointRows {
   /** Its change per unit of impulse along it while the locked rows hold. */
   inverseEffectiveMass = 0;
 
-  constructor(world: World) {
-    this.#world = world;
+  constructor(simulation: Simulation) {
+    this.#simulation = simulation;
   }
 
   /** Takes on a joint. False: nothing of it moves in this step. */
-  read(joint: JointNode, dt: number): boolean {
+  read(joint: Joint, dt: number): boolean {
     if (!joint.attached || (still(joint.body1) && still(joint.body2))) return false;
     this.fill(joint, dt);
     return this.#factor();
   }
 
   /** Only its rows, values and velocities. */
-  fill(joint: JointNode, dt: number): void {
-    this.#joint = joint;
+  fill(joint: Joint, dt: number): void {
     this.#dt = dt;
     this.#locked = joint.lockedRows;
-    this.#readEnd(this.#one, joint, 1, 0);
-    this.#readEnd(this.#two, joint, 2, 6);
-    this.#fillLinear();
-    this.#fillAngular();
+    this.#look(joint);
     for (let row = 0; row < ROWS; row++) {
+      this.values[row] = this.#geometry.value(row);
+      this.#fillRow(row);
       this.#respond(row, 0, joint.body1, this.#one);
       this.#respond(row, 6, joint.body2, this.#two);
     }
   }
 
+  /** Where one row of a joint stands now. */
+  valueOf(joint: Joint, row: number): number {
+    this.#look(joint);
+    return this.#geometry.value(row);
+  }
+
+  /** Its rate, per second. */
+  rateOf(joint: Joint, row: number): number {
+    this.#look(joint);
+    this.#fillRow(row);
+    return this.rateNow(row);
+  }
+
   // ---- both sides ---------------------------------------------------------------------------------------------------
 
-  #readEnd(end: End, joint: JointNode, which: 1 | 2, at: number): void {
-    const body = which === 1 ? joint.body1 : joint.body2;
-    const frame = which === 1 ? joint.centred1 : joint.centred2;
-    const { reader } = this.#world.engine;
-    end.centre.set(ORIGIN);
-    if (body) reader.pose(body.body, body.pointer, end.centre, 0);
-    writeAxes(end.principal, end.centre, 3);
-    place(end.origin, end.axes, end.centre, end.principal, frame);
+  #look(joint: Joint): void {
+    this.#joint = joint;
+    this.#readEnd(this.#one, this.#geometry.one, joint.body1, joint.centred1, 0);
+    this.#readEnd(this.#two, this.#geometry.two, joint.body2, joint.centred2, 6);
+    this.#geometry.look();
+  }
+
+  #readEnd(
+    { pose, principal }: Centre,
+    { origin, axes }: End,
+    body: Body | undefined,
+    frame: Pose,
+    at: number,
+  ): void {
+    const { reader } = this.#simulation.engine;
+    pose.set(ORIGIN);
+    if (body) reader.pose(body.body, body.pointer, pose, 0);
+    writeAxes(principal, pose, 3);
+    place(origin, axes, pose, principal, frame);
     this.#now.fill(0, at, at + 6);
     if (body) reader.velocity(body.body, body.pointer, this.#now, at);
   }
 
-  #respond(row: number, at: number, body: BodyNode | undefined, end: End): void {
+  #fillRow(row: number): void {
+    const o = row * WIDTH;
+    if (row >= LINEAR) {
+      this.#geometry.writeAngular(this.jacobian, o, o + 6, row);
+      return;
+    }
+    this.#geometry.writeLinear(this.jacobian, o, row, this.#one.pose, 0, 1);
+    this.#geometry.writeLinear(this.jacobian, o + 6, row, this.#two.pose, 0, -1);
+  }
+
+  #respond(row: number, at: number, body: Body | undefined, { principal }: Centre): void {
     const { jacobian, response } = this;
     const o = row * WIDTH + at;
     if (!body?.movable) {
@@ -99,39 +127,7 @@ export class JointRows {
       return;
     }
     for (let i = o; i < o + 3; i++) response[i] = jacobian[i]! / body.mass.mass;
-    applyInverseInertia(response, o + 3, end.principal, body.mass.moments, jacobian, o + 3);
-  }
-
-  // ---- the rows -----------------------------------------------------------------------------------------------------
-
-  /** Along the axes that body1 carries, at the point that body2 carries: what slides is measured there. */
-  #fillLinear(): void {
-    const { jacobian, values } = this;
-    const [one, two] = [this.#one, this.#two];
-    for (let row = 0; row < 3; row++) {
-      const o = row * WIDTH;
-      values[row] = 0;
-      for (let i = 0; i < 3; i++) {
-        const along = one.axes[row * 3 + i]!;
-        jacobian[o + i] = along;
-        jacobian[o + 6 + i] = -along;
-        values[row]! += along * (one.origin[i]! - two.origin[i]!);
-      }
-      arm(jacobian, o + 3, two.origin, one.centre, one.axes, row * 3, 1);
-      arm(jacobian, o + 9, two.origin, two.centre, one.axes, row * 3, -1);
-    }
-  }
-
-  #fillAngular(): void {
-    const { jacobian, values } = this;
-    this.#gimbal.look(this.#one.axes, this.#two.axes);
-    for (let row = 3; row < ROWS; row++) {
-      const o = row * WIDTH;
-      values[row] = this.#gimbal.angle(row);
-      jacobian.fill(0, o, o + WIDTH);
-      this.#gimbal.writeRate(row, jacobian, o + 3);
-      for (let i = 0; i < 3; i++) jacobian[o + 9 + i] = -jacobian[o + 3 + i]!;
-    }
+    applyInverseInertia(response, o + 3, principal, body.mass.moments, jacobian, o + 3);
   }
 
   // ---- J M⁻¹ Jᵀ -------------------------------------------------------------------------------------------------------
@@ -187,10 +183,10 @@ export class JointRows {
     );
   }
 
-  #pulledOn(body: BodyNode | undefined, at: number): number {
+  #pulledOn(body: Body | undefined, at: number): number {
     if (!body?.movable) return 0;
-    const { force } = this.#world.registry.forces.constant(body);
-    const { gravity, mass } = body;
+    const { gravity, mass, constantLoad } = body;
+    const { force } = constantLoad;
     let sum = 0;
     for (let i = 0; i < 3; i++)
       sum += this.jacobian[at + i]! * (gravity[i]! + force[i]! / mass.mass);
@@ -214,9 +210,9 @@ export class JointRows {
     for (let i = 0; i < WIDTH; i++) this.#impulse[i]! += this.jacobian[o + i]! * impulse;
   }
 
-  #apply(body: BodyNode | undefined, at: number): void {
+  #apply(body: Body | undefined, at: number): void {
     if (!body?.movable) return;
-    const { scratch } = this.#world.engine;
+    const { scratch } = this.#simulation.engine;
     const [push, dt] = [this.#impulse, this.#dt];
     body.body.applyCentralForce(
       scratch.vector(push[at]! / dt, push[at + 1]! / dt, push[at + 2]! / dt),
@@ -229,4 +225,4 @@ export class JointRows {
 
 const ORIGIN = [0, 0, 0, 0, 0, 0, 1];
 
-const still = (body: BodyNode | undefined): boolean => !body?.movable || body.sleeping;
+const still = (body: Body | undefined): boolean => !body?.movable || body.sleeping;

@@ -1,8 +1,9 @@
-import type { BodyNode } from '../../nodes/body.js';
-import type { JointNode } from '../../nodes/joint.js';
-import type { PhysicsNode } from '../../nodes/node.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import type { Effects } from '../effects.js';
+import { stops } from './stops.js';
 import { PostStabilization } from './post-stabilization.js';
 import { BoundedRows, isBounded } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
@@ -32,14 +33,19 @@ const TORN = 1e-4;
 /** Misses (m, rad) that a step may leave where its rounds do not find together. */
 const LEFT_OPEN = 1e-5;
 
+/** Pulls at bodies that joints hold, by more than a force: their joints give way to it as they can. */
+export interface Pull {
+  /** Body number `i` of the system. */
+  pullIn(body: Body, system: RowSystem, i: number, dt: number): void;
+}
+
 /**
  * Solves all joints directly, before each step of Bullet: the velocities it hands over carry the bodies, along their
  * round ways, to where every joint is whole (SHAKE, with the direct solution of its rows in place of iterations).
  * Bullet's own constraints are told to aim at those velocities: they stay on for what contacts do in the step.
  */
 export class JointSolve extends Effect {
-  readonly name = 'joint solve';
-  readonly #world: World;
+  readonly #effects: Effects;
   readonly #system = new RowSystem();
   readonly #forest = new Forest();
   readonly #ends = new JointEnds();
@@ -51,52 +57,54 @@ export class JointSolve extends Effect {
   readonly #bounded: BoundedRows;
   readonly #stiffness: GeometricStiffness;
   /** Bullet's own rows. */
-  readonly sleepingRows: SleepingRows;
-  #joints: (JointNode | undefined)[] = [];
+  readonly #sleepingRows: SleepingRows;
+  /** What pulls at bodies by more than a force. */
+  readonly pulls = new Set<Pull>();
+  #joints: (Joint | undefined)[] = [];
   /** Those of this step: solved, and of them those that an edit had torn. */
   readonly #solved: Component[] = [];
   readonly #repaired: Component[] = [];
-  readonly #alone = new Set<BodyNode>();
+  readonly #alone = new Set<Body>();
   /** And those whose round ways could not be met: the step leaves them open. */
   readonly #open = new Set<Component>();
   #stale = true;
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
-    this.#bodies = new JointedBodies(world, this.#system);
+    this.#effects = effects;
+    this.#bodies = new JointedBodies(simulation, this.#system);
     this.#next = new NextPoses(this.#system, this.#bodies);
-    this.#stabilization = new PostStabilization(world, this.#system, this.#bodies);
+    this.#stabilization = new PostStabilization(simulation, this.#system, this.#bodies);
     this.#pins = new PointConstraints(this.#system.pins, this.#bodies, this.#next);
     this.#rows = new LockedRows(this.#system, this.#bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.#bodies, this.#rows);
     this.#stiffness = new GeometricStiffness(this.#system, this.#bodies);
     const targets = new BulletTargets(this.#system, this.#bodies, this.#ends);
-    this.sleepingRows = new SleepingRows(world, this.#bodies, targets);
+    this.#sleepingRows = new SleepingRows(simulation, this.#bodies, targets);
   }
 
-  /** A joint came, went, or holds otherwise than before; its stops or motors are others, or who of its bodies moves. */
-  update(joint: JointNode): void {
-    if (!holds(joint)) {
-      this.drop(joint);
-      return;
-    }
+  /** A joint came, or holds otherwise than before; its stops or motors are others, or who of its bodies moves. */
+  override need(joint: Joint, reason: string): void {
     this.#stale = true;
-    this.need(joint, 'joint');
+    super.need(joint, reason);
   }
 
-  /** What a joint did is not to be known when it comes again. Bodies lose their joints before they go. */
-  override drop(node: PhysicsNode): void {
-    this.relaunch(node);
+  override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
     this.#stale = true;
-    super.drop(node);
-    const k = this.#joints.indexOf(node as JointNode);
+    super.release(node);
+    const k = this.#joints.indexOf(node as Joint);
     if (k >= 0) this.#joints[k] = undefined;
   }
 
+  /** What a joint did is not to be known when it comes again. Bodies lose their joints before they go. */
+  override unmade(node: Cause): void {
+    this.relaunch(node);
+    this.release(node);
+  }
+
   /** An immovable body was moved: its ends of joints go along. */
-  carried(body: BodyNode): void {
+  carried(body: Body): void {
     if (this.#stale) return;
     this.#joints.forEach((joint, k) => {
       if (joint?.body1 !== body && joint?.body2 !== body) return;
@@ -106,21 +114,21 @@ export class JointSolve extends Effect {
   }
 
   /** Seconds of a body's last step, to the middle of which its velocity belongs; 0: to this moment. */
-  lastStep(body: BodyNode): number {
+  lastStep(body: Body): number {
     return this.#bodies.lastStep(body);
   }
 
-  setLastStep(body: BodyNode, seconds: number): void {
+  setLastStep(body: Body, seconds: number): void {
     this.#bodies.setLastStep(body, seconds);
   }
 
   /** Its velocity is given anew. */
-  relaunch(body: PhysicsNode): void {
-    this.#bodies.relaunch(body as BodyNode);
+  relaunch(body: Cause): void {
+    this.#bodies.relaunch(body as Body);
   }
 
   /** Whether nothing but joints and forces acted, in the last step, on a body and what it hangs together with. */
-  alone(body: BodyNode): boolean {
+  alone(body: Body): boolean {
     return this.active && this.#alone.has(body);
   }
 
@@ -134,7 +142,7 @@ export class JointSolve extends Effect {
     this.#open.clear();
     for (const component of this.#forest.components)
       if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
-      else this.sleepingRows.hold(component);
+      else this.#sleepingRows.hold(component);
   }
 
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. */
@@ -186,8 +194,8 @@ export class JointSolve extends Effect {
     this.#bodies.write(component, dt);
     if (this.#repaired.includes(component)) this.#stabilization.note(component);
     this.#solved.push(component);
-    this.sleepingRows.solved(component, dt);
-    for (const k of component.rows) this.#bounded.tell(k, this.#world.registry.stops);
+    this.#sleepingRows.solved(component, dt);
+    for (const k of component.rows) this.#bounded.tell(k, this.#effects.get(stops));
   }
 
   /** Returns the worst error of a joint. */
@@ -200,7 +208,7 @@ export class JointSolve extends Effect {
     }
     for (const k of component.rows) {
       worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
-      if (!this.#system.isPin[k]) this.#stiffness.stiffen(k, this.#ends.two.origin, dt);
+      if (!this.#system.isPin[k]) this.#stiffness.stiffen(k, this.#ends.geometry.two.origin, dt);
     }
     this.#drag(component, dt);
     return worst;
@@ -213,9 +221,8 @@ export class JointSolve extends Effect {
 
   /** What somebody pulls at. */
   #drag({ bodies }: Component, dt: number): void {
-    const { dragging } = this.#world.registry;
-    if (!dragging.active) return;
-    for (const i of bodies) dragging.pullIn(this.#bodies.bodies[i]!, this.#system, i, dt);
+    for (const pull of this.pulls)
+      for (const i of bodies) pull.pullIn(this.#bodies.bodies[i]!, this.#system, i, dt);
   }
 
   #setTargets(component: Component, dt: number, repair: 0 | 1): void {
@@ -291,7 +298,7 @@ export class JointSolve extends Effect {
   #leaveToBullet(component: Component): void {
     const at = this.#repaired.indexOf(component);
     if (at >= 0) this.#repaired.splice(at, 1);
-    this.sleepingRows.reset(component);
+    this.#sleepingRows.reset(component);
     // Who brought numbers that are none is told so by another.
     if (!this.#bodies.finite) return;
     const joint = this.#joints[component.joints[0]!]!;
@@ -303,11 +310,22 @@ export class JointSolve extends Effect {
     });
   }
 
+  /** Whether some of Bullet's rows are let go: the first touch finds them on. */
+  override seesContacts(): boolean {
+    return this.#sleepingRows.waits;
+  }
+
+  override contact(_point: number, a: number, b: number): boolean {
+    this.#sleepingRows.touch(a);
+    this.#sleepingRows.touch(b);
+    return true;
+  }
+
   #rebuild(): void {
     this.#stale = false;
-    const joints = [...this.causes] as JointNode[];
-    const numbers = new Map<BodyNode, number>();
-    const number = (body: BodyNode | undefined): number => {
+    const joints = [...this.causes] as Joint[];
+    const numbers = new Map<Body, number>();
+    const number = (body: Body | undefined): number => {
       if (!body?.movable) return -1;
       if (!numbers.has(body)) numbers.set(body, numbers.size);
       return numbers.get(body)!;
@@ -328,7 +346,23 @@ export class JointSolve extends Effect {
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#stiffness.take(this.#joints, joints);
-    this.sleepingRows.take(joints, this.#forest);
+    this.#sleepingRows.take(joints, this.#forest);
     this.#joints = joints;
   }
 }
+
+export const jointSolve: EffectDescriptor<JointSolve> = {
+  name: 'joint solve',
+  causes: 'a joint that holds: it stands in the world and some row of it is locked',
+  after: {
+    forces: 'it reads what pushes its bodies in the step',
+    suspension: 'the same',
+    dragging: 'the same',
+    motors: 'the same',
+    'gyroscopic torque': 'it begins with the spin of free motion',
+    'chains of hits': 'what was hit is where its hits take it before joints are closed',
+    'pair filter': 'a contact that is taken back wakes none of its rows',
+  },
+  joint: (joint) => (holds(joint) ? 'joint' : undefined),
+  load: (simulation, effects) => new JointSolve(simulation, effects),
+};

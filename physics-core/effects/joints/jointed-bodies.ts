@@ -1,5 +1,5 @@
-import type { BodyNode } from '../../nodes/body.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { INERTIA, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
@@ -20,9 +20,9 @@ interface Moved {
 
 /** The movable bodies that joints hold, in flat arrays of double precision. */
 export class JointedBodies {
-  readonly #world: World;
+  readonly #simulation: Simulation;
   readonly #system: RowSystem;
-  bodies: readonly BodyNode[] = [];
+  bodies: readonly Body[] = [];
   /** Centres of mass, and principal axes as the columns of a matrix. */
   place = new Float64Array(0);
   turn = new Float64Array(0);
@@ -32,16 +32,16 @@ export class JointedBodies {
   #load = new Float64Array(0);
   #traits = new Float64Array(0);
   /** Bodies that have made their first half step, and the last one. */
-  readonly #moved = new Map<BodyNode, Moved>();
+  readonly #moved = new Map<Body, Moved>();
   readonly #pose = new Float64Array(POSE);
   readonly #out = new Float64Array(SIDE);
 
-  constructor(world: World, system: RowSystem) {
-    this.#world = world;
+  constructor(simulation: Simulation, system: RowSystem) {
+    this.#simulation = simulation;
     this.#system = system;
   }
 
-  take(bodies: readonly BodyNode[]): void {
+  take(bodies: readonly Body[]): void {
     this.bodies = bodies;
     if (this.velocity.length >= bodies.length * SIDE) return;
     const room = bodies.length * 2;
@@ -53,13 +53,13 @@ export class JointedBodies {
   }
 
   asleep({ bodies }: Component): boolean {
-    for (const i of bodies) if (!this.#world.bodies.asleep(this.bodies[i]!)) return false;
+    for (const i of bodies) if (!this.#simulation.bodies.asleep(this.bodies[i]!)) return false;
     return true;
   }
 
   /** Whether all of it are awake. */
   awake({ bodies }: Component): boolean {
-    for (const i of bodies) if (this.#world.bodies.asleep(this.bodies[i]!)) return false;
+    for (const i of bodies) if (this.#simulation.bodies.asleep(this.bodies[i]!)) return false;
     return true;
   }
 
@@ -75,17 +75,17 @@ export class JointedBodies {
   // ---- the first step -------------------------------------------------------------------------------------------------
 
   /** Seconds of its last step; 0 before its first. A step without the joint solve leaves a velocity of that moment. */
-  lastStep(body: BodyNode): number {
+  lastStep(body: Body): number {
     const moved = this.#moved.get(body);
-    return moved && moved.step >= this.#world.stepping.done ? moved.seconds : 0;
+    return moved && moved.step >= this.#simulation.stepsTaken ? moved.seconds : 0;
   }
 
-  setLastStep(body: BodyNode, seconds: number): void {
-    this.#note(body, this.#world.stepping.done, seconds);
+  setLastStep(body: Body, seconds: number): void {
+    this.#note(body, this.#simulation.stepsTaken, seconds);
   }
 
   /** Its velocity is given anew, or it begins to move: the next step is a first half step again. */
-  relaunch(body: BodyNode): void {
+  relaunch(body: Body): void {
     this.#moved.delete(body);
   }
 
@@ -96,10 +96,10 @@ export class JointedBodies {
 
   /** The step that begins. */
   noteStep({ bodies }: Component, dt: number): void {
-    for (const i of bodies) this.#note(this.bodies[i]!, this.#world.stepping.done + 1, dt);
+    for (const i of bodies) this.#note(this.bodies[i]!, this.#simulation.stepsTaken + 1, dt);
   }
 
-  #note(body: BodyNode, step: number, seconds: number): void {
+  #note(body: Body, step: number, seconds: number): void {
     const moved = this.#moved.get(body);
     if (!moved) this.#moved.set(body, { step, seconds });
     else [moved.step, moved.seconds] = [step, seconds];
@@ -117,8 +117,8 @@ export class JointedBodies {
   }
 
   /** Returns what is finite only if all that was read is. */
-  #read(i: number, node: BodyNode, dt: number): number {
-    const { reader } = this.#world.engine;
+  #read(i: number, node: Body, dt: number): number {
+    const { reader } = this.#simulation.engine;
     const { body, pointer } = node;
     const pose = this.#pose;
     const v = this.velocity;
@@ -150,7 +150,7 @@ export class JointedBodies {
     );
   }
 
-  #readTraits(i: number, { mass: { mass, moments }, dampedShare }: BodyNode, dt: number): void {
+  #readTraits(i: number, { mass: { mass, moments }, dampedShare }: Body, dt: number): void {
     const traits = this.#traits;
     const t = i * TRAITS;
     traits[t] = mass;
@@ -183,10 +183,10 @@ export class JointedBodies {
    * of each step, which makes the motion of joints second order in the step (measured: 1 to 2 orders of magnitude less
    * error, for nothing). After a change of level the two steps differ.
    */
-  #writeMomentum(i: number, node: BodyNode, step: number): void {
+  #writeMomentum(i: number, node: Body, step: number): void {
     const { inertia, momentum } = this.#system;
     const dt = (this.lastStep(node) + step) / 2;
-    const { pulled } = node;
+    const { appliedGravity } = node;
     const t = i * TRAITS;
     const n = i * INERTIA;
     const p = i * SIDE;
@@ -195,9 +195,9 @@ export class JointedBodies {
     const mass = this.#traits[t]!;
     const linear = this.#traits[t + DAMPED]!;
     const angular = this.#traits[t + DAMPED + 1]!;
-    momentum[p] = mass * (v[p]! * linear + dt * pulled[0]) + dt * load[p]!;
-    momentum[p + 1] = mass * (v[p + 1]! * linear + dt * pulled[1]) + dt * load[p + 1]!;
-    momentum[p + 2] = mass * (v[p + 2]! * linear + dt * pulled[2]) + dt * load[p + 2]!;
+    momentum[p] = mass * (v[p]! * linear + dt * appliedGravity[0]) + dt * load[p]!;
+    momentum[p + 1] = mass * (v[p + 1]! * linear + dt * appliedGravity[1]) + dt * load[p + 1]!;
+    momentum[p + 2] = mass * (v[p + 2]! * linear + dt * appliedGravity[2]) + dt * load[p + 2]!;
     const x = v[p + 3]! * angular;
     const y = v[p + 4]! * angular;
     const z = v[p + 5]! * angular;
@@ -241,7 +241,7 @@ export class JointedBodies {
     for (const i of bodies) this.#write(i, this.bodies[i]!, dt);
   }
 
-  #write(i: number, { body, pointer, pulled }: BodyNode, dt: number): void {
+  #write(i: number, { body, pointer, appliedGravity }: Body, dt: number): void {
     const { velocity } = this.#system;
     const v = i * SIDE;
     const t = i * TRAITS;
@@ -250,13 +250,13 @@ export class JointedBodies {
     const mass = this.#traits[t]!;
     const linear = this.#traits[t + DAMPED]!;
     const angular = this.#traits[t + DAMPED + 1]!;
-    out[0] = (velocity[v]! - dt * (pulled[0] + load[v]! / mass)) / linear;
-    out[1] = (velocity[v + 1]! - dt * (pulled[1] + load[v + 1]! / mass)) / linear;
-    out[2] = (velocity[v + 2]! - dt * (pulled[2] + load[v + 2]! / mass)) / linear;
+    out[0] = (velocity[v]! - dt * (appliedGravity[0] + load[v]! / mass)) / linear;
+    out[1] = (velocity[v + 1]! - dt * (appliedGravity[1] + load[v + 1]! / mass)) / linear;
+    out[2] = (velocity[v + 2]! - dt * (appliedGravity[2] + load[v + 2]! / mass)) / linear;
     for (let x = 3; x < SIDE; x++) out[x] = velocity[v + x]!;
     if (load[v + 3] !== 0 || load[v + 4] !== 0 || load[v + 5] !== 0) this.#leaveTorque(i, dt);
     for (let x = 3; x < SIDE; x++) out[x]! /= angular;
-    this.#world.engine.velocities.write(body, pointer, out, 0);
+    this.#simulation.engine.velocities.write(body, pointer, out, 0);
   }
 
   /** Bullet will add what the torque of this step does. */

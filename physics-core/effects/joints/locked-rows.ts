@@ -1,18 +1,15 @@
-import type { JointNode } from '../../nodes/joint.js';
-import { Gimbal } from './gimbal.js';
+import type { Joint } from '../../dynamics/joint.js';
 import { ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { JointEnds } from './joint-ends.js';
+import { LINEAR } from './joint-geometry.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { NextPoses } from './next-poses.js';
 import type { RowSystem } from './row-system.js';
 
-/** The first three rows are along axes, the others about them. */
-const LINEAR = 3;
-
 /**
  * The rows by which joints hold their bodies, other than by pins, written into the system anew for each step: which way
- * each row pulls, and the rate at which its error is to shrink. Rows are numbered as Bullet's 6-DoF has them: 0 to 2 along the axes of
- * frame 1, 3 to 5 about x of frame 2, what is at right angles to both, and z of frame 1.
+ * each row pulls, and the rate at which its error is to shrink. Rows are numbered as in
+ * `JointGeometry`.
  */
 export class LockedRows {
   readonly #system: RowSystem;
@@ -28,8 +25,6 @@ export class LockedRows {
   #errors = new Float64Array(0);
   /** What `correct` asked for in the last step: the round ways of the next one are nearly the same. */
   #nonlinearCorrections = new Float64Array(0);
-  /** Of the joint that was read last. */
-  readonly #gimbal = new Gimbal();
 
   constructor(system: RowSystem, bodies: JointedBodies, next: NextPoses, ends: JointEnds) {
     this.#system = system;
@@ -38,7 +33,7 @@ export class LockedRows {
     this.#ends = ends;
   }
 
-  take(joints: readonly JointNode[]): void {
+  take(joints: readonly Joint[]): void {
     if (this.#numbers.length < joints.length * ROWS) this.#grow(joints.length * 2);
     joints.forEach((joint, k) => this.#takeJoint(joint, k));
     this.#nonlinearCorrections.fill(0);
@@ -53,7 +48,7 @@ export class LockedRows {
     this.#nonlinearCorrections = new Float64Array(room * ROWS);
   }
 
-  #takeJoint(joint: JointNode, k: number): void {
+  #takeJoint(joint: Joint, k: number): void {
     const rows = this.#system.isPin[k]
       ? joint.lockedRows.filter((number) => number >= LINEAR)
       : joint.lockedRows;
@@ -79,7 +74,7 @@ export class LockedRows {
   /** Rows of one joint at the poses the step begins with; returns the worst error, metres or radians. */
   fill(k: number): number {
     const { place, turn } = this.#bodies;
-    this.#read(k, place, turn);
+    this.#ends.read(k, place, turn);
     const { compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {
@@ -90,16 +85,11 @@ export class LockedRows {
     return worst;
   }
 
-  #read(k: number, place: Float64Array, turn: Float64Array): void {
-    this.#ends.read(k, place, turn);
-    this.#gimbal.look(this.#ends.one.axes, this.#ends.two.axes);
-  }
-
   /** One row of the joint that was filled last; returns where it stands, metres or radians. */
   fillRow(k: number, r: number, number: number): number {
     if (number < LINEAR) this.#fillLinear(k, r, number);
     else this.#fillAngular(k, r, number);
-    return this.#value(number);
+    return this.#ends.geometry.value(number);
   }
 
   /** Share of the forces of this step that act on the joint: a half in the first step of its bodies. */
@@ -138,14 +128,14 @@ export class LockedRows {
    */
   correct(k: number, dt: number, repair: 0 | 1): number {
     const { place, turn } = this.#next;
-    this.#read(k, place, turn);
+    this.#ends.read(k, place, turn);
     const { targetVelocity, compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {
       const i = k * ROWS + r;
       if (compliance[i] !== 0) continue;
       const left = (1 - repair * this.#erps[i]!) * this.#errors[i]!;
-      const miss = this.#value(this.#numbers[i]!) - this.#targets[i]! - left;
+      const miss = this.#ends.geometry.value(this.#numbers[i]!) - this.#targets[i]! - left;
       targetVelocity[i]! -= miss / dt;
       this.#nonlinearCorrections[i]! -= miss / dt;
       worst = Math.max(worst, Math.abs(miss));
@@ -153,51 +143,22 @@ export class LockedRows {
     return worst;
   }
 
-  /** Of a row where the ends are now, metres or radians. */
-  #value(number: number): number {
-    if (number >= LINEAR) return this.#gimbal.angle(number);
-    const { axes: one, origin: c1 } = this.#ends.one;
-    const { origin: c2 } = this.#ends.two;
-    const n = number * 3;
-    return (
-      one[n]! * (c1[0]! - c2[0]!) +
-      one[n + 1]! * (c1[1]! - c2[1]!) +
-      one[n + 2]! * (c1[2]! - c2[2]!)
-    );
-  }
-
-  /** Along an axis that body 1 carries, at the point that body 2 carries: what slides is measured there. */
   #fillLinear(k: number, r: number, number: number): void {
     const at = k * 2 * ROW_BLOCK + r * SIDE;
-    this.#fillLine(at, this.#ends.edges[k]!.a, number, 1);
-    this.#fillLine(at + ROW_BLOCK, this.#ends.edges[k]!.b, number, -1);
+    const { a, b } = this.#ends.edges[k]!;
+    this.#fillLine(at, a, number, 1);
+    this.#fillLine(at + ROW_BLOCK, b, number, -1);
   }
 
   #fillLine(at: number, body: number, number: number, sign: 1 | -1): void {
     const { jacobian } = this.#system;
-    const n = number * 3;
-    const axis = this.#ends.one.axes;
-    for (let x = 0; x < 3; x++) jacobian[at + x] = sign * axis[n + x]!;
-    if (body < 0) return;
-    const { origin } = this.#ends.two;
-    const { place } = this.#bodies;
-    const x = origin[0]! - place[body * 3]!;
-    const y = origin[1]! - place[body * 3 + 1]!;
-    const z = origin[2]! - place[body * 3 + 2]!;
-    jacobian[at + 3] = sign * (y * axis[n + 2]! - z * axis[n + 1]!);
-    jacobian[at + 4] = sign * (z * axis[n]! - x * axis[n + 2]!);
-    jacobian[at + 5] = sign * (x * axis[n + 1]! - y * axis[n]!);
+    const { geometry } = this.#ends;
+    if (body < 0) geometry.writeAlong(jacobian, at, number, sign);
+    else geometry.writeLinear(jacobian, at, number, this.#bodies.place, body * 3, sign);
   }
 
-  /** The rate of one of three angles while the other two stand. */
   #fillAngular(k: number, r: number, number: number): void {
-    const { jacobian } = this.#system;
     const one = k * 2 * ROW_BLOCK + r * SIDE;
-    const two = one + ROW_BLOCK;
-    this.#gimbal.writeRate(number, jacobian, one + 3);
-    for (let x = 0; x < 3; x++) {
-      jacobian[one + x] = jacobian[two + x] = 0;
-      jacobian[two + 3 + x] = -jacobian[one + 3 + x]!;
-    }
+    this.#ends.geometry.writeAngular(this.#system.jacobian, one, one + ROW_BLOCK, number);
   }
 }

@@ -1,4 +1,4 @@
-import type { JointNode } from '../../nodes/joint.js';
+import type { Joint } from '../../dynamics/joint.js';
 import type { Edge, Forest } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { NextPoses } from './next-poses.js';
@@ -9,7 +9,7 @@ const POINTS = 6;
 const PARENT = 3;
 
 /** Whether a joint holds a point of one body at a point of the other, hard. */
-export const isPin = ({ corrections, limits }: JointNode): boolean =>
+export const isPin = ({ corrections, limits }: Joint): boolean =>
   [0, 1, 2].every(
     (row) =>
       limits[row]![0] === limits[row]![1] &&
@@ -40,7 +40,7 @@ export class PointConstraints {
     this.#next = next;
   }
 
-  take(joints: readonly JointNode[], edges: readonly Edge[], forest: Forest): void {
+  take(joints: readonly Joint[], edges: readonly Edge[], forest: Forest): void {
     this.#forest = forest;
     if (this.#erps.length < joints.length) this.#grow(joints.length * 2);
     this.#nonlinearCorrections.fill(0);
@@ -48,7 +48,7 @@ export class PointConstraints {
       for (const pin of pins) this.takePoints(pin, joints[pin]!, edges[pin]!);
   }
 
-  takePoints(pin: number, joint: JointNode, { a, b }: Edge): void {
+  takePoints(pin: number, joint: Joint, { a, b }: Edge): void {
     const one = a < 0 ? joint.worldFrame(1) : joint.centred1;
     const two = b < 0 ? joint.worldFrame(2) : joint.centred2;
     const childIsFirst = this.#forest.childOf[pin] === a;

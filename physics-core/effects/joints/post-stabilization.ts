@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../fields/types.js';
 import type { Quaternion } from '../../base/math.js';
-import type { BodyNode } from '../../nodes/body.js';
-import type { World } from '../../world/world.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import { SIDE } from './blocks.js';
 import type { Component } from './forest.js';
@@ -15,7 +15,7 @@ const SAME = 1e-5;
 
 /** What Bullet's step made of the velocities it was given, and what is put right of it. */
 export class PostStabilization {
-  readonly #world: World;
+  readonly #simulation: Simulation;
   readonly #system: RowSystem;
   readonly #jointed: JointedBodies;
   /** Of velocities given to Bullet, what is motion: the rest closes what an edit tore. Then that rest. */
@@ -25,8 +25,8 @@ export class PostStabilization {
   readonly #displacement = new Float64Array(3);
   readonly #turn = new Float64Array(4);
 
-  constructor(world: World, system: RowSystem, jointed: JointedBodies) {
-    this.#world = world;
+  constructor(simulation: Simulation, system: RowSystem, jointed: JointedBodies) {
+    this.#simulation = simulation;
     this.#system = system;
     this.#jointed = jointed;
   }
@@ -51,7 +51,7 @@ export class PostStabilization {
   }
 
   takeBack({ bodies }: Component): void {
-    const { engine, bodies: all } = this.#world;
+    const { engine, bodies: all } = this.#simulation;
     const now = this.#now;
     for (const i of bodies) {
       const node = this.#jointed.bodies[i]!;
@@ -73,7 +73,7 @@ export class PostStabilization {
     const { velocity } = this.#system;
     const now = this.#now;
     const { body, pointer } = this.#jointed.bodies[i]!;
-    this.#world.engine.reader.velocity(body, pointer, now, 0);
+    this.#simulation.engine.reader.velocity(body, pointer, now, 0);
     let off = 0;
     let size = 1;
     for (let x = 0; x < SIDE; x++) {
@@ -87,7 +87,7 @@ export class PostStabilization {
   #pushed(i: number, dt: number): boolean {
     const { velocity } = this.#system;
     const { body, pointer } = this.#jointed.bodies[i]!;
-    this.#world.engine.reader.pose(body, pointer, this.#pose, 0);
+    this.#simulation.engine.reader.pose(body, pointer, this.#pose, 0);
     let off = 0;
     let size = 1;
     for (let x = 0; x < 3; x++) {
@@ -108,8 +108,8 @@ export class PostStabilization {
     for (const i of bodies) this.#moveBody(i, this.#jointed.bodies[i]!);
   }
 
-  #moveBody(i: number, { body, pointer }: BodyNode): void {
-    const { reader, scratch } = this.#world.engine;
+  #moveBody(i: number, { body, pointer }: Body): void {
+    const { reader, scratch } = this.#simulation.engine;
     const { velocity } = this.#system;
     const v = i * SIDE;
     reader.pose(body, pointer, this.#pose, 0);

@@ -1,6 +1,5 @@
-import type { ContactProcessor } from '../../engine/contact-hook.js';
-import type { JointNode } from '../../nodes/joint.js';
-import type { World } from '../../world/world.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import type { BulletTargets } from './bullet-targets.js';
 import type { Component, Forest } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -10,11 +9,11 @@ import type { JointedBodies } from './jointed-bodies.js';
  * saves two thirds of what Bullet takes for a joint (measured). The joint itself stays, and with it Bullet's islands. Contacts
  * are seen between Bullet's search for them and its solver: the first touch finds the rows on.
  */
-export class SleepingRows implements ContactProcessor {
-  readonly #world: World;
+export class SleepingRows {
+  readonly #simulation: Simulation;
   readonly #bodies: JointedBodies;
   readonly #targets: BulletTargets;
-  #joints: readonly JointNode[] = [];
+  #joints: readonly Joint[] = [];
   /** By pointer of a body. */
   readonly #partOf = new Map<number, Component>();
   /** Those that may be let go at all: a row that Bullet does not correct can't be told where to stand. */
@@ -22,16 +21,14 @@ export class SleepingRows implements ContactProcessor {
   /** Those whose rows are let go, or may be since before joints were numbered anew. */
   readonly #letGo = new Set<Component>();
   #dt = 0;
-  /** What contacts go on to. */
-  next: ContactProcessor | null = null;
 
-  constructor(world: World, bodies: JointedBodies, targets: BulletTargets) {
-    this.#world = world;
+  constructor(simulation: Simulation, bodies: JointedBodies, targets: BulletTargets) {
+    this.#simulation = simulation;
     this.#bodies = bodies;
     this.#targets = targets;
   }
 
-  take(joints: readonly JointNode[], { components }: Forest): void {
+  take(joints: readonly Joint[], { components }: Forest): void {
     this.#joints = joints;
     this.#partOf.clear();
     this.#able.clear();
@@ -61,7 +58,7 @@ export class SleepingRows implements ContactProcessor {
   solved(component: Component, dt: number): void {
     this.#dt = dt;
     if (
-      this.#world.engine.heapTrusted &&
+      this.#simulation.engine.heapTrusted &&
       this.#able.has(component) &&
       this.#bodies.awake(component)
     )
@@ -93,14 +90,8 @@ export class SleepingRows implements ContactProcessor {
     for (const k of component.joints) this.#joints[k]!.resetTargets();
   }
 
-  /** Called by Bullet for every contact point of every step. */
-  process(point: number, a: number, b: number): void {
-    this.#touch(a);
-    this.#touch(b);
-    this.next?.process(point, a, b);
-  }
-
-  #touch(pointer: number): void {
+  /** Something touches a body, by its pointer. */
+  touch(pointer: number): void {
     const component = this.#partOf.get(pointer);
     if (component && this.#letGo.has(component)) this.#tell(component);
   }

@@ -1,21 +1,10 @@
-import type { JointNode } from '../../nodes/joint.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Joint, Spring } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import type { Effects } from '../effects.js';
+import { JointRows } from './joint-rows.js';
+import { jointSolve } from './joint-solve.js';
+import { Effect, type EffectDescriptor } from '../effect.js';
 import { Oscillator } from './oscillator.js';
-
-/** A row of a joint that a spring and a damper hold at zero. */
-export interface Spring {
-  row: number;
-  /** N/m. */
-  stiffness: number;
-  /** N s/m. */
-  damping: number;
-}
-
-/** Joints that have one; undefined while a stiffer row of Bullet's own stands for it. */
-interface Sprung extends JointNode {
-  readonly spring: Spring | undefined;
-}
 
 /**
  * Springs softer than what Bullet's solver can take as a row. Where nothing but joints and gravity acts, spring and
@@ -23,19 +12,20 @@ interface Sprung extends JointNode {
  * spring has the force of the step's start, so that what it carries sinks in as far as it should.
  */
 export class Suspension extends Effect {
-  readonly name = 'suspension';
-  readonly #world: World;
+  readonly #effects: Effects;
+  readonly #rows: JointRows;
   readonly #oscillator = new Oscillator();
 
-  constructor(world: World) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
-    this.#world = world;
+    this.#effects = effects;
+    this.#rows = new JointRows(simulation);
   }
 
   override beforeStep(dt: number): void {
-    const { rows } = this.#world.registry;
+    const rows = this.#rows;
     for (const node of this.causes) {
-      const joint = node as Sprung;
+      const joint = node as Joint;
       if (!joint.spring || !rows.read(joint, dt)) continue;
       rows.look(joint.spring.row);
       rows.push(
@@ -46,8 +36,9 @@ export class Suspension extends Effect {
   }
 
   /** What spring and damper do to the rate of their row. */
-  #change(joint: Sprung, { row, stiffness, damping }: Spring, dt: number): number {
-    const { rows, joints } = this.#world.registry;
+  #change(joint: Joint, { row, stiffness, damping }: Spring, dt: number): number {
+    const rows = this.#rows;
+    const joints = this.#effects.get(jointSolve);
     const { rate, inverseEffectiveMass } = rows;
     const x = rows.values[row]!;
     const [omega2, delta] = [
@@ -66,3 +57,10 @@ export class Suspension extends Effect {
     return (change + (oscillator.load - share * dt) * rows.pull(row)) / share;
   }
 }
+
+export const suspension: EffectDescriptor<Suspension> = {
+  name: 'suspension',
+  causes: 'a DoubleAxisHingeJoint whose suspensionForce is too soft for a row of the solver',
+  joint: ({ attached, spring }) => (attached && spring ? 'suspensionForce' : undefined),
+  load: (simulation, effects) => new Suspension(simulation, effects),
+};

@@ -1,7 +1,7 @@
-import type { BodyNode } from '../../nodes/body.js';
+import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
-import type { World } from '../../world/world.js';
-import { Effect } from '../effect.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
 
 /**
  * When nobody wrote autoDisable: below these for this long, and not drifting meanwhile, an island may sleep unseen.
@@ -14,27 +14,30 @@ const LOOK = 0.25;
 
 /** Puts islands to sleep whose bodies all ask for it. Bullet itself wakes them when something touches them. */
 export class Resting extends Effect {
-  readonly name = 'rest';
-  readonly #world: World;
+  readonly #simulation: Simulation;
   /** Seconds each body was slow, and the pose it was slow at, by slot. */
   #quiet = new Float64Array(16);
   #anchor = new Float64Array(16 * POSE);
   /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
-  readonly #islands: (readonly BodyNode[] | undefined)[] = [];
+  readonly #islands: (readonly Body[] | undefined)[] = [];
   /** Seconds since islands were looked at. */
   sinceLook = 0;
 
-  constructor(world: World) {
+  constructor(simulation: Simulation) {
     super();
-    this.#world = world;
+    this.#simulation = simulation;
   }
 
-  update(body: BodyNode): void {
+  /** Its rule of rest may be another. */
+  override need(body: Body, reason: string): void {
     this.leaveIsland(body.slot);
     if (body.slot >= this.#quiet.length) this.#grow(body.slot);
-    if (body.rest.mode === 'never') this.drop(body);
-    else
-      this.need(body, body.rest.mode === 'authored' ? 'autoDisable' : 'autoDisable not authored');
+    super.need(body, reason);
+  }
+
+  override release(node: Cause): void {
+    this.leaveIsland((node as Body).slot);
+    super.release(node);
   }
 
   #grow(slot: number): void {
@@ -69,16 +72,17 @@ export class Resting extends Effect {
   }
 
   /** What a sleeping body fell asleep with: nothing has touched it since. Undefined: that is not known. */
-  islandOf(slot: number): readonly BodyNode[] | undefined {
+  islandOf(slot: number): readonly Body[] | undefined {
     return this.#islands[slot];
   }
 
   override afterStep(dt: number): void {
-    const { bodies } = this.#world;
+    const { bodies } = this.#simulation;
     let ready = false;
     for (const node of this.causes) {
-      const body = node as BodyNode;
-      if (body.active && body.moves && !bodies.asleep(body)) ready = this.#watch(body, dt) || ready;
+      const body = node as Body;
+      if (body.active && body.isDynamic && !bodies.asleep(body))
+        ready = this.#watch(body, dt) || ready;
     }
     this.sinceLook += dt;
     if (!ready || this.sinceLook < LOOK) return;
@@ -87,11 +91,11 @@ export class Resting extends Effect {
   }
 
   /** Counts how long the body was slow; true when it may sleep. */
-  #watch(body: BodyNode, dt: number): boolean {
+  #watch(body: Body, dt: number): boolean {
     const slot = body.slot;
     const library = body.rest.mode === 'library';
     const limit = library ? LIBRARY : body.rest;
-    const slow = this.#world.bodies.slower(slot, limit.linearSpeed, limit.angularSpeed);
+    const slow = this.#simulation.bodies.slower(slot, limit.linearSpeed, limit.angularSpeed);
     if (!slow || (library && this.#drifted(slot))) {
       this.#quiet[slot] = 0;
       return false;
@@ -102,30 +106,30 @@ export class Resting extends Effect {
   }
 
   #setAnchor(slot: number): void {
-    const { current } = this.#world.poses;
+    const { current } = this.#simulation.poses;
     for (let i = slot * POSE; i < (slot + 1) * POSE; i++) this.#anchor[i] = current[i]!;
   }
 
   #drifted(slot: number): boolean {
     if (this.#quiet[slot] === 0) return false;
-    const { current } = this.#world.poses;
+    const { current } = this.#simulation.poses;
     for (let i = slot * POSE; i < (slot + 1) * POSE; i++) {
       if (Math.abs(current[i]! - this.#anchor[i]!) > LIBRARY.drift) return true;
     }
     return false;
   }
 
-  #mayRest(body: BodyNode): boolean {
+  #mayRest(body: Body): boolean {
     if (body.rest.mode === 'never') return false;
     const time = body.rest.mode === 'library' ? LIBRARY.time : body.rest.time;
     return this.#quiet[body.slot]! > 0 && this.#quiet[body.slot]! >= time;
   }
 
   #sleepReadyIslands(): void {
-    const { reader } = this.#world.engine;
+    const { reader } = this.#simulation.engine;
     const awake = new Set<number>();
-    const islands = new Map<number, BodyNode[]>();
-    for (const body of this.#world.bodies) {
+    const islands = new Map<number, Body[]>();
+    for (const body of this.#simulation.bodies) {
       if (!body.active || !body.movable) continue;
       const island = reader.island(body.body, body.pointer);
       if (!body.sleeping && (island < 0 || !this.#mayRest(body))) {
@@ -139,10 +143,24 @@ export class Resting extends Effect {
   }
 
   /** Those that slept already belong to it, too. */
-  #sleep(island: readonly BodyNode[]): void {
+  #sleep(island: readonly Body[]): void {
     for (const body of island) {
       if (!body.sleeping) body.sleep();
       this.#islands[body.slot] = island;
     }
   }
 }
+
+const REASONS = {
+  never: undefined,
+  library: 'autoDisable not authored',
+  authored: 'autoDisable',
+};
+
+export const resting: EffectDescriptor<Resting> = {
+  name: 'rest',
+  causes: 'a body that may sleep: autoDisable TRUE, or written by nobody',
+  after: { 'given contacts': 'contacts that page code gives wake bodies' },
+  body: { on: ['rest'], reason: ({ rest }) => REASONS[rest.mode] },
+  load: (simulation) => new Resting(simulation),
+};

@@ -82,6 +82,28 @@ describe('x3d-accuracy-chart', () => {
     expect(axes()).to.contain('widest gap');
   });
 
+  it('names every level where it hides no other name, whichever error is drawn', async () => {
+    const { root } = await chartOf(await open('chart.html'));
+    await measure(root);
+    const select = root.querySelector('select')!;
+    for (const { value } of select.options) {
+      select.value = value;
+      select.dispatchEvent(new Event('change'));
+      const names = [...root.querySelectorAll('svg .level')];
+      expect(names.length).to.equal(5);
+      const boxes = names.map((name) => name.getBoundingClientRect());
+      const drawing = root.querySelector('svg')!.getBoundingClientRect();
+      for (const [i, a] of boxes.entries()) {
+        expect(a.left >= drawing.left && a.right <= drawing.right, `${value} ${i}`).to.be.true;
+        for (const b of boxes.slice(i + 1)) {
+          // Line boxes are higher than letters.
+          const apart = Math.abs(a.top - b.top) >= 11;
+          expect(apart || a.right <= b.left || b.right <= a.left, `${value} ${i}`).to.be.true;
+        }
+      }
+    }
+  });
+
   it('on a phone lists of the errors the one that is drawn, and no number is cut off', async () => {
     const { root } = await chartOf(await open('chart.html'));
     await measure(root);

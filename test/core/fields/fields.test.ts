@@ -1,3 +1,4 @@
+import { allEffects } from '../../../physics-core/effects/all.js';
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { guards } from '../../../physics-core/base/guards.js';
@@ -39,9 +40,10 @@ describe('tables', () => {
   fact('every effect that works in the step has at least one row', async () => {
     const w = await world();
     const covered = new Set(Object.values(rowsOf).flatMap((rows) => rows.map((r) => r.effect)));
-    for (const effect of w.registry.all) {
-      const works = effect.beforeStep || effect.afterStep || 'process' in effect;
-      if (works) assert.ok(covered.has(effect.name), effect.name);
+    for (const descriptor of allEffects) {
+      const effect = w.registry.get(descriptor);
+      const works = effect.beforeStep || effect.afterStep || effect.contact;
+      if (works) assert.ok(covered.has(descriptor.name), descriptor.name);
     }
   });
 });

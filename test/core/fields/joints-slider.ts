@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../physics-core/inside.js';
-import type { SliderJointNode } from '../../../physics-core/nodes/slider-joint.js';
+import type { SliderJointNode } from '../../../physics-core/nodes/joints/slider-joint.js';
 import { addBody, claim, close, position, velocity, world, type Body } from '../helpers.js';
 import { heard, WEIGHTLESS } from './joints-shared.js';
 import type { Row } from './rows.js';

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../physics-core/inside.js';
-import type { DoubleAxisHingeJointNode } from '../../../physics-core/nodes/double-axis-hinge-joint.js';
+import type { DoubleAxisHingeJointNode } from '../../../physics-core/nodes/joints/double-axis-hinge-joint.js';
 import { addBody, below, claim, close, height, position, spin, world } from '../helpers.js';
 import { bodies, heard, WEIGHTLESS } from './joints-shared.js';
 import type { Row } from './rows.js';

@@ -1,0 +1,42 @@
+import { attribute } from '../words/dom.js';
+import { collidablesIn } from './structure.js';
+import type { Binding } from '../nodes/binding.js';
+
+// Two bodies in one place would push each other apart: the second in document order waits until the first has gone.
+
+/** What a body stands for by itself, and by its collidables. */
+const partsOf = (binding: Binding): Binding[] =>
+  binding.is('RigidBody')
+    ? [binding, ...collidablesIn(binding, 'geometry').map((part) => binding.use(part))]
+    : [binding];
+
+/** The body that moves already what `binding` is to move. */
+export function rivalOf(binding: Binding): { part: Binding; rival: Binding } | undefined {
+  for (const part of partsOf(binding)) {
+    const rival = part.scene?.drivers.rivalOf(part);
+    if (rival && rival !== binding) return { part, rival };
+  }
+  return undefined;
+}
+
+/** Whether nobody moves it yet; of a body with its collidables the body tells. */
+export function mayMove(binding: Binding): boolean {
+  const found = rivalOf(binding);
+  if (found && binding.is('RigidBody')) tell(binding, found.part, found.rival);
+  return !found;
+}
+
+function tell(binding: Binding, part: Binding, rival: Binding): void {
+  const { transform, shapes } = part.standIn!;
+  const element = transform ?? shapes;
+  const name = attribute(element, 'DEF') ?? attribute(element, 'id');
+  const what = `<${element.localName}>${name ? ` "${name}"` : ''}`;
+  binding.problem({
+    code: 'already-owned',
+    severity: 'warning',
+    attribute: attribute(part.element, 'for') ? 'for' : 'geometry',
+    value: what,
+    used: rival.label,
+    message: `two bodies stand for ${what}: ${rival.label} moves it, ${binding.label} waits until that has gone`,
+  });
+}

@@ -1,0 +1,58 @@
+import { debugging } from '../../../../physics-core/inside.js';
+import { loop } from '../../drawing/loop.js';
+import type { PageWorld } from '../../nodes/surroundings.js';
+import type { Stage } from '../stage.js';
+import type { Sketch } from './sketch.js';
+
+/** The worlds of an `<x3d>` that are drawn as Bullet has them. What draws is loaded with the first of them. */
+export class Debug {
+  readonly #stage: Stage;
+  readonly #sketches = new Map<PageWorld, Sketch>();
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+  }
+
+  /** The first collection of a world asks for it, or the last one no longer does. */
+  listen(world: PageWorld): void {
+    world.on('debug', (on) => this.#turn(world, on as boolean));
+  }
+
+  #turn(world: PageWorld, on: boolean): void {
+    if (on) this.#begin(world).catch((error: unknown) => reportMissing(world, error));
+    else this.#end(world);
+  }
+
+  async #begin(world: PageWorld): Promise<void> {
+    const { makeSketch } = await import('./sketch.js');
+    const sketch = await makeSketch(this.#stage, world);
+    // It may have been switched off and on meanwhile.
+    if (!world.registry.active(debugging) || this.#sketches.has(world)) return sketch.remove();
+    this.#sketches.set(world, sketch);
+    loop.wake();
+  }
+
+  #end(world: PageWorld): void {
+    this.#sketches.get(world)?.remove();
+    this.#sketches.delete(world);
+  }
+
+  /** In every frame: what was drawn is of the frame before. */
+  draw(world: PageWorld): void {
+    this.#sketches.get(world)?.draw();
+  }
+}
+
+function reportMissing(world: PageWorld, error: unknown): void {
+  world.report(
+    {
+      code: 'debug-load-failed',
+      severity: 'error',
+      attribute: 'debug',
+      value: String(error),
+      used: 'nothing',
+      message: `the debug drawing could not be loaded: ${String(error)}`,
+    },
+    world.registry.find(debugging)?.because?.node.host,
+  );
+}

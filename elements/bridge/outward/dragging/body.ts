@@ -1,0 +1,19 @@
+import type {
+  Drag,
+  DragEnd,
+  DragMode,
+  PhysicsNode,
+  Vec3,
+} from '../../../../physics-core/inside.js';
+
+/** What dragging asks of a body's node. */
+export interface DraggableBody extends PhysicsNode {
+  readonly offered: boolean;
+  readonly dragMode: DragMode;
+  readonly size: number;
+  centerOfMassWorld(): Vec3;
+  drag(point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined;
+}
+
+/** What moves it. */
+export type By = 'mouse' | 'touch' | 'pen' | 'keyboard';

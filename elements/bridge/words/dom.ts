@@ -1,0 +1,100 @@
+import { nodeTypes } from '../../../physics-core/inside.js';
+
+/** What one row of tables looks like from here. */
+export type NodeType = (typeof nodeTypes)[string];
+export type Field = NodeType['fields'][string];
+
+// Node, where servers render pages, has no Element.
+const getAttribute = globalThis.Element?.prototype.getAttribute;
+
+/**
+ * An attribute as the author wrote it. x3dom replaces `getAttribute` on its elements by one that answers defaults.
+ * HTML lowercases names, XML keeps them; both are accepted.
+ */
+export function attribute(element: Element, name: string): string | null {
+  return getAttribute.call(element, name) ?? getAttribute.call(element, name.toLowerCase());
+}
+
+/** What it is called by: its DEF, else its id. */
+export const nameOf = (element: Element): string | undefined =>
+  attribute(element, 'DEF') ?? attribute(element, 'id') ?? undefined;
+
+/** Its tag and its name, as `querySelector` takes them. */
+export function selectorOf(element: Element): string {
+  const named = ['id', 'DEF', 'def'].find((name) => getAttribute.call(element, name) !== null);
+  if (!named) return element.localName;
+  const name = getAttribute.call(element, named)!.replace(/["\\]/g, '\\$&');
+  return `${element.localName}[${named}="${name}"]`;
+}
+
+export const lowerName = (element: Element): string => element.localName.toLowerCase();
+
+export const isX3D = (element: Element): boolean => lowerName(element) === 'x3d';
+export const isScene = (element: Element): boolean => lowerName(element) === 'scene';
+export const isInline = (element: Element): boolean => lowerName(element) === 'inline';
+export const isShape = (element: Element): boolean => lowerName(element) === 'shape';
+
+const TRANSFORMS = new Set(['transform', 'matrixtransform']);
+export const isTransform = (element: Element): boolean => TRANSFORMS.has(lowerName(element));
+
+/** Templates: what stands in them is no node yet. */
+const TEMPLATES = new Set(['protodeclare', 'externprotodeclare', 'template']);
+export const isTemplate = (element: Element): boolean => TEMPLATES.has(lowerName(element));
+
+export const kebab = (name: string): string =>
+  name.replace(/[A-Z]/g, (letter, at) => (at ? '-' : '') + letter.toLowerCase());
+
+export const camel = (name: string): string =>
+  name.replace(/-[a-z]/g, (letter) => letter[1].toUpperCase());
+
+export const tagOf = (type: NodeType): string => `x3d-${kebab(type.name)}`;
+
+const typesByName = new Map<string, NodeType>();
+for (const type of Object.values(nodeTypes)) {
+  typesByName.set(type.name.toLowerCase(), type);
+  typesByName.set(tagOf(type), type);
+}
+
+/** The physics node that an element of either spelling stands for. */
+export const typeOf = (element: Element): NodeType | undefined =>
+  typesByName.get(lowerName(element)) ?? typeOfClass(element);
+
+/** Our classes may be defined under other tags. */
+function typeOfClass(element: Element): NodeType | undefined {
+  if (!element.localName.includes('-')) return undefined;
+  const { type } = element.constructor as { type?: NodeType };
+  return type && nodeTypes[type.name] === type ? type : undefined;
+}
+
+/** The types a physics child may be, given by its name: used where roles are told apart. */
+export const isType = (element: Element, ...names: string[]): boolean => {
+  const type = typeOf(element);
+  return type !== undefined && names.includes(type.name);
+};
+
+export const containerField = (element: Element): string | null =>
+  attribute(element, 'containerField');
+
+/** The X3D names of all physics nodes, also of those without a table yet. */
+const PHYSICS =
+  /^(x3d-)?(rigid-?body(-?collection)?|collidable-?(shape|offset)|collision-?(collection|space|sensor)|contact|(ball|(single|double)-?axis-?hinge|slider|universal|motor)-?joint)$/;
+export const isPhysics = (element: Element): boolean =>
+  PHYSICS.test(lowerName(element)) || typeOfClass(element) !== undefined;
+
+export const isCustom = (element: Element): boolean =>
+  element.localName.startsWith('x3d-') && element.namespaceURI === 'http://www.w3.org/1999/xhtml';
+
+/** Whether the parser of its document knows no self-closing tags. */
+export const isHTML = (element: Element): boolean =>
+  element.ownerDocument.contentType === 'text/html';
+
+/** The elements under (and with) a root, in document order, leaving templates out. */
+export function* subtree(root: Element): Generator<Element> {
+  if (isTemplate(root)) return;
+  yield root;
+  for (const child of root.children) yield* subtree(child);
+}
+
+/** Order of two elements of one tree. */
+export const precedes = (a: Node, b: Node): number =>
+  a === b ? 0 : a.compareDocumentPosition(b) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1;

@@ -1,0 +1,74 @@
+/** Where a name is written: the start or the end of its base line, pixels. */
+export interface Label {
+  text: string;
+  x: number;
+  y: number;
+  anchor: 'start' | 'end';
+}
+
+interface Place {
+  name: string;
+  x: number;
+  y: number;
+}
+
+interface Box {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+/** Pixels: of a line, and of a dot's half. */
+const LINE = 14;
+const DOT = 8;
+
+/** Of a name, pixels: in the mean 6.5 for a letter, and room for those that are broad or bold. */
+const widthOf = (text: string): number => 6.5 * text.length + 10;
+
+/** From a dot's middle to the base line of its name: above it, below it, and farther where dots are close. */
+const LINES = [-6, 16, -20, 30, -34, 44, -48, -62, -76];
+
+const boxOf = ({ text, x, y, anchor }: Label): Box => {
+  const left = anchor === 'start' ? x : x - widthOf(text);
+  return { left, right: left + widthOf(text), top: y - LINE + 3, bottom: y + 3 };
+};
+
+const boxAround = ({ x, y }: Place): Box => ({
+  left: x - DOT,
+  right: x + DOT,
+  top: y - DOT,
+  bottom: y + DOT,
+});
+
+const overlap = (a: Box, b: Box): boolean =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+const beside = ({ name, x, y }: Place, anchor: Label['anchor'], down: number): Label => ({
+  text: name,
+  x: anchor === 'start' ? x + DOT + 1 : x - DOT - 1,
+  y: y + down,
+  anchor,
+});
+
+/** Names beside their dots, where they hide neither each other nor another dot; to the right and above where there is room. */
+export function labelsOf(dots: readonly Place[], within: Box): Label[] {
+  const labels: Label[] = [];
+  const hides = (label: Label, own: Place): boolean => {
+    const box = boxOf(label);
+    const others = dots.filter((dot) => dot !== own).map(boxAround);
+    return [...labels.map(boxOf), ...others].some((other) => overlap(box, other));
+  };
+  for (const dot of dots) {
+    const around = LINES.flatMap((down) => [
+      beside(dot, 'start', down),
+      beside(dot, 'end', down),
+    ]).filter((label) => {
+      const box = boxOf(label);
+      return box.left >= within.left && box.right <= within.right && box.bottom <= within.bottom;
+    });
+    const free = around.find((label) => !hides(label, dot));
+    labels.push(free ?? around[0] ?? beside(dot, 'start', LINES[0]!));
+  }
+  return labels;
+}

@@ -1,0 +1,14 @@
+import type { Body } from './body.js';
+
+/** The built bodies of a simulation, by slot. */
+export interface Bodies extends Iterable<Body> {
+  /** Of all slots, linear then angular, as they were read last: at the end of the last step, or after an edit. */
+  readonly velocities: Float64Array;
+  velocityOf(body: Body): Float64Array;
+  readVelocity(body: Body): void;
+  asleep(body: Body): boolean;
+  /** Whether a body's speeds lie below both limits, m/s and rad/s. */
+  slower(slot: number, linear: number, angular: number): boolean;
+  /** Whether any body that moves is faster, m/s. */
+  anyFaster(speed: number): boolean;
+}

@@ -1,0 +1,155 @@
+import type { Body } from '../dynamics/body.js';
+import type { Joint } from '../dynamics/joint.js';
+import type { Simulation } from '../dynamics/simulation.js';
+import type { ContactProcessor } from '../engine/contact-hook.js';
+import {
+  STAGES,
+  type BodyChange,
+  type Cause,
+  type Effect,
+  type EffectDescriptor,
+  type Stage,
+} from './effect.js';
+
+/** What `world.effects` shows. */
+export interface EffectReport {
+  name: string;
+  active: boolean;
+  /** Which element switched it on, and by what. */
+  because: { element: unknown; reason: string } | null;
+  /** Milliseconds per step, a running mean. */
+  ms: number;
+}
+
+/**
+ * The effects of one world. Each is made when it is first needed; the lists of what is called in a step hold those that
+ * are on, and are made anew when one comes or goes: what is off is not called at all.
+ */
+export class Effects {
+  readonly #simulation: Simulation;
+  readonly #ordered: readonly EffectDescriptor[];
+  readonly #made = new Map<EffectDescriptor, Effect>();
+  #stale = false;
+  #on: readonly Effect[] = [];
+  #stages: Record<Stage, readonly Effect[]> = { beforeStep: [], settle: [], afterStep: [] };
+  #contacts: readonly Effect[] = [];
+  /** Those that a step's contacts go to. */
+  #seeing: readonly Effect[] = [];
+
+  /** `ordered`: as `inOrder` has them. */
+  constructor(simulation: Simulation, ordered: readonly EffectDescriptor[]) {
+    this.#simulation = simulation;
+    this.#ordered = ordered;
+  }
+
+  /** The effect of this world, made if it was not needed before. */
+  get<E extends Effect>(descriptor: EffectDescriptor<E>): E {
+    return this.find(descriptor) ?? this.#make(descriptor);
+  }
+
+  /** Undefined: nobody has needed it yet. */
+  find<E extends Effect>(descriptor: EffectDescriptor<E>): E | undefined {
+    return this.#made.get(descriptor) as E | undefined;
+  }
+
+  /** Whether it is on. */
+  active(descriptor: EffectDescriptor): boolean {
+    if (descriptor.with) return descriptor.with.some((each) => this.active(each));
+    return this.find(descriptor)?.active === true;
+  }
+
+  #make<E extends Effect>(descriptor: EffectDescriptor<E>): E {
+    const effect = descriptor.load(this.#simulation, this);
+    effect.onswitch = this.#switched;
+    this.#made.set(descriptor, effect);
+    return effect;
+  }
+
+  // ---- causes -----------------------------------------------------------------------------------------------------
+
+  /** Effects that such a change of a body concerns are needed by it now, or no more. */
+  bodyChanged(body: Body, change: BodyChange): void {
+    for (const descriptor of this.#ordered)
+      if (descriptor.body?.on.includes(change))
+        this.#review(descriptor, body, descriptor.body.reason(body, this));
+  }
+
+  /** A joint came, went, or is another now. */
+  jointChanged(joint: Joint): void {
+    for (const descriptor of this.#ordered)
+      if (descriptor.joint) this.#review(descriptor, joint, descriptor.joint(joint));
+  }
+
+  #review(descriptor: EffectDescriptor, node: Cause, reason: string | undefined): void {
+    if (reason !== undefined) this.get(descriptor).need(node, reason);
+    else this.find(descriptor)?.release(node);
+  }
+
+  /** What stood for a node in Bullet is gone. */
+  unmade(node: Cause): void {
+    for (const effect of this.#made.values()) effect.unmade(node);
+  }
+
+  // ---- a step -----------------------------------------------------------------------------------------------------
+
+  readonly #switched = (): void => {
+    this.#stale = true;
+  };
+
+  /** The lists of what is on. Those that are being walked stay as they are. */
+  #refresh(): void {
+    if (!this.#stale) return;
+    this.#stale = false;
+    this.#on = this.#ordered.flatMap((each) => (this.active(each) ? [this.get(each)] : []));
+    for (const stage of STAGES) this.#stages[stage] = this.#on.filter((effect) => effect[stage]);
+    this.#contacts = this.#on.filter((effect) => effect.contact);
+  }
+
+  /** Calls those that are on, in order. */
+  run(stage: Stage, dt: number): void {
+    this.#refresh();
+    for (const effect of this.#stages[stage]) {
+      const start = performance.now();
+      effect[stage]!(dt);
+      effect.spent += performance.now() - start;
+    }
+  }
+
+  /** The step is over: what each has cost. */
+  noteCosts(): void {
+    for (const effect of this.#on) effect.noteCost();
+  }
+
+  /** What sees every contact point of the step that begins; null: nothing does. */
+  contacts(): ContactProcessor | null {
+    this.#refresh();
+    this.#seeing = this.#contacts.filter((effect) => effect.seesContacts?.() ?? true);
+    return this.#seeing.length > 0 ? this.#processor : null;
+  }
+
+  readonly #processor: ContactProcessor = {
+    process: (point, a, b) => {
+      for (const effect of this.#seeing) if (!effect.contact!(point, a, b)) return;
+    },
+  };
+
+  // ---- looking in -------------------------------------------------------------------------------------------------
+
+  report(): EffectReport[] {
+    return this.#ordered.map((descriptor) => this.#reportOf(descriptor));
+  }
+
+  #reportOf(descriptor: EffectDescriptor): EffectReport {
+    const { name } = descriptor;
+    const because = this.#because(descriptor);
+    if (!because) return { name, active: false, because: null, ms: 0 };
+    const element = because.node.host;
+    const ms = this.find(descriptor)?.ms ?? 0;
+    return { name, active: true, because: { element, reason: because.reason }, ms };
+  }
+
+  #because(descriptor: EffectDescriptor): Effect['because'] {
+    if (!descriptor.with) return this.find(descriptor)?.because;
+    return descriptor.with.map((each) => this.#because(each)).find(Boolean);
+  }
+}

@@ -1,0 +1,138 @@
+import type { ContactPoint } from '../../engine/contact-point.js';
+import { BODY } from '../../engine/offsets.js';
+import { multiply4, writeTurn } from '../../base/flat-math.js';
+import type { Body } from '../../dynamics/body.js';
+import { hangsOnMoving, isJointed } from '../../dynamics/jointed.js';
+import type { Engine } from '../../engine/engine.js';
+import { EffectiveMassMatrix } from './effective-mass-matrix.js';
+import type { JointRows } from '../joints/joint-rows.js';
+import type { Impact } from './impact.js';
+
+/** Linear, then angular. */
+const WIDTH = 6;
+
+const pose = new Float64Array(7);
+const velocity = new Float64Array(6);
+const displacement = new Float64Array(3);
+const turn = new Float64Array(4);
+
+/** A body that is hit, and where. */
+export class StruckBody {
+  readonly effectiveMass: EffectiveMassMatrix;
+  readonly hits: Impact[] = [];
+  body!: Body;
+  movable = false;
+  /** Whether the joint solve moves it, and whether others that move hang on it. */
+  jointed = false;
+  hangs = false;
+  /** The step that it belongs to. */
+  step = -1;
+  /** Whether its effectiveMass is known in this step, and it was struck. */
+  #known = false;
+  struck = false;
+  /** The step that it was last struck in. */
+  struckIn = -1;
+  /** Velocity before it was struck. */
+  readonly before = new Float64Array(WIDTH);
+  /** When Bullet's solver lets it bounce, seconds; NaN: it does not. */
+  bounces = NaN;
+  /** What hits changed of its velocity, and how far that is not yet on its way at the start of the step. */
+  readonly change = new Float64Array(WIDTH);
+  readonly late = new Float64Array(WIDTH);
+
+  constructor({ ammo }: Engine, rows: JointRows) {
+    this.effectiveMass = new EffectiveMassMatrix(ammo, rows);
+  }
+
+  take(body: Body, step: number): void {
+    this.step = step;
+    this.body = body;
+    this.movable = body.movable;
+    this.jointed = isJointed(body);
+    this.hangs = hangsOnMoving(body);
+    this.hits.length = 0;
+    this.#known = this.struck = false;
+    this.bounces = NaN;
+  }
+
+  /** What a push would do to it now. */
+  known(): EffectiveMassMatrix {
+    if (!this.#known) this.effectiveMass.read(this.body);
+    this.#known = true;
+    return this.effectiveMass;
+  }
+
+  /** Applies an impulse of `effectiveMass` at a time of the step. */
+  push(heap: Float32Array, impulse: number, time: number): void {
+    if (!this.struck) this.#begin(heap);
+    this.effectiveMass.push(heap, impulse);
+    for (let i = 0; i < WIDTH; i++) {
+      const change = impulse * this.effectiveMass.change[i]!;
+      this.change[i]! += change;
+      this.late[i]! -= time * change;
+    }
+  }
+
+  /** Bullet's solver will let it bounce, in several points together; the first of them tells the time. */
+  bounce(heap: Float32Array, time: number): void {
+    if (!this.struck) this.#begin(heap);
+    if (!(this.bounces <= time)) this.bounces = time;
+  }
+
+  /** What Bullet's solver did beside what weight did. */
+  #noteBounce(dt: number): void {
+    const { gravity } = this.body;
+    for (let i = 0; i < WIDTH; i++) {
+      const weight = i < 3 ? gravity[i]! * dt : 0;
+      const change = velocity[i]! - this.before[i]! - this.change[i]! - weight;
+      this.change[i]! += change;
+      this.late[i]! -= this.bounces * change;
+    }
+  }
+
+  /** How far it is led back already along the normal of a point, metres. */
+  lateAt(heap: Float32Array, point: ContactPoint): number {
+    if (!this.struck) return 0;
+    const o = (this.body.pointer + BODY.origin) >> 2;
+    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
+    const rx = point.position(0) - heap[o]!;
+    const ry = point.position(1) - heap[o + 1]!;
+    const rz = point.position(2) - heap[o + 2]!;
+    const [u, v, w, p, q, r] = this.late;
+    return (
+      x * (u! + q! * rz - r! * ry) + y * (v! + r! * rx - p! * rz) + z * (w! + p! * ry - q! * rx)
+    );
+  }
+
+  /** Moves the body from where Bullet has taken it to where its hits take it. */
+  makeUp({ reader, scratch }: Engine, dt: number): void {
+    const { body, jointed, before, change, late } = this;
+    // Those that hang on others that move had their blow alone: the joint solve brings the rest along.
+    if (!this.struck || !body.active || this.hangs) return;
+    reader.pose(body.body, body.pointer, pose, 0);
+    reader.velocity(body.body, body.pointer, velocity, 0);
+    if (this.bounces === this.bounces && !jointed) this.#noteBounce(dt);
+    for (let i = 0; i < 3; i++) {
+      pose[i]! += late[i]!;
+      // The joint solve has its own account of weight.
+      if (!jointed) pose[i]! -= (dt / 2) * (velocity[i]! - before[i]! - change[i]!);
+      displacement[i] = late[3 + i]!;
+    }
+    writeTurn(turn, displacement, 1);
+    multiply4(turn, turn, 0, pose, 3);
+    body.body.setCenterOfMassTransform(scratch.transform(pose, turn));
+  }
+
+  #begin(heap: Float32Array): void {
+    this.struck = true;
+    this.struckIn = this.step;
+    const v = (this.body.pointer + BODY.linearVelocity) >> 2;
+    const w = (this.body.pointer + BODY.angularVelocity) >> 2;
+    for (let i = 0; i < 3; i++) {
+      this.before[i] = heap[v + i]!;
+      this.before[3 + i] = heap[w + i]!;
+    }
+    this.change.fill(0);
+    this.late.fill(0);
+  }
+}

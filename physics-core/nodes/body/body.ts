@@ -1,0 +1,321 @@
+import { identityPose, rotationOf, type Pose } from '../../base/math.js';
+import type {
+  Body,
+  DragMode,
+  Load,
+  MassProperties,
+  RestRule,
+  Velocity,
+} from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
+import { contactReader } from '../../effects/contacts/contact-reader.js';
+import type { Drag, DragEnd } from '../../effects/drag/drag.js';
+import type { BtBody } from '../../engine/heap.js';
+import type { Rotation, Value, Vec3 } from '../../fields/types.js';
+import type { CollidableNode, NodePart } from '../collision/collidable.js';
+import type { NodeContext } from '../node/node-world.js';
+import { PhysicsNode } from '../node/node.js';
+import { BodyBuild } from './body-build.js';
+import { BodyCommands, type Velocities } from './body-commands.js';
+import type { BodyGeometry } from './body-geometry.js';
+import { BodyGrip } from './body-grip.js';
+import { BodyLoads } from './body-loads.js';
+import { massOf } from './body-mass.js';
+import { BodyMotion } from './body-motion.js';
+import { BodyObject } from './body-object.js';
+import { BodyPresence } from './body-presence.js';
+import { restRuleOf, sameRule } from './body-rest.js';
+import type { BodyJoint } from './body-joint.js';
+
+/** A rigid body, put together from its parts: the object in Bullet, its motion, its geometry, and what people do to it. */
+export class BodyNode extends PhysicsNode implements Body {
+  /** Index into the world's poses; -1 while the body is not built. */
+  slot = -1;
+  readonly object = new BodyObject(this);
+  readonly motion = new BodyMotion(this);
+  readonly build = new BodyBuild(this);
+  readonly loads = new BodyLoads(this);
+  readonly presence = new BodyPresence(this);
+  readonly grip = new BodyGrip(this);
+  readonly geometry: BodyGeometry;
+  readonly #commands = new BodyCommands(this);
+  readonly joints = new Set<BodyJoint>();
+
+  mass: MassProperties = { mass: 1, moments: [0.4, 0.4, 0.4], centerOfMass: identityPose() };
+  /** Centre of mass and principal axes in the body's frame. */
+  centerOfMass: Pose = identityPose();
+  isDynamic = false;
+  rest: RestRule = { mode: 'library', time: 0, linearSpeed: 0, angularSpeed: 0 };
+  /** Just created: the first round of patches finds everything in place already. */
+  fresh = false;
+
+  constructor(context: NodeContext, geometry: (body: BodyNode) => BodyGeometry) {
+    super(context);
+    this.geometry = geometry(this);
+  }
+
+  get body(): BtBody {
+    return this.object.body;
+  }
+
+  get pointer(): number {
+    return this.object.pointer;
+  }
+
+  get isObstacle(): boolean {
+    return this.geometry.isObstacle;
+  }
+
+  protected override get counted(): boolean {
+    return !this.isObstacle;
+  }
+
+  get standsFor(): PhysicsNode {
+    return this.geometry.standsFor ?? this;
+  }
+
+  override get label(): string {
+    return this.geometry.standsFor?.label ?? super.label;
+  }
+
+  get collidables(): readonly CollidableNode[] {
+    return this.geometry.collidables;
+  }
+
+  get parts(): NodePart[] {
+    return this.geometry.parts;
+  }
+
+  get solidParts(): BodyObject['solidParts'] {
+    return this.object.solidParts;
+  }
+
+  // ---- life -------------------------------------------------------------------------------------------------------
+
+  protected override create(): boolean {
+    this.motion.start ??= this.geometry.begin();
+    this.presence.parked = false;
+    this.fresh = true;
+    this.slot = this.world.bodies.take(this);
+    this.mass = massOf(this);
+    this.centerOfMass = this.mass.centerOfMass;
+    this.build.shapeChanges();
+    this.object.make();
+    this.world.bodies.register(this);
+    this.motion.place(this.motion.startPose());
+    return true;
+  }
+
+  protected override created(): void {
+    this.fresh = false;
+    this.world.registry.bodyChanged(this, 'mass');
+    for (const joint of this.joints) joint.bodyReady();
+  }
+
+  protected override destroy(): void {
+    const { world } = this;
+    // A world made anew has told already.
+    world.registry.find(contactReader)?.part(this, 'removed');
+    this.presence.goOut();
+    world.pairs.leave(this);
+    world.registry.unmade(this);
+    this.grip.withdraw();
+    this.object.dispose();
+    world.bodies.release(this);
+    this.slot = -1;
+  }
+
+  protected override released(): void {
+    this.geometry.release();
+  }
+
+  /** Moves under forces. */
+  get movable(): boolean {
+    return !this.grip.held && this.mayMove;
+  }
+
+  /** The same, when nobody holds it. */
+  get mayMove(): boolean {
+    return !this.asked<boolean>('fixed') && this.asked<number>('mass') > 0;
+  }
+
+  get kinematic(): boolean {
+    return this.motion.kinematic;
+  }
+
+  // ---- in the world -----------------------------------------------------------------------------------------------
+
+  get active(): boolean {
+    return this.built && this.object.inWorld;
+  }
+
+  /** The collection whose gravity and defaults it has. */
+  get settings(): PhysicsNode {
+    return this.collection ?? this.world.settings;
+  }
+
+  /** Gravity, rest and who it collides with are those of its collection. */
+  override belongTo(collection: PhysicsNode | undefined): void {
+    super.belongTo(collection);
+    for (const field of ['useGlobalGravity', 'autoDisable', 'dragMode']) this.touch(field);
+    this.world.pairs.refreshBody(this);
+  }
+
+  // ---- what acts on it --------------------------------------------------------------------------------------------
+
+  /** Its own acceleration, m/s². */
+  get gravity(): Vec3 {
+    return this.loads.gravity;
+  }
+
+  get appliedGravity(): Vec3 {
+    return this.loads.appliedGravity;
+  }
+
+  get constantLoad(): Load {
+    return this.loads.constantLoad;
+  }
+
+  get angularDamping(): number {
+    return this.loads.angularDamping;
+  }
+
+  get dampedShare(): BodyLoads['dampedShare'] {
+    return this.loads.dampedShare;
+  }
+
+  /** Taken out of the world, since a step left it without finite numbers. */
+  get parked(): boolean {
+    return this.presence.parked;
+  }
+
+  // ---- rest -------------------------------------------------------------------------------------------------------
+
+  updateRest(): void {
+    const rest = restRuleOf(this);
+    if (!sameRule(rest, this.rest)) this.wake();
+    this.rest = rest;
+    this.world.registry.bodyChanged(this, 'rest');
+  }
+
+  get sleeping(): boolean {
+    return this.active && this.movable && this.world.bodies.asleep(this);
+  }
+
+  /** Wakes it, and so what it touches as soon as it moves. */
+  wake(): void {
+    if (this.active && this.movable) this.world.bodies.wake(this);
+  }
+
+  /** Puts it to sleep where it is. */
+  sleep(): void {
+    if (this.active && this.movable) this.world.bodies.sleep(this);
+  }
+
+  // ---- pose and velocity ------------------------------------------------------------------------------------------
+
+  /** Before it is built a body is where it will start. */
+  override get(name: string): Value {
+    const value = super.get(name);
+    if (this.built || !this.motion.start) return value;
+    if (name === 'position') return this.motion.startPose().p;
+    return name === 'orientation' ? rotationOf(this.motion.startPose().q) : value;
+  }
+
+  /** The pose of its origin at the last finished step. */
+  pose(): Pose {
+    return this.motion.pose();
+  }
+
+  centerOfMassWorld(): Vec3 {
+    return this.motion.centerOfMassWorld();
+  }
+
+  velocityAtOrigin(): Velocity {
+    return this.motion.velocityAtOrigin();
+  }
+
+  setVelocityAtOrigin(velocity: Velocity): void {
+    this.motion.setVelocityAtOrigin(velocity);
+  }
+
+  moveTo(pose: Pose): void {
+    this.motion.moveTo(pose);
+  }
+
+  carryTo(pose: Pose): void {
+    this.motion.carryTo(pose);
+  }
+
+  standStill(): void {
+    this.motion.standStill();
+  }
+
+  /** Position (3) and quaternion (4) of the last finished step, without allocation. */
+  readPose(out: Float32Array | Float64Array | number[]): typeof out {
+    const { current } = this.world.poses;
+    for (let i = 0; i < POSE; i++) out[i] = this.slot < 0 ? 0 : current[this.slot * POSE + i]!;
+    return out;
+  }
+
+  // ---- what page code does to it ----------------------------------------------------------------------------------
+
+  /**
+   * Jumps to a pose: world frame, metres, axis and angle. What is left out stays: its orientation, and each of its
+   * velocities, m/s and rad/s, in the world frame. It is no edit of the fields: `position` set to what it was last set to
+   * before is still no edit, and to anything else moves the body there.
+   */
+  teleport(position: Vec3, orientation?: Rotation, velocities: Partial<Velocities> = {}): void {
+    this.world.events.during(() => this.#commands.teleport(position, orientation, velocities));
+  }
+
+  /** Newtons in the world frame for the next timeStep, at a world point or the centre of mass. */
+  applyForce(force: Vec3, at?: Vec3): void {
+    this.world.events.during(() => this.#commands.applyForce(force, at));
+  }
+
+  /** Newton metres in the world frame for the next timeStep. */
+  applyTorque(torque: Vec3): void {
+    this.world.events.during(() => this.#commands.applyTorque(torque));
+  }
+
+  /** Newton seconds at once, at a world point or the centre of mass. */
+  applyImpulse(impulse: Vec3, at?: Vec3): void {
+    this.world.events.during(() => this.#commands.applyImpulse(impulse, at));
+  }
+
+  argument<T>(method: string, type: 'SFVec3f' | 'SFRotation', value: unknown): T | undefined {
+    return this.#commands.argument<T>(method, type, value);
+  }
+
+  get dragMode(): DragMode {
+    return this.grip.mode;
+  }
+
+  /** Whether people may drag it. */
+  get draggable(): boolean {
+    return this.grip.draggable;
+  }
+
+  /** Whether somebody can take hold of it now. */
+  get offered(): boolean {
+    return this.grip.offered;
+  }
+
+  /**
+   * Takes hold of it at a point of the world, metres; `onend` is told when it is over. Undefined where it can't be
+   * held: not simulated, fixed and held by a spring, or held already by another mode.
+   */
+  drag(point: Vec3, onend: (reason: DragEnd) => void = () => {}): Drag | undefined {
+    return this.world.events.during(() => this.grip.take(point, onend));
+  }
+
+  hold(held: boolean): void {
+    this.grip.hold(held);
+  }
+
+  /** Half the diagonal of the box around it, metres. */
+  get size(): number {
+    return this.built ? this.object.size : 0;
+  }
+}

@@ -1,0 +1,344 @@
+import { Emitter, type Listener } from '../../base/emitter.js';
+import { codecs } from '../../fields/values.js';
+import type { Value } from '../../fields/types.js';
+import type { ProblemReport } from '../../base/problems.js';
+import { accept, fieldOf, takesEvents, writable } from './accept.js';
+import { Children } from './children.js';
+import type { SimulationNode } from '../../dynamics/node.js';
+import { contactReader } from '../../effects/contacts/contact-reader.js';
+import type { NodeData } from './node-data.js';
+import type { NodeContext, NodeWorld } from './node-world.js';
+import { FieldState } from './field-state.js';
+import type { FieldOwner } from './field-owner.js';
+import { defaultOf, fieldName, type Field, type NodeType } from './table.js';
+import { tellUnchanged } from './unchanged.js';
+
+const COLLISION_EVENTS = ['collisionstart', 'collisionend'];
+
+/**
+ * One X3D physics node: what its author asked for, and the Bullet object behind it. The tables say what each field
+ * does; subclasses say how the object is made and unmade.
+ */
+export class PhysicsNode implements SimulationNode, FieldOwner {
+  readonly world: NodeWorld;
+  readonly type: NodeType;
+  readonly id: number;
+  readonly host: unknown;
+  name: string | undefined;
+  /** The RigidBodyCollection that it belongs to. */
+  collection: PhysicsNode | undefined;
+  readonly version: number;
+  removed = false;
+  readonly children = new Children<PhysicsNode>(this);
+  /** What its author said and events said since. */
+  readonly fieldState = new FieldState();
+  readonly #emitter = new Emitter();
+  #changed = new Set<string>();
+  /** Those of them that its author or an event changed; the others follow from edits of other nodes. */
+  #edited = new Set<string>();
+  #built = false;
+
+  constructor(context: NodeContext) {
+    this.world = context.world;
+    this.type = context.type;
+    this.id = context.id;
+    this.host = context.host ?? this;
+    this.name = context.name;
+    this.collection = context.collection;
+    this.version = context.version ?? 4;
+  }
+
+  /** Whether it is an author's node, and so shows in `stats`. */
+  protected get counted(): boolean {
+    return true;
+  }
+
+  /** Whether its object stands in the running world. */
+  get built(): boolean {
+    return this.#built;
+  }
+
+  // ---- fields -------------------------------------------------------------------------------------------------
+
+  /** The author's own value, or X3D's default. */
+  asked<T = Value>(name: string): T {
+    return (
+      this.fieldState.asked.has(name) ? this.fieldState.asked.get(name) : this.defaultOf(name)
+    ) as T;
+  }
+
+  defaultOf(name: string): Value {
+    return defaultOf(this.type.fields[name]!, this.version);
+  }
+
+  /** Whether the author wrote this field, in markup or since. */
+  authored(name: string): boolean {
+    return this.fieldState.authored.has(name);
+  }
+
+  /** The live value where the simulation changes it, else what was asked for; always a fresh copy, in SI units. */
+  get(spelling: string): Value {
+    const name = fieldName(this.type, spelling);
+    const field = fieldOf(this, name);
+    if (!field) return undefined;
+    // A node that was just added is built now, so that it does not answer with defaults.
+    if (field.read) this.world.flush();
+    if (field.read && this.#built) return field.read(this);
+    return codecs[field.type].copy(this.asked(name));
+  }
+
+  /** Asks for a value. Equal to the one last asked for: nothing happens. `text`: how the author wrote it. */
+  set(spelling: string, value: unknown, text: unknown = value): void {
+    this.world.events.during(() => this.#set(spelling, value, text));
+  }
+
+  #set(spelling: string, value: unknown, text: unknown): void {
+    const name = fieldName(this.type, spelling);
+    const field = writable(this, name);
+    if (!field) return;
+    if (field.access === 'inputOnly') {
+      this.#event(name, value);
+      return;
+    }
+    const accepted = accept(this, name, field, value, text);
+    if (accepted === undefined) return;
+    const same = codecs[field.type].equal(accepted, this.#lastAsked(name));
+    if (same && (this.fieldState.authored.has(name) || field.read)) {
+      this.fieldState.authored.add(name);
+      if (this.#built && !this.#changed.has(name)) tellUnchanged(this, name, field, accepted);
+      return;
+    }
+    this.fieldState.beforeEvent.delete(name);
+    this.#take(name, accepted);
+  }
+
+  /** The author's last word: what events did since does not make the same word an edit. */
+  #lastAsked(name: string): Value {
+    const { beforeEvent } = this.fieldState;
+    if (!beforeEvent.has(name)) return this.asked(name);
+    return beforeEvent.get(name) ?? this.defaultOf(name);
+  }
+
+  /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
+  event(spelling: string, value: unknown): void {
+    this.world.events.during(() => this.#event(spelling, value));
+  }
+
+  #event(spelling: string, value: unknown): void {
+    const name = fieldName(this.type, spelling);
+    const field = writable(this, name);
+    if (!field) return;
+    if (!takesEvents(this, name, field)) return;
+    const accepted = accept(this, name, field, value, value);
+    if (accepted === undefined) return;
+    if (!this.fieldState.beforeEvent.has(name))
+      this.fieldState.beforeEvent.set(
+        name,
+        this.fieldState.authored.has(name) ? this.asked(name) : undefined,
+      );
+    this.#take(name, accepted);
+  }
+
+  /** The attribute was removed: X3D's default again. */
+  unset(spelling: string): void {
+    const name = fieldName(this.type, spelling);
+    const field = this.type.fields[name];
+    if (!field) return;
+    this.settle(name);
+    this.fieldState.refused.delete(name);
+    this.fieldState.beforeEvent.delete(name);
+    if (!this.fieldState.authored.delete(name)) return;
+    this.fieldState.asked.delete(name);
+    this.children.adopt(name, field, this.defaultOf(name));
+    this.#edit(name);
+  }
+
+  /** Takes over what a snapshot holds. */
+  load(state: FieldState): void {
+    for (const [name, value] of state.asked) {
+      const field = this.type.fields[name]!;
+      if (field.nodes) state.asked.set(name, this.children.adopt(name, field, value));
+    }
+    this.fieldState.take(state);
+  }
+
+  /** Back to the author's own values: what events did is undone. */
+  forgetEvents(): void {
+    for (const [name, said] of this.fieldState.beforeEvent) {
+      if (said === undefined) this.unset(name);
+      else this.#take(name, said);
+    }
+    this.fieldState.beforeEvent.clear();
+  }
+
+  #take(name: string, value: Value): void {
+    if (!this.fieldState.refused.has(name)) this.settle(name);
+    this.fieldState.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
+    this.fieldState.authored.add(name);
+    this.#edit(name);
+  }
+
+  #edit(name: string): void {
+    this.#edited.add(name);
+    this.touch(name);
+  }
+
+  // ---- children ---------------------------------------------------------------------------------------------------
+
+  isNode(item: unknown): item is PhysicsNode {
+    return item instanceof PhysicsNode;
+  }
+
+  makeChild(data: NodeData, types: readonly string[]): PhysicsNode | undefined {
+    return this.world.addData(data, this, types);
+  }
+
+  // ---- life ---------------------------------------------------------------------------------------------------
+
+  /** Notes that a field changed; the world applies it in one batch before the next step. */
+  touch(name: string): void {
+    this.#changed.add(name);
+    this.world.enqueue(this);
+  }
+
+  /** Applies what changed: creates the object, makes it again, or patches it. */
+  apply(): void {
+    const changed = this.#changed;
+    const edits = this.#edited.size;
+    this.#changed = new Set();
+    this.#edited = new Set();
+    if (this.removed) return;
+    if (!this.#built) {
+      this.#make();
+      return;
+    }
+    const fields = [...changed]
+      .map((name) => this.type.fields[name])
+      .filter((field) => field !== undefined);
+    if (fields.some((field) => field.edit === 'rebuild')) {
+      this.unmake();
+      this.#make();
+      return;
+    }
+    this.#patch(fields);
+    if (this.counted) this.world.counts.patched += edits;
+  }
+
+  #make(): void {
+    if (!this.create()) return;
+    this.#built = true;
+    if (this.counted) this.world.counts.created++;
+    this.#patch(Object.values(this.type.fields));
+    this.created();
+  }
+
+  /** Fields that act together share a patch, which is called once. */
+  #patch(fields: readonly Field[]): void {
+    const patches = new Set(fields.map((field) => field.patch));
+    for (const patch of patches) patch?.(this);
+  }
+
+  /** Takes the object out of Bullet; the node and what was asked of it stay. */
+  unmake(): void {
+    if (this.#built) this.abandon();
+  }
+
+  /** The same, however far its making came. */
+  abandon(): void {
+    if (this.#built && this.counted) this.world.counts.destroyed++;
+    this.#built = false;
+    this.destroy();
+  }
+
+  /** Makes the object. False: something it needs is not there yet, try at the next change. */
+  protected create(): boolean {
+    return true;
+  }
+
+  /** After creation and the first patches. */
+  protected created(): void {}
+
+  /** It may have been made in part only. */
+  protected destroy(): void {}
+
+  /** Takes the node out of its world for good. */
+  remove(): void {
+    if (!this.removed) this.world.events.during(() => this.#remove());
+  }
+
+  #remove(): void {
+    this.removed = true;
+    this.unmake();
+    this.children.remove();
+    this.world.forget(this);
+    this.released();
+    // It may still be listened to.
+    this.world.registry.unmade(this);
+  }
+
+  /** It stands in another collection of its world now. */
+  belongTo(collection: PhysicsNode | undefined): void {
+    this.collection = collection;
+  }
+
+  /** Lets go of other nodes. */
+  protected released(): void {}
+
+  // ---- events and problems --------------------------------------------------------------------------------------
+
+  /** Calls `listener` with the event's detail; returns how to stop it. */
+  on(event: string, listener: Listener): () => void {
+    const stop = this.#emitter.on(event, listener);
+    this.listenersChanged(event);
+    return () => {
+      stop();
+      this.listenersChanged(event);
+    };
+  }
+
+  /** Nothing is computed for an event that nobody listens to. */
+  protected listenersChanged(event: string): void {
+    if (!COLLISION_EVENTS.includes(event)) return;
+    const { registry: effects } = this.world;
+    const reader = this.heard(event) ? effects.get(contactReader) : effects.find(contactReader);
+    reader?.update(this);
+  }
+
+  heard(event: string): boolean {
+    return this.#emitter.heard(event);
+  }
+
+  get heardEvents(): string[] {
+    return this.#emitter.events;
+  }
+
+  /** Tells those who listen, as soon as what is under way is over. */
+  emit(event: string, detail: unknown): void {
+    this.world.events.tell(this.#emitter, event, detail);
+  }
+
+  /** Whether it touches another; known while somebody listens to its collisions. */
+  get colliding(): boolean {
+    return this.world.registry.find(contactReader)?.colliding(this) ?? false;
+  }
+
+  report(report: ProblemReport): void {
+    this.world.report(report, this);
+  }
+
+  /** Takes back what it reported of an attribute, or by a code. */
+  settle(attribute?: string, code?: string): void {
+    this.world.settle(this, attribute, code);
+  }
+
+  /** Reports as long as something is the case, and settles it when it is no more. */
+  reportWhile(is: boolean, report: ProblemReport): void {
+    if (is) this.report(report);
+    else this.settle(report.attribute, report.code);
+  }
+
+  /** How messages call it. */
+  get label(): string {
+    return this.name ? `${this.type.name} "${this.name}"` : this.type.name;
+  }
+}

@@ -1,0 +1,104 @@
+import { AutoLevel, type Verdict } from './auto-level.js';
+import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../../dynamics/levels.js';
+import { JointNode } from '../../nodes/joints/joint.js';
+import { jointSettings, levelOf, solverSettings } from './solver-settings.js';
+import { contactSurface } from '../../effects/contacts/contact-surface.js';
+import { NO_DEMANDS } from '../../effects/contacts/solver-demands.js';
+import type { JointSettings, NodeWorld } from '../../nodes/node/node-world.js';
+
+/** Detail of the event `accuracy`: the level in force is another. */
+export interface AccuracyChange {
+  level: LevelName;
+  from: LevelName;
+  /** `asked`: by its author. The others: by `auto`, whose frames took so long. */
+  because: 'asked' | Verdict['because'];
+  /** Milliseconds that nine in ten of the last 60 frames stayed below. */
+  p90?: number;
+}
+
+/** The level in force, and what Bullet's solver works with at it. */
+/** Told before steps change their length, seconds. */
+type Lengthen = (from: number, to: number) => void;
+
+export class LevelControl {
+  readonly #world: NodeWorld;
+  readonly #lengthen: Lengthen;
+  readonly #own: Level | undefined;
+  readonly #auto = new AutoLevel();
+  level: Level = levelNamed(DEFAULT_LEVEL);
+  joints!: JointSettings;
+  #told: Level | undefined;
+  /** While it is carried out. */
+  #verdict: Verdict | undefined;
+
+  constructor(world: NodeWorld, lengthen: Lengthen, own?: Level) {
+    this.#world = world;
+    this.#lengthen = lengthen;
+    this.#own = own;
+  }
+
+  /** Takes the settings of the first collection into Bullet. */
+  configure(): void {
+    const world = this.#world;
+    this.#setLevel(this.#own ?? levelOf(world.settings) ?? this.#auto.level);
+    const speed = world.settings.asked<number>('maxCorrectionSpeed');
+    this.#limit(speed < 0 ? Infinity : speed);
+    this.configureSolver();
+    for (const node of world.nodes) if (node instanceof JointNode) node.updateCorrection();
+  }
+
+  /** How fast overlaps may be pushed apart, m/s. */
+  #limit(speed: number): void {
+    const { registry: effects, settings } = this.#world;
+    const surface = speed < Infinity ? effects.get(contactSurface) : effects.find(contactSurface);
+    surface?.limit(settings, speed);
+  }
+
+  #setLevel(level: Level): void {
+    if (level === this.level) return;
+    this.#lengthen(this.level.timeStep, level.timeStep);
+    this.level = level;
+    // Where it is left to itself it goes on from here.
+    if (!this.#verdict) this.#auto.begin(level);
+  }
+
+  /** Says so where the level is another than it was said to be. A world that starts says nothing. */
+  tell(): void {
+    const from = this.#told;
+    if (from === this.level) return;
+    this.#told = this.level;
+    if (!from) return;
+    const { because = 'asked', p90 } = this.#verdict ?? {};
+    const change: AccuracyChange = { level: this.level.name, from: from.name, because };
+    this.#world.emit('accuracy', p90 === undefined ? change : { ...change, p90 });
+  }
+
+  configureSolver(): void {
+    const { settings, bullet, registry: effects } = this.#world;
+    this.joints = jointSettings(settings, this.level);
+    bullet.configure(
+      solverSettings(settings, this.level, effects.find(contactSurface)?.demands ?? NO_DEMANDS),
+    );
+  }
+
+  // ---- auto -------------------------------------------------------------------------------------------------------
+
+  /** Where the level is left to itself, it begins at this one. */
+  begin(name: LevelName = DEFAULT_LEVEL): void {
+    this.#auto.begin(levelNamed(name));
+  }
+
+  /** A frame that stood for `seconds` took `ms`. */
+  noteFrame(ms: number, seconds: number): void {
+    const { settings } = this.#world;
+    if (levelOf(settings)) return;
+    this.#verdict = this.#auto.note(ms, seconds, settings.asked('timeBudget'));
+    if (this.#verdict) this.#world.events.during(this.#carryOut);
+  }
+
+  readonly #carryOut = (): void => {
+    this.#world.configure();
+    this.tell();
+    this.#verdict = undefined;
+  };
+}

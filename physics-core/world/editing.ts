@@ -1,0 +1,55 @@
+import type { NodeWorld } from '../nodes/node/node-world.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
+import type { LevelControl } from './accuracy/level-control.js';
+import { Edits } from './edits.js';
+import type { HeapLimit } from './heap-limit.js';
+import type { Obstacles } from './pairs/obstacles.js';
+
+/** The road of edits: nodes that changed are made or patched in one batch, and what follows from that. */
+export class Editing {
+  readonly #world: NodeWorld;
+  readonly #edits = new Edits();
+  readonly #obstacles: Obstacles;
+  readonly #heapLimit: HeapLimit;
+  readonly #control: LevelControl;
+
+  constructor(world: NodeWorld, obstacles: Obstacles, heapLimit: HeapLimit, control: LevelControl) {
+    this.#world = world;
+    this.#obstacles = obstacles;
+    this.#heapLimit = heapLimit;
+    this.#control = control;
+  }
+
+  add(node: PhysicsNode): void {
+    this.#edits.add(node);
+  }
+
+  drop(node: PhysicsNode): void {
+    this.#edits.drop(node);
+  }
+
+  get pending(): boolean {
+    return this.#edits.pending;
+  }
+
+  flush(): void {
+    this.#world.events.during(this.#applyAll);
+  }
+
+  /** Obstacles are edits in their turn; a level that is another now is told once all is applied. */
+  readonly #applyAll = (): void => {
+    while (this.applyNext());
+    this.#control.tell();
+  };
+
+  /** False: there is none, and no obstacle is to be made. */
+  applyNext(): boolean {
+    return this.#edits.applyNext(this.#apply) || this.#obstacles.update();
+  }
+
+  readonly #apply = (node: PhysicsNode): void =>
+    this.#world.attempt(node, () => {
+      if (!node.built) this.#heapLimit.check();
+      node.apply();
+    });
+}

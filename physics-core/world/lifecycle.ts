@@ -1,0 +1,137 @@
+import { contactReader } from '../effects/contacts/contact-reader.js';
+import { givenContacts } from '../effects/contacts/given-contacts.js';
+import { dragging } from '../effects/drag/dragging.js';
+import { resting } from '../effects/rest/resting.js';
+import { BulletWorld } from '../engine/bullet-world.js';
+import type { Engine } from '../engine/engine.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
+import type { BodySlots } from './body-slots.js';
+import { RANKS } from './edits.js';
+import type { Obstacles } from './pairs/obstacles.js';
+import type { Rays } from './raycast.js';
+import { Readiness } from './readiness.js';
+import type { Stepping } from './stepping/stepping.js';
+
+/** The world that starts and ends. */
+interface LivingWorld extends NodeWorld {
+  engine: Engine;
+  bullet: BulletWorld;
+  started: boolean;
+  readonly bodies: BodySlots;
+  readonly stepping: Stepping;
+  readonly obstacles: Obstacles;
+  readonly rays: Rays;
+  /** Applies one pending edit, unheard. False: there is none. */
+  applyNext(): boolean;
+  /** Where the level is left to itself, it begins at the default. */
+  begin(): void;
+}
+
+/** How the Bullet world behind the nodes comes, begins anew, and goes. */
+export class Lifecycle {
+  readonly #world: LivingWorld;
+  readonly ready = new Readiness<LivingWorld>();
+
+  constructor(world: LivingWorld) {
+    this.#world = world;
+  }
+
+  start(engine: Engine): void {
+    const world = this.#world;
+    if (world.started) return;
+    world.engine = engine;
+    world.events.during(() => {
+      this.#build();
+      world.flush();
+      this.ready.resolve(world);
+      world.emit('ready', world);
+      world.work();
+    });
+  }
+
+  *starting(engine: Engine): Generator<void> {
+    this.#world.engine = engine;
+    this.#build();
+    while (this.#world.applyNext()) yield;
+  }
+
+  #build(): void {
+    const world = this.#world;
+    world.bullet = new BulletWorld(world.engine);
+    world.started = true;
+    if (!world.engine.heapTrusted) this.#reportUnknownBuild();
+    world.configure();
+    world.stepping.restart();
+  }
+
+  #reportUnknownBuild(): void {
+    this.#world.report({
+      code: 'unknown-ammo-build',
+      severity: 'warning',
+      used: "Bullet's own settings",
+      message:
+        "the memory of this Ammo build is laid out in another way: the parameters of CollisionCollections, the level's solver settings and rest are left out",
+    });
+  }
+
+  reset(): void {
+    const world = this.#world;
+    if (!world.started) return;
+    world.flush();
+    world.events.anew(() => {
+      const tellWoken = world.bodies.sleepers();
+      this.rebuild(() => {
+        world.stepping.setTime(0);
+        const rest = world.registry.find(resting);
+        if (rest) rest.sinceLook = 0;
+        world.begin();
+        for (const node of world.nodes) node.forgetEvents();
+      });
+      tellWoken();
+      world.emit('reset', world);
+    });
+  }
+
+  /** The same nodes in a fresh Bullet world. */
+  rebuild(between: () => void): void {
+    const world = this.#world;
+    this.#endTouches('reset');
+    this.#unbuild();
+    between();
+    this.#build();
+    for (const node of world.nodes) world.enqueue(node);
+    world.flush();
+  }
+
+  /** Newest first: joints before the bodies they hold. */
+  #unbuild(): void {
+    const world = this.#world;
+    world.obstacles.clear();
+    const nodes = [...world.nodes].toReversed();
+    for (let rank = RANKS - 1; rank >= 0; rank--) {
+      for (const node of nodes) if (node.type.rank === rank) node.unmake();
+    }
+    world.rays.dispose();
+    world.bullet.dispose();
+    world.started = false;
+  }
+
+  /** What lasts between bodies, steps and hands is over. */
+  #endTouches(reason: 'reset' | 'removed'): void {
+    const { registry } = this.#world;
+    registry.find(contactReader)?.reset(reason);
+    registry.find(givenContacts)?.reset();
+    registry.find(dragging)?.reset(reason);
+  }
+
+  destroy(): void {
+    const world = this.#world;
+    world.events.anew(() => {
+      if (world.started) {
+        this.#endTouches('removed');
+        this.#unbuild();
+      }
+      for (const node of [...world.nodes]) node.remove();
+    });
+  }
+}

@@ -1,0 +1,98 @@
+import type { PhysicsNode } from '../nodes/node/node.js';
+import type { NodeData } from '../nodes/node/node-data.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
+import { BodyNode } from '../nodes/body/body.js';
+import { nodeTypes } from '../nodes/index.js';
+import { CollectionNode } from '../nodes/rigid-body-collection.js';
+import { isGeometry } from '../shapes/geometry.js';
+import type { AddOptions } from './types.js';
+
+/** The nodes of a world in the order they were added. */
+export class NodeStore {
+  readonly #world: NodeWorld;
+  readonly #nodes = new Set<PhysicsNode>();
+  readonly #collections = new Set<CollectionNode>();
+  /** X3D's defaults, for a world without a collection. */
+  readonly defaults: PhysicsNode;
+  #nextId = 1;
+
+  constructor(world: NodeWorld) {
+    this.#world = world;
+    this.defaults = this.#make('RigidBodyCollection', {});
+  }
+
+  get all(): Iterable<PhysicsNode> {
+    return this.#nodes;
+  }
+
+  /** The RigidBodyCollections that share this world. */
+  get collections(): ReadonlySet<CollectionNode> {
+    return this.#collections;
+  }
+
+  /** Settings of the world: its first collection's, or X3D's defaults. */
+  get settings(): PhysicsNode {
+    for (const collection of this.#collections) return collection;
+    return this.defaults;
+  }
+
+  add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode {
+    const node = this.#make(type, options);
+    this.#nodes.add(node);
+    if (node instanceof CollectionNode) this.#collections.add(node);
+    if (node instanceof BodyNode && options.start) node.motion.start = options.start;
+    for (const [name, value] of Object.entries(fields)) node.set(name, value);
+    this.#world.enqueue(node);
+    return node;
+  }
+
+  #make(type: string, options: AddOptions): PhysicsNode {
+    const nodeType = nodeTypes[type]!;
+    const id = options.id ?? this.#nextId;
+    this.#nextId = Math.max(this.#nextId, id + 1);
+    const { host, name, collection, version } = options;
+    return nodeType.make({
+      world: this.#world,
+      type: nodeType,
+      id,
+      host,
+      name,
+      collection: collection as PhysicsNode | undefined,
+      version,
+    });
+  }
+
+  /** A node from plain data in a field that takes `types`: for bare geometry a CollidableShape; undefined: it takes none such. */
+  addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined {
+    const { type, ...fields } = data;
+    const options = {
+      collection: parent.collection,
+      host: parent.host === parent ? undefined : parent.host,
+      version: parent.version,
+    };
+    if (types.includes(type)) return this.add(type, fields, options);
+    if (types.includes('CollidableShape') && isGeometry(type))
+      return this.add('CollidableShape', { shape: [data] }, options);
+    return undefined;
+  }
+
+  /** The node with this DEF, id, or host; the last one where several have it. */
+  find(nameOrHost: unknown): PhysicsNode | undefined {
+    let found: PhysicsNode | undefined;
+    if (nameOrHost === undefined || nameOrHost === null) return found;
+    for (const node of this.#nodes)
+      if ([node.name, node.host, node.id].includes(nameOrHost)) found = node;
+    return found;
+  }
+
+  forget(node: PhysicsNode): void {
+    this.#nodes.delete(node);
+    this.#collections.delete(node as CollectionNode);
+  }
+
+  /** Tells where later collections of a shared world say something else than the first. */
+  compareCollections(): void {
+    const [first] = this.#collections;
+    for (const collection of this.#collections) collection.compareWith(first!);
+  }
+}

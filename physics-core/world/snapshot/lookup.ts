@@ -1,0 +1,33 @@
+import type { Value } from '../../fields/types.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import { cloned, type NodeState, type Reference, type Snapshot } from './snapshot.js';
+
+/** The nodes of a world and their states in a snapshot, by id. */
+export class Lookup {
+  readonly states: Map<number, NodeState>;
+  readonly #nodes: Map<number, PhysicsNode>;
+
+  constructor(nodes: Iterable<PhysicsNode>, snapshot: Snapshot) {
+    this.states = new Map(snapshot.nodes.map((state) => [state.id, state]));
+    this.#nodes = new Map([...nodes].map((node) => [node.id, node]));
+  }
+
+  /** Nodes for references; a child that went is made again from its data, any other that went is left out. */
+  decode(value: unknown): Value {
+    if (Array.isArray(value))
+      return value.map((item) => this.decode(item)).filter((item) => item !== null);
+    return isReference(value) ? this.#node(value.nodeId) : (cloned(value) as Value);
+  }
+
+  #node(id: number): Value {
+    const node = this.#nodes.get(id);
+    if (node && !node.removed) return node;
+    const gone = this.states.get(id);
+    if (!gone?.child) return null;
+    const fields = gone.asked.map(([name, one]) => [name, this.decode(one)]);
+    return { type: gone.type, ...Object.fromEntries(fields) };
+  }
+}
+
+const isReference = (value: unknown): value is Reference =>
+  typeof value === 'object' && value !== null && 'nodeId' in value;

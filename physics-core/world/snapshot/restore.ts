@@ -1,0 +1,90 @@
+import { resting } from '../../effects/rest/resting.js';
+import type { LevelName } from '../../dynamics/levels.js';
+import type { Engine } from '../../engine/engine.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import type { BodySlots } from '../body-slots.js';
+import type { AddOptions } from '../types.js';
+import { loadNode, loadState } from './load.js';
+import { Lookup } from './lookup.js';
+import type { Snapshot } from './snapshot.js';
+
+/** The world that goes back to a snapshot, or becomes one. */
+interface RestoredWorld extends NodeWorld {
+  readonly bodies: BodySlots;
+  add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode;
+  set(field: string, value: unknown): void;
+  /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
+  rebuild(between: () => void): void;
+  /** Makes a Bullet world of all nodes, piece by piece. */
+  starting(engine: Engine): Generator<void>;
+  /** Where the level is left to itself, it begins at this one. */
+  begin(level: LevelName): void;
+  /** Goes on from a time. */
+  resume(time: number): void;
+}
+
+export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void {
+  if (!world.started || !isSnapshot(world, snapshot)) return;
+  world.flush();
+  const found = new Lookup(world.nodes, snapshot);
+  const tellWoken = world.bodies.sleepers();
+  const slept = new Set([...world.bodies].filter((body) => body.sleeping));
+  world.rebuild(() => {
+    world.begin(snapshot.level);
+    for (const node of [...world.nodes]) loadNode(node, found);
+  });
+  world.resume(snapshot.time);
+  world.registry.get(resting).sinceLook = snapshot.sinceLook;
+  for (const node of world.nodes) loadState(node, found, slept);
+  tellWoken();
+  world.emit('restore', world);
+}
+
+/**
+ * Makes an empty world as the one a snapshot was taken of, in any engine: what it needs is all plain data. In pieces, so
+ * that nobody need be held up: each `next` goes on by one node. `settings`: fields of its collection that are others here.
+ */
+export function* copyInto(
+  world: RestoredWorld,
+  snapshot: Snapshot,
+  engine: Engine,
+  settings: Record<string, unknown> = {},
+): Generator<void> {
+  const born = new Map<number, PhysicsNode>();
+  for (const { id, type, name, version, collection, start } of snapshot.nodes) {
+    const group = collection === undefined ? undefined : born.get(collection);
+    born.set(id, world.add(type, {}, { id, name, version, collection: group, start }));
+    yield;
+  }
+  const found = new Lookup(world.nodes, snapshot);
+  for (const { id, heard, collection } of snapshot.nodes) {
+    // It may have been born after those that belong to it.
+    if (collection !== undefined) born.get(id)!.collection = born.get(collection);
+    loadNode(born.get(id)!, found);
+    for (const event of heard) born.get(id)!.on(event, () => {});
+    yield;
+  }
+  for (const [name, value] of Object.entries(settings)) world.set(name, value);
+  world.begin(snapshot.level);
+  yield* world.starting(engine);
+  world.resume(snapshot.time);
+  world.registry.get(resting).sinceLook = snapshot.sinceLook;
+  for (const node of world.nodes) {
+    loadState(node, found);
+    yield;
+  }
+}
+
+function isSnapshot(world: RestoredWorld, snapshot: Snapshot): boolean {
+  if ((snapshot as Snapshot | undefined)?.x3dPhysics === 1) return true;
+  world.report({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute: 'restore',
+    value: snapshot,
+    used: 'nothing',
+    message: 'restore takes what snapshot() gave; nothing is done',
+  });
+  return false;
+}

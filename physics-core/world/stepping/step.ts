@@ -1,0 +1,125 @@
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { BodySlots } from '../body-slots.js';
+import { reportOverlaps } from '../pairs/overlaps.js';
+import type { PhaseCosts } from './phase-costs.js';
+import type { StepTime } from './step-time.js';
+
+/** The world that a step goes through. */
+export interface SteppedWorld extends NodeWorld {
+  readonly bodies: BodySlots;
+  heard(event: string): boolean;
+}
+
+/** One step, from what is told before it to what is told after it. */
+export class Step {
+  readonly #world: SteppedWorld;
+  readonly #time: StepTime;
+  readonly #costs: PhaseCosts;
+  /** Listeners of a step may ask for another: there is none in it. */
+  running = false;
+  /** The next step is the first one: bodies may begin inside each other. */
+  #first = true;
+
+  constructor(world: SteppedWorld, time: StepTime, costs: PhaseCosts) {
+    this.#world = world;
+    this.#time = time;
+    this.#costs = costs;
+  }
+
+  /** A Bullet world was made: whatever overlaps in its first step was there before. `first` FALSE: it goes on from a time. */
+  begin(first: boolean): void {
+    this.#first = first;
+  }
+
+  /** The road of a step, stage by stage. Returns the seconds it took: none where a listener ended the world. */
+  take(): number {
+    const world = this.#world;
+    this.running = true;
+    try {
+      this.#tell('beforestep');
+      if (!world.started) return 0;
+      const { bullet } = world;
+      this.#hold();
+      const seconds = this.#simulate();
+      if (world.started && world.bullet === bullet) this.#tell('afterstep');
+      return seconds;
+    } finally {
+      this.running = false;
+    }
+  }
+
+  /** Meanwhile nobody hears of anything; what a step brings about is told when it is over. */
+  #simulate(): number {
+    const { bodies, registry: effects } = this.#world;
+    try {
+      this.#world.flush();
+      const { timeStep } = this.#world;
+      if (bodies.awake === 0 && bodies.countAwake() === 0) {
+        this.#time.pass();
+        return timeStep;
+      }
+      const start = performance.now();
+      this.#world.poses.shift();
+      effects.run('beforeStep', timeStep);
+      this.#stepBullet(timeStep);
+      effects.run('settle', timeStep);
+      this.#reportOverlaps();
+      const read = this.#read();
+      effects.run('afterStep', timeStep);
+      effects.noteCosts();
+      this.#costs.spent('step', start);
+      // That one lies within it.
+      this.#costs.ms.step -= read;
+      return timeStep;
+    } finally {
+      this.#release();
+    }
+  }
+
+  /** What is told of the step is told with the time at its end. */
+  #stepBullet(timeStep: number): void {
+    const { engine, bullet, registry: effects } = this.#world;
+    engine.forgetFound(bullet.bullet);
+    // What sees contacts writes into the heap, which only a known layout allows.
+    engine.contacts.listen(bullet.bullet, engine.heapTrusted ? effects.contacts() : null);
+    bullet.step(timeStep);
+    this.#time.count(timeStep);
+  }
+
+  #reportOverlaps(): void {
+    this.#world.moved();
+    if (this.#first) reportOverlaps(this.#world);
+    this.#first = false;
+  }
+
+  #read(): number {
+    const start = performance.now();
+    this.#world.bodies.read();
+    return this.#costs.spent('read', start);
+  }
+
+  // ---- listeners --------------------------------------------------------------------------------------------------
+
+  #tell(name: 'beforestep' | 'afterstep'): void {
+    const { events, time, timeStep } = this.#world;
+    if (!this.#world.heard(name)) return;
+    const start = performance.now();
+    this.#world.emit(name, { time, timeStep });
+    events.deliver();
+    this.#costs.spent('events', start);
+  }
+
+  #hold(): void {
+    this.#world.events.hold();
+  }
+
+  #release(): void {
+    const { events } = this.#world;
+    if (!events.waiting) return events.release();
+    const start = performance.now();
+    events.release();
+    // A listener of something else may have asked for the step.
+    events.deliver();
+    this.#costs.spent('events', start);
+  }
+}

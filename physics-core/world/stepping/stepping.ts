@@ -1,0 +1,211 @@
+import { Clock } from '../../base/clock.js';
+import { show } from '../../base/show.js';
+import { frameCosts } from '../../effects/costs/frame-costs.js';
+import { PhaseCosts } from './phase-costs.js';
+import { Step, type SteppedWorld } from './step.js';
+import { StepTime } from './step-time.js';
+
+/**
+ * Wall time that the steps of one frame may take, milliseconds; what is left over is dropped and reported. This, and no
+ * number of steps, bounds the work of a frame: a world that runs ten times as fast does so while the machine keeps up.
+ */
+const FRAME_BUDGET = 50;
+
+/** Seconds of the clock dropped before authors are told: the first frames of any page are slow. */
+const MUCH_LOST = 1;
+
+/** The world whose time passes. */
+export interface TimedWorld extends SteppedWorld {
+  /** FALSE freezes it. */
+  readonly enabled: boolean;
+  /** Whether edits wait for the next step or frame. */
+  readonly pending: boolean;
+  /** A frame that stood for `seconds` took `ms`. */
+  noteFrame(ms: number, seconds: number): void;
+  /** A frame has taken its steps. */
+  watchHeap(): void;
+}
+
+/** How a world passes time: fixed steps, as many as the clock or the caller asks for. */
+export class Stepping {
+  readonly #world: TimedWorld;
+  readonly #clock = new Clock();
+  readonly #costs: PhaseCosts;
+  readonly #time = new StepTime();
+  readonly #step: Step;
+  #paused = false;
+  #timeScale = 1;
+  /** Seconds of the clock dropped so far. */
+  #lost = 0;
+
+  constructor(world: TimedWorld) {
+    this.#world = world;
+    this.#costs = new PhaseCosts(world.registry);
+    this.#step = new Step(world, this.#time, this.#costs);
+  }
+
+  /** Milliseconds of the last frame. */
+  get ms(): PhaseCosts['ms'] {
+    return this.#costs.ms;
+  }
+
+  get paused(): boolean {
+    return this.#paused;
+  }
+
+  set paused(paused: boolean) {
+    this.#paused = paused;
+    this.#world.work();
+  }
+
+  get timeScale(): number {
+    return this.#timeScale;
+  }
+
+  set timeScale(scale: number) {
+    if (!(scale >= 0 && Number.isFinite(scale))) {
+      this.#refuse('timeScale', scale, this.#timeScale, 'timeScale takes a number from 0 on');
+      return;
+    }
+    this.#timeScale = scale;
+    this.#world.work();
+  }
+
+  #refuse(attribute: string, value: number, used: number, takes: string): void {
+    this.#world.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute,
+      value,
+      used,
+      message: `${takes}, not ${show(value)}; ${used} is used`,
+    });
+  }
+
+  // ---- time -------------------------------------------------------------------------------------------------------
+
+  get time(): number {
+    return this.#time.at(this.#world.timeStep);
+  }
+
+  /** Steps of Bullet so far, whatever became of time. */
+  get taken(): number {
+    return this.#time.taken;
+  }
+
+  /** Steps are about to change their length, seconds. */
+  lengthen(from: number, to: number): void {
+    this.setTime(this.time);
+    if (this.#time.last !== undefined) this.#clock.lengthen(to - from);
+  }
+
+  setTime(time: number): void {
+    this.#time.set(time);
+  }
+
+  /** Goes on from a time: what overlaps now is no beginning. */
+  resume(time: number): void {
+    this.setTime(time);
+    this.#step.begin(false);
+  }
+
+  /** A Bullet world was made. */
+  restart(): void {
+    this.#step.begin(true);
+    this.#time.last = undefined;
+    this.#clock.reset();
+  }
+
+  // ---- steps by hand ----------------------------------------------------------------------------------------------
+
+  step(n: number): number {
+    const world = this.#world;
+    if (!world.started || this.#step.running) return 0;
+    const steps = Number.isFinite(n) ? Math.max(0, Math.floor(n)) : 0;
+    if (n === Infinity) this.#refuse('step', n, steps, 'step takes a finite number of steps');
+    this.#costs.clear();
+    world.flush();
+    return this.#stepTimes(steps);
+  }
+
+  /** Seconds taken: fewer where a listener ends the world. Added up step by step they would round. */
+  #stepTimes(n: number): number {
+    let [seconds, count, length] = [0, 0, 0];
+    for (let i = 0; i < n && this.#world.started; i++) {
+      const taken = this.#step.take();
+      if (taken !== length) [seconds, count, length] = [seconds + count * length, 0, taken];
+      count++;
+    }
+    return seconds + count * length;
+  }
+
+  // ---- frames -----------------------------------------------------------------------------------------------------
+
+  frame(seconds: number, seen: boolean): boolean {
+    const world = this.#world;
+    if (!world.started || this.#step.running) return this.needsFrame;
+    const ms = this.#costs.beforeDrawing + this.#costs.ms.write;
+    // What steps by hand cost stands until time passes by itself.
+    if (this.running) this.#costs.clear();
+    world.flush();
+    if (seen && this.#moving) world.noteFrame(ms, seconds);
+    if (this.running) this.#run(seconds);
+    const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
+    world.poses.interpolate(this.#moving ? fraction : 1);
+    return this.needsFrame;
+  }
+
+  #run(seconds: number): void {
+    const scale = this.#timeScale;
+    let lost = this.#clock.add(seconds, scale);
+    const start = performance.now();
+    let first = true;
+    while (this.#stepIsDue(first, start)) {
+      this.#step.take();
+      first = false;
+    }
+    const left = this.#clock.drop(this.#world.timeStep);
+    // Where a listener stopped the world, the rest of the frame is not missed.
+    if (this.running) lost += left;
+    if (lost > 0) this.#lag(lost, scale);
+    this.#world.watchHeap();
+  }
+
+  #stepIsDue(first: boolean, start: number): boolean {
+    if (!this.running || !(first || performance.now() - start < FRAME_BUDGET)) return false;
+    return this.#clock.take(this.#world.timeStep);
+  }
+
+  #lag(seconds: number, scale: number): void {
+    this.#world.emit('lag', { dropped: seconds, time: this.time });
+    this.#lost += seconds / scale;
+    if (this.#lost < MUCH_LOST) return;
+    this.#world.report({
+      code: 'lag',
+      severity: 'info',
+      used: 'dropped time',
+      message: 'the simulation could not keep up with the clock; the time it lost is dropped',
+    });
+  }
+
+  /** What was written began at `start` and ends now, and so does the frame. */
+  frameOver(start: number): void {
+    this.#costs.ms.write = 0;
+    this.#costs.spent('write', start);
+    this.#world.registry.find(frameCosts)?.frameOver(this.ms);
+  }
+
+  /** Whether time passes by itself. */
+  get running(): boolean {
+    const { started, enabled } = this.#world;
+    return started && enabled && !this.#paused && this.#timeScale > 0;
+  }
+
+  get #moving(): boolean {
+    return this.running && this.#world.bodies.awake > 0;
+  }
+
+  get needsFrame(): boolean {
+    return this.#world.started && (this.#moving || this.#world.pending);
+  }
+}
