@@ -53,7 +53,7 @@ const noOnly = {
 /** What holds in a room beside its place in the order. */
 const held = {
   core: (room) => ({
-    imports: [noElements, noPage, noLab, ...(room === 'accuracy' ? [noEngine] : [])],
+    imports: [noElements, noPage, noReferences, noTest, noLab],
     syntax: [noX3domProperty, noDomType, ...(room === 'accuracy' ? [noAmmo] : [])],
   }),
   bridge: () => ({
@@ -131,13 +131,6 @@ export default tseslint.config(
     },
   },
   {
-    files: ['physics-core/accuracy/**/*.ts'],
-    rules: {
-      ...imports(noElements, noPage, noEngine, noReferences, noTest, noLab),
-      ...syntax(noAmmo, noX3domProperty, noDomType),
-    },
-  },
-  {
     files: ['elements/**/*.ts'],
     rules: {
       ...imports(noEngine, noX3domImport, noReferences, noTest, noLab),
@@ -149,7 +142,7 @@ export default tseslint.config(
     files: ['elements/bridge/**/*.ts'],
     rules: { ...globals(), ...syntax(noAmmo) },
   },
-  // And `...fences('core')`, once the core keeps its order.
+  ...fences('core'),
   ...fences('bridge'),
   {
     // A classic page has the core and the bridge already when it loads a view.
