@@ -93,7 +93,9 @@ export class BodyNode extends PhysicsNode implements Body {
   // ---- life -------------------------------------------------------------------------------------------------------
 
   protected override create(): boolean {
-    this.motion.start ??= this.geometry.begin();
+    // It claims its collidables, wherever it starts.
+    const start = this.geometry.begin();
+    this.motion.start ??= start;
     this.presence.parked = false;
     this.fresh = true;
     this.slot = this.world.bodies.take(this);
