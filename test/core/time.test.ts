@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { loadEngine, World } from '../../physics-core/index.js';
+import { loadEngine, World } from '../../physics-core/inside.js';
 import {
   addBody,
   addFloor,

@@ -1,5 +1,5 @@
 import { allEffects } from '../../physics-core/effects/all.js';
-import type { Field, PhysicsNode, World } from '../../physics-core/index.js';
+import type { Field, PhysicsNode, World } from '../../physics-core/inside.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
 import type { JointConstraint } from '../../physics-core/engine/joint-constraint.js';
 import { BodyNode } from '../../physics-core/nodes/body/body.js';

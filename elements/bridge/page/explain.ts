@@ -5,7 +5,7 @@ import {
   type PhysicsNode,
   type Problem,
   type World,
-} from '../../../physics-core/index.js';
+} from '../../../physics-core/inside.js';
 import { selectorOf } from '../words/dom.js';
 import type { Binding } from '../nodes/binding.js';
 import { holdsNodes } from '../words/fields.js';

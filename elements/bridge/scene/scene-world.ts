@@ -1,4 +1,4 @@
-import { World, type PhysicsNode, type Problem } from '../../../physics-core/index.js';
+import { World, type PhysicsNode, type Problem } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';

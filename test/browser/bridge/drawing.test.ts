@@ -1,6 +1,6 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
 import { drawn, drawnAt, show, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 interface Node {
   _trafo: Record<string, number>;
