@@ -103,8 +103,8 @@ export const coreFieldTypes = (types: readonly NodeType[]): string =>
   [
     `${HEAD}import type { Rotation, Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
-import type { NodeHandles } from './nodes.js';
-import type { CollidableInput, NodeInput, NumberLists, Numbers, Several, Strings } from './values.js';`,
+import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
+import type { NumberLists, Numbers, Several, Strings } from './values.js';`,
     ...types.map(coreTypes),
     mapOf('NodeFields', 'What may be said of each type of node.', types, 'Fields'),
     mapOf('NodeValues', 'What each type of node answers.', types, 'Values'),

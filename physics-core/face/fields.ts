@@ -1,15 +1,8 @@
 // Written by `npm run types` from the tables in physics-core/nodes.
 import type { Rotation, Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
-import type { NodeHandles } from './nodes.js';
-import type {
-  CollidableInput,
-  NodeInput,
-  NumberLists,
-  Numbers,
-  Several,
-  Strings,
-} from './values.js';
+import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
+import type { NumberLists, Numbers, Several, Strings } from './values.js';
 
 /** What may be said of a RigidBodyCollection (ISO/IEC 19775-1, 37.4.12); what is left out has its default. */
 export interface RigidBodyCollectionFields {

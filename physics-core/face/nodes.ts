@@ -1,6 +1,7 @@
 import type { DragMode } from '../dynamics/body.js';
 import type { DragEnd } from '../effects/drag/drag.js';
 import type { Vec3 } from '../fields/types.js';
+import type { Geometry } from '../shapes/geometry.js';
 import type { BodyEvents, CollidableEvents, JointEvents, SensorEvents } from './events.js';
 import type { NodeFields, NodeName, NodeValues } from './fields.js';
 import type { World } from './world.js';
@@ -132,3 +133,11 @@ export interface Drag {
 
 /** What `add` gives for each type. */
 export type NodeHandles = { [Name in NodeName]: Name extends 'RigidBody' ? Body : NodeOf<Name> };
+
+/** A node that `add` gave, or the fields of one that is made for this place and goes with it. */
+export type NodeInput<Name extends NodeName> = {
+  [Each in Name]: NodeOf<Each> | ({ type: Each } & NodeFields[Each]);
+}[Name];
+
+/** What a body is made of: bare geometry does for a CollidableShape. */
+export type CollidableInput = NodeInput<'CollidableShape' | 'CollidableOffset'> | Geometry;
