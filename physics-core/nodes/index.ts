@@ -15,26 +15,24 @@ import { universalJoint } from './joints/universal-joint.js';
 import type { NodeDefinition } from './node/define.js';
 import { byName } from './node/table.js';
 
+const all: readonly NodeDefinition[] = [
+  rigidBodyCollection,
+  rigidBody,
+  collidableShape,
+  collidableOffset,
+  collisionCollection,
+  collisionSpace,
+  collisionSensor,
+  contact,
+  ballJoint,
+  singleAxisHingeJoint,
+  doubleAxisHingeJoint,
+  sliderJoint,
+  universalJoint,
+  motorJoint,
+];
+
 /** Every node type by its X3D name. */
 export const nodeTypes: Readonly<Record<string, NodeDefinition>> = byName(
-  Object.fromEntries(
-    (
-      [
-        rigidBodyCollection,
-        rigidBody,
-        collidableShape,
-        collidableOffset,
-        collisionCollection,
-        collisionSpace,
-        collisionSensor,
-        contact,
-        ballJoint,
-        singleAxisHingeJoint,
-        doubleAxisHingeJoint,
-        sliderJoint,
-        universalJoint,
-        motorJoint,
-      ] as NodeDefinition[]
-    ).map((type) => [type.name, type]),
-  ),
+  Object.fromEntries(all.map((type) => [type.name, type])),
 );
