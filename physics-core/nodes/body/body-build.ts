@@ -48,7 +48,7 @@ export class BodyBuild {
     const node = this.#node;
     reportZeroMass(node);
     if (node.fresh) return;
-    node.grip.update();
+    node.grip.massChanged();
     const mass = massOf(node);
     if (!samePose(mass.centerOfMass, node.centerOfMass) || node.isDynamic !== node.movable) {
       this.updateShape();
