@@ -130,8 +130,9 @@ export class BodySlots implements BodyTable {
     const v = this.#velocities;
     const at = slot * VELOCITY;
     const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
-    if (square > (FAR * body.object.leastExtent) ** 2) effects.get(continuousCollision).need(body);
-    else effects.find(continuousCollision)?.release(body);
+    const far = square > 0 && square > (FAR * body.object.leastExtent) ** 2;
+    if (far) effects.get(continuousCollision).need(body);
+    else effects.caused(continuousCollision)?.release(body);
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------

@@ -64,7 +64,7 @@ export class BodyBuild {
     node.object.setMass();
     node.loads.applyDamping();
     node.loads.applyGravity();
-    node.world.registry.bodyChanged(node, 'mass');
+    node.changed('mass');
     for (const joint of node.joints) joint.massChanged();
   }
 
