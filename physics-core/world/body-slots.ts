@@ -130,7 +130,7 @@ export class BodySlots implements BodyTable {
     const v = this.#velocities;
     const at = slot * VELOCITY;
     const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
-    const far = square > 0 && square > (FAR * body.object.leastExtent) ** 2;
+    const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
     if (far) effects.get(continuousCollision).need(body);
     else effects.caused(continuousCollision)?.release(body);
   }

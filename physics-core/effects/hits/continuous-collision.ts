@@ -3,7 +3,6 @@ import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { thicknessOf } from '../contacts/contact-part.js';
 import { Effect, type EffectDescriptor } from '../effect.js';
 
 /** What passes more than this share of its least extent in a step could pass through something thin. */
@@ -45,7 +44,7 @@ export class ContinuousCollision extends Effect {
     for (const node of this.causes) {
       const body = node as Body;
       if (!body.active || !body.movable || body.sleeping) continue;
-      const radius = thicknessOf(body) / 2;
+      const radius = body.leastExtent / 2;
       const from = compose(body.pose(), body.centerOfMass).p;
       engine.reader.pose(body.body, body.pointer, this.#pose, 0);
       if (!engine.sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;

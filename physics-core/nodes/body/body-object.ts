@@ -124,7 +124,7 @@ export class BodyObject {
     bullet.addBody(this.body, ...this.#groups);
   }
 
-  /** The least extent of anything solid of it, metres; Infinity where it is all triangles. */
+  /** Asked for in every step: looked up once for a shape. */
   get leastExtent(): number {
     return (this.#leastExtent ??= thicknessOf(this.#node));
   }

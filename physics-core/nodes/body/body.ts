@@ -91,6 +91,10 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.object.solidParts;
   }
 
+  get leastExtent(): number {
+    return this.object.leastExtent;
+  }
+
   // ---- life -------------------------------------------------------------------------------------------------------
 
   protected override create(): boolean {
