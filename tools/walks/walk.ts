@@ -1,4 +1,3 @@
-import { trees } from '../rooms.config.js';
 import { BULLET, type Call } from './recorder.js';
 
 /** The rooms that all others speak and reckon with: numbers, values, queues. They know neither world, node nor Bullet. */
@@ -84,6 +83,3 @@ function isSame(a: Call, b: Call): boolean {
 }
 
 export const describe = ({ file, name }: Call): string => `${file} ${name}`;
-
-/** Its rooms from the bottom up. */
-export const ROOMS: readonly string[] = trees.core!.rooms;
