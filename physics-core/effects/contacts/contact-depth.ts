@@ -2,7 +2,6 @@ import { perStep } from '../../dynamics/levels.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
 import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
-import { thicknessOf } from './contact-part.js';
 import { FAR, freeSpeed, type Pair, type StepState } from './contact-rows.js';
 import { isJointed } from '../../dynamics/jointed.js';
 
@@ -62,7 +61,7 @@ export const isJointedPair = ({ a, b }: Pair): boolean => isJointed(a) || isJoin
 
 /** How deep softness may let a pair overlap, metres. */
 const deepest = (pair: Pair): number =>
-  (pair.deepest ??= DEEPEST * Math.min(thicknessOf(pair.a), thicknessOf(pair.b)));
+  (pair.deepest ??= DEEPEST * Math.min(pair.a.leastExtent, pair.b.leastExtent));
 
 /** The speed at which softness lets the surfaces part, where a hard contact would do so at `hard`. */
 function softened(

@@ -87,7 +87,7 @@ export class Flight extends Effect {
 
   /** The joint solve keeps its velocity in the middle of each step, which is exact enough. */
   #held(body: Body): boolean {
-    const joints = this.#effects.find(jointSolve);
+    const joints = this.#effects.caused(jointSolve);
     return joints !== undefined && joints.lastStep(body) > 0;
   }
 

@@ -178,7 +178,7 @@ export class Gyroscopic extends Effect {
     const v = this.#velocity;
     this.#simulation.engine.reader.velocity(body.body, body.pointer, v, 0);
     const free = same3(given, v, 3);
-    const alone = state.slow && (this.#effects.find(jointSolve)?.alone(body) ?? false);
+    const alone = state.slow && (this.#effects.caused(jointSolve)?.alone(body) ?? false);
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
     if (alone) this.#takeMomentum(body, state);
     else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;

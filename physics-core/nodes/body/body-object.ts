@@ -1,5 +1,6 @@
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import type { NodePart } from '../collision/collidable.js';
+import { thicknessOf } from '../../effects/contacts/contact-part.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
 import type { BtBody } from '../../engine/heap.js';
 import { COLLISION_FLAG, RIGID_BODY_FLAG } from '../../engine/offsets.js';
@@ -23,6 +24,8 @@ export class BodyObject {
   pointer = 0;
   /** Those of its parts that have a shape in Bullet, in Bullet's order. */
   solidParts: NodePart[] = [];
+  /** Their least extent, metres, once it was asked for. */
+  #leastExtent: number | undefined;
 
   constructor(node: BodyNode) {
     this.#node = node;
@@ -60,6 +63,7 @@ export class BodyObject {
   #makeShape(): BtShape {
     const { shape, parts } = shapeOf(this.#node, this.#shapeOwner!);
     this.solidParts = parts;
+    this.#leastExtent = undefined;
     return shape;
   }
 
@@ -118,6 +122,11 @@ export class BodyObject {
     const { bullet } = this.#node.world;
     bullet.removeBody(this.body);
     bullet.addBody(this.body, ...this.#groups);
+  }
+
+  /** Asked for in every step: looked up once for a shape. */
+  get leastExtent(): number {
+    return (this.#leastExtent ??= thicknessOf(this.#node));
   }
 
   /** Half the diagonal of the box around it, metres. */

@@ -10,6 +10,7 @@ import type {
 import { POSE } from '../../dynamics/poses.js';
 import { contactReader } from '../../effects/contacts/contact-reader.js';
 import type { Drag, DragEnd } from '../../effects/drag/drag.js';
+import type { BodyChange } from '../../effects/effect/effect.js';
 import type { BtBody } from '../../engine/heap.js';
 import type { Rotation, Value, Vec3 } from '../../fields/types.js';
 import type { CollidableNode, NodePart } from '../collision/collidable.js';
@@ -90,6 +91,10 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.object.solidParts;
   }
 
+  get leastExtent(): number {
+    return this.object.leastExtent;
+  }
+
   // ---- life -------------------------------------------------------------------------------------------------------
 
   protected override create(): boolean {
@@ -108,7 +113,7 @@ export class BodyNode extends PhysicsNode implements Body {
 
   protected override created(): void {
     this.fresh = false;
-    this.world.registry.bodyChanged(this, 'mass');
+    this.world.registry.bodyMade(this);
     for (const joint of this.joints) joint.bodyReady();
   }
 
@@ -161,6 +166,11 @@ export class BodyNode extends PhysicsNode implements Body {
     this.world.pairs.refreshBody(this);
   }
 
+  /** Effects look at it again. While it is made nothing is said: they look once, at the end. */
+  changed(change: BodyChange): void {
+    if (!this.fresh) this.world.registry.bodyChanged(this, change);
+  }
+
   // ---- what acts on it --------------------------------------------------------------------------------------------
 
   get gravity(): Vec3 {
@@ -193,7 +203,7 @@ export class BodyNode extends PhysicsNode implements Body {
     const rest = restRuleOf(this);
     if (!sameRule(rest, this.rest)) this.wake();
     this.rest = rest;
-    this.world.registry.bodyChanged(this, 'rest');
+    this.changed('rest');
   }
 
   get sleeping(): boolean {

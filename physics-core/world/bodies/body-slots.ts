@@ -1,5 +1,5 @@
 import { debugging } from '../../effects/debug/debugging.js';
-import { continuousCollision } from '../../effects/hits/continuous-collision.js';
+import { continuousCollision, FAR } from '../../effects/hits/continuous-collision.js';
 import { resting } from '../../effects/rest/resting.js';
 import { ACTIVATION } from '../../engine/offsets.js';
 import { guards } from '../../base/guards.js';
@@ -10,9 +10,6 @@ import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
 
 /** Numbers per velocity: linear, then angular. */
 const VELOCITY = 6;
-
-/** A way in a step that is short for anything, as a square: 0.1 mm. */
-const SHORT = 1e-8;
 
 /** No body is sane at this speed or spin, m/s or rad/s. */
 const WILD = 1e6;
@@ -133,8 +130,9 @@ export class BodySlots implements BodyTable {
     const v = this.#velocities;
     const at = slot * VELOCITY;
     const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
-    if (square > SHORT) effects.get(continuousCollision).judge(body, square);
-    else effects.find(continuousCollision)?.judge(body, square);
+    const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
+    if (far) effects.get(continuousCollision).need(body);
+    else effects.caused(continuousCollision)?.release(body);
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------

@@ -25,8 +25,7 @@ export class PhaseCosts {
   spent(phase: Phase, start: number): number {
     const now = performance.now();
     this.ms[phase] += now - start;
-    const timing = this.#effects.find(userTiming);
-    if (timing?.active) timing.measure(phase, start, now);
+    this.#effects.caused(userTiming)?.measure(phase, start, now);
     return now - start;
   }
 }
