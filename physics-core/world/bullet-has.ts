@@ -1,6 +1,6 @@
 import { eachContactPoint } from '../effects/contacts/contact-points.js';
 import { ContactPoint } from '../engine/contact-point.js';
-import { SHAPE, SHAPE_TYPE } from '../engine/offsets.js';
+import { kindOf } from '../engine/shape-kind.js';
 import { BodyNode } from '../nodes/body/body.js';
 import { CollidableNode } from '../nodes/collision/collidable.js';
 import { JointNode } from '../nodes/joints/joint.js';
@@ -60,15 +60,11 @@ function stateOf(body: BodyNode): string {
   return body.sleeping ? 'asleep' : 'awake';
 }
 
-const SHAPES = Object.entries(SHAPE_TYPE);
-
 /** The kinds of shapes it collides with, and the margin of each, metres. */
 function shapesOf(body: BodyNode): { type: string; margin: number }[] {
-  const { ammo, heapTrusted } = body.world.engine;
-  const nameOf = (shape: BtShape): string => {
-    const type = heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
-    return SHAPES.find(([, number]) => number === type)?.[0] ?? 'unknown';
-  };
+  const { engine } = body.world;
+  const { ammo } = engine;
+  const nameOf = (shape: BtShape): string => kindOf(engine, shape) ?? 'unknown';
   const whole = body.body.getCollisionShape();
   if (nameOf(whole) !== 'compound') return [{ type: nameOf(whole), margin: whole.getMargin() }];
   const compound = ammo.castObject(whole, ammo.btCompoundShape);

@@ -1,6 +1,5 @@
 import { perStep } from '../../dynamics/levels.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import { thicknessOf } from './contact-part.js';
 import { FAR, freeSpeed, type Pair, type StepState } from './contact-rows.js';
@@ -42,7 +41,7 @@ export function writeDepth(
   const depth = -point.distance - step.slop;
   const { dt } = step;
   const { errorCorrection, softness } = parameters;
-  if ((depth <= 0 && softness === 0) || point.get(POINT.distance) >= FAR) return;
+  if ((depth <= 0 && softness === 0) || point.solverDistance >= FAR) return;
   const share = errorCorrection === undefined ? usualShare(pair, dt) : perStep(errorCorrection, dt);
   let speed = Math.min((share * Math.max(0, depth)) / dt, step.maxCorrectionSpeed);
   if (softness > 0) {
@@ -51,7 +50,7 @@ export function writeDepth(
   }
   const gap = Math.max(0, -depth);
   const distance = speed > 0 ? (-speed * dt) / PUSH_SHARE : gap - speed * dt;
-  point.put(POINT.distance, distance - step.slop);
+  point.solverDistance = distance - step.slop;
 }
 
 const usualShare = (pair: Pair, dt: number): number =>

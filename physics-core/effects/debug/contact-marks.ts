@@ -1,5 +1,4 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { eachContactPoint } from '../contacts/contact-points.js';
@@ -15,8 +14,8 @@ export function markContacts(lines: DebugLines, simulation: Simulation): void {
   const point = new ContactPoint(simulation.engine.ammo);
   eachContactPoint(simulation, (pointer, a, b) => {
     point.at(pointer, a.pointer, b.pointer);
-    const at: Vec3 = [point.position(0), point.position(1), point.position(2)];
-    const normal: Vec3 = [point.normal(0), point.normal(1), point.normal(2)];
+    const at = point.positionVector();
+    const normal = point.normalVector();
     const size = Math.min(lines.markOn(a), lines.markOn(b));
     const color = point.distance <= TOUCHING ? COLOR.contact : COLOR.near;
     const arm = size / 4;

@@ -1,5 +1,4 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -75,9 +74,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
   note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
     const { bounce, minBounceSpeed, softness } = parameters;
     if (softness > 0 || isDirected(parameters)) return;
-    const { ammo } = this.#simulation.engine;
     const { a, b } = pair;
-    const round = isBallAt(ammo, a, at.pointer, 0) || isBallAt(ammo, b, at.pointer, 1);
+    const round = isBallAt(at, a, 0) || isBallAt(at, b, 1);
     if (!round && !this.#swept && bounce === 0) return;
     const hit = (this.#hits[this.#count++] ??= new Impact(this.#simulation.engine));
     hit.point.at(at.pointer, a.pointer, b.pointer);
@@ -85,8 +83,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     hit.b = this.#linkOf(b);
     hit.bounce = bounce;
     hit.least = Math.max(minBounceSpeed, OVER);
-    const { HEAPF32 } = ammo;
-    hit.gap = at.distance + hit.a.lateAt(HEAPF32, hit.point) - hit.b.lateAt(HEAPF32, hit.point);
+    hit.gap = at.distance + hit.a.lateAt(hit.point) - hit.b.lateAt(hit.point);
     hit.impulse = 0;
     hit.chained = false;
     hit.weigh(this.#dt);
@@ -98,16 +95,15 @@ export class ImpactPropagation extends Effect implements ContactListener {
   /** What touches in several points, or has others hanging on it, bounces in Bullet's solver: off all of them at once. */
   #leave(hit: Impact): void {
     const { point, a, b } = hit;
-    const { HEAPF32 } = this.#simulation.engine.ammo;
     // After Bullet's step it is too late.
     if (this.#until === 0) return;
     const share = hit.comes(this.#dt, this.#until) ? hit.shareAt(this.#dt) : 0;
-    point.put(POINT.restitution, share);
+    point.restitution = share;
     if (share === 0) return;
     // Neither a gap to close nor a depth to push out: the body is moved after the step.
-    point.put(POINT.distance, -this.#simulation.bullet.settings.linearSlop);
-    if (a.movable) a.bounce(HEAPF32, hit.time);
-    if (b.movable) b.bounce(HEAPF32, hit.time);
+    point.solverDistance = -this.#simulation.bullet.settings.linearSlop;
+    if (a.movable) a.bounce(hit.time);
+    if (b.movable) b.bounce(hit.time);
   }
 
   #meet(hit: Impact): void {
@@ -167,14 +163,14 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#push(hit, impulse, time);
     hit.impulse += impulse;
     this.#strikes++;
-    this.#rub(hit, impulse * point.get(POINT.friction), time);
+    this.#rub(hit, impulse * point.friction, time);
     this.#shiftGaps(hit, -time);
     // What is left is no bounce any more, and the way back to the surface is made up for after the step.
-    point.put(POINT.restitution, 0);
+    point.restitution = 0;
     if (returned > 0) leaveOut(point);
-    else point.put(POINT.distance, 0);
+    else point.solverDistance = 0;
     // For whoever reads it: here they touched.
-    for (let i = 0; i < 3; i++) point.put(POINT.positionA, point.get(POINT.positionB, i), i);
+    for (let i = 0; i < 3; i++) point.setPositionOnA(i, point.position(i));
   }
 
   /** Before and after a strike: gaps are those of paths led back to the start of the step with the speeds of now. */
@@ -211,9 +207,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   #push({ a, b }: Impact, impulse: number, time: number): void {
-    const { HEAPF32 } = this.#simulation.engine.ammo;
-    if (a.movable) a.push(HEAPF32, impulse, time);
-    if (b.movable) b.push(HEAPF32, -impulse, time);
+    if (a.movable) a.push(impulse, time);
+    if (b.movable) b.push(-impulse, time);
   }
 
   // ---- the way of the step -----------------------------------------------------------------------------------------------
@@ -240,7 +235,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   #noteImpulses(): void {
     for (let i = 0; i < this.#count; i++) {
       const { point, impulse } = this.#hits[i]!;
-      if (impulse > 0) point.refresh().put(POINT.impulse, point.get(POINT.impulse) + impulse);
+      if (impulse > 0) point.refresh().impulse += impulse;
     }
   }
 
@@ -310,7 +305,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   #makeUpAll(dt: number): void {
-    for (const link of this.#touched) link.makeUp(this.#simulation.engine, dt);
+    for (const link of this.#touched) link.makeUp(dt);
     this.#touched.length = 0;
   }
 }
