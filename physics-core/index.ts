@@ -1,7 +1,7 @@
 import type { DebugLines } from './effects/debug/debug-lines.js';
 import { loadEngine } from './engine/engine.js';
 import type { EngineSource } from './engine/wasm.js';
-import type { WorldOptions } from './world/types.js';
+import type { WorldOptions } from './world/store/types.js';
 import { JointNode } from './nodes/joints/joint.js';
 import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
@@ -13,9 +13,10 @@ export { bulletHas, touchedBy } from './world/bullet-has.js';
 export { World } from './world/world.js';
 export type { RayHit } from './world/raycast.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
-export type { AddOptions, Stats, WorldOptions } from './world/types.js';
+export type { AddOptions, Stats, WorldOptions } from './world/store/types.js';
 export { PhysicsNode } from './nodes/node/node.js';
-export { nodeTypes, type AnyNodeType as NodeType } from './nodes/index.js';
+export { nodeTypes } from './nodes/index.js';
+export type { NodeDefinition as NodeType } from './nodes/node/define.js';
 export { defaultOf, type Field } from './nodes/node/table.js';
 export { nearest } from './base/nearest.js';
 export { show } from './base/show.js';
@@ -29,7 +30,7 @@ export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { debugging } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/joint-solve.js';
-export type { EffectReport } from './effects/effects.js';
+export type { EffectReport } from './effects/effect/effects.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
@@ -44,7 +45,7 @@ export async function debugLines(world: World): Promise<DebugLines> {
   });
 }
 
-measureWith<World>(async () => (await import('./accuracy/measure.js')).measureAccuracy);
+measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);
 
 export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
   [field: string]: unknown;

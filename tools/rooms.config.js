@@ -15,7 +15,23 @@ export const trees = {
       'world',
       'accuracy',
     ],
-    circles: [],
+    circles: [
+      // A body is mutually its parts: each part acts on the body that it is a part of.
+      [
+        'body-build',
+        'body-commands',
+        'body-geometry',
+        'body-grip',
+        'body-loads',
+        'body-mass',
+        'body-motion',
+        'body-object',
+        'body-presence',
+        'body-rest',
+        'body-shape',
+        'body',
+      ].map((part) => `nodes/body/${part}.ts`),
+    ],
   },
   bridge: {
     root: 'elements/bridge',

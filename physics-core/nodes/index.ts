@@ -12,14 +12,11 @@ import { rigidBody } from './body/rigid-body.js';
 import { singleAxisHingeJoint } from './joints/single-axis-hinge-joint.js';
 import { sliderJoint } from './joints/slider-joint.js';
 import { universalJoint } from './joints/universal-joint.js';
-import type { PhysicsNode } from './node/node.js';
-import { byName, type NodeType } from './node/table.js';
-
-/** The type of any node. */
-export type AnyNodeType = NodeType<PhysicsNode>;
+import type { NodeDefinition } from './node/define.js';
+import { byName } from './node/table.js';
 
 /** Every node type by its X3D name. */
-export const nodeTypes: Readonly<Record<string, AnyNodeType>> = byName(
+export const nodeTypes: Readonly<Record<string, NodeDefinition>> = byName(
   Object.fromEntries(
     (
       [
@@ -37,7 +34,7 @@ export const nodeTypes: Readonly<Record<string, AnyNodeType>> = byName(
         sliderJoint,
         universalJoint,
         motorJoint,
-      ] as AnyNodeType[]
+      ] as NodeDefinition[]
     ).map((type) => [type.name, type]),
   ),
 );

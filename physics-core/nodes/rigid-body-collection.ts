@@ -8,7 +8,7 @@ import { cut, show, showUsed } from '../base/show.js';
 import { AUTO, DEFAULT_LEVEL, levelNames } from '../dynamics/levels.js';
 import type { ContactNode } from './collision/contact.js';
 import { PhysicsNode } from './node/node.js';
-import { defineNode } from './node/table.js';
+import { defineNode } from './node/define.js';
 
 /** Settings of a world and defaults of the bodies under it. The first collection of a world gives the settings. */
 export class CollectionNode extends PhysicsNode implements ContactGiver {

@@ -8,8 +8,8 @@ import { allEffects } from '../effects/all.js';
 import { contactSurface } from '../effects/contacts/contact-surface.js';
 import { frameCosts, type Costs } from '../effects/costs/frame-costs.js';
 import { userTiming } from '../effects/costs/user-timing.js';
-import type { Cause } from '../effects/effect.js';
-import { Effects, type EffectReport } from '../effects/effects.js';
+import type { Cause } from '../effects/effect/effect.js';
+import { Effects, type EffectReport } from '../effects/effect/effects.js';
 import { JointRows } from '../effects/joints/joint-rows.js';
 import type { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
@@ -20,23 +20,23 @@ import type { JointSettings } from '../nodes/node/node-world.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
 import { nodeTypes } from '../nodes/index.js';
 import { LevelControl } from './accuracy/level-control.js';
-import { BodySlots } from './body-slots.js';
-import { Editing } from './editing.js';
-import { Failures } from './failures.js';
-import { HeapLimit } from './heap-limit.js';
+import { BodySlots } from './bodies/body-slots.js';
+import { Editing } from './store/editing.js';
+import { Failures } from './store/failures.js';
+import { HeapLimit } from './store/heap-limit.js';
 import { Lifecycle } from './lifecycle.js';
 import { measure, type LevelMeasurement, type MeasureOptions } from './measuring.js';
-import { NodeStore } from './node-store.js';
+import { NodeStore } from './store/node-store.js';
 import { Obstacles } from './pairs/obstacles.js';
 import { Pairs } from './pairs/pairs.js';
 import { Rays, type RayHit } from './raycast.js';
-import { Reporting } from './reporting.js';
+import { Reporting } from './store/reporting.js';
 import { restoreSnapshot } from './snapshot/restore.js';
 import type { Snapshot } from './snapshot/snapshot.js';
 import { takeSnapshot } from './snapshot/take.js';
 import { statsOf } from './stats.js';
 import { Stepping, type TimedWorld } from './stepping/stepping.js';
-import type { AddOptions, Stats, WorldOptions } from './types.js';
+import type { AddOptions, Stats, WorldOptions } from './store/types.js';
 
 /** A world of X3D nodes on a Bullet world. It exists before the engine does; `start` builds what was added so far. */
 export class World implements TimedWorld {
@@ -60,21 +60,20 @@ export class World implements TimedWorld {
   readonly counts = { created: 0, patched: 0, destroyed: 0 };
   readonly obstacles: Obstacles = new Obstacles(this, this.pairs);
   readonly rays: Rays = new Rays(this);
-  readonly #heapLimit: HeapLimit;
-  readonly #failures: Failures;
-  readonly #edits: Editing;
-  readonly #control: LevelControl;
-  readonly #lifecycle: Lifecycle;
+  readonly heapLimit: HeapLimit;
+  readonly failures: Failures;
+  readonly edits: Editing;
+  readonly control: LevelControl;
+  readonly lifecycle: Lifecycle = new Lifecycle(this);
   readonly #profiling: Cause = { host: this };
 
   constructor(options: WorldOptions = {}) {
     this.#reporting = new Reporting(options.console ?? false);
     const lengthen = (from: number, to: number): void => this.stepping.lengthen(from, to);
-    this.#control = new LevelControl(this, lengthen, options.level);
-    this.#heapLimit = new HeapLimit(this, () => (this.paused = true), options.maxHeapBytes);
-    this.#failures = new Failures(this, this.#heapLimit);
-    this.#edits = new Editing(this, this.obstacles, this.#heapLimit, this.#control);
-    this.#lifecycle = new Lifecycle(this);
+    this.control = new LevelControl(this, lengthen, options.level);
+    this.heapLimit = new HeapLimit(this, () => (this.paused = true), options.maxHeapBytes);
+    this.failures = new Failures(this, this.heapLimit);
+    this.edits = new Editing(this, this.obstacles, this.heapLimit, this.control);
   }
 
   // ---- nodes ------------------------------------------------------------------------------------------------------
@@ -110,7 +109,7 @@ export class World implements TimedWorld {
 
   forget(node: PhysicsNode): void {
     this.#store.forget(node);
-    this.#edits.drop(node);
+    this.edits.drop(node);
     this.takeBack(node);
     this.work();
   }
@@ -133,7 +132,7 @@ export class World implements TimedWorld {
 
   enqueue(node: PhysicsNode): void {
     if (node === this.#store.defaults) return;
-    this.#edits.add(node);
+    this.edits.add(node);
     this.work();
   }
 
@@ -143,25 +142,12 @@ export class World implements TimedWorld {
 
   /** Whether edits wait for the next step or frame. */
   get pending(): boolean {
-    return this.#edits.pending;
+    return this.edits.pending;
   }
 
   /** Applies pending edits. */
   flush(): void {
-    if (this.started) this.#edits.flush();
-  }
-
-  /** Applies one pending edit, unheard. False: there is none. */
-  applyNext(): boolean {
-    return this.#edits.applyNext();
-  }
-
-  attempt(node: PhysicsNode, act: () => void): void {
-    this.#failures.attempt(node, act);
-  }
-
-  obstaclesDue(): void {
-    this.obstacles.due();
+    if (this.started) this.edits.flush();
   }
 
   contactParametersChanged(body: BodyNode): void {
@@ -170,45 +156,31 @@ export class World implements TimedWorld {
     if (reason || this.pairs.collections.length > 0) this.registry.get(contactSurface).update(body);
   }
 
-  moved(): void {
-    this.rays.moved();
-  }
-
   // ---- start, reset, end ------------------------------------------------------------------------------------------
 
   /** Settles when the world has started; rejects with the problem if it can't. */
   get ready(): Promise<this> {
-    return this.#lifecycle.ready.promise as Promise<this>;
+    return this.lifecycle.ready.promise as Promise<this>;
   }
 
   /** After a failed attempt to start another one is made: who asks for `ready` from now on hears how that ends. */
   awaitStart(): void {
-    this.#lifecycle.ready.await();
+    this.lifecycle.ready.await();
   }
 
   /** The world can't start: `ready` rejects with the problem. */
   fail(problem: unknown): void {
-    this.#lifecycle.ready.reject(problem);
+    this.lifecycle.ready.reject(problem);
   }
 
   /** Builds everything added so far, in order, and settles `ready`. */
   start(engine: Engine): void {
-    this.#lifecycle.start(engine);
-  }
-
-  /** The same in pieces, unheard: each `next` makes one node, so that nobody need be held up. */
-  starting(engine: Engine): Generator<void> {
-    return this.#lifecycle.starting(engine);
-  }
-
-  /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
-  rebuild(between: () => void): void {
-    this.#lifecycle.rebuild(between);
+    this.lifecycle.start(engine);
   }
 
   /** Back to what the markup says, at time 0. The next n steps are the first n steps, bit for bit. */
   reset(): void {
-    this.#lifecycle.reset();
+    this.lifecycle.reset();
   }
 
   /** The state of everything, as plain data: it may be kept, cloned, or sent elsewhere. */
@@ -225,14 +197,14 @@ export class World implements TimedWorld {
   }
 
   destroy(): void {
-    this.#lifecycle.destroy();
+    this.lifecycle.destroy();
   }
 
   // ---- accuracy ---------------------------------------------------------------------------------------------------
 
   /** The level in force. */
   get accuracy(): LevelName {
-    return this.#control.level.name;
+    return this.control.level.name;
   }
 
   set accuracy(name: LevelName | typeof AUTO) {
@@ -253,38 +225,25 @@ export class World implements TimedWorld {
 
   /** Seconds of one step. */
   get timeStep(): number {
-    return this.#control.level.timeStep;
+    return this.control.level.timeStep;
   }
 
   get solver(): JointSettings {
-    return this.#control.joints;
+    return this.control.joints;
   }
 
   /** Takes the settings of the first collection into Bullet. */
   configure(): void {
     if (!this.started) return;
     this.enabled = this.settings.asked('enabled');
-    this.#control.configure();
+    this.control.configure();
     this.#store.compareCollections();
     this.work();
   }
 
   /** What Bullet's solver works with now. */
   configureSolver(): void {
-    this.#control.configureSolver();
-  }
-
-  /** Where the level is left to itself, it begins at this one. */
-  begin(level?: LevelName): void {
-    this.#control.begin(level);
-  }
-
-  noteFrame(ms: number, seconds: number): void {
-    this.#control.noteFrame(ms, seconds);
-  }
-
-  watchHeap(): void {
-    this.#heapLimit.watch();
+    this.control.configureSolver();
   }
 
   // ---- time -------------------------------------------------------------------------------------------------------
@@ -304,11 +263,6 @@ export class World implements TimedWorld {
 
   get stepsTaken(): number {
     return this.stepping.taken;
-  }
-
-  /** Goes on from a time. */
-  resume(time: number): void {
-    this.stepping.resume(time);
   }
 
   /** Simulated seconds per second of the clock; 0 stands still. */

@@ -7,8 +7,8 @@ import type { SimulationNode } from '../../dynamics/node.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { eachContactPoint } from './contact-points.js';
 import { partAt } from './contact-part.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { givenContacts } from './given-contacts.js';
 import { Touches, type TouchPoint } from './touches.js';
 

@@ -13,7 +13,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
 import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
 import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 

@@ -2,7 +2,7 @@ import { ContactPoint } from '../../engine/contact-point.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /** Farther than any contact that Bullet's solver looks at (its own threshold is 1e18), metres. */
 const APART = 1e30;

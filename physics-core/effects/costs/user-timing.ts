@@ -1,4 +1,4 @@
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 import type { Phase } from './frame-costs.js';
 
 /** How browsers' Performance panels know what belongs on a track of its own. */

@@ -3,7 +3,7 @@ import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { thicknessOf } from '../contacts/contact-part.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
 /** What passes more than this share of its least extent in a step could pass through something thin. */
 const SHARE = 0.5;

@@ -13,8 +13,8 @@ import {
   type ContactSurface,
 } from '../contacts/contact-surface.js';
 import { pairFilter } from '../contacts/pair-filter.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';

@@ -1,5 +1,3 @@
-import type { Vec3 } from '../../fields/types.js';
-import type { Quaternion } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
@@ -119,8 +117,6 @@ export class PostStabilization {
     }
     writeTurn(this.#turn, this.#displacement, 1);
     multiply4(this.#turn, this.#turn, 0, this.#pose, 3);
-    const [x, y, z] = this.#pose as unknown as Vec3;
-    const [qx, qy, qz, qw] = this.#turn as unknown as Quaternion;
-    body.setCenterOfMassTransform(scratch.transform([x, y, z], [qx, qy, qz, qw]));
+    body.setCenterOfMassTransform(scratch.transform(this.#pose, this.#turn));
   }
 }

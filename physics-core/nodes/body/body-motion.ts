@@ -78,7 +78,7 @@ export class BodyMotion {
     const center = compose(pose, centerOfMass);
     // setWorldTransform would leave the world inertia tensor and the interpolation pose behind.
     body.setCenterOfMassTransform(world.engine.scratch.transform(center.p, center.q));
-    world.moved();
+    world.rays.moved();
     world.poses.current.set([...pose.p, ...pose.q], slot * POSE);
     world.poses.snap(slot);
     if (!movable && joints.size > 0) world.registry.find(jointSolve)?.carried(this.#node);

@@ -6,7 +6,7 @@ import { Members, type MemberList } from './members.js';
 import { description } from '../node/common-fields.js';
 import { cut } from '../../base/show.js';
 import { PhysicsNode } from '../node/node.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Which collidables are tested against each other, and what their contacts are like. */
 export class CollisionCollectionNode extends PhysicsNode implements Collider {

@@ -6,7 +6,7 @@ import { PLAIN } from '../../dynamics/contact-parameters.js';
 import { firstDirection } from '../../effects/contacts/contact-rows.js';
 import type { Value } from '../../fields/types.js';
 import type { NodeWorld } from '../node/node-world.js';
-import type { BodyNode } from '../body/body.js';
+import type { PhysicsNode } from '../node/node.js';
 import { contact, ContactNode } from './contact.js';
 import { frictionOf } from './contact-parameters.js';
 
@@ -43,9 +43,12 @@ export function foundContact(
     ...parametersOf(world, geometryA, geometryB),
   };
   // It can't be asked for by number.
-  const collection = (a as BodyNode).collection ?? (b as BodyNode).collection;
+  const collection = collectionOf(a) ?? collectionOf(b);
   return new ContactNode({ world, type: contact, id: 0, collection }, { pair: [a, b], fields });
 }
+
+const collectionOf = ({ standsFor }: Body): PhysicsNode | undefined =>
+  (standsFor as PhysicsNode).collection;
 
 const bodyOf = (body: Body): Body | null => (body.isObstacle ? null : body);
 

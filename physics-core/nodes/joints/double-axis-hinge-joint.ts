@@ -14,7 +14,7 @@ import {
 import { doubleAxisHingeFields } from './double-axis-hinge-fields.js';
 import { direction, notAlong } from './joint-fields.js';
 import { nearlyWhole } from './stop-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Rows: along axis1 (z of body1's frame), about axis2 (x of body2's), and about axis1. */
 const ALONG = 2;

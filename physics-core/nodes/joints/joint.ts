@@ -99,7 +99,7 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
 
   /** Not its body's fault, if it fails. */
   bodyReady(): void {
-    if (this.built) this.world.attempt(this, () => this.attach());
+    if (this.built) this.world.failures.attempt(this, () => this.attach());
   }
 
   bodyGone(): void {

@@ -2,7 +2,7 @@ import type { Vec3 } from '../../fields/types.js';
 import { add, cross, dot, length, normalize, rotate, scale, subtract } from '../../base/math.js';
 import { FREE, JointNode, type JointFrame, type Limit } from './joint.js';
 import { motorFields } from './motor-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Row of the angle about each axis in Euler mode, and whether it counts the other way round. */
 const EULER = [

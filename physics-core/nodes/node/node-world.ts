@@ -5,7 +5,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Collider, Pairs } from '../../dynamics/pairs.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import type { Effects } from '../../effects/effects.js';
+import type { Effects } from '../../effects/effect/effects.js';
 import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { NodeData } from './node-data.js';
 import type { PhysicsNode } from './node.js';
@@ -92,14 +92,20 @@ export interface NodeWorld extends Simulation {
   forget(node: PhysicsNode): void;
   /** A node from plain data in a field that takes `types`; undefined: it takes none such. */
   addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined;
-  /** Does something for a node that may fail; then nothing of the node stays in Bullet. */
-  attempt(node: PhysicsNode, act: () => void): void;
+  readonly failures: {
+    /** Does something for a node that may fail; then nothing of the node stays in Bullet. */
+    attempt(node: PhysicsNode, act: () => void): void;
+  };
   /** Takes the settings of the first collection into Bullet. */
   configure(): void;
-  /** Collidables that no body owns are looked at again. */
-  obstaclesDue(): void;
-  /** Something moved: rays ask anew where everything is. */
-  moved(): void;
+  readonly obstacles: {
+    /** Collidables that no body owns are looked at after the present edits. */
+    due(): void;
+  };
+  readonly rays: {
+    /** Something moved: rays ask anew where everything is. */
+    moved(): void;
+  };
   /** What contacts of a body are like is to be looked up again. */
   contactParametersChanged(body: Body): void;
 

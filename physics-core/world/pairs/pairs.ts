@@ -47,7 +47,7 @@ export class Pairs implements PairRules {
   /** Something about membership changed: every body goes to its groups again. */
   refresh(): void {
     if (!this.#world.started) return;
-    this.#world.obstaclesDue();
+    this.#world.obstacles.due();
     this.#updateOneSided();
     this.#watched = this.#watchedNow();
     this.#listing.clear();

@@ -1,6 +1,6 @@
 import type { Phase } from '../../effects/costs/frame-costs.js';
 import { userTiming } from '../../effects/costs/user-timing.js';
-import type { Effects } from '../../effects/effects.js';
+import type { Effects } from '../../effects/effect/effects.js';
 
 /** What the phases of a frame take, milliseconds. */
 export class PhaseCosts {

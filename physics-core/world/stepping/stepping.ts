@@ -1,6 +1,8 @@
 import { Clock } from '../../base/clock.js';
 import { show } from '../../base/show.js';
 import { frameCosts } from '../../effects/costs/frame-costs.js';
+import type { LevelControl } from '../accuracy/level-control.js';
+import type { HeapLimit } from '../store/heap-limit.js';
 import { PhaseCosts } from './phase-costs.js';
 import { Step, type SteppedWorld } from './step.js';
 import { StepTime } from './step-time.js';
@@ -20,10 +22,8 @@ export interface TimedWorld extends SteppedWorld {
   readonly enabled: boolean;
   /** Whether edits wait for the next step or frame. */
   readonly pending: boolean;
-  /** A frame that stood for `seconds` took `ms`. */
-  noteFrame(ms: number, seconds: number): void;
-  /** A frame has taken its steps. */
-  watchHeap(): void;
+  readonly control: LevelControl;
+  readonly heapLimit: HeapLimit;
 }
 
 /** How a world passes time: fixed steps, as many as the clock or the caller asks for. */
@@ -148,7 +148,7 @@ export class Stepping {
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#costs.clear();
     world.flush();
-    if (seen && this.#moving) world.noteFrame(ms, seconds);
+    if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.running) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
     world.poses.interpolate(this.#moving ? fraction : 1);
@@ -168,7 +168,7 @@ export class Stepping {
     // Where a listener stopped the world, the rest of the frame is not missed.
     if (this.running) lost += left;
     if (lost > 0) this.#lag(lost, scale);
-    this.#world.watchHeap();
+    this.#world.heapLimit.watch();
   }
 
   #stepIsDue(first: boolean, start: number): boolean {

@@ -1,6 +1,6 @@
-import type { Body } from '../dynamics/body.js';
-import type { Joint } from '../dynamics/joint.js';
-import type { Simulation } from '../dynamics/simulation.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from './effects.js';
 
 /** Weight of the newest step in the running mean of an effect's cost. */

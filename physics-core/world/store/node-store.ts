@@ -1,10 +1,10 @@
-import type { PhysicsNode } from '../nodes/node/node.js';
-import type { NodeData } from '../nodes/node/node-data.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
-import { BodyNode } from '../nodes/body/body.js';
-import { nodeTypes } from '../nodes/index.js';
-import { CollectionNode } from '../nodes/rigid-body-collection.js';
-import { isGeometry } from '../shapes/geometry.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import type { NodeData } from '../../nodes/node/node-data.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import { BodyNode } from '../../nodes/body/body.js';
+import { nodeTypes } from '../../nodes/index.js';
+import { CollectionNode } from '../../nodes/rigid-body-collection.js';
+import { isGeometry } from '../../shapes/geometry.js';
 import type { AddOptions } from './types.js';
 
 /** The nodes of a world in the order they were added. */

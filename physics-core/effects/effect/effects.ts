@@ -1,7 +1,7 @@
-import type { Body } from '../dynamics/body.js';
-import type { Joint } from '../dynamics/joint.js';
-import type { Simulation } from '../dynamics/simulation.js';
-import type { ContactProcessor } from '../engine/contact-hook.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import type { ContactProcessor } from '../../engine/contact-hook.js';
 import {
   STAGES,
   type BodyChange,

@@ -1,12 +1,12 @@
-import { debugging } from '../effects/debug/debugging.js';
-import { continuousCollision } from '../effects/hits/continuous-collision.js';
-import { resting } from '../effects/rest/resting.js';
-import { keepAwake, putToSleep } from '../engine/body-state.js';
-import { guards } from '../base/guards.js';
-import { compose, invert, type Pose } from '../base/math.js';
-import type { BodyNode } from '../nodes/body/body.js';
-import { POSE, type Poses } from '../dynamics/poses.js';
-import type { BodyTable, NodeWorld } from '../nodes/node/node-world.js';
+import { debugging } from '../../effects/debug/debugging.js';
+import { continuousCollision } from '../../effects/hits/continuous-collision.js';
+import { resting } from '../../effects/rest/resting.js';
+import { keepAwake, putToSleep } from '../../engine/body-state.js';
+import { guards } from '../../base/guards.js';
+import { compose, invert, type Pose } from '../../base/math.js';
+import type { BodyNode } from '../../nodes/body/body.js';
+import { POSE, type Poses } from '../../dynamics/poses.js';
+import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
 
 /** Numbers per velocity: linear, then angular. */
 const VELOCITY = 6;
