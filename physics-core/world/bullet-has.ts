@@ -5,7 +5,7 @@ import { BodyNode } from '../nodes/body/body.js';
 import { CollidableNode } from '../nodes/collision/collidable.js';
 import { JointNode } from '../nodes/joints/joint.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
-import { CollectionNode } from '../nodes/rigid-body-collection.js';
+import { CollectionNode } from '../nodes/collection-node.js';
 import type { World } from './world.js';
 import type { BtShape } from '../shapes/build.js';
 

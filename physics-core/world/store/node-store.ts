@@ -3,7 +3,7 @@ import type { NodeData } from '../../nodes/node/node-data.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import { nodeTypes } from '../../nodes/index.js';
-import { CollectionNode } from '../../nodes/rigid-body-collection.js';
+import { CollectionNode } from '../../nodes/collection-node.js';
 import { isGeometry } from '../../shapes/geometry.js';
 import type { AddOptions } from './types.js';
 
