@@ -1,4 +1,6 @@
+import { POSE } from '../dynamics/poses.js';
 import { eachContactPoint } from '../effects/contacts/contact-points.js';
+import { BEGIN } from '../effects/contacts/touches.js';
 import { ContactPoint } from '../engine/contact-point.js';
 import { kindOf } from '../engine/shape-kind.js';
 import { BodyNode } from '../nodes/body/body.js';
@@ -8,9 +10,6 @@ import type { PhysicsNode } from '../nodes/node/node.js';
 import { CollectionNode } from '../nodes/collection-node.js';
 import type { World } from './world.js';
 import type { BtShape } from '../shapes/build.js';
-
-/** Up to this distance bodies touch, metres: that of `collisionstart`. */
-const TOUCHING = 0.001;
 
 /** How plain data names a node. */
 type NameOf = (node: PhysicsNode) => string;
@@ -33,7 +32,7 @@ export function bulletHas(
 
 function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
   const { reader } = body.world.engine;
-  const pose = new Float64Array(7);
+  const pose = new Float64Array(POSE);
   const velocity = new Float64Array(6);
   reader.pose(body.body, body.pointer, pose, 0);
   reader.velocity(body.body, body.pointer, velocity, 0);
@@ -102,7 +101,7 @@ export function touchedBy(node: PhysicsNode): PhysicsNode[] | undefined {
   const point = new ContactPoint(body.world.engine.ammo);
   eachContactPoint(body.world, (pointer, a, b) => {
     if (a !== body && b !== body) return;
-    if (point.at(pointer, a.pointer, b.pointer).distance <= TOUCHING)
+    if (point.at(pointer, a.pointer, b.pointer).distance <= BEGIN)
       others.add(((a === body ? b : a) as BodyNode).standsFor);
   });
   return [...others];

@@ -1,4 +1,4 @@
-import { perStep } from '../../dynamics/levels.js';
+import { FRAME, perStep } from '../../dynamics/levels.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import { thicknessOf } from './contact-part.js';
@@ -13,9 +13,6 @@ const PUSH_SHARE = 0.8;
  * (measured: 18 % more than a ball of a cradle has; so 1 %).
  */
 const JOINTED_PUSH_SHARE = 0.1;
-
-/** X3D's shares are per 1/60 s, the frame they were written for. */
-const FRAME = 1 / 60;
 
 /** Softness ends where so much of the thinner body is overlapped: deeper, and it could come out on the other side. */
 const DEEPEST = 0.25;

@@ -3,6 +3,9 @@ import { firstPoint, pointAfter, solverDistanceAt } from '../../engine/manifold.
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 
+/** Up to this distance a sensor has two bodies touch, metres: a resting sphere has 1.5e-16 in some steps. */
+export const TOUCHING = 0.0005;
+
 /** What the pair filter has taken back lies at 1e30 m. */
 const FILTERED = 9e29;
 

@@ -5,15 +5,12 @@ import type { Collider } from '../../dynamics/pairs.js';
 import type { Sensor } from '../../dynamics/sensor.js';
 import type { SimulationNode } from '../../dynamics/node.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { eachContactPoint } from './contact-points.js';
+import { eachContactPoint, TOUCHING } from './contact-points.js';
 import { partAt } from './contact-part.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { givenContacts } from './given-contacts.js';
 import { Touches, type TouchPoint } from './touches.js';
-
-/** A resting sphere has a distance of 1.5e-16 in some steps, so a sensor needs a tolerance, metres. */
-const TOUCHING = 0.0005;
 
 type Visit = (pointer: number, a: Body, b: Body) => void;
 

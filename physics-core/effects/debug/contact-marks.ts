@@ -1,12 +1,9 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import { add, scale } from '../../base/math.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { eachContactPoint } from '../contacts/contact-points.js';
+import { eachContactPoint, TOUCHING } from '../contacts/contact-points.js';
 import { COLOR } from './colors.js';
 import type { DebugLines } from './debug-lines.js';
-
-/** Up to this distance bodies touch, metres: a resting sphere has 1.5e-16 in some steps. */
-const TOUCHING = 0.0005;
 
 /** A cross at each contact point, on the surface of the second body, and the normal from there into the first. */
 export function markContacts(lines: DebugLines, simulation: Simulation): void {

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../fields/types.js';
-import { add, compose, cross, length, scale, subtract } from '../../base/math.js';
+import { add, AXES, compose, cross, length, scale, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { applyInertia, applyInverseInertia } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -20,12 +20,6 @@ const SWING = 4;
 
 /** Share of its spin per second that a held body loses: it hangs in a hand, not in a bearing. */
 const GRIP = 4;
-
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 /**
  * The spring between a hand and the grabbed point: stiff in proportion to the mass that it has to move, with the damper that

@@ -1,6 +1,7 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { thicknessOf } from '../contacts/contact-part.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';
@@ -25,7 +26,7 @@ function areJoined({ joints }: Body, other: Body): boolean {
  */
 export class ContinuousCollision extends Effect {
   readonly #simulation: Simulation;
-  readonly #pose = new Float64Array(7);
+  readonly #pose = new Float64Array(POSE);
   #point: ContactPoint | undefined;
   /** Metres, by the parts that a body has. */
   readonly #extents = new WeakMap<object, number>();

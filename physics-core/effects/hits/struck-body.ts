@@ -2,6 +2,7 @@ import type { ContactPoint } from '../../engine/contact-point.js';
 import { originOf } from '../../engine/body-heap.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import { hangsOnMoving, isJointed } from '../../dynamics/jointed.js';
 import type { Engine } from '../../engine/engine.js';
 import { EffectiveMassMatrix } from './effective-mass-matrix.js';
@@ -11,7 +12,7 @@ import type { Impact } from './impact.js';
 /** Linear, then angular. */
 const WIDTH = 6;
 
-const pose = new Float64Array(7);
+const pose = new Float64Array(POSE);
 const velocity = new Float64Array(6);
 const displacement = new Float64Array(3);
 const turn = new Float64Array(4);
