@@ -14,6 +14,7 @@ export const trees = {
       'nodes',
       'world',
       'accuracy',
+      'face',
     ],
     circles: [
       // A body is mutually its parts: each part acts on the body that it is a part of.
@@ -31,6 +32,8 @@ export const trees = {
         'body-shape',
         'body',
       ].map((part) => `nodes/body/${part}.ts`),
+      // Types alone: a world has nodes, a node a world, and both have events and fields.
+      ['events', 'fields', 'nodes', 'values', 'world'].map((part) => `face/${part}.ts`),
     ],
   },
   bridge: {

@@ -58,6 +58,10 @@ export const AUTO = 'auto';
 /** What X3D's `preferAccuracy` asks for. */
 export const ACCURATE_LEVEL: LevelName = 'precise';
 
+/** All levels; `active` marks one of them. */
+export const ladder = (active: LevelName): (Level & { active: boolean })[] =>
+  levels.map((level) => ({ ...level, active: level.name === active }));
+
 export const levelNamed = (name: string): Level => levels.find((level) => level.name === name)!;
 
 /** What X3D says of constraints is of steps this long, the frame it was written for, seconds. */

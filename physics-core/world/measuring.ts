@@ -74,11 +74,8 @@ export function measureWith(loaded: () => Promise<Measure>): void {
   load = loaded;
 }
 
-export async function measure(
-  world: World,
-  snapshot: Snapshot,
-  options: MeasureOptions,
-): Promise<LevelMeasurement[]> {
+export async function measure(world: World, options: MeasureOptions): Promise<LevelMeasurement[]> {
+  const snapshot = world.snapshot();
   const run = await load!();
   return run(world, snapshot, options);
 }

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { loadEngine, World } from '../../physics-core/index.js';
+import { loadEngine, World } from '../../physics-core/inside.js';
 import { Engine } from '../../physics-core/engine/engine.js';
 import { ApiReader, HeapReader } from '../../physics-core/engine/heap.js';
 import { Owner } from '../../physics-core/engine/owner.js';

@@ -8,7 +8,7 @@ import {
   scale,
   subtract,
 } from '../../physics-core/base/math.js';
-import type { World } from '../../physics-core/index.js';
+import type { World } from '../../physics-core/inside.js';
 import {
   above,
   addBody,

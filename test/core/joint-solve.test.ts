@@ -1,9 +1,9 @@
-import { jointSolve } from '../../physics-core/index.js';
+import { jointSolve } from '../../physics-core/inside.js';
 import { chainEnd, type Chain } from '../../references/chain.js';
 import { ballChain, boxChain } from '../../references/chains.js';
 import { addBallChain, addBoxChain, type Jointed } from './joint-scenes.js';
 import { above, below, claim, distance, fact, velocity, world } from './helpers.js';
-import type { World } from '../../physics-core/index.js';
+import type { World } from '../../physics-core/inside.js';
 
 const EARTH = [0, -9.81, 0];
 

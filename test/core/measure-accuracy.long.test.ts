@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { LevelMeasurement, LevelName, World } from '../../physics-core/index.js';
+import type { LevelMeasurement, LevelName, World } from '../../physics-core/inside.js';
 import { workPerMoment } from '../../physics-core/accuracy/work.js';
 import {
   above,

@@ -42,7 +42,7 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
     this.#reportTokens();
     this.#reportSoftness(this.parameters);
     for (const body of this.world.bodies) {
-      this.world.contactParametersChanged(body);
+      this.world.pairs.contactsChanged(body);
       // What lay still may slide now.
       if (body.parts.some(({ collidable }) => this.#members.has(collidable))) body.wake();
     }

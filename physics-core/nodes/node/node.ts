@@ -130,7 +130,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
   }
 
   makeChild(data: NodeData, types: readonly string[]): PhysicsNode | undefined {
-    return this.world.addData(data, this, types);
+    return this.world.store.addData(data, this, types);
   }
 
   // ---- life ---------------------------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
   /** Notes that a field changed; the world applies it in one batch before the next step. */
   touch(name: string): void {
     this.#changed.add(name);
-    this.world.enqueue(this);
+    this.world.store.changed(this);
   }
 
   /** Applies what changed: creates the object, makes it again, or patches it. */
@@ -210,7 +210,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
     this.removed = true;
     this.unmake();
     this.children.remove();
-    this.world.forget(this);
+    this.world.store.forget(this);
     this.released();
     // It may still be listened to.
     this.world.registry.unmade(this);

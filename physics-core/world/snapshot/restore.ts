@@ -4,7 +4,7 @@ import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import type { BodySlots } from '../bodies/body-slots.js';
 import type { LevelControl } from '../accuracy/level-control.js';
-import type { Lifecycle } from '../lifecycle.js';
+import type { Lifecycle } from '../lifecycle/lifecycle.js';
 import type { Stepping } from '../stepping/stepping.js';
 import type { AddOptions } from '../store/types.js';
 import { loadNode, loadState } from './load.js';

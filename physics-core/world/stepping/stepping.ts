@@ -2,6 +2,7 @@ import { Clock } from '../../base/clock.js';
 import { show } from '../../base/show.js';
 import { frameCosts } from '../../effects/costs/frame-costs.js';
 import type { LevelControl } from '../accuracy/level-control.js';
+import type { Editing } from '../store/editing.js';
 import type { HeapLimit } from '../store/heap-limit.js';
 import { PhaseCosts } from './phase-costs.js';
 import { Step, type SteppedWorld } from './step.js';
@@ -18,10 +19,7 @@ const MUCH_LOST = 1;
 
 /** The world whose time passes. */
 export interface TimedWorld extends SteppedWorld {
-  /** FALSE freezes it. */
-  readonly enabled: boolean;
-  /** Whether edits wait for the next step or frame. */
-  readonly pending: boolean;
+  readonly edits: Editing;
   readonly control: LevelControl;
   readonly heapLimit: HeapLimit;
 }
@@ -141,6 +139,10 @@ export class Stepping {
 
   // ---- frames -----------------------------------------------------------------------------------------------------
 
+  /**
+   * Advances by wall time in fixed steps and places what is drawn between the last two. Returns `needsFrame`. `seen`:
+   * somebody waits for the frame, so that accuracy auto is to judge by it.
+   */
   frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
     if (!world.started || this.#step.running) return this.needsFrame;
@@ -197,8 +199,8 @@ export class Stepping {
 
   /** Whether time passes by itself. */
   get running(): boolean {
-    const { started, enabled } = this.#world;
-    return started && enabled && !this.#paused && this.#timeScale > 0;
+    const { started, control } = this.#world;
+    return started && control.enabled && !this.#paused && this.#timeScale > 0;
   }
 
   get #moving(): boolean {
@@ -206,6 +208,6 @@ export class Stepping {
   }
 
   get needsFrame(): boolean {
-    return this.#world.started && (this.#moving || this.#world.pending);
+    return this.#world.started && (this.#moving || this.#world.edits.pending);
   }
 }

@@ -1,7 +1,8 @@
 import { expect } from 'chai';
-import { explain, worldOf, X3DRigidBodyElement } from '../../../elements/index.js';
+import { explain, X3DRigidBodyElement } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { drawn, drawnAt, place, show, until, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 const both = (markup: string): string[] => [
   markup,
@@ -188,7 +189,7 @@ describe('names', () => {
     customElements.define('my-body', Mine);
     const mine = new Mine();
     Object.assign(mine, { mass: 3, position: [0, 4, 0], id: 'm' });
-    expect((mine as unknown as { mass: number }).mass).to.equal(3);
+    expect(mine.mass).to.equal(3);
     const { x3d, world } = await show(
       '<x3d-rigid-body-collection id="c"></x3d-rigid-body-collection>',
       '#c',

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import { sendKeys } from '@web/test-runner-commands';
-import { worldOf, type X3DRigidBodyElement } from '../../../elements/index.js';
+import { type X3DRigidBodyElement } from '../../../elements/index.js';
 import { bothSpellings } from './forms.js';
 import {
   camera,
@@ -16,6 +16,7 @@ import {
   position,
 } from './hand.js';
 import { place, show, until, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 const CAMERA = '<viewpoint position="0 0 10" orientation="0 1 0 0"></viewpoint>';
 const box = (id: string) =>

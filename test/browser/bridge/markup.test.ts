@@ -1,8 +1,10 @@
 import { expect } from 'chai';
-import { explain, worldOf, type World } from '../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../elements/index.js';
+import { explain } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { bothSpellings } from './forms.js';
 import { drawn, drawnAt, place, show, until, wait } from './scene.js';
+import { worldOf, type World } from '../inside.js';
 
 type Runtime = { createX3DFromString(text: string): Element };
 
@@ -176,7 +178,7 @@ describe('the world in a page', () => {
     world.reset();
     world.advance(0.5);
     const snapshot = world.snapshot();
-    const ball = x3d.querySelector('#ball') as unknown as { position: number[] };
+    const ball = x3d.querySelector<X3DRigidBodyElement>('#ball')!;
     const before = ball.position;
     const runs = [1, 2].map(() => {
       world.restore(snapshot);
@@ -208,10 +210,10 @@ describe('the world in a page', () => {
       '#c',
     );
     world.paused = true;
-    const body = x3d.querySelector('#b')!;
+    const body = x3d.querySelector<X3DRigidBodyElement>('#b')!;
     world.advance(0.5);
     expect(explain(body).sleeps).to.match(/^autoDisable/);
-    (body as unknown as { wake(): void }).wake();
+    body.wake();
     expect(explain(body).sleeps).to.equal(undefined);
   });
 });

@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { bothSpellings } from './forms.js';
 import { drawn, drawnAt, place, show } from './scene.js';
+import { worldOf } from '../inside.js';
 
 const position = (world: { node(name: string): unknown }, name: string): number[] =>
   (world.node(name) as { get(field: string): number[] }).get('position');

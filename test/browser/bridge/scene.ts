@@ -1,6 +1,6 @@
 import '../console.js';
 import '../../../elements/index.js';
-import { worldOf } from '../../../elements/index.js';
+import { worldOf } from '../inside.js';
 
 /** Puts an `<x3d>` with this content into the page and waits until its world has started. */
 export async function show(

@@ -1,7 +1,8 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../elements/index.js';
 import { bothSpellings } from './forms.js';
 import { nextFrame, place, show, until, wait } from './scene.js';
+import { worldOf } from '../inside.js';
 
 type PageWorld = NonNullable<ReturnType<typeof worldOf>>;
 
@@ -228,7 +229,7 @@ describe('a CollisionCollection outside any collection', () => {
 
   /** How high the ball stands a second and a half after it was let go: 3 m up it has bounced once. */
   async function height(x3d: Element): Promise<number> {
-    const body = x3d.querySelector('.ball')! as unknown as Element & { position: number[] };
+    const body = x3d.querySelector<X3DRigidBodyElement>('.ball')!;
     const world = worldOf(body)!;
     await world.ready;
     world.paused = true;

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import { above, addBody, addJoint, below, close, position, velocity, world } from '../helpers.js';
 import type { Body } from '../helpers.js';
 import type { Row } from './rows.js';

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import { addBody, addJoint, close, spin, world, type Body, type Hinge } from '../helpers.js';
 import { anchorPoint, bodies, forceOutput, outputAnchors, WEIGHTLESS } from './joints-shared.js';
 import type { Row } from './rows.js';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../../../physics-core/index.js';
+import type { Vec3 } from '../../../../physics-core/inside.js';
 import { precedes } from '../../words/dom.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { Stage } from '../stage.js';

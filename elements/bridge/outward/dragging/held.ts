@@ -1,4 +1,4 @@
-import type { Drag, DragEnd, Vec3 } from '../../../../physics-core/index.js';
+import type { Drag, DragEnd, Vec3 } from '../../../../physics-core/inside.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { Stage } from '../stage.js';
 import { setState } from '../../base/states.js';

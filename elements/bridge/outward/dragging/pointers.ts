@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../../../physics-core/index.js';
+import type { Vec3 } from '../../../../physics-core/inside.js';
 import type { Stage } from '../stage.js';
 import type { By } from '../body.js';
 import { Held } from './held.js';

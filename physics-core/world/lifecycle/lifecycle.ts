@@ -1,18 +1,18 @@
-import { contactReader } from '../effects/contacts/contact-reader.js';
-import { givenContacts } from '../effects/contacts/given-contacts.js';
-import { dragging } from '../effects/drag/dragging.js';
-import { resting } from '../effects/rest/resting.js';
-import { BulletWorld } from '../engine/bullet-world.js';
-import type { Engine } from '../engine/engine.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
-import type { BodySlots } from './bodies/body-slots.js';
-import { RANKS } from './store/edits.js';
-import type { LevelControl } from './accuracy/level-control.js';
-import type { Editing } from './store/editing.js';
-import type { Obstacles } from './pairs/obstacles.js';
-import type { Rays } from './raycast.js';
+import { contactReader } from '../../effects/contacts/contact-reader.js';
+import { givenContacts } from '../../effects/contacts/given-contacts.js';
+import { dragging } from '../../effects/drag/dragging.js';
+import { resting } from '../../effects/rest/resting.js';
+import { BulletWorld } from '../../engine/bullet-world.js';
+import type { Engine } from '../../engine/engine.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { BodySlots } from '../bodies/body-slots.js';
+import { RANKS } from '../store/edits.js';
+import type { LevelControl } from '../accuracy/level-control.js';
+import type { Editing } from '../store/editing.js';
+import type { Obstacles } from '../pairs/obstacles.js';
+import type { Rays } from '../rays/raycast.js';
 import { Readiness } from './readiness.js';
-import type { Stepping } from './stepping/stepping.js';
+import type { Stepping } from '../stepping/stepping.js';
 
 /** The world that starts and ends. */
 interface LivingWorld extends NodeWorld {
@@ -99,7 +99,7 @@ export class Lifecycle {
     this.#unbuild();
     between();
     this.#build();
-    for (const node of world.nodes) world.enqueue(node);
+    for (const node of world.nodes) world.store.changed(node);
     world.flush();
   }
 
