@@ -6,7 +6,8 @@ import type { RowSystem } from '../joints/row-system.js';
 import { Drag, type DragEnd } from './drag.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { jointSolve, type Pull } from '../joints/joint-solve.js';
+import type { Pull } from '../joints/component-solve.js';
+import { jointSolve } from '../joints/joint-solve.js';
 import { resting } from '../rest/resting.js';
 
 /**

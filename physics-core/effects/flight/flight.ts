@@ -2,6 +2,7 @@ import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { dragging } from '../drag/dragging.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
@@ -11,7 +12,6 @@ import { jointSolve } from '../joints/joint-solve.js';
 import { forces } from './forces.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 
-const POSE = 7;
 const VELOCITY = 6;
 
 /** Share of a velocity and of its change that single precision may take or add in a step. */

@@ -1,5 +1,6 @@
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
@@ -9,9 +10,9 @@ import {
   applyInverseInertia,
   dot3,
   multiply4,
-  writeAxes,
   writeTurn,
 } from '../../base/flat-math.js';
+import { writeAxes } from '../../base/matrix.js';
 
 /** Radians per step below which the torque is left out: it grows with the square. */
 const SLOW = 1e-3;
@@ -61,7 +62,7 @@ export class Gyroscopic extends Effect {
   readonly #effects: Effects;
   readonly #tops = new Map<Body, Top>();
   readonly #spinning = new Map<Body, Spin>();
-  readonly #pose = new Float64Array(7);
+  readonly #pose = new Float64Array(POSE);
   readonly #velocity = new Float64Array(6);
   readonly #axes = new Float64Array(9);
   readonly #spin = new Float64Array(3);

@@ -1,7 +1,7 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
@@ -25,7 +25,7 @@ function areJoined({ joints }: Body, other: Body): boolean {
  */
 export class ContinuousCollision extends Effect {
   readonly #simulation: Simulation;
-  readonly #pose = new Float64Array(7);
+  readonly #pose = new Float64Array(POSE);
   #point: ContactPoint | undefined;
 
   constructor(simulation: Simulation) {
@@ -67,16 +67,15 @@ export class ContinuousCollision extends Effect {
     let gap = -radius;
     for (let i = 0; i < 3; i++) gap += normal[i]! * (this.#pose[i]! - position[i]!);
     for (let i = 0; i < 3; i++) {
-      point.put(POINT.normalB, normal[i]!, i);
-      point.put(POINT.positionB, position[i]!, i);
-      point.put(POINT.positionA, position[i]! + normal[i]! * gap, i);
+      point.setNormal(i, normal[i]!);
+      point.setPosition(i, position[i]!);
+      point.setPositionOnA(i, position[i]! + normal[i]! * gap);
     }
-    point.put(POINT.distance, gap);
-    for (const offset of [POINT.impulse, POINT.lateralImpulse1, POINT.lateralImpulse2])
-      point.put(offset, 0);
-    // No triangle and no child of a compound: where there are several, the first speaks.
-    for (const offset of [POINT.part0, POINT.part1]) point.putInt(offset, -1);
-    for (const offset of [POINT.index0, POINT.index1]) point.putInt(offset, 0);
+    point.solverDistance = gap;
+    point.impulse = 0;
+    point.setLateralImpulses(0, 0);
+    // Where there are several, the first speaks.
+    point.setFirstChildren();
   }
 }
 

@@ -2,8 +2,8 @@ import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import type { NodePart } from '../collision/collidable.js';
 import { thicknessOf } from '../../effects/contacts/contact-part.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
+import { setMobility } from '../../engine/body-state.js';
 import type { BtBody } from '../../engine/heap.js';
-import { COLLISION_FLAG, RIGID_BODY_FLAG } from '../../engine/offsets.js';
 import { Owner } from '../../engine/owner.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BtShape } from '../../shapes/build.js';
@@ -91,9 +91,7 @@ export class BodyObject {
 
   setFlags(): void {
     const { movable, kinematic } = this.#node;
-    const flag = kinematic ? COLLISION_FLAG.kinematic : COLLISION_FLAG.static;
-    this.body.setCollisionFlags(movable ? 0 : flag);
-    this.body.setFlags(RIGID_BODY_FLAG.ownGravity);
+    setMobility(this.body, movable ? 'dynamic' : kinematic ? 'kinematic' : 'static');
   }
 
   /** Whether it stands in the world in just these collision groups. */

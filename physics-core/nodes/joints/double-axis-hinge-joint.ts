@@ -1,5 +1,5 @@
 import type { Motor, Stop } from '../../dynamics/joint.js';
-import { softnessAtStep } from '../../dynamics/levels.js';
+import { FRAME, softnessAtStep } from '../../dynamics/levels.js';
 import type { Vec3 } from '../../fields/types.js';
 import { dot } from '../../base/math.js';
 import {
@@ -20,9 +20,6 @@ import { defineNode } from '../node/define.js';
 const ALONG = 2;
 const SPIN = 3;
 const STEER = 5;
-
-/** X3D's parameters are those of a step this long, seconds. */
-const FRAME = 1 / 60;
 
 /** Bullet's solver comes to a row this soft (in its own terms) within its iterations; softer ones it overshoots. */
 const SOFTEST_ROW = 0.5;

@@ -47,12 +47,9 @@ export class MotorJointNode extends JointNode {
   #across(): Vec3 {
     const [first, third] = [this.#asked(1), this.#asked(3)];
     const along = dot(first, third);
-    if (Math.abs(along) < SKEW) {
-      this.settle('motor3Axis', 'bad-value');
-      return third;
-    }
-    const used = normalize(subtract(third, scale(first, along)), NOWHERE);
-    this.report({
+    const skew = Math.abs(along) >= SKEW;
+    const used = skew ? normalize(subtract(third, scale(first, along)), NOWHERE) : third;
+    this.reportWhile(skew, {
       code: 'bad-value',
       severity: 'warning',
       attribute: 'motor3Axis',

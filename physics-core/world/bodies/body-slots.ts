@@ -1,7 +1,7 @@
 import { debugging } from '../../effects/debug/debugging.js';
 import { continuousCollision, FAR } from '../../effects/hits/continuous-collision.js';
 import { resting } from '../../effects/rest/resting.js';
-import { ACTIVATION } from '../../engine/offsets.js';
+import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { guards } from '../../base/guards.js';
 import { compose, invert, type Pose } from '../../base/math.js';
 import type { BodyNode } from '../../nodes/body/body.js';
@@ -142,7 +142,7 @@ export class BodySlots implements BodyTable {
   }
 
   wake(body: BodyNode): void {
-    body.body.forceActivationState(ACTIVATION.alwaysActive);
+    keepAwake(body.body);
     this.#world.registry.find(resting)?.restart(body.slot);
     if (this.#asleep[body.slot]) this.#setAsleep(body, false);
     // So that the page's loop starts again at once, not at the next step.
@@ -151,14 +151,14 @@ export class BodySlots implements BodyTable {
   }
 
   sleep(body: BodyNode): void {
-    body.body.forceActivationState(ACTIVATION.sleeping);
+    putToSleep(body.body);
     this.#world.registry.find(resting)?.leaveIsland(body.slot);
     if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
   }
 
   /** Falls asleep without a word, if it was asleep before the world was restored. */
   restoreSleep(body: BodyNode): void {
-    body.body.forceActivationState(ACTIVATION.sleeping);
+    putToSleep(body.body);
     this.#asleep[body.slot] = 1;
   }
 
@@ -214,8 +214,7 @@ export class BodySlots implements BodyTable {
 
   /** Bullet wakes a sleeping island that something hits by changing its state. */
   #stayedAwake(body: BodyNode, slot: number): boolean {
-    const state = this.#world.engine.reader.activation(body.body, body.pointer);
-    if (state === ACTIVATION.sleeping) return false;
+    if (this.#world.engine.reader.sleeps(body.body, body.pointer)) return false;
     if (this.#asleep[slot]) this.wake(body);
     return true;
   }

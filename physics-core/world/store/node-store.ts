@@ -4,7 +4,7 @@ import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { Editing } from './editing.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import { nodeTypes } from '../../nodes/index.js';
-import { CollectionNode } from '../../nodes/rigid-body-collection.js';
+import { CollectionNode } from '../../nodes/collection-node.js';
 import { isGeometry } from '../../shapes/geometry.js';
 import { show } from '../../base/show.js';
 import type { AddOptions } from './types.js';
