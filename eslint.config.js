@@ -25,6 +25,11 @@ const noEngine = {
   regex: '(^|/)engine/|^ammojs-typed',
   message: 'Bullet stays in physics-core/engine, nodes, shapes and effects: use node handles.',
 };
+const noOffsets = {
+  regex: '(^|/)engine/offsets\\.js$',
+  message:
+    'Only physics-core/engine reads and writes the heap: it has words for what stands there.',
+};
 
 const DOM = ['window', 'document', 'HTMLElement', 'Element', 'customElements'].map((name) => ({
   name,
@@ -37,6 +42,7 @@ const noDomType = {
 const x3dom = { name: 'x3dom', message: 'Only elements/bridge says x3dom.' };
 
 const noAmmo = { selector: 'Identifier[name=/Ammo/]', message: 'Use node handles, not Ammo.' };
+const noHeap = { selector: 'Identifier[name=/^HEAP[UF]?\\d/]', message: noOffsets.message };
 /** `globalThis.x3dom` is the same global. */
 const noX3domProperty = {
   selector: 'MemberExpression[property.name="x3dom"]',
@@ -53,8 +59,15 @@ const noOnly = {
 /** What holds in a room beside its place in the order. */
 const held = {
   core: (room) => ({
-    imports: [noElements, noPage, noLab, ...(room === 'accuracy' ? [noEngine] : [])],
-    syntax: [noX3domProperty, noDomType, ...(room === 'accuracy' ? [noAmmo] : [])],
+    imports: [
+      ...[noElements, noPage, noReferences, noTest, noLab],
+      ...(room === 'engine' ? [] : [noOffsets]),
+    ],
+    syntax: [
+      ...[noX3domProperty, noDomType],
+      ...(room === 'engine' ? [] : [noHeap]),
+      ...(room === 'accuracy' ? [noAmmo] : []),
+    ],
   }),
   bridge: () => ({
     imports: [noEngine, noX3domImport, noLab],
@@ -131,13 +144,6 @@ export default tseslint.config(
     },
   },
   {
-    files: ['physics-core/accuracy/**/*.ts'],
-    rules: {
-      ...imports(noElements, noPage, noEngine, noReferences, noTest, noLab),
-      ...syntax(noAmmo, noX3domProperty, noDomType),
-    },
-  },
-  {
     files: ['elements/**/*.ts'],
     rules: {
       ...imports(noEngine, noX3domImport, noReferences, noTest, noLab),
@@ -149,7 +155,7 @@ export default tseslint.config(
     files: ['elements/bridge/**/*.ts'],
     rules: { ...globals(), ...syntax(noAmmo) },
   },
-  // And `...fences('core')`, once the core keeps its order.
+  ...fences('core'),
   ...fences('bridge'),
   {
     // A classic page has the core and the bridge already when it loads a view.

@@ -1,16 +1,20 @@
 // What every entry file exports.
 import { page, type Explanation } from './bridge/index.js';
+import { shownInPage, type World } from './world.js';
 
 /** The world that an element lives in: custom, plain or inlined, also before it has started. */
-export const worldOf = (element: Element | null | undefined) => page.worldOf(element);
+export const worldOf = (element: Element | null | undefined): World | undefined =>
+  shownInPage(page.worldOf(element));
 
-export { configure } from '../physics-core/index.js';
+export { configure } from '../physics-core/inside.js';
 
 /** What there is to know about an element; of one that is no physics node, about the body that moves it. */
 export const explain = (element: Element): Explanation => page.explain(element);
 
 export type { Explanation };
 export type {
+  Body,
+  Costs,
   Drag,
   EffectReport,
   EngineSource,
@@ -18,11 +22,15 @@ export type {
   LevelMeasurement,
   LevelName,
   MeasureOptions,
-  PhysicsNode,
+  Node as PhysicsNode,
+  NodeOf,
   Problem,
+  Snapshot,
   Stats,
-  World,
+  TouchPoint,
 } from '../physics-core/index.js';
+export type { PhysicsEventMap } from './properties.js';
+export type { RayHit, World } from './world.js';
 export { elementClasses } from './define.js';
 export { X3DNodeElement } from './node-element.js';
 export { X3DBallJointElement } from './x3d-ball-joint.js';

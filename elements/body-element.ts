@@ -1,31 +1,26 @@
-import type { Drag, PhysicsNode } from '../physics-core/index.js';
+import type { Body, Drag, Vector, Velocities } from '../physics-core/index.js';
+import type { PhysicsNode } from '../physics-core/inside.js';
 import { X3DNodeElement } from './node-element.js';
 
-type Vector = ArrayLike<number>;
-
-/** World frame, m/s and rad/s. */
-export interface BodyVelocities {
-  linearVelocity?: Vector;
-  angularVelocity?: Vector;
-}
-
-/** What a body's node can do. */
-interface Body extends PhysicsNode {
-  applyForce(force: Vector, at?: Vector): void;
-  applyTorque(torque: Vector): void;
-  applyImpulse(impulse: Vector, at?: Vector): void;
-  teleport(position: Vector, orientation?: Vector, velocities?: BodyVelocities): void;
-  drag(point: Vector): Drag | undefined;
-  wake(): void;
-  sleep(): void;
-  readonly sleeping: boolean;
-  readPose(out: Float32Array | Float64Array | number[]): typeof out;
-}
+/** A body's node, and what its element hands on to it. */
+type BodyNode = PhysicsNode &
+  Pick<
+    Body,
+    | 'applyForce'
+    | 'applyTorque'
+    | 'applyImpulse'
+    | 'teleport'
+    | 'drag'
+    | 'wake'
+    | 'sleep'
+    | 'sleeping'
+    | 'readPose'
+  >;
 
 /** The methods of a body; before it runs they do nothing. Arguments are in SI units and the world's frame. */
 export class X3DBodyElement extends X3DNodeElement {
-  get #body(): Body | undefined {
-    return (this.binding.node as Body | null) ?? undefined;
+  get #body(): BodyNode | undefined {
+    return (this.binding.node as BodyNode | null) ?? undefined;
   }
 
   /** Newtons, for the next step only; `at` is a point of the world, the centre of mass if left out. */
@@ -47,7 +42,7 @@ export class X3DBodyElement extends X3DNodeElement {
    * Jumps there. What is left out stays as it is: its orientation (axis and angle), and each of its velocities. No edit of
    * the fields: `position` set to what it was last set to before does nothing after it, either.
    */
-  teleport(position: Vector, orientation?: Vector, velocities?: BodyVelocities): void {
+  teleport(position: Vector, orientation?: Vector, velocities?: Velocities): void {
     this.#body?.teleport(position, orientation, velocities);
   }
 
@@ -70,6 +65,6 @@ export class X3DBodyElement extends X3DNodeElement {
 
   /** Position and quaternion of the last step into `out`, without allocating. */
   readPose<Out extends Float32Array | Float64Array | number[]>(out: Out): Out {
-    return (this.#body?.readPose(out) ?? out) as Out;
+    return this.#body?.readPose(out) ?? out;
   }
 }

@@ -1,5 +1,5 @@
 // The classic script, global `X3DPhysics`: everything but the wasm and the views of the ui, which lie beside it.
-import { configure } from '../physics-core/index.js';
+import { configure } from '../physics-core/inside.js';
 import { begin } from './begin.js';
 import { besideScript, scriptAddress } from './script-address.js';
 import { setViewFolder } from './ui/view.js';

@@ -1,4 +1,4 @@
-import { nodeTypes } from '../physics-core/index.js';
+import { nodeTypes } from '../physics-core/inside.js';
 import {
   attachListener,
   attributeNames,
@@ -14,6 +14,8 @@ import {
   type Explanation,
   type NodeType,
 } from './bridge/index.js';
+import type { ElementProperties, PhysicsEventMap } from './properties.js';
+import { shownInPage, type World } from './world.js';
 
 // Servers that render pages may import this, too; they have neither.
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
@@ -38,8 +40,8 @@ export class X3DNodeElement extends Base {
   }
 
   /** The world it lives in; before the start, too. */
-  get world() {
-    return page.worldOf(this);
+  get world(): World | undefined {
+    return shownInPage(page.worldOf(this));
   }
 
   /** What the simulation has for it, as plain data. */
@@ -84,7 +86,7 @@ for (const [name, act] of Object.entries(LISTENING)) {
 
 /** Properties that a framework set before the element was defined hide our accessors: set them again, through them. */
 function takeEarlyProperties(element: X3DNodeElement): void {
-  const own = element as unknown as Record<string, unknown>;
+  const own = element as X3DNodeElement & Record<string, unknown>;
   const { type } = element.constructor as typeof X3DNodeElement;
   for (const name of [...Object.keys(type.fields), ...additions(type).map(camel)]) {
     if (!Object.hasOwn(own, name)) continue;
@@ -145,10 +147,13 @@ export interface NodeElementStatics {
 export type X3DNodeElementClass = NodeElementStatics & (new () => X3DNodeElement);
 
 /** The base class of one node's element, made from its table. */
-export function forType<Base extends typeof X3DNodeElement = typeof X3DNodeElement>(
-  name: string,
+export function forType<
+  Name extends keyof ElementProperties,
+  Base extends typeof X3DNodeElement = typeof X3DNodeElement,
+>(
+  name: Name,
   base?: Base,
-): Base & NodeElementStatics {
+): NodeElementStatics & (new () => InstanceType<Base> & ElementProperties[Name]) {
   const type = nodeTypes[name] as NodeType;
   class TypedElement extends (base ?? X3DNodeElement) {
     static override readonly type = type;
@@ -157,5 +162,13 @@ export function forType<Base extends typeof X3DNodeElement = typeof X3DNodeEleme
   }
   defineProperties(TypedElement.prototype, type);
   for (const name of additions(type)) defineReflection(TypedElement.prototype, name);
-  return TypedElement as unknown as Base & NodeElementStatics;
+  return TypedElement as never;
+}
+
+declare global {
+  // Those of plain tags, of all that stands above them, of the document and the window.
+  /* eslint-disable @typescript-eslint/no-empty-object-type */
+  interface ElementEventMap extends PhysicsEventMap {}
+  interface GlobalEventHandlersEventMap extends PhysicsEventMap {}
+  /* eslint-enable @typescript-eslint/no-empty-object-type */
 }

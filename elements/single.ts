@@ -1,6 +1,6 @@
 // The classic script with the wasm inside, for pages opened from disk: they may not fetch a file beside them.
 import wasmBinary from 'virtual:ammo-wasm';
-import { configure } from '../physics-core/index.js';
+import { configure } from '../physics-core/inside.js';
 import { begin } from './begin.js';
 import { besideScript, scriptAddress } from './script-address.js';
 import { setViewFolder } from './ui/view.js';

@@ -3,10 +3,7 @@ import { forType } from './node-element.js';
 /**
  * Who collides with whom, and how their surfaces are.
  */
-export class X3DCollisionCollectionElement extends forType('CollisionCollection') {
-  /** `'*'` for all of its world; otherwise those among its children, which reading gives. */
-  declare collidables: string | Element[] | null;
-}
+export class X3DCollisionCollectionElement extends forType('CollisionCollection') {}
 
 declare global {
   interface HTMLElementTagNameMap {

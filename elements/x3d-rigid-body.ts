@@ -7,10 +7,7 @@ import { forType } from './node-element.js';
  * `:state(sleeping)` shows while it sleeps, `:state(colliding)` while it touches something and somebody listens to
  * its `collisionstart` or `collisionend`: contacts are not read for a style alone.
  */
-export class X3DRigidBodyElement extends forType('RigidBody', X3DBodyElement) {
-  /** The DEF or id of the Transform, Shape or group that it stands for. */
-  declare for: string;
-}
+export class X3DRigidBodyElement extends forType('RigidBody', X3DBodyElement) {}
 
 declare global {
   interface HTMLElementTagNameMap {

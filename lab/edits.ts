@@ -1,7 +1,7 @@
 // npm run lab:edits: whether one edit costs the same in a scene of 1000 bodies as in one of 10, interleaved in one run.
 //   --rounds <n>   edits of each kind in each scene (400)
 import { parseArgs } from 'node:util';
-import { createWorld, type PhysicsNode, type World } from '../physics-core/index.js';
+import { createWorld, type PhysicsNode, type World } from '../physics-core/inside.js';
 import type { BodyNode } from '../physics-core/nodes/body/body.js';
 import { median } from './run/median.js';
 

@@ -3,7 +3,7 @@
 //   --rounds <n>   rounds of every scene (5)
 //   --scene <word> only those with it in their names
 import { parseArgs } from 'node:util';
-import { levels, type LevelName, type World } from '../physics-core/index.js';
+import { levels, type LevelName, type World } from '../physics-core/inside.js';
 import { workPerMoment } from '../physics-core/accuracy/work.js';
 import { median } from './run/median.js';
 import { paperScenes, started, type Scene } from './scenes.js';

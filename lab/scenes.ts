@@ -1,4 +1,4 @@
-import { loadEngine, World, type PhysicsNode } from '../physics-core/index.js';
+import { loadEngine, World, type PhysicsNode } from '../physics-core/inside.js';
 
 /** A scene to measure. */
 export interface Scene {

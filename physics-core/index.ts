@@ -1,70 +1,60 @@
-import type { DebugLines } from './effects/debug/debug-lines.js';
-import { loadEngine } from './engine/engine.js';
+// What the package's entry `core` gives. What the rest of this repository works with is in inside.ts.
+import type { Problem } from './base/problems.js';
 import type { EngineSource } from './engine/wasm.js';
-import type { WorldOptions } from './world/types.js';
-import { JointNode } from './nodes/joints/joint.js';
-import { measureWith } from './world/measuring.js';
-import { World } from './world/world.js';
+import { behind, shown } from './face/shown.js';
+import type { RigidBodyCollectionFields } from './face/fields.js';
+import type { World } from './face/world.js';
+import * as inside from './inside.js';
 
-export { loadEngine } from './engine/engine.js';
 export { configure, type EngineSource } from './engine/wasm.js';
-export type { Engine } from './engine/engine.js';
-export { bulletHas, touchedBy } from './world/bullet-has.js';
-export { World } from './world/world.js';
-export type { RayHit } from './world/raycast.js';
-export type { Snapshot } from './world/snapshot/snapshot.js';
-export type { AddOptions, Stats, WorldOptions } from './world/types.js';
-export { PhysicsNode } from './nodes/node/node.js';
-export { nodeTypes, type AnyNodeType as NodeType } from './nodes/index.js';
-export { defaultOf, type Field } from './nodes/node/table.js';
-export { nearest } from './base/nearest.js';
-export { show } from './base/show.js';
-export { codecs } from './fields/values.js';
-export { fromSI, SI, toSI, type Units } from './fields/units.js';
-export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fields/types.js';
-export { logProblem, type Problem, type ProblemReport, type Severity } from './base/problems.js';
-export type { DebugLines } from './effects/debug/debug-lines.js';
+export type * from './face/events.js';
+export type * from './face/fields.js';
+export type * from './face/nodes.js';
+export type * from './face/values.js';
+export type { NodeOptions, RayHit, World } from './face/world.js';
+export type { Rotation, Vec3 } from './fields/types.js';
+export type { Problem, Severity } from './base/problems.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
 export type { DragMode } from './dynamics/body.js';
-export type { Drag, DragEnd } from './effects/drag/drag.js';
-export { debugging } from './effects/debug/debugging.js';
-export { jointSolve } from './effects/joints/joint-solve.js';
-export type { EffectReport } from './effects/effects.js';
-export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
+export type { DragEnd } from './effects/drag/drag.js';
+export type { EffectReport } from './effects/effect/effects.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
 export type { Geometry } from './shapes/geometry.js';
+export type { Snapshot } from './world/snapshot/snapshot.js';
+export type { Stats } from './world/store/types.js';
 
-/** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
-export async function debugLines(world: World): Promise<DebugLines> {
-  const { DebugLines: Lines } = await import('./effects/debug/debug-lines.js');
-  return new Lines(world, {
-    flush: () => world.flush(),
-    joints: () => [...world.nodes].filter((node) => node instanceof JointNode),
-  });
-}
-
-measureWith<World>(async () => (await import('./accuracy/measure.js')).measureAccuracy);
-
-export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
-  [field: string]: unknown;
+/** The fields of RigidBodyCollection, and what only the world itself has. */
+export interface CreateOptions
+  extends RigidBodyCollectionFields, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
+  /** Log each problem once to the console, or hand it to a function; false by default. */
+  console?: boolean | ((problem: Problem) => void);
+  /** Bytes that the heap of the wasm may take; 512 MB by default. */
+  maxHeapBytes?: number;
 }
 
 /**
- * A world without a page. The options are the fields of RigidBodyCollection, and `maxHeapBytes`.
+ * A world without a page, started. Rejects where the engine can't be loaded.
  * @example
  * const world = await createWorld({ gravity: [0, -9.8, 0] });
  * const ball = world.add('RigidBody', { position: [0, 5, 0], geometry: [{ type: 'Sphere', radius: 0.5 }] });
  * world.advance(1);
  */
-export async function createWorld(options: CreateOptions = {}): Promise<World> {
-  const { wasmUrl, wasmBinary, console, maxHeapBytes, ...fields } = options;
-  const engine = await loadEngine({ wasmUrl, wasmBinary });
-  const world = new World({
-    console: console ?? false,
-    ...(maxHeapBytes === undefined ? {} : { maxHeapBytes }),
-  });
-  world.add('RigidBodyCollection', fields);
-  world.start(engine);
-  return world;
+export const createWorld = async (options: CreateOptions = {}): Promise<World> =>
+  shown(await inside.createWorld({ ...options }));
+
+/** A world as coloured lines. */
+export interface DebugLines {
+  /** Draws all of it anew, edits that wait included. */
+  update(): void;
+  /** How many lines there are; the arrays may be longer. */
+  readonly count: number;
+  /** Both ends of each line, x y z each: world frame, metres. */
+  readonly positions: Float32Array;
+  /** Of each end r g b, 0 to 1. */
+  readonly colors: Float32Array;
+  dispose(): void;
 }
+
+/** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
+export const debugLines = (world: World): Promise<DebugLines> => inside.debugLines(behind(world));

@@ -1,4 +1,4 @@
-import type { World } from '../physics-core/index.js';
+import type { World } from '../physics-core/inside.js';
 import type { BodyNode } from '../physics-core/nodes/body/body.js';
 import type { JointNode } from '../physics-core/nodes/joints/joint.js';
 

@@ -2,7 +2,7 @@
 import { camel, tagOf } from '../elements/bridge/words/dom.js';
 import { eventsAt, eventTypes } from '../elements/bridge/words/event-types.js';
 import type { UIDescription } from '../elements/ui/ui-element.js';
-import type { NodeType } from '../physics-core/index.js';
+import type { NodeType } from '../physics-core/inside.js';
 import { additionsOf, attributesOf, describe, settableType } from './manifest-fields.js';
 
 const quote = (name: string): string => (/^\w+$/.test(name) ? name : `'${name}'`);

@@ -2,7 +2,7 @@
 import { STRUCTURE } from '../elements/bridge/words/attributes.js';
 import { camel } from '../elements/bridge/words/dom.js';
 import { attributeOf, holdsNodes } from '../elements/bridge/words/fields.js';
-import { codecs, type Field, type NodeType } from '../physics-core/index.js';
+import { codecs, type Field, type NodeType } from '../physics-core/inside.js';
 
 const SCRIPT_TYPES: Record<string, string> = {
   SFBool: 'boolean',
@@ -21,13 +21,16 @@ const holdsContacts = (field: Field): boolean => field.nodes?.includes('Contact'
 
 /** What reading the property gives. */
 export const propertyType = (field: Field): string =>
-  holdsContacts(field) ? 'Record<string, unknown>[]' : (SCRIPT_TYPES[field.type] ?? 'number[]');
+  holdsContacts(field)
+    ? 'Record<string, unknown>[]'
+    : `${SCRIPT_TYPES[field.type] ?? 'number[]'}${field.takesAll ? " | '*'" : ''}`;
 
 /** What a property takes: its value, the X3D text, and for numbers any list of them. */
 export function settableType(field: Field): string {
   if (holdsContacts(field)) return 'Iterable<Element | Record<string, unknown>>';
   if (field.type === 'SFNode') return 'Element | null';
-  if (field.type === 'MFNode') return 'Iterable<Element> | null';
+  if (field.type === 'MFNode')
+    return `Iterable<Element> | ${field.takesAll ? 'string | ' : ''}null`;
   const type = SCRIPT_TYPES[field.type] ?? 'number[]';
   if (type === 'string') return 'string';
   const list = type.startsWith('number[]');

@@ -1,10 +1,10 @@
-// npm run manifest: dist/custom-elements.json, editor data and the types of properties, from the field tables and from
+// npm run manifest: dist/custom-elements.json, editor data and the types for frameworks, from the field tables and from
 // what the classes of the ui say of themselves.
-import { appendFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { camel, tagOf } from '../elements/bridge/words/dom.js';
 import { eventsAt, eventTypes } from '../elements/bridge/words/event-types.js';
 import { uiClasses } from '../elements/define.js';
-import { nodeTypes, type Field, type NodeType } from '../physics-core/index.js';
+import { nodeTypes, type NodeType } from '../physics-core/inside.js';
 import {
   additionsOf,
   attributesOf,
@@ -12,7 +12,6 @@ import {
   describe,
   fieldsOf,
   propertyType,
-  settableType,
 } from './manifest-fields.js';
 import { frameworkTypes } from './framework-types.js';
 
@@ -128,32 +127,10 @@ const editorData = {
   ],
 };
 
-function property(name: string, field: Field): string {
-  const comment = `    /** ${describe(field)} Default ${defaultText(field) || 'none'}. */`;
-  const type = propertyType(field);
-  if (field.access === 'outputOnly') return `${comment}\n    readonly ${name}: ${type};`;
-  if (field.access === 'inputOnly')
-    return `${comment}\n    set ${name}(value: ${settableType(field)});`;
-  return `${comment}\n    get ${name}(): ${type};\n    set ${name}(value: ${settableType(field)});`;
-}
-
-/** The properties that the element classes get from the tables at run time, but those that a class declares. */
-const propertyTypes = types
-  .map((type) => {
-    const properties = fieldsOf(type)
-      .filter(([name]) => !(type.name === 'CollisionCollection' && name === 'collidables'))
-      .map(([name, field]) => property(name, field));
-    return `declare module './${tagOf(type)}.js' {\n  interface X3D${type.name}Element {\n${properties.join('\n')}\n  }\n}`;
-  })
-  .join('\n\n');
-
 mkdirSync('dist', { recursive: true });
 writeFileSync('dist/custom-elements.json', JSON.stringify(manifest, null, 2));
 writeFileSync('dist/vscode.html-custom-data.json', JSON.stringify(editorData, null, 2));
-const INDEX = 'dist/types/elements/index.d.ts';
-if (existsSync(INDEX)) {
-  writeFileSync('dist/types/elements/properties.d.ts', `export {};\n\n${propertyTypes}\n`);
-  appendFileSync(INDEX, "import './properties.js';\n");
+if (existsSync('dist/types')) {
   for (const [name, text] of Object.entries(frameworkTypes(types, uiClasses))) {
     writeFileSync(`dist/types/${name}.d.ts`, text);
     // Programs import them by name, and what they import must be there when they run.

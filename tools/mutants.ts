@@ -6,7 +6,7 @@ import { allEffects } from '../physics-core/effects/all.js';
 import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../physics-core/base/guards.js';
-import { nodeTypes } from '../physics-core/index.js';
+import { nodeTypes } from '../physics-core/inside.js';
 import { factsOf } from '../test/conformance/all.js';
 import { wrongInCore } from '../test/conformance/core-driver.js';
 import type { Fact } from '../test/conformance/fact.js';

@@ -14,8 +14,27 @@ export const trees = {
       'nodes',
       'world',
       'accuracy',
+      'face',
     ],
-    circles: [],
+    circles: [
+      // A body is mutually its parts: each part acts on the body that it is a part of.
+      [
+        'body-build',
+        'body-commands',
+        'body-geometry',
+        'body-grip',
+        'body-loads',
+        'body-mass',
+        'body-motion',
+        'body-object',
+        'body-presence',
+        'body-rest',
+        'body-shape',
+        'body',
+      ].map((part) => `nodes/body/${part}.ts`),
+      // Types alone: a world has nodes, a node a world, and both have events and fields.
+      ['events', 'fields', 'nodes', 'values', 'world'].map((part) => `face/${part}.ts`),
+    ],
   },
   bridge: {
     root: 'elements/bridge',

@@ -1,6 +1,7 @@
 // npm run rooms [-- core bridge]: whether the rooms of each tree keep their order (tools/rooms.config.js), what goes in
 // circles, and what is long. Fails where an arrow points up, or a circle of files is too large and not named.
 import { readFileSync } from 'node:fs';
+import { posix } from 'node:path';
 import { trees } from './rooms.config.js';
 import { circlesOf, type Graph } from './rooms/circles.js';
 import { readTree, roomOf, type Tree } from './rooms/imports.js';
@@ -21,19 +22,17 @@ function list(title: string, lines: string[]): void {
   for (const line of lines) console.log(`  ${line}`);
 }
 
-/** The same graph, of rooms. */
-function betweenRooms(tree: Tree, files: Graph): Graph {
-  const rooms: Graph = new Map();
+/** The same graph, of folders: rooms, and what is within them. */
+function betweenFolders(files: Graph): Graph {
+  const folders: Graph = new Map();
   for (const [file, targets] of files) {
-    const from = roomOf(tree, file);
-    const reached = rooms.get(from) ?? new Set();
-    for (const target of targets) {
-      const to = roomOf(tree, target);
-      if (to !== from) reached.add(to);
-    }
-    rooms.set(from, reached);
+    const from = posix.dirname(file);
+    const reached = folders.get(from) ?? new Set();
+    for (const target of targets)
+      if (posix.dirname(target) !== from) reached.add(posix.dirname(target));
+    folders.set(from, reached);
   }
-  return rooms;
+  return folders;
 }
 
 function showRooms(tree: Tree, files: Graph): void {
@@ -72,9 +71,10 @@ function check(name: string): boolean {
   list('Arrows against the order', up);
   const members = (circle: string[]): string =>
     `${circle.length}: ${circle.map((each) => tree.short(each)).join(', ')}`;
+  const folders = circlesOf(betweenFolders(files));
   list(
-    'Circles of rooms',
-    circlesOf(betweenRooms(tree, files)).map((circle) => circle.join(', ')),
+    'Circles of folders',
+    folders.map((circle) => circle.join(', ')),
   );
   const circles = circlesOf(files);
   list('Circles of files', circles.map(members));
@@ -86,7 +86,7 @@ function check(name: string): boolean {
   const tooLarge = circles.filter(
     (circle) => circle.length > LARGEST_CIRCLE && !tree.allows(circle.map(tree.short)),
   );
-  return up.length === 0 && tooLarge.length === 0;
+  return up.length === 0 && folders.length === 0 && tooLarge.length === 0;
 }
 
 const asked = process.argv.slice(2);

@@ -49,7 +49,7 @@ const CHECKS = [
   ['types', [BIN.tsc, '--noEmit']],
   ['lint', [BIN.eslint, '.']],
   ['format', [BIN.prettier, '--check', '.']],
-  ['rooms', ['--import', 'tsx', 'tools/rooms.ts', 'bridge']],
+  ['rooms', ['--import', 'tsx', 'tools/rooms.ts']],
 ];
 /** The quick stages need no declarations. */
 const BUILD = ['build', ['tools/build.js', ...(options.all || options.rest ? [] : ['--no-types'])]];

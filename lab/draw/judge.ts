@@ -1,4 +1,4 @@
-import { levels } from '../../physics-core/index.js';
+import { levels } from '../../physics-core/inside.js';
 import { floorOf, type Case } from '../case.js';
 import type { Row } from '../run/row.js';
 

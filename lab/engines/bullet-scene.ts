@@ -1,4 +1,4 @@
-import { loadEngine } from '../../physics-core/index.js';
+import { loadEngine } from '../../physics-core/inside.js';
 import type { Ammo } from '../../physics-core/engine/ammo.js';
 import { Owner } from '../../physics-core/engine/owner.js';
 import { cross, quaternionOfAxes, rotate, type Pose } from '../../physics-core/base/math.js';

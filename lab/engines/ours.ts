@@ -1,5 +1,5 @@
-import { jointSolve } from '../../physics-core/index.js';
-import { levels, loadEngine, World, type Level } from '../../physics-core/index.js';
+import { jointSolve } from '../../physics-core/inside.js';
+import { levels, loadEngine, World, type Level } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
 import { sweep, type Engine, type Running, type Setting } from './engine.js';

@@ -1,5 +1,5 @@
-import { jointSolve } from '../../physics-core/index.js';
-import { loadEngine, World, type LevelName, type PhysicsNode } from '../../physics-core/index.js';
+import { jointSolve } from '../../physics-core/inside.js';
+import { loadEngine, World, type LevelName, type PhysicsNode } from '../../physics-core/inside.js';
 import { leaveJointsToBullet } from '../engines/ours.js';
 import { median } from '../run/median.js';
 

@@ -1,17 +1,11 @@
 import type { Vec3 } from '../fields/types.js';
-import { dot, rotate } from '../base/math.js';
+import { AXES, dot, rotate } from '../base/math.js';
 import { jointSolve } from '../effects/joints/joint-solve.js';
 import type { BodyNode } from '../nodes/body/body.js';
 import { JointNode } from '../nodes/joints/joint.js';
 import { deepestOverlap } from '../world/pairs/overlaps.js';
 import type { World } from '../world/world.js';
 import type { Level } from '../dynamics/levels.js';
-
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 /** A world that runs at one level, and what is compared of it at the moments where all levels stop. */
 export class LevelRun {

@@ -1,4 +1,5 @@
 import type { Pose } from './math.js';
+import { writeAxes } from './matrix.js';
 
 /** Vectors inside flat arrays, three numbers each from an index on: nothing is allocated. */
 type Numbers = Float64Array;
@@ -18,23 +19,6 @@ export function cross3(
   out[o] = a[i + 1]! * b[j + 2]! - a[i + 2]! * b[j + 1]!;
   out[o + 1] = a[i + 2]! * b[j]! - a[i]! * b[j + 2]!;
   out[o + 2] = a[i]! * b[j + 1]! - a[i + 1]! * b[j]!;
-}
-
-/** The axes of a quaternion (x, y, z, w) as columns: x first. */
-export function writeAxes(out: Numbers, q: ArrayLike<number>, at: number): void {
-  const x = q[at]!;
-  const y = q[at + 1]!;
-  const z = q[at + 2]!;
-  const w = q[at + 3]!;
-  out[0] = 1 - 2 * (y * y + z * z);
-  out[1] = 2 * (x * y + z * w);
-  out[2] = 2 * (x * z - y * w);
-  out[3] = 2 * (x * y - z * w);
-  out[4] = 1 - 2 * (x * x + z * z);
-  out[5] = 2 * (y * z + x * w);
-  out[6] = 2 * (x * z + y * w);
-  out[7] = 2 * (y * z - x * w);
-  out[8] = 1 - 2 * (x * x + y * y);
 }
 
 /** out = a b for quaternions (x, y, z, w); `out` may be either of them. */

@@ -12,6 +12,13 @@ export interface Pose {
 export const IDENTITY: Quaternion = [0, 0, 0, 1];
 export const identityPose = (): Pose => ({ p: [0, 0, 0], q: [0, 0, 0, 1] });
 
+/** Unit vectors along x, y and z. */
+export const AXES: readonly [Vec3, Vec3, Vec3] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];

@@ -64,6 +64,8 @@ export interface Body extends SimulationNode {
   /** The parts that collide, in the body's frame; and those of them that have a shape in Bullet, in Bullet's order. */
   readonly parts: readonly CollidablePart[];
   readonly solidParts: readonly CollidablePart[];
+  /** The least extent of anything solid of it, metres; Infinity where it is all triangles. */
+  readonly leastExtent: number;
 
   // ---- what acts on it --------------------------------------------------------------------------------------------
 

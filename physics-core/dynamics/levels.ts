@@ -58,9 +58,16 @@ export const AUTO = 'auto';
 /** What X3D's `preferAccuracy` asks for. */
 export const ACCURATE_LEVEL: LevelName = 'precise';
 
+/** All levels; `active` marks one of them. */
+export const ladder = (active: LevelName): (Level & { active: boolean })[] =>
+  levels.map((level) => ({ ...level, active: level.name === active }));
+
 export const levelNamed = (name: string): Level => levels.find((level) => level.name === name)!;
 
-/** X3D's errorCorrection is per 1/60 s (the frame it was written for); this is its share per step of `dt`. */
+/** What X3D says of constraints is of steps this long, the frame it was written for, seconds. */
+export const FRAME = 1 / 60;
+
+/** X3D's errorCorrection is per 1/60 s; this is its share per step of `dt`. */
 export const perStep = (errorCorrection: number, dt: number): number =>
   1 - (1 - errorCorrection) ** (60 * dt);
 

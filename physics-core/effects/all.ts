@@ -8,7 +8,7 @@ import { userTiming } from './costs/user-timing.js';
 import { debugging } from './debug/debugging.js';
 import { carrying } from './drag/carrying.js';
 import { dragging } from './drag/dragging.js';
-import type { EffectDescriptor } from './effect.js';
+import type { EffectDescriptor } from './effect/effect.js';
 import { axisDamping } from './flight/axis-damping.js';
 import { flight } from './flight/flight.js';
 import { forces } from './flight/forces.js';
@@ -19,7 +19,7 @@ import { jointSolve } from './joints/joint-solve.js';
 import { motors } from './joints/motors.js';
 import { stops } from './joints/stops.js';
 import { suspension } from './joints/suspension.js';
-import { inOrder } from './order.js';
+import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
 
 /** Every effect there is, in the order in which a step calls them. */

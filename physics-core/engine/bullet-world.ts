@@ -2,7 +2,8 @@ import type { Ammo } from './ammo.js';
 import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
-import { SIX_DOF, SOLVER } from './offsets.js';
+import type { Manifold } from './manifold.js';
+import { SIX_DOF, SOLVER, SOLVER_MODE } from './offsets.js';
 import { Owner } from './owner.js';
 
 export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
@@ -10,7 +11,10 @@ export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
 /** What a level sets in Bullet's solver. */
 export interface SolverSettings {
   iterations: number;
-  solverMode: number;
+  /** Friction acts along the directions that stand in contact points, where they say so. */
+  givenFrictionDirections: boolean;
+  /** Two rows of friction per contact point instead of one. */
+  twoFrictionDirections: boolean;
   /** Depth (metres, negative) above which contacts correct position without adding velocity. */
   splitImpulseThreshold: number;
   /** Share of a shallow overlap that contacts repair per step, by velocity. */
@@ -18,6 +22,12 @@ export interface SolverSettings {
   /** Depth that resting contacts keep, metres. */
   linearSlop: number;
 }
+
+const modeOf = ({ givenFrictionDirections, twoFrictionDirections }: SolverSettings): number =>
+  SOLVER_MODE.warmstart |
+  SOLVER_MODE.simd |
+  (givenFrictionDirections ? SOLVER_MODE.cachedFrictionDirections : 0) |
+  (twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0);
 
 /** Bullet's dynamics world with its solver settings. Bodies and constraints are owned by their nodes. */
 export class BulletWorld {
@@ -64,7 +74,7 @@ export class BulletWorld {
     this.bullet.getSolverInfo().set_m_numIterations(settings.iterations);
     if (!this.#solverTrusted) return;
     const { ammo } = this.engine;
-    ammo.HEAP32[(this.#solver + SOLVER.mode) >> 2] = settings.solverMode;
+    ammo.HEAP32[(this.#solver + SOLVER.mode) >> 2] = modeOf(settings);
     ammo.HEAPF32[(this.#solver + SOLVER.splitImpulseThreshold) >> 2] =
       settings.splitImpulseThreshold;
     ammo.HEAPF32[(this.#solver + SOLVER.errorReduction) >> 2] = settings.contactErrorReduction;
@@ -89,9 +99,7 @@ export class BulletWorld {
   }
 
   /** Calls `visit` with the pointers of both bodies of every pair that may touch. */
-  eachManifold(
-    visit: (manifold: Ammo['btPersistentManifold']['prototype'], a: number, b: number) => void,
-  ): void {
+  eachManifold(visit: (manifold: Manifold, a: number, b: number) => void): void {
     const { ammo } = this.engine;
     for (let i = 0, count = this.#dispatcher.getNumManifolds(); i < count; i++) {
       const manifold = this.#dispatcher.getManifoldByIndexInternal(i);

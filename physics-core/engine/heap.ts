@@ -14,7 +14,8 @@ export interface BodyReader {
   load(body: BtBody, pointer: number, out: Float64Array, at: number): void;
   /** Moves a body by so many metres. */
   shift(body: BtBody, pointer: number, x: number, y: number, z: number): void;
-  activation(body: BtBody, pointer: number): number;
+  /** Whether Bullet leaves it where it is. */
+  sleeps(body: BtBody, pointer: number): boolean;
   /** Bullet's island number of the last step, or -1 where it can't be known. */
   island(body: BtBody, pointer: number): number;
 }
@@ -77,8 +78,8 @@ export class HeapReader implements BodyReader {
     heap[o + 2]! += z;
   }
 
-  activation(_: BtBody, pointer: number): number {
-    return this.#ammo.HEAP32[(pointer + BODY.activationState) >> 2]!;
+  sleeps(_: BtBody, pointer: number): boolean {
+    return this.#ammo.HEAP32[(pointer + BODY.activationState) >> 2] === ACTIVATION.sleeping;
   }
 
   island(_: BtBody, pointer: number): number {
@@ -122,8 +123,8 @@ export class ApiReader implements BodyReader {
     origin.setValue(origin.x() + x, origin.y() + y, origin.z() + z);
   }
 
-  activation(body: BtBody): number {
-    return body.isActive() ? ACTIVATION.active : ACTIVATION.sleeping;
+  sleeps(body: BtBody): boolean {
+    return !body.isActive();
   }
 
   island(): number {

@@ -99,7 +99,6 @@ export const MANIFOLD = {
 
 /** btCollisionObject::m_activationState1. */
 export const ACTIVATION = {
-  active: 1,
   sleeping: 2,
   alwaysActive: 4,
 } as const;

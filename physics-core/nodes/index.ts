@@ -12,32 +12,27 @@ import { rigidBody } from './body/rigid-body.js';
 import { singleAxisHingeJoint } from './joints/single-axis-hinge-joint.js';
 import { sliderJoint } from './joints/slider-joint.js';
 import { universalJoint } from './joints/universal-joint.js';
-import type { PhysicsNode } from './node/node.js';
-import { byName, type NodeType } from './node/table.js';
+import type { NodeDefinition } from './node/define.js';
+import { byName } from './node/table.js';
 
-/** The type of any node. */
-export type AnyNodeType = NodeType<PhysicsNode>;
+const all: readonly NodeDefinition[] = [
+  rigidBodyCollection,
+  rigidBody,
+  collidableShape,
+  collidableOffset,
+  collisionCollection,
+  collisionSpace,
+  collisionSensor,
+  contact,
+  ballJoint,
+  singleAxisHingeJoint,
+  doubleAxisHingeJoint,
+  sliderJoint,
+  universalJoint,
+  motorJoint,
+];
 
 /** Every node type by its X3D name. */
-export const nodeTypes: Readonly<Record<string, AnyNodeType>> = byName(
-  Object.fromEntries(
-    (
-      [
-        rigidBodyCollection,
-        rigidBody,
-        collidableShape,
-        collidableOffset,
-        collisionCollection,
-        collisionSpace,
-        collisionSensor,
-        contact,
-        ballJoint,
-        singleAxisHingeJoint,
-        doubleAxisHingeJoint,
-        sliderJoint,
-        universalJoint,
-        motorJoint,
-      ] as AnyNodeType[]
-    ).map((type) => [type.name, type]),
-  ),
+export const nodeTypes: Readonly<Record<string, NodeDefinition>> = byName(
+  Object.fromEntries(all.map((type) => [type.name, type])),
 );

@@ -6,6 +6,7 @@ import { guards } from '../base/guards.js';
 import type { Pose } from '../base/math.js';
 import { isConvex } from './convex.js';
 import type { Geometry, Mesh } from './geometry.js';
+import { hullOf, type Hull } from './hull.js';
 import { boundsOf } from './mass.js';
 import { axisScale } from './scale.js';
 import { tessellate } from './tessellate.js';
@@ -83,13 +84,16 @@ function smallestHalfExtent(points: number[]): number {
   return Math.min(...max.map((value, i) => (value - min[i]!) / 2));
 }
 
-function hull(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtShape {
+/** Bullet looks at every point in each of its searches: those inside, on edges or within faces would only cost. */
+function hull(mesh: Mesh, outline: Hull | undefined, { ammo, scratch, owner }: Workshop): BtShape {
+  const { points } = mesh;
   const shape = owner.own(new ammo.btConvexHullShape());
-  for (let i = 0; i < mesh.points.length; i += 3) {
-    const last = i + 3 >= mesh.points.length;
-    shape.addPoint(scratch.vector(mesh.points[i]!, mesh.points[i + 1]!, mesh.points[i + 2]!), last);
-  }
-  shape.setMargin(Math.max(hullMarginFor(smallestHalfExtent(mesh.points)), THINNEST));
+  const corners = outline?.corners ?? [...Array(points.length / 3).keys()];
+  corners.forEach((corner, i) => {
+    const [x, y, z] = points.slice(3 * corner, 3 * corner + 3);
+    shape.addPoint(scratch.vector(x!, y!, z!), i === corners.length - 1);
+  });
+  shape.setMargin(Math.max(hullMarginFor(smallestHalfExtent(points)), THINNEST));
   return shape;
 }
 
@@ -139,10 +143,11 @@ function shapeOf(g: Geometry, exact: boolean, workshop: Workshop): BtShape | und
   }
   workshop.note('mesh');
   if (!workshop.moving) return triangles(mesh, workshop);
-  if (isConvex(mesh)) return hull(mesh, workshop);
+  const outline = hullOf(mesh.points);
+  if (isConvex(mesh, outline)) return hull(mesh, outline, workshop);
   if (exact) return movingTriangles(mesh, workshop);
   workshop.note('concave-dynamic');
-  return hull(mesh, workshop);
+  return hull(mesh, outline, workshop);
 }
 
 /** A geometry and the pose of its frame in the body's centre-of-mass frame. */

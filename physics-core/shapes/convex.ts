@@ -1,4 +1,7 @@
+import type { Vec3 } from '../fields/types.js';
+import { cross, dot, length, subtract } from '../base/math.js';
 import type { Mesh } from './geometry.js';
+import type { Hull } from './hull.js';
 import { boundsOf } from './mass.js';
 
 /**
@@ -7,35 +10,51 @@ import { boundsOf } from './mass.js';
  */
 const FLAT = 1e-5;
 
-/** Whether every point of a mesh lies behind every one of its triangles. */
-export function isConvex({ points, index }: Mesh): boolean {
-  const { min, max } = boundsOf(points);
-  const extent = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
-  const tolerance = FLAT * extent;
-  for (let t = 0; t < index.length; t += 3) {
-    const [a, b, c] = [index[t]! * 3, index[t + 1]! * 3, index[t + 2]! * 3];
-    const [ux, uy, uz] = [
-      points[b]! - points[a]!,
-      points[b + 1]! - points[a + 1]!,
-      points[b + 2]! - points[a + 2]!,
-    ];
-    const [vx, vy, vz] = [
-      points[c]! - points[a]!,
-      points[c + 1]! - points[a + 1]!,
-      points[c + 2]! - points[a + 2]!,
-    ];
-    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const size = Math.hypot(nx, ny, nz);
+const pointOf = ({ points }: Mesh, i: number): Vec3 => [
+  points[3 * i]!,
+  points[3 * i + 1]!,
+  points[3 * i + 2]!,
+];
+
+function centreOf(mesh: Mesh, { corners }: Hull): Vec3 {
+  const centre: Vec3 = [0, 0, 0];
+  for (const corner of corners)
+    pointOf(mesh, corner).forEach((value, axis) => (centre[axis]! += value / corners.length));
+  return centre;
+}
+
+/** From one point of a hull to the highest: on a convex body no other top is in the way. */
+function climb({ neighbours }: Hull, from: number, height: (point: number) => number): number {
+  for (let [at, top] = [from, height(from)]; ;) {
+    let next = at;
+    for (const neighbour of neighbours.get(at)!) {
+      const value = height(neighbour);
+      if (value > top) [next, top] = [neighbour, value];
+    }
+    if (next === at) return top;
+    at = next;
+  }
+}
+
+/** Whether every point of a mesh lies behind every one of its triangles; its hull is undefined where it lies in one plane. */
+export function isConvex(mesh: Mesh, hull: Hull | undefined): boolean {
+  if (!hull) return true;
+  const { min, max } = boundsOf(mesh.points);
+  const extent = length(subtract(max, min));
+  const centre = centreOf(mesh, hull);
+  for (let t = 0; t < mesh.index.length; t += 3) {
+    const [i, j, k] = [mesh.index[t]!, mesh.index[t + 1]!, mesh.index[t + 2]!];
+    const a = pointOf(mesh, i);
+    const normal = cross(subtract(pointOf(mesh, j), a), subtract(pointOf(mesh, k), a));
+    const size = length(normal);
     // A sliver has no direction; the poles of a sphere have such.
     if (size <= 1e-9 * extent * extent) continue;
-    for (let i = 0; i < points.length; i += 3) {
-      const height =
-        ((points[i]! - points[a]!) * nx +
-          (points[i + 1]! - points[a + 1]!) * ny +
-          (points[i + 2]! - points[a + 2]!) * nz) /
-        size;
-      if (height > tolerance) return false;
-    }
+    const above = (point: Vec3): number => dot(subtract(point, a), normal) / size;
+    const tolerance = FLAT * extent;
+    // Where the centre is above, a climb from the bottom could find nothing but bottom around it.
+    if (above(centre) > tolerance) return false;
+    const from = hull.neighbours.has(i) ? i : hull.corners[0]!;
+    if (climb(hull, from, (point) => above(pointOf(mesh, point))) > tolerance) return false;
   }
   return true;
 }

@@ -1,4 +1,5 @@
 /** Runs of points as triangles, each a list of indices into the points. */
+import { fan, trianglesOfFace } from './polygon.js';
 
 const runsOf = (counts: number[]): number[][] => {
   let next = 0;
@@ -22,28 +23,28 @@ const strip = (run: number[]): number[] =>
     return i % 2 ? [b, a, c] : [a, b, c];
   });
 
-export const fan = (run: number[]): number[] =>
-  run.slice(2).flatMap((c, i) => [run[0]!, run[i + 1]!, c]);
-
-const quads = (run: number[]): number[] =>
-  run.flatMap((a, i) => (i % 4 ? [] : [a, run[i + 1]!, run[i + 2]!, a, run[i + 2]!, run[i + 3]!]));
+/** Each four that are whole. */
+const quads = (points: number[], run: number[]): number[] =>
+  run.flatMap((_, i) =>
+    i % 4 || i + 4 > run.length ? [] : trianglesOfFace(points, run.slice(i, i + 4)),
+  );
 
 /** The triangles of a set of strips, fans or quads; `lists`: counts of points, or indices. */
-export function trianglesOf(type: string, lists: number[], pointCount: number): number[] {
-  const whole = Array.from({ length: pointCount }, (_, i) => i);
+export function trianglesOf(type: string, lists: number[], points: number[]): number[] {
+  const whole = Array.from({ length: points.length / 3 }, (_, i) => i);
   switch (type) {
     case 'TriangleStripSet':
       return runsOf(lists).flatMap(strip);
     case 'TriangleFanSet':
       return runsOf(lists).flatMap(fan);
     case 'QuadSet':
-      return quads(whole.slice(0, pointCount - (pointCount % 4)));
+      return quads(points, whole);
     case 'IndexedTriangleStripSet':
       return listsOf(lists).flatMap(strip);
     case 'IndexedTriangleFanSet':
       return listsOf(lists).flatMap(fan);
     case 'IndexedQuadSet':
-      return quads(lists.slice(0, lists.length - (lists.length % 4)));
+      return quads(points, lists);
     default:
       return whole;
   }

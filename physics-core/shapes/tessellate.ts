@@ -1,15 +1,13 @@
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
-import { fan, listsOf, trianglesOf } from './strips.js';
+import { trianglesOfFace } from './polygon.js';
+import { listsOf, trianglesOf } from './strips.js';
 
 /** Sides of a ring: the radius of the polygon is then within 0.5 % of the circle's. */
 const SIDES = 32;
 
 const pointsOf = (coord: number[] | { point: number[] } | undefined): number[] =>
   Array.isArray(coord) ? coord : (coord?.point ?? []);
-
-/** Faces as fans; X3D's faces are convex polygons unless `convex` is FALSE, which a fan still closes. */
-const fans = (coordIndex: number[]): number[] => listsOf(coordIndex).flatMap(fan);
 
 /** Only triangles whose three points exist. */
 function sound(mesh: Mesh): Mesh {
@@ -177,8 +175,11 @@ function plain(g: Geometry): Mesh {
       return cylinder(g);
     case 'Cone':
       return cone(g);
-    case 'IndexedFaceSet':
-      return { points: pointsOf(g.coord), index: fans(g.coordIndex ?? []) };
+    case 'IndexedFaceSet': {
+      const points = pointsOf(g.coord);
+      const faces = listsOf(g.coordIndex ?? []);
+      return { points, index: faces.flatMap((face) => trianglesOfFace(points, face)) };
+    }
     case 'IndexedTriangleSet':
       return { points: pointsOf(g.coord), index: g.index ?? [] };
     case 'TriangleSet':
@@ -197,7 +198,7 @@ function plain(g: Geometry): Mesh {
             : 'fanCount' in g
               ? g.fanCount
               : [];
-      return { points, index: trianglesOf(g.type, lists ?? [], points.length / 3) };
+      return { points, index: trianglesOf(g.type, lists ?? [], points) };
     }
     case 'Rectangle2D': {
       const [x, y] = (g.size ?? [2, 2]).map((value) => value / 2);

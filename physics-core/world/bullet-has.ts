@@ -1,16 +1,15 @@
+import { POSE } from '../dynamics/poses.js';
 import { eachContactPoint } from '../effects/contacts/contact-points.js';
+import { BEGIN } from '../effects/contacts/touches.js';
 import { ContactPoint } from '../engine/contact-point.js';
-import { SHAPE, SHAPE_TYPE } from '../engine/offsets.js';
+import { kindOf } from '../engine/shape-kind.js';
 import { BodyNode } from '../nodes/body/body.js';
 import { CollidableNode } from '../nodes/collision/collidable.js';
 import { JointNode } from '../nodes/joints/joint.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
-import { CollectionNode } from '../nodes/rigid-body-collection.js';
+import { CollectionNode } from '../nodes/collection-node.js';
 import type { World } from './world.js';
 import type { BtShape } from '../shapes/build.js';
-
-/** Up to this distance bodies touch, metres: that of `collisionstart`. */
-const TOUCHING = 0.001;
 
 /** How plain data names a node. */
 type NameOf = (node: PhysicsNode) => string;
@@ -33,7 +32,7 @@ export function bulletHas(
 
 function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
   const { reader } = body.world.engine;
-  const pose = new Float64Array(7);
+  const pose = new Float64Array(POSE);
   const velocity = new Float64Array(6);
   reader.pose(body.body, body.pointer, pose, 0);
   reader.velocity(body.body, body.pointer, velocity, 0);
@@ -60,15 +59,11 @@ function stateOf(body: BodyNode): string {
   return body.sleeping ? 'asleep' : 'awake';
 }
 
-const SHAPES = Object.entries(SHAPE_TYPE);
-
 /** The kinds of shapes it collides with, and the margin of each, metres. */
 function shapesOf(body: BodyNode): { type: string; margin: number }[] {
-  const { ammo, heapTrusted } = body.world.engine;
-  const nameOf = (shape: BtShape): string => {
-    const type = heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
-    return SHAPES.find(([, number]) => number === type)?.[0] ?? 'unknown';
-  };
+  const { engine } = body.world;
+  const { ammo } = engine;
+  const nameOf = (shape: BtShape): string => kindOf(engine, shape) ?? 'unknown';
   const whole = body.body.getCollisionShape();
   if (nameOf(whole) !== 'compound') return [{ type: nameOf(whole), margin: whole.getMargin() }];
   const compound = ammo.castObject(whole, ammo.btCompoundShape);
@@ -106,7 +101,7 @@ export function touchedBy(node: PhysicsNode): PhysicsNode[] | undefined {
   const point = new ContactPoint(body.world.engine.ammo);
   eachContactPoint(body.world, (pointer, a, b) => {
     if (a !== body && b !== body) return;
-    if (point.at(pointer, a.pointer, b.pointer).distance <= TOUCHING)
+    if (point.at(pointer, a.pointer, b.pointer).distance <= BEGIN)
       others.add(((a === body ? b : a) as BodyNode).standsFor);
   });
   return [...others];

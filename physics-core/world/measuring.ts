@@ -1,5 +1,6 @@
 import type { LevelName } from '../dynamics/levels.js';
 import type { Snapshot } from './snapshot/snapshot.js';
+import type { World } from './world.js';
 
 /** Who waits for a measurement. */
 export interface Watching {
@@ -60,24 +61,21 @@ export interface LevelMeasurement extends Omit<Measured, 'worst'> {
 }
 
 /** Runs a world's scene anew, from a snapshot of it, at each level. */
-export type Measure<W> = (
-  world: W,
+export type Measure = (
+  world: World,
   snapshot: Snapshot,
   options: MeasureOptions,
 ) => Promise<LevelMeasurement[]>;
 
 /** Code of its own, which worlds are not made of: the room that measures stands above them and says where it is. */
-let load: (() => Promise<Measure<never>>) | undefined;
+let load: (() => Promise<Measure>) | undefined;
 
-export function measureWith<W>(loaded: () => Promise<Measure<W>>): void {
+export function measureWith(loaded: () => Promise<Measure>): void {
   load = loaded;
 }
 
-export async function measure<W>(
-  world: W,
-  snapshot: Snapshot,
-  options: MeasureOptions,
-): Promise<LevelMeasurement[]> {
+export async function measure(world: World, options: MeasureOptions): Promise<LevelMeasurement[]> {
+  const snapshot = world.snapshot();
   const run = await load!();
-  return run(world as never, snapshot, options);
+  return run(world, snapshot, options);
 }

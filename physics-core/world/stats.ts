@@ -1,7 +1,7 @@
 import { JointNode } from '../nodes/joints/joint.js';
 import type { NodeWorld } from '../nodes/node/node-world.js';
-import type { BodySlots } from './body-slots.js';
-import type { Stats } from './types.js';
+import type { BodySlots } from './bodies/body-slots.js';
+import type { Stats } from './store/types.js';
 
 export function statsOf(world: NodeWorld & { bodies: BodySlots }, ms: Stats['ms']): Stats {
   let joints = 0;

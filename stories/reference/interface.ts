@@ -3,7 +3,7 @@ import { html, nothing } from 'lit';
 import type { X3DBodyElement } from '../../elements/body-element.js';
 import { eventsAt, eventTypes } from '../../elements/bridge/words/event-types.js';
 import type { X3DNodeElement } from '../../elements/node-element.js';
-import type { NodeType } from '../../physics-core/index.js';
+import type { NodeType } from '../../physics-core/inside.js';
 import type { World } from '../../physics-core/world/world.js';
 import { additionsOf } from '../../tools/manifest-fields.js';
 import { sentence } from './fields.js';

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import type { World } from '../../physics-core/index.js';
 import { worldOf } from '../../elements/index.js';
 import { place, until, position } from './scene.js';
+import type { World } from './inside.js';
 
 // Machines as authors of X3D build them, in files of their own: joints, motors, sensors, and ROUTEs to what is drawn.
 

@@ -1,4 +1,4 @@
-import type { World } from '../../elements/index.js';
+import type { World } from './inside.js';
 
 /** A page in a frame, with the built library in it. */
 export type PageWindow = Window & { X3DPhysics?: { worldOf(element: Element): World | undefined } };

@@ -1,4 +1,4 @@
-import type { Field, NodeType } from '../../physics-core/index.js';
+import type { Field, NodeType } from '../../physics-core/inside.js';
 
 // Values for every field of every node, by the tables.
 

@@ -1,6 +1,6 @@
 import './console.js';
 import '../../elements/index.js';
-import { worldOf, type World } from '../../elements/index.js';
+import { worldOf, type World } from './inside.js';
 
 /** Puts an `<x3d>` with this content into the page and waits until its world has started. */
 export async function show(
@@ -31,7 +31,8 @@ export const position = (world: World, name: string): number[] =>
   world.node(name)!.get('position') as number[];
 
 /** Of the problems that a world has told of. */
-export const codes = (world: World): string[] => world.problems.map(({ code }) => code);
+export const codes = (world: { problems: readonly { code: string }[] }): string[] =>
+  world.problems.map(({ code }) => code);
 
 /** What x3dom draws a Transform or collidable with: the translation of its world matrix. */
 export function drawnAt(element: Element): number[] {

@@ -4,7 +4,7 @@ import {
   PhysicsNode,
   type Problem,
   type World,
-} from '../../physics-core/index.js';
+} from '../../physics-core/inside.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { judge, objections } from './judge.js';

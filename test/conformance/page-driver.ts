@@ -1,9 +1,10 @@
-import { worldOf } from '../../elements/index.js';
-import { nodeTypes, type FieldType, type World } from '../../physics-core/index.js';
+import '../../elements/index.js';
+import { nodeTypes, type FieldType, type World } from '../../physics-core/inside.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { markup, nodesIn, typesByName, type Spelling } from './markup.js';
 import { plain } from './plain.js';
+import { worldOf } from '../browser/inside.js';
 
 export const kebab = (type: string): string =>
   type.replace(/(?<=[a-z])[A-Z]|^[A-Z]/g, (capital, at) => (at ? '-' : '') + capital.toLowerCase());

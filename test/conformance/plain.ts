@@ -1,4 +1,4 @@
-import { PhysicsNode } from '../../physics-core/index.js';
+import { PhysicsNode } from '../../physics-core/inside.js';
 
 /** What a fact reads: nodes as their DEF names, Contacts with all their fields. */
 export function plain(value: unknown): unknown {

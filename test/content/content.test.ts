@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import type { World } from '../../physics-core/index.js';
-import { worldOf } from '../../elements/index.js';
+import type { World } from '../../physics-core/inside.js';
 import { claim } from '../browser/console.js';
 import { place } from '../browser/scene.js';
+import { worldOf } from '../browser/inside.js';
 
 /**
  * Scenes that were written for other X3D browsers. They lie beside the project and not in it: tools/stages.js leaves

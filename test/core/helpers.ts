@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createWorld, type CreateOptions, type World } from '../../physics-core/index.js';
+import { createWorld, type CreateOptions, type World } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CollisionSensorNode } from '../../physics-core/nodes/collision/collision-sensor.js';
 import type { JointNode } from '../../physics-core/nodes/joints/joint.js';

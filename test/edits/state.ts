@@ -1,5 +1,5 @@
 import { allEffects } from '../../physics-core/effects/all.js';
-import type { Field, PhysicsNode, World } from '../../physics-core/index.js';
+import type { Field, PhysicsNode, World } from '../../physics-core/inside.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
 import type { JointConstraint } from '../../physics-core/engine/joint-constraint.js';
 import { BodyNode } from '../../physics-core/nodes/body/body.js';
@@ -117,7 +117,7 @@ function ofWorld(world: World): Record<string, unknown> {
   });
   return {
     solver: [world.bullet.settings, world.solver, world.timeStep],
-    enabled: world.enabled,
+    enabled: world.control.enabled,
     touching: touching.sort(),
     meeting: meetings(world),
     time: world.time,

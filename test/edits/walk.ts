@@ -1,4 +1,4 @@
-import { nodeTypes, type Field, type World } from '../../physics-core/index.js';
+import { nodeTypes, type Field, type World } from '../../physics-core/inside.js';
 import type { Edit } from './edit.js';
 import { SUBJECTS } from './scene.js';
 import { differences, itemOf, stateOf, type State } from './state.js';

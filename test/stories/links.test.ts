@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { loadCsf } from 'storybook/internal/csf-tools';
-import { nodeTypes } from '../../physics-core/index.js';
+import { nodeTypes } from '../../physics-core/inside.js';
 import { addressOf, isFile, PAGES, ROOMS, SCRIPTS, type Link } from '../../stories/start/links.js';
 
 const files = readdirSync('stories').filter((name) => name.endsWith('.stories.ts'));

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { html, nothing } from 'lit';
 import { kebab, tagOf } from '../../elements/bridge/words/dom.js';
-import { nodeTypes } from '../../physics-core/index.js';
+import { nodeTypes } from '../../physics-core/inside.js';
 import { markupOf } from '../../stories/reference/markup.js';
 
 const STORIES = new URL('../../stories/', import.meta.url);

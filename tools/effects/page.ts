@@ -1,7 +1,7 @@
 // docs/effects.md, from the descriptors of all effects and the classes that they load.
 import { allEffects } from '../../physics-core/effects/all.js';
-import type { Effect, EffectDescriptor } from '../../physics-core/effects/effect.js';
-import { createWorld } from '../../physics-core/index.js';
+import type { Effect, EffectDescriptor } from '../../physics-core/effects/effect/effect.js';
+import { createWorld } from '../../physics-core/inside.js';
 
 export const PAGE = 'docs/effects.md';
 

@@ -1,4 +1,4 @@
-import { codecs } from '../../../physics-core/index.js';
+import { codecs } from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import { isType } from '../words/dom.js';
 import {

@@ -1,4 +1,4 @@
-import { codecs, show } from '../../../physics-core/index.js';
+import { codecs, show } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isShape, isTransform, lowerName } from '../words/dom.js';
 import {

@@ -1,4 +1,4 @@
-import type { ProblemReport } from '../../../physics-core/index.js';
+import type { ProblemReport } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import type { Scope } from '../scopes/scope.js';
 import { known, unknownAttribute } from '../words/attributes.js';

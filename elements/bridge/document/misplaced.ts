@@ -1,4 +1,4 @@
-import type { ProblemReport } from '../../../physics-core/index.js';
+import type { ProblemReport } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { logInPage } from '../words/console.js';
 

@@ -1,4 +1,4 @@
-import { codecs, type PhysicsNode, type World } from '../../../physics-core/index.js';
+import { codecs, type PhysicsNode, type World } from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import { inPage } from '../nodes/in-page.js';
 import { nodeOf, type PhysicsX3DNode } from '../x3dom/x3dom.js';

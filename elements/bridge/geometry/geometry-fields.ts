@@ -1,4 +1,4 @@
-import type { codecs } from '../../../physics-core/index.js';
+import type { codecs } from '../../../physics-core/inside.js';
 
 /** Geometry as the core takes it; see physics-core/shapes/geometry.ts. */
 export interface GeometryData {

@@ -1,4 +1,4 @@
-import type { Units } from '../../../physics-core/index.js';
+import type { Units } from '../../../physics-core/inside.js';
 import type { NodeType } from '../words/dom.js';
 import { authoredText, holdsNodes, inSI } from '../words/fields.js';
 import { elementsAmong } from './named.js';

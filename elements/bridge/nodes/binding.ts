@@ -4,7 +4,7 @@ import {
   SI,
   type PhysicsNode,
   type ProblemReport,
-} from '../../../physics-core/index.js';
+} from '../../../physics-core/inside.js';
 import type { Names, Watcher } from '../scopes/names.js';
 import type { Scope } from '../scopes/scope.js';
 import { known, unknownAttribute } from '../words/attributes.js';

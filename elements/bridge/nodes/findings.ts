@@ -1,4 +1,4 @@
-import { show, type ProblemReport } from '../../../physics-core/index.js';
+import { show, type ProblemReport } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { nameOf, type NodeType } from '../words/dom.js';
 

@@ -1,4 +1,4 @@
-import { codecs, nodeTypes, PhysicsNode, type Units } from '../../../physics-core/index.js';
+import { codecs, nodeTypes, PhysicsNode, type Units } from '../../../physics-core/inside.js';
 import type { Field } from '../words/dom.js';
 import { holdsNodes, inFileUnits, inSI } from '../words/fields.js';
 

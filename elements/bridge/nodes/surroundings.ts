@@ -1,4 +1,4 @@
-import type { ProblemReport, RayHit, World } from '../../../physics-core/index.js';
+import type { ProblemReport, RayHit, World } from '../../../physics-core/inside.js';
 import type { Readers } from '../scopes/readers.js';
 import type { Binding } from './binding.js';
 

@@ -1,4 +1,4 @@
-import { SI, type PhysicsNode } from '../../../physics-core/index.js';
+import { SI, type PhysicsNode } from '../../../physics-core/inside.js';
 import { isCustom } from '../words/dom.js';
 import { COLLISIONS, nodeEvents, STEPS } from '../words/event-types.js';
 import { listening } from '../x3dom/listening.js';

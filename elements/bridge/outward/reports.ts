@@ -1,4 +1,4 @@
-import type { ProblemReport } from '../../../physics-core/index.js';
+import type { ProblemReport } from '../../../physics-core/inside.js';
 import { tellPage } from '../document/misplaced.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';

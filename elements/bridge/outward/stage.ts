@@ -2,7 +2,7 @@ import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import type { Scope } from '../scopes/scope.js';
 import type { X3DDocument } from '../x3dom/x3dom.js';
-import type { DraggableBody } from './dragging/body.js';
+import type { DraggableBody } from './body.js';
 
 /** What those who show a scene, hear of it and reach into it ask of it. */
 export interface Stage {

@@ -5,7 +5,7 @@ import {
   type PhysicsNode,
   type Problem,
   type World,
-} from '../../../physics-core/index.js';
+} from '../../../physics-core/inside.js';
 import { selectorOf } from '../words/dom.js';
 import type { Binding } from '../nodes/binding.js';
 import { holdsNodes } from '../words/fields.js';
@@ -112,7 +112,7 @@ function waitsOfNode(node: PhysicsNode, world: World): string[] {
   if (!world.started) return ['the physics engine'];
   const waits: string[] = [];
   if ((node as { attached?: boolean }).attached === false) waits.push('its bodies');
-  if (!world.enabled) waits.push('enabled of its collection');
+  if (!world.get('enabled')) waits.push('enabled of its collection');
   if (world.paused) waits.push('the world, which is paused');
   return waits;
 }

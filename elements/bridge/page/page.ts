@@ -1,4 +1,4 @@
-import type { Units } from '../../../physics-core/index.js';
+import type { Units } from '../../../physics-core/inside.js';
 import { adoptStyles } from '../base/sheets.js';
 import { worldFor } from '../document/world-for.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';

@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../../../physics-core/index.js';
+import type { PhysicsNode } from '../../../physics-core/inside.js';
 import { axisAngleOf, decompose, invert, matrixOf, multiply } from '../geometry/matrix.js';
 import { inMetres, type StartPose } from './plan.js';
 import type { Target } from '../drawing/drawing.js';
@@ -17,7 +17,7 @@ export function restoreState(node: PhysicsNode, state: Record<string, unknown>):
 }
 
 interface BodyLike extends PhysicsNode {
-  start: StartPose | undefined;
+  motion: { start: StartPose | undefined };
 }
 
 /**
@@ -26,7 +26,7 @@ interface BodyLike extends PhysicsNode {
  */
 export function moveTo(node: PhysicsNode, { p, q }: StartPose): void {
   // That is also where a reset takes it.
-  (node as BodyLike).start = { p, q };
+  (node as BodyLike).motion.start = { p, q };
   node.event('position', p);
   node.event('orientation', axisAngleOf(q));
 }

@@ -1,4 +1,4 @@
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import type { StandIn } from '../nodes/stand-in.js';
 import { attribute } from '../words/dom.js';

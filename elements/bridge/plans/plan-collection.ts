@@ -1,4 +1,4 @@
-import type { PhysicsNode, World } from '../../../physics-core/index.js';
+import type { PhysicsNode, World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
 import { listsAll, membersOf, nodesOf } from '../document/structure.js';

@@ -1,4 +1,4 @@
-import type { PhysicsNode, Vec3, World } from '../../../physics-core/index.js';
+import type { PhysicsNode, Vec3, World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import type { GeometryData } from '../geometry/geometry-fields.js';
 import type { Pose, Quaternion } from '../geometry/matrix.js';

@@ -1,4 +1,4 @@
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { planBody } from './plan-body.js';
 import { planOffset, planShape } from './plan-collidable.js';

@@ -1,4 +1,4 @@
-import type { PhysicsNode, World } from '../../../physics-core/index.js';
+import type { PhysicsNode, World } from '../../../physics-core/inside.js';
 import type { GeometryData } from '../geometry/geometry-fields.js';
 import type { Binding } from '../nodes/binding.js';
 import { restoreState, stateOf } from './body-state.js';

@@ -1,4 +1,4 @@
-import { loadEngine } from '../../../physics-core/index.js';
+import { loadEngine } from '../../../physics-core/inside.js';
 
 export type Engine = Awaited<ReturnType<typeof loadEngine>>;
 

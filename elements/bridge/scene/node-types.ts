@@ -1,4 +1,4 @@
-import { nodeTypes } from '../../../physics-core/index.js';
+import { nodeTypes } from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import { isTransform, tagOf, type NodeType } from '../words/dom.js';
 import { holdsNodes } from '../words/fields.js';

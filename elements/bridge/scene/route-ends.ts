@@ -1,4 +1,4 @@
-import type { ProblemReport } from '../../../physics-core/index.js';
+import type { ProblemReport } from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import { fieldNamed } from '../words/fields.js';
 import type { PhysicsX3DNode, X3DNode, X3DOM } from '../x3dom/x3dom.js';

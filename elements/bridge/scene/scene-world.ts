@@ -1,4 +1,4 @@
-import { World, type PhysicsNode, type Problem } from '../../../physics-core/index.js';
+import { World, type PhysicsNode, type Problem } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
@@ -126,7 +126,7 @@ export class SceneWorld extends World implements PageWorld {
 
   /** For good; what it holds of Bullet is given back. `gone`: what left the page. */
   end(gone: string): void {
-    if (!this.started) this.fail(this.#over(gone));
+    if (!this.started) this.lifecycle.ready.reject(this.#over(gone));
     this.destroy();
   }
 

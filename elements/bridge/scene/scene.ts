@@ -228,7 +228,7 @@ export class Scene implements Driven, Site, Stage {
     this.drawing.drawMoved(world);
     this.routes.send(world);
     this.debug.draw(world);
-    world.frameOver(start);
+    world.stepping.frameOver(start);
   }
 }
 

@@ -117,7 +117,7 @@ export class Start {
   readonly load = async (): Promise<void> => {
     if (this.#engine || this.#loading) return;
     this.#loading = true;
-    for (const world of this.#scene.worlds.all) world.awaitStart();
+    for (const world of this.#scene.worlds.all) world.lifecycle.ready.await();
     const slow = setTimeout(() => this.#reportSlow(), LATEST);
     try {
       this.#engine = await engine();
@@ -161,7 +161,7 @@ export class Start {
     const [collection] = world.collections;
     const element = collection?.element ?? this.#scene.x3d;
     world.report(report, element);
-    world.fail({ ...report, element });
+    world.lifecycle.ready.reject({ ...report, element });
     awaitAttempt(this.load);
   }
 }

@@ -1,4 +1,4 @@
-import type { Units } from '../../../physics-core/index.js';
+import type { Units } from '../../../physics-core/inside.js';
 import { attribute, isInline, lowerName } from '../words/dom.js';
 import { Names, type Watcher } from './names.js';
 import type { Scopes } from './scopes.js';

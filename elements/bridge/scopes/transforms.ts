@@ -1,4 +1,4 @@
-import { codecs } from '../../../physics-core/index.js';
+import { codecs } from '../../../physics-core/inside.js';
 import { attribute, isTransform, isX3D, lowerName } from '../words/dom.js';
 import {
   identity,

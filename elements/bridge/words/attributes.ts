@@ -1,4 +1,4 @@
-import { nearest, show, type ProblemReport } from '../../../physics-core/index.js';
+import { nearest, show, type ProblemReport } from '../../../physics-core/inside.js';
 import { attribute, type NodeType } from './dom.js';
 import { attributeOf, fieldsByAttribute } from './fields.js';
 

@@ -1,4 +1,4 @@
-import { logProblem, type ProblemReport } from '../../../physics-core/index.js';
+import { logProblem, type ProblemReport } from '../../../physics-core/inside.js';
 import { nameOf } from './dom.js';
 
 /** In the console. An element that its message can't name comes along, so that one can click it. */

@@ -1,4 +1,4 @@
-import { nodeTypes } from '../../../physics-core/index.js';
+import { nodeTypes } from '../../../physics-core/inside.js';
 
 /** What one row of tables looks like from here. */
 export type NodeType = (typeof nodeTypes)[string];

@@ -6,7 +6,7 @@ export interface EventType {
 }
 
 const COLLISION =
-  '{ other: Element; impulse: number; contacts: unknown[]; time: number; reason?: string }';
+  '{ other: Element; impulse: number; contacts: { position: number[]; normal: number[]; depth: number; impulse: number }[]; time: number; reason?: string }';
 const STEP = '{ time: number; timeStep: number }';
 const DRAG =
   "{ point: number[]; mode: string; by: 'mouse' | 'touch' | 'pen' | 'keyboard'; time: number; reason?: string }";

@@ -1,4 +1,4 @@
-import { codecs, fromSI, SI, toSI, type Units } from '../../../physics-core/index.js';
+import { codecs, fromSI, SI, toSI, type Units } from '../../../physics-core/inside.js';
 import { attribute, kebab, type Field, type NodeType } from './dom.js';
 
 /** The attribute of a field: X3D's own name, kebab-case for our additions. */

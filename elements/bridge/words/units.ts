@@ -1,4 +1,4 @@
-import { SI, type Units } from '../../../physics-core/index.js';
+import { SI, type Units } from '../../../physics-core/inside.js';
 import { attribute } from './dom.js';
 
 /** The `UNIT` statements of a file (ISO/IEC 19775-1, 7.2.5.5); the first of a category counts, as X3D says. */

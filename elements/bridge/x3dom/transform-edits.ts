@@ -1,4 +1,4 @@
-import { codecs, type Units } from '../../../physics-core/index.js';
+import { codecs, type Units } from '../../../physics-core/inside.js';
 import type { X3DNode, X3DOM } from './x3dom.js';
 
 // Edits of Transforms, as x3dom tells of them: by attribute, ROUTE or setFieldValue.

@@ -1,4 +1,4 @@
-import type { LevelMeasurement, World } from '../../../physics-core/index.js';
+import type { LevelMeasurement, World } from '../../../physics-core/inside.js';
 import { html, type TemplateResult } from '../lit.js';
 import { ERRORS, work, type ErrorName } from './errors.js';
 

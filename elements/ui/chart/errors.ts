@@ -1,4 +1,4 @@
-import type { LevelMeasurement } from '../../../physics-core/index.js';
+import type { LevelMeasurement } from '../../../physics-core/inside.js';
 
 /** What may be drawn against the cost. */
 export type ErrorName = keyof LevelMeasurement['error'];

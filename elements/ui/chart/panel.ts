@@ -1,4 +1,4 @@
-import type { LevelMeasurement, World } from '../../../physics-core/index.js';
+import type { LevelMeasurement, World } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
 import { data } from './data.js';
 import { ERRORS, type ErrorName } from './errors.js';

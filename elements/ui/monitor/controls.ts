@@ -1,4 +1,4 @@
-import type { LevelName, World } from '../../../physics-core/index.js';
+import type { LevelName, World } from '../../../physics-core/inside.js';
 import { html, type TemplateResult } from '../lit.js';
 
 /** Pause, single step, reset, the accuracy level, the debug drawing, and marks for the Performance panel. */

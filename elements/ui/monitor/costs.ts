@@ -1,4 +1,4 @@
-import type { Costs, Percentiles, Phase } from '../../../physics-core/index.js';
+import type { Costs, Percentiles, Phase } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
 import { milliseconds, whole } from './numbers.js';
 

@@ -1,4 +1,4 @@
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
 import { nameOf } from './names.js';
 import { milliseconds } from './numbers.js';

@@ -1,4 +1,4 @@
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
 import { controls } from './controls.js';
 import { costs } from './costs.js';
@@ -23,7 +23,7 @@ export function panel(world: World | undefined, name: string, refresh: () => voi
 function statusOf(world: World | undefined, name: string): string {
   if (!world) return `There is no physics ${name ? `at "${name}"` : 'here'} yet.`;
   if (!world.started) return 'Not started yet.';
-  if (!world.enabled) return 'Frozen: enabled is false.';
+  if (!world.get('enabled')) return 'Frozen: enabled is false.';
   return world.paused ? 'Paused.' : 'Running.';
 }
 

@@ -1,4 +1,4 @@
-import type { Problem, World } from '../../../physics-core/index.js';
+import type { Problem, World } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
 import { nameOf } from './names.js';
 import { whole } from './numbers.js';

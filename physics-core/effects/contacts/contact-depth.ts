@@ -1,8 +1,6 @@
-import { perStep } from '../../dynamics/levels.js';
+import { FRAME, perStep } from '../../dynamics/levels.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
-import { thicknessOf } from './contact-part.js';
 import { FAR, freeSpeed, type Pair, type StepState } from './contact-rows.js';
 import { isJointed } from '../../dynamics/jointed.js';
 
@@ -14,9 +12,6 @@ const PUSH_SHARE = 0.8;
  * (measured: 18 % more than a ball of a cradle has; so 1 %).
  */
 const JOINTED_PUSH_SHARE = 0.1;
-
-/** X3D's shares are per 1/60 s, the frame they were written for. */
-const FRAME = 1 / 60;
 
 /** Softness ends where so much of the thinner body is overlapped: deeper, and it could come out on the other side. */
 const DEEPEST = 0.25;
@@ -42,7 +37,7 @@ export function writeDepth(
   const depth = -point.distance - step.slop;
   const { dt } = step;
   const { errorCorrection, softness } = parameters;
-  if ((depth <= 0 && softness === 0) || point.get(POINT.distance) >= FAR) return;
+  if ((depth <= 0 && softness === 0) || point.solverDistance >= FAR) return;
   const share = errorCorrection === undefined ? usualShare(pair, dt) : perStep(errorCorrection, dt);
   let speed = Math.min((share * Math.max(0, depth)) / dt, step.maxCorrectionSpeed);
   if (softness > 0) {
@@ -51,7 +46,7 @@ export function writeDepth(
   }
   const gap = Math.max(0, -depth);
   const distance = speed > 0 ? (-speed * dt) / PUSH_SHARE : gap - speed * dt;
-  point.put(POINT.distance, distance - step.slop);
+  point.solverDistance = distance - step.slop;
 }
 
 const usualShare = (pair: Pair, dt: number): number =>
@@ -62,7 +57,7 @@ export const isJointedPair = ({ a, b }: Pair): boolean => isJointed(a) || isJoin
 
 /** How deep softness may let a pair overlap, metres. */
 const deepest = (pair: Pair): number =>
-  (pair.deepest ??= DEEPEST * Math.min(thicknessOf(pair.a), thicknessOf(pair.b)));
+  (pair.deepest ??= DEEPEST * Math.min(pair.a.leastExtent, pair.b.leastExtent));
 
 /** The speed at which softness lets the surfaces part, where a hard contact would do so at `hard`. */
 function softened(

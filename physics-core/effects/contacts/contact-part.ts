@@ -1,5 +1,4 @@
-import type { Ammo } from '../../engine/ammo.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import type { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
 import { conjugate, rotate, subtract, type Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
@@ -11,34 +10,26 @@ import { tessellate } from '../../shapes/tessellate.js';
  * The number among the solid parts of a body of the one that a contact point lies on; `side` 0 is the manifold's first
  * body. Bullet numbers the children of a compound, but a triangle of a mesh child overwrites that number with its own.
  */
-function partNumberAt(ammo: Ammo, body: Body, point: number, side: 0 | 1): number {
+function partNumberAt(point: ContactPoint, body: Body, side: 0 | 1): number {
   if (body.solidParts.length <= 1) return 0;
-  const heap = ammo.HEAP32;
-  const triangle = heap[(point + (side === 0 ? POINT.part0 : POINT.part1)) >> 2]! >= 0;
-  if (!triangle) return heap[(point + (side === 0 ? POINT.index0 : POINT.index1)) >> 2]!;
-  const at = (point + POINT.positionB) >> 2;
-  const { HEAPF32 } = ammo;
-  return meshNumberAt(body, [HEAPF32[at]!, HEAPF32[at + 1]!, HEAPF32[at + 2]!]);
+  if (!point.onTriangle(side)) return point.child(side);
+  return meshNumberAt(body, point.positionVector());
 }
 
-const partOf = (ammo: Ammo, body: Body, point: number, side: 0 | 1): CollidablePart | undefined =>
-  body.solidParts[partNumberAt(ammo, body, point, side)];
+const partOf = (point: ContactPoint, body: Body, side: 0 | 1): CollidablePart | undefined =>
+  body.solidParts[partNumberAt(point, body, side)];
 
 /** The collidable of a body that a contact point lies on. */
-export const partAt = (
-  ammo: Ammo,
-  body: Body,
-  point: number,
-  side: 0 | 1,
-): Collidable | undefined => partOf(ammo, body, point, side)?.collidable;
+export const partAt = (point: ContactPoint, body: Body, side: 0 | 1): Collidable | undefined =>
+  partOf(point, body, side)?.collidable;
 
 /** The parts of both bodies that a contact point lies on, as one number; it holds as long as their shapes. */
-export const partsAt = (ammo: Ammo, a: Body, b: Body, point: number): number =>
-  partNumberAt(ammo, a, point, 0) * b.solidParts.length + partNumberAt(ammo, b, point, 1);
+export const partsAt = (point: ContactPoint, a: Body, b: Body): number =>
+  partNumberAt(point, a, 0) * b.solidParts.length + partNumberAt(point, b, 1);
 
 /** Whether it is a ball that the point lies on, which touches anything in one point. */
-export function isBallAt(ammo: Ammo, body: Body, point: number, side: 0 | 1): boolean {
-  const part = partOf(ammo, body, point, side);
+export function isBallAt(point: ContactPoint, body: Body, side: 0 | 1): boolean {
+  const part = partOf(point, body, side);
   return part?.geometry.type === 'Sphere' && !part.mesh;
 }
 

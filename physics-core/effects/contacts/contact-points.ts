@@ -1,14 +1,17 @@
 import type { Ammo } from '../../engine/ammo.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import { firstPoint, pointAfter, solverDistanceAt } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+
+/** Up to this distance a sensor has two bodies touch, metres: a resting sphere has 1.5e-16 in some steps. */
+export const TOUCHING = 0.0005;
 
 /** What the pair filter has taken back lies at 1e30 m. */
 const FILTERED = 9e29;
 
 /** Whether the pair filter has taken a point back: its collidables do not collide. */
-export const isFiltered = ({ HEAPF32 }: Ammo, pointer: number): boolean =>
-  HEAPF32[(pointer + POINT.distance) >> 2]! >= FILTERED;
+export const isFiltered = (ammo: Ammo, pointer: number): boolean =>
+  solverDistanceAt(ammo, pointer) >= FILTERED;
 
 /** Every contact point that the pair filter left in, and what hit at the very end of the step, by its pointer. */
 export function eachContactPoint(
@@ -26,9 +29,9 @@ export function eachContactPoint(
     const a = count > 0 && simulation.bodyAt(pointerA);
     const b = a && simulation.bodyAt(pointerB);
     if (!a || !b) return;
-    const first = ammo.getPointer(manifold.getContactPoint(0));
+    const first = firstPoint(ammo, manifold);
     for (let i = 0; i < count; i++) {
-      const pointer = first + i * POINT.size;
+      const pointer = pointAfter(first, i);
       if (!isFiltered(ammo, pointer)) visit(pointer, a, b);
     }
   });

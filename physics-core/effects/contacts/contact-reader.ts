@@ -1,21 +1,16 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
-import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Collider } from '../../dynamics/pairs.js';
 import type { Sensor } from '../../dynamics/sensor.js';
 import type { SimulationNode } from '../../dynamics/node.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { eachContactPoint } from './contact-points.js';
+import { eachContactPoint, TOUCHING } from './contact-points.js';
 import { partAt } from './contact-part.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { givenContacts } from './given-contacts.js';
 import { Touches, type TouchPoint } from './touches.js';
-
-/** A resting sphere has a distance of 1.5e-16 in some steps, so a sensor needs a tolerance, metres. */
-const TOUCHING = 0.0005;
 
 type Visit = (pointer: number, a: Body, b: Body) => void;
 
@@ -140,24 +135,23 @@ export class ContactReader extends Effect {
     const point = this.#point.at(pointer, a.pointer, b.pointer);
     const { distance } = point;
     if (this.#listening && (heardBy(a.standsFor) || heardBy(b.standsFor)))
-      this.#touches.note(a, b, distance, point.get(POINT.impulse));
+      this.#touches.note(a, b, distance, point.impulse);
     if (distance > TOUCHING) return;
-    for (const sensor of this.#sensors) this.#sense(sensor, pointer, a, b);
+    for (const sensor of this.#sensors) this.#sense(sensor, point, a, b);
   };
 
-  #sense(sensor: Sensor, pointer: number, a: Body, b: Body): void {
-    const [first, second] = this.#collidablesAt(pointer, a, b);
+  #sense(sensor: Sensor, point: ContactPoint, a: Body, b: Body): void {
+    const [first, second] = this.#collidablesAt(point, a, b);
     if (first && second && this.#watches(sensor.collider!, first, second))
       sensor.noteTouch(first, second);
   }
 
   #collidablesAt(
-    pointer: number,
+    point: ContactPoint,
     a: Body,
     b: Body,
   ): [Collidable | undefined, Collidable | undefined] {
-    const { ammo } = this.#simulation.engine;
-    return [partAt(ammo, a, pointer, 0), partAt(ammo, b, pointer, 1)];
+    return [partAt(point, a, 0), partAt(point, b, 1)];
   }
 
   #watches(collider: Collider, a: Collidable, b: Collidable): boolean {
@@ -176,7 +170,7 @@ export class ContactReader extends Effect {
     eachContactPoint(this.#simulation, (pointer, a, b) => {
       const point = this.#point.at(pointer, a.pointer, b.pointer);
       if (point.distance > TOUCHING) return;
-      const [first, second] = this.#collidablesAt(pointer, a, b);
+      const [first, second] = this.#collidablesAt(point, a, b);
       if (first && second && this.#watches(collider, first, second))
         visit(point, a, b, first, second);
     });
@@ -188,17 +182,11 @@ export class ContactReader extends Effect {
     eachContactPoint(this.#simulation, (pointer, first, second) => {
       if ((first !== a || second !== b) && (first !== b || second !== a)) return;
       const point = this.#point.at(pointer, first.pointer, second.pointer);
-      const sign = first === into ? 1 : -1;
-      const three = (offset: number, scale: number): Vec3 => [
-        point.get(offset, 0) * scale,
-        point.get(offset, 1) * scale,
-        point.get(offset, 2) * scale,
-      ];
       points.push({
-        position: three(POINT.positionB, 1),
-        normal: three(POINT.normalB, sign),
+        position: point.positionVector(),
+        normal: point.normalVector(first === into ? 1 : -1),
         depth: -point.distance,
-        impulse: point.get(POINT.impulse),
+        impulse: point.impulse,
       });
     });
     return points;

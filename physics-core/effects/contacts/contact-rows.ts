@@ -1,5 +1,4 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
@@ -54,8 +53,8 @@ export function firstDirection(point: ContactPoint): Vec3 {
 
 /** The point is not there for the solver. */
 export function leaveOut(point: ContactPoint): void {
-  point.put(POINT.distance, FAR);
-  point.put(POINT.impulse, 0);
+  point.solverDistance = FAR;
+  point.impulse = 0;
 }
 
 /** Friction, bounce, and with directions also surface speed and slip. */
@@ -66,10 +65,10 @@ export function writeSurface(
   step: StepState,
 ): void {
   const { bounce, friction } = parameters;
-  point.put(POINT.friction, Math.max(friction[0], friction[1]));
-  point.put(POINT.restitution, 0);
+  point.friction = Math.max(friction[0], friction[1]);
+  point.restitution = 0;
   if (bounce > 0) writeBounce(point, parameters);
-  point.putInt(POINT.directionsGiven, 0);
+  point.directionsGiven = false;
   if (isDirected(parameters)) directions.write(point, pair, parameters, step);
 }
 
@@ -78,12 +77,12 @@ export function writeSurface(
  * alone until then (measured).
  */
 function writeBounce(point: ContactPoint, { bounce, minBounceSpeed }: ContactParameters): void {
-  if (point.get(POINT.distance) > 0) {
+  if (point.solverDistance > 0) {
     leaveOut(point);
     return;
   }
   const approach = -point.speed(point.normal(0), point.normal(1), point.normal(2));
-  if (approach >= minBounceSpeed) point.put(POINT.restitution, bounce);
+  if (approach >= minBounceSpeed) point.restitution = bounce;
 }
 
 /**
@@ -123,10 +122,10 @@ class Directions {
     const first = this.#limit(point, pair, parameters, step.dt, 0, least);
     const second = this.#limit(point, pair, parameters, step.dt, 1, least);
     const most = Math.max(first, second) || 1;
-    point.put(POINT.friction, most);
+    point.friction = most;
     this.#row(point, pair, parameters, step, 0, first / most, slip[0] <= least);
     this.#row(point, pair, parameters, step, 1, second / most, slip[1] <= least);
-    point.putInt(POINT.directionsGiven, 1);
+    point.directionsGiven = true;
   }
 
   lay(point: ContactPoint, given: Vec3 | undefined): void {
@@ -153,17 +152,26 @@ class Directions {
     const size = Math.hypot(u, v);
     if (size < STICKING) return false;
     const [c, s] = [u / size, v / size];
-    for (let i = 0; i < 3; i++) {
-      point.put(POINT.direction1, c * first[i]! + s * second[i]!, i);
-      point.put(POINT.direction2, c * second[i]! - s * first[i]!, i);
-    }
-    point.put(POINT.motion1, c * motion1 + s * motion2);
-    point.put(POINT.motion2, c * motion2 - s * motion1);
+    this.#turned(point, 0, c, first, s, second);
+    this.#turned(point, 1, c, second, -s, first);
+    point.setMotion(0, c * motion1 + s * motion2);
+    point.setMotion(1, c * motion2 - s * motion1);
     // The impulses of the last step lay along other directions.
-    point.put(POINT.lateralImpulse1, 0);
-    point.put(POINT.lateralImpulse2, 0);
-    point.putInt(POINT.directionsGiven, 1);
+    point.setLateralImpulses(0, 0);
+    point.directionsGiven = true;
     return true;
+  }
+
+  /** c a + s b becomes one of the directions. */
+  #turned(
+    point: ContactPoint,
+    which: 0 | 1,
+    c: number,
+    a: Float64Array,
+    s: number,
+    b: Float64Array,
+  ): void {
+    point.setDirection(which, c * a[0]! + s * b[0]!, c * a[1]! + s * b[1]!, c * a[2]! + s * b[2]!);
   }
 
   /**
@@ -207,11 +215,8 @@ class Directions {
       const free = freeSpeed(point, pair, changes, x!, y!, z!);
       aim += ((free - motion) * slip[which]) / (slip[which] + point.inverseMass * dt);
     }
-    const at = which === 0 ? POINT.direction1 : POINT.direction2;
-    point.put(at, x! * share, 0);
-    point.put(at, y! * share, 1);
-    point.put(at, z! * share, 2);
-    point.put(which === 0 ? POINT.motion1 : POINT.motion2, aim * share);
+    point.setDirection(which, x! * share, y! * share, z! * share);
+    point.setMotion(which, aim * share);
   }
 }
 

@@ -1,5 +1,5 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import { BODY, MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import { firstPoint, pointAfter } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import {
@@ -13,7 +13,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
 import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
 import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
@@ -52,6 +52,7 @@ export class ContactSurface extends Effect {
   #pairs = new Map<number, Map<number, Pair>>();
   #point: ContactPoint | undefined;
   #steps = 0;
+  readonly #velocity = new Float64Array(2 * VELOCITY);
   #before = new Float64Array(VELOCITY * 16);
   readonly #step: StepState = {
     dt: 0,
@@ -171,18 +172,17 @@ export class ContactSurface extends Effect {
       if (!pair) return;
       if (pair.summed !== step) pair.impulse.fill(0);
       pair.summed = step;
-      const first = engine.ammo.getPointer(manifold.getContactPoint(0));
-      for (let i = 0; i < count; i++)
-        this.#at(first + i * POINT.size, a, b).addImpulse(pair.impulse);
+      const first = firstPoint(engine.ammo, manifold);
+      for (let i = 0; i < count; i++) this.#at(pointAfter(first, i), a, b).addImpulse(pair.impulse);
     });
   }
 
   #eachVelocity(visit: (value: number, at: number) => void): void {
-    const heap = this.#simulation.engine.ammo.HEAPF32;
-    for (const { slot, pointer } of this.#simulation.bodies) {
+    const { reader } = this.#simulation.engine;
+    for (const { slot, body, pointer } of this.#simulation.bodies) {
       if ((slot + 1) * VELOCITY > this.#before.length) this.#grow(slot);
-      const from = (pointer + BODY.linearVelocity) >> 2;
-      for (let i = 0; i < VELOCITY; i++) visit(heap[from + i]!, slot * VELOCITY + i);
+      reader.velocity(body, pointer, this.#velocity, 0);
+      for (let i = 0; i < VELOCITY; i++) visit(this.#velocity[i]!, slot * VELOCITY + i);
     }
   }
 
@@ -215,7 +215,7 @@ export class ContactSurface extends Effect {
     }
     writeSurface(point, pair, parameters, this.#step);
     this.listener?.note(point, pair, parameters);
-    if (point.get(POINT.distance) >= FAR) return;
+    if (point.solverDistance >= FAR) return;
     const gently = parameters.bounce > 0 && isJointedPair(pair);
     if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
       writeDepth(point, pair, parameters, this.#step);
@@ -269,16 +269,15 @@ export class ContactSurface extends Effect {
 
   #parametersAt(point: ContactPoint, pair: Pair): ContactParameters | null {
     if (pair.parameters !== undefined) return pair.parameters;
-    const parts = partsAt(this.#simulation.engine.ammo, pair.a, pair.b, point.pointer);
+    const parts = partsAt(point, pair.a, pair.b);
     let found = pair.byParts.get(parts);
     if (found === undefined) pair.byParts.set(parts, (found = this.#ofParts(point, pair)));
     return found;
   }
 
   #ofParts(point: ContactPoint, { a, b }: Pair): ContactParameters | null {
-    const { ammo } = this.#simulation.engine;
-    const first = partAt(ammo, a, point.pointer, 0);
-    const second = partAt(ammo, b, point.pointer, 1);
+    const first = partAt(point, a, 0);
+    const second = partAt(point, b, 1);
     return first && second ? this.#between(a, first, b, second) : PLAIN;
   }
 }

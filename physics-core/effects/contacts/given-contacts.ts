@@ -1,22 +1,18 @@
-import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import { ContactPoint, PLACE } from '../../engine/contact-point.js';
 import { length, normalize, subtract } from '../../base/math.js';
 import type { Contact, ContactGiver } from '../../dynamics/contact.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { solveAdded } from './added-contacts.js';
 import type { Pair } from './contact-rows.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { contactSurface, type ContactSurface } from './contact-surface.js';
 import { demandsOf, union } from './solver-demands.js';
 import { keyOf } from './touches.js';
 
 /** Reports of one and the same point lie this near, metres. */
 const SAME = 1e-6;
-
-/** What of a point a list may move. */
-const MOVED = [POINT.positionB, POINT.positionA, POINT.normalB];
 
 /** Bullet keeps a contact point while it moves no farther than this along the surface, metres. */
 const BREAKING = 0.02;
@@ -49,8 +45,9 @@ export class GivenContacts extends Effect {
   readonly #lists = new Map<ContactGiver, readonly Contact[]>();
   /** For the step that runs, by pair of bodies. */
   readonly #said = new Map<number, Said[]>();
-  /** Points as Bullet had them where a list moved them: the pointer, then both positions and the normal. */
+  /** Points where a list moved them, by their pointers, and the places that Bullet had them at. */
   readonly #moved: number[] = [];
+  readonly #places: number[] = [];
   #dt = 0;
 
   constructor(simulation: Simulation, effects: Effects) {
@@ -147,14 +144,9 @@ export class GivenContacts extends Effect {
   }
 
   #restore(): void {
-    const moved = this.#moved;
-    const heap = this.#simulation.engine.ammo.HEAPF32;
-    for (let at = 0; at < moved.length;) {
-      const pointer = moved[at++]!;
-      for (const offset of MOVED)
-        for (let i = 0; i < 3; i++) heap[((pointer + offset) >> 2) + i] = moved[at++]!;
-    }
-    moved.length = 0;
+    const point = new ContactPoint(this.#simulation.engine.ammo);
+    this.#moved.forEach((pointer, i) => point.at(pointer, 0, 0).loadPlace(this.#places, i * PLACE));
+    this.#moved.length = this.#places.length = 0;
   }
 
   /** What the list says of a point: parameters, null to leave it out, undefined for nothing. */
@@ -171,16 +163,16 @@ export class GivenContacts extends Effect {
   /** Position, normal and depth as the page wrote them. */
   #move(point: ContactPoint, pair: Pair, contact: Contact): void {
     this.#moved.push(point.pointer);
-    for (const offset of MOVED) for (let i = 0; i < 3; i++) this.#moved.push(point.get(offset, i));
+    point.savePlace(this.#places);
     const { position, depth, ...touching } = contact.touching;
     const normal = normalize(touching.normal);
     for (let i = 0; i < 3; i++) {
       const n = normal[i]! * pair.carried;
-      point.put(POINT.normalB, n, i);
-      point.put(POINT.positionB, position[i]!, i);
-      point.put(POINT.positionA, position[i]! - n * depth, i);
+      point.setNormal(i, n);
+      point.setPosition(i, position[i]!);
+      point.setPositionOnA(i, position[i]! - n * depth);
     }
-    point.put(POINT.distance, -depth);
+    point.solverDistance = -depth;
   }
 }
 

@@ -1,4 +1,4 @@
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
 /** Triangle meshes and hulls: no work in the step beyond Bullet's own, but the author may want to know who uses them. */
 export class MeshShapes extends Effect {}

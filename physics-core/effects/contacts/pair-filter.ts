@@ -1,8 +1,8 @@
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import { ContactPoint } from '../../engine/contact-point.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /** Farther than any contact that Bullet's solver looks at (its own threshold is 1e18), metres. */
 const APART = 1e30;
@@ -20,6 +20,7 @@ interface Neighbours {
  */
 export class PairFilter extends Effect {
   readonly #simulation: Simulation;
+  #contactPoint: ContactPoint | undefined;
   /** By pointer of the first body, then of the second. */
   readonly #known = new Map<number, Map<number, Neighbours>>();
 
@@ -43,17 +44,22 @@ export class PairFilter extends Effect {
     this.forget();
   }
 
-  override contact(point: number, a: number, b: number): boolean {
+  override contact(pointer: number, a: number, b: number): boolean {
+    const point = this.#point.at(pointer, a, b);
     if (this.#meet(point, a, b)) return true;
-    this.#simulation.engine.ammo.HEAPF32[(point + POINT.distance) >> 2] = APART;
+    point.solverDistance = APART;
     return false;
   }
 
-  #meet(point: number, pointerA: number, pointerB: number): boolean {
+  get #point(): ContactPoint {
+    return (this.#contactPoint ??= new ContactPoint(this.#simulation.engine.ammo));
+  }
+
+  #meet(point: ContactPoint, pointerA: number, pointerB: number): boolean {
     const neighbours = this.#neighbours(pointerA, pointerB);
     if (!neighbours) return true;
     const { a, b, byParts } = neighbours;
-    const parts = partsAt(this.#simulation.engine.ammo, a, b, point);
+    const parts = partsAt(point, a, b);
     let meet = byParts.get(parts);
     if (meet === undefined) byParts.set(parts, (meet = this.#ask(neighbours, point)));
     return meet;
@@ -70,9 +76,8 @@ export class PairFilter extends Effect {
     return found;
   }
 
-  #ask({ a, b }: Neighbours, point: number): boolean {
-    const { ammo } = this.#simulation.engine;
-    const [first, second] = [partAt(ammo, a, point, 0), partAt(ammo, b, point, 1)];
+  #ask({ a, b }: Neighbours, point: ContactPoint): boolean {
+    const [first, second] = [partAt(point, a, 0), partAt(point, b, 1)];
     return !first || !second || this.#simulation.pairs.meet(a, first, b, second);
   }
 }

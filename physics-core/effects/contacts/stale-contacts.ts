@@ -1,7 +1,6 @@
-import { BODY, MANIFOLD } from '../../engine/offsets.js';
+import { speedBetween } from '../../engine/body-heap.js';
+import { breakingOf, forgetPoints, type Manifold } from '../../engine/manifold.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-
-type Manifold = Parameters<Parameters<Simulation['bullet']['eachManifold']>[0]>[0];
 
 /** Share of the way that a contact point lives for, in a step. */
 const LONG = 0.5;
@@ -20,14 +19,7 @@ export function eachFastPair(
   visit: (manifold: Manifold, a: number, b: number) => void,
 ): void {
   bullet.eachManifold((manifold, a, b) => {
-    const { HEAPF32 } = ammo;
-    const v = (a + BODY.linearVelocity) >> 2;
-    const w = (b + BODY.linearVelocity) >> 2;
-    const x = HEAPF32[v]! - HEAPF32[w]!;
-    const y = HEAPF32[v + 1]! - HEAPF32[w + 1]!;
-    const z = HEAPF32[v + 2]! - HEAPF32[w + 2]!;
-    const breaking = HEAPF32[(ammo.getPointer(manifold) + MANIFOLD.breaking) >> 2]!;
-    if (Math.sqrt(x * x + y * y + z * z) * dt > LONG * breaking) visit(manifold, a, b);
+    if (speedBetween(ammo, a, b) * dt > LONG * breakingOf(ammo, manifold)) visit(manifold, a, b);
   });
 }
 
@@ -38,7 +30,5 @@ export function eachFastPair(
  */
 export function forgetStale(simulation: Simulation, dt: number): void {
   const { ammo } = simulation.engine;
-  eachFastPair(simulation, dt, (manifold) => {
-    ammo.HEAP32[(ammo.getPointer(manifold) + MANIFOLD.pointCount) >> 2] = 0;
-  });
+  eachFastPair(simulation, dt, (manifold) => forgetPoints(ammo, manifold));
 }

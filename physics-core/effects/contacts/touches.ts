@@ -3,7 +3,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { SimulationNode } from '../../dynamics/node.js';
 
 /** A resting sphere has a distance of 1.5e-16 in some steps: bodies touch from the first on, until the second, metres. */
-const BEGIN = 0.001;
+export const BEGIN = 0.001;
 const END = 0.01;
 
 export type CollisionEnd = 'separated' | 'removed' | 'disabled' | 'reset';

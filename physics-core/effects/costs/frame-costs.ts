@@ -1,4 +1,4 @@
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /** What a frame's milliseconds are split by: Bullet and effects, reading poses, writing them to the page, listeners. */
 export const PHASES = ['step', 'read', 'write', 'events'] as const;

@@ -1,13 +1,9 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { eachContactPoint } from '../contacts/contact-points.js';
+import { eachContactPoint, TOUCHING } from '../contacts/contact-points.js';
 import { COLOR } from './colors.js';
 import type { DebugLines } from './debug-lines.js';
-
-/** Up to this distance bodies touch, metres: a resting sphere has 1.5e-16 in some steps. */
-const TOUCHING = 0.0005;
 
 /** A cross at each contact point, on the surface of the second body, and the normal from there into the first. */
 export function markContacts(lines: DebugLines, simulation: Simulation): void {
@@ -15,8 +11,8 @@ export function markContacts(lines: DebugLines, simulation: Simulation): void {
   const point = new ContactPoint(simulation.engine.ammo);
   eachContactPoint(simulation, (pointer, a, b) => {
     point.at(pointer, a.pointer, b.pointer);
-    const at: Vec3 = [point.position(0), point.position(1), point.position(2)];
-    const normal: Vec3 = [point.normal(0), point.normal(1), point.normal(2)];
+    const at = point.positionVector();
+    const normal = point.normalVector();
     const size = Math.min(lines.markOn(a), lines.markOn(b));
     const color = point.distance <= TOUCHING ? COLOR.contact : COLOR.near;
     const arm = size / 4;

@@ -1,8 +1,8 @@
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Joint } from '../../dynamics/joint.js';
-import { rotate, scale, type Pose } from '../../base/math.js';
-import type { Vec3 } from '../../fields/types.js';
+import { AXES, rotate, scale, type Pose } from '../../base/math.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { COLOR, type Color } from './colors.js';
 import { markContacts } from './contact-marks.js';
@@ -35,7 +35,7 @@ export class DebugLines extends LineBuffer {
   readonly #scene: DebugScene;
   readonly #outlines: Outlines;
   readonly #byBody = new WeakMap<Body, Outline>();
-  readonly #pose = new Float64Array(7);
+  readonly #pose = new Float64Array(POSE);
 
   constructor(simulation: Simulation, scene: DebugScene) {
     super();
@@ -115,12 +115,6 @@ export class DebugLines extends LineBuffer {
     }
   }
 }
-
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 function colorOf(body: Body): Color {
   if (!body.active) return COLOR.out;

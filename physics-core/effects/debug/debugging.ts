@@ -1,5 +1,5 @@
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /** Collections that ask to be drawn as Bullet has them. Who draws hears of it by the world's `debug`. */
 export class Debugging extends Effect {

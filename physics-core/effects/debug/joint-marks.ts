@@ -2,6 +2,7 @@ import { JointView } from '../../engine/joint-view.js';
 import type { Vec3 } from '../../fields/types.js';
 import {
   add,
+  AXES,
   compose,
   cross,
   identityPose,
@@ -20,11 +21,6 @@ import type { DebugLines } from './debug-lines.js';
 const SIZE = 3;
 /** Turn of one piece of an arc, radians. */
 const PIECE = Math.PI / 16;
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 /** A joint as Bullet's constraint has it. A and B are Bullet's; rows lie along A's frame. */
 interface Seen {

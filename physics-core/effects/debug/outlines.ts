@@ -1,6 +1,6 @@
-import type { Ammo } from '../../engine/ammo.js';
-import { SHAPE, SHAPE_TYPE } from '../../engine/offsets.js';
+import { makeLineDrawer, type LineDrawer } from '../../engine/line-drawer.js';
 import { Owner } from '../../engine/owner.js';
+import { kindOf } from '../../engine/shape-kind.js';
 import type { Vec3 } from '../../fields/types.js';
 import { length, subtract } from '../../base/math.js';
 import type { BtShape } from '../../shapes/build.js';
@@ -17,7 +17,7 @@ const MARK = 0.7;
 export class Outlines {
   readonly #simulation: Simulation;
   readonly #owner: Owner;
-  readonly #drawer: Ammo['DebugDrawer']['prototype'];
+  readonly #drawer: LineDrawer;
   /** Lines by shape drawn: of a compound itself, then of each child from the last to the first. */
   #drawn: number[][] = [];
 
@@ -27,26 +27,12 @@ export class Outlines {
     this.#drawer = this.#makeDrawer();
   }
 
-  #makeDrawer(): Ammo['DebugDrawer']['prototype'] {
+  #makeDrawer(): LineDrawer {
     const { ammo } = this.#simulation.engine;
-    const drawer = this.#owner.own(new ammo.DebugDrawer());
-    // Bullet hands over pointers to vectors.
-    drawer.drawLine = (from: number, to: number, color: number) => {
-      const heap = ammo.HEAPF32;
-      const [a, b, c] = [from >> 2, to >> 2, color >> 2];
-      if (heap[c] === 1)
-        this.#drawn.at(-1)!.push(...heap.subarray(a, a + 3), ...heap.subarray(b, b + 3));
-      else if (heap[c]! > MARK / 2) this.#drawn.push([]);
-    };
-    drawer.getDebugMode = () => 0;
-    const nothing = (): void => {};
-    Object.assign(drawer, {
-      drawContactPoint: nothing,
-      reportErrorWarning: nothing,
-      draw3dText: nothing,
-      setDebugMode: nothing,
+    return makeLineDrawer(ammo, this.#owner, (from, to, red) => {
+      if (red === 1) this.#drawn.at(-1)!.push(...from, ...to);
+      else if (red > MARK / 2) this.#drawn.push([]);
     });
-    return drawer;
   }
 
   /** Both ends of each edge, x y z, each edge once. */
@@ -60,21 +46,17 @@ export class Outlines {
   }
 
   #childrenOf(shape: BtShape): BtShape[] {
-    if (this.#typeOf(shape) !== SHAPE_TYPE.compound) return [];
-    const { ammo } = this.#simulation.engine;
+    const { engine } = this.#simulation;
+    if (kindOf(engine, shape) !== 'compound') return [];
+    const { ammo } = engine;
     const compound = ammo.castObject(shape, ammo.btCompoundShape);
     return Array.from({ length: compound.getNumChildShapes() }, (_, i) =>
       compound.getChildShape(i),
     );
   }
 
-  #typeOf(shape: BtShape): number {
-    const { ammo, heapTrusted } = this.#simulation.engine;
-    return heapTrusted ? ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]! : -1;
-  }
-
   #isHull(shape: BtShape | undefined): boolean {
-    return shape !== undefined && this.#typeOf(shape) === SHAPE_TYPE.hull;
+    return shape !== undefined && kindOf(this.#simulation.engine, shape) === 'hull';
   }
 
   #draw(shape: BtShape): void {

@@ -1,7 +1,7 @@
 import { mix, type Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /** Seconds without a new pose after which a carried body stands still. */
 const STILL = 0.1;

@@ -1,10 +1,11 @@
 import type { Vec3 } from '../../fields/types.js';
-import { add, compose, cross, length, scale, subtract } from '../../base/math.js';
+import { add, AXES, compose, cross, length, scale, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { applyInertia, applyInverseInertia } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { backward, factor, forward } from '../../base/cholesky.js';
-import { BODY_BLOCK, rowOf, SIDE } from '../joints/blocks.js';
+import { rowOf } from '../../base/triangle.js';
+import { BODY_BLOCK, SIDE } from '../joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../joints/row-system.js';
 import { Hand, TOP_SPEED } from './hand.js';
@@ -20,12 +21,6 @@ const SWING = 4;
 
 /** Share of its spin per second that a held body loses: it hangs in a hand, not in a bearing. */
 const GRIP = 4;
-
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 /**
  * The spring between a hand and the grabbed point: stiff in proportion to the mass that it has to move, with the damper that

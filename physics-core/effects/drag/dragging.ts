@@ -4,9 +4,10 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { isJointed } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../joints/row-system.js';
 import { Drag, type DragEnd } from './drag.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
-import { jointSolve, type Pull } from '../joints/joint-solve.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
+import type { Pull } from '../joints/component-solve.js';
+import { jointSolve } from '../joints/joint-solve.js';
 import { resting } from '../rest/resting.js';
 
 /**

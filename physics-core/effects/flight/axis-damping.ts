@@ -3,7 +3,7 @@ import type { Body } from '../../dynamics/body.js';
 import { areEqualMoments } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
 /**
  * X3D's angular damping is a torque, -factor × spin, so a body has as many rates as moments. Bullet's damping has one:

@@ -2,16 +2,16 @@ import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { dragging } from '../drag/dragging.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { impactPropagation } from '../hits/impact-propagation.js';
 import { jointSolve } from '../joints/joint-solve.js';
 import { forces } from './forces.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 
-const POSE = 7;
 const VELOCITY = 6;
 
 /** Share of a velocity and of its change that single precision may take or add in a step. */
@@ -87,7 +87,7 @@ export class Flight extends Effect {
 
   /** The joint solve keeps its velocity in the middle of each step, which is exact enough. */
   #held(body: Body): boolean {
-    const joints = this.#effects.find(jointSolve);
+    const joints = this.#effects.caused(jointSolve);
     return joints !== undefined && joints.lastStep(body) > 0;
   }
 

@@ -2,7 +2,7 @@ import { add } from '../../base/math.js';
 import type { Body, Load } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 const isZero = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
 

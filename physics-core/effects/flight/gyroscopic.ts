@@ -1,17 +1,18 @@
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/joint-solve.js';
 import {
   applyInertia,
   applyInverseInertia,
   dot3,
   multiply4,
-  writeAxes,
   writeTurn,
 } from '../../base/flat-math.js';
+import { writeAxes } from '../../base/matrix.js';
 
 /** Radians per step below which the torque is left out: it grows with the square. */
 const SLOW = 1e-3;
@@ -61,7 +62,7 @@ export class Gyroscopic extends Effect {
   readonly #effects: Effects;
   readonly #tops = new Map<Body, Top>();
   readonly #spinning = new Map<Body, Spin>();
-  readonly #pose = new Float64Array(7);
+  readonly #pose = new Float64Array(POSE);
   readonly #velocity = new Float64Array(6);
   readonly #axes = new Float64Array(9);
   readonly #spin = new Float64Array(3);
@@ -178,7 +179,7 @@ export class Gyroscopic extends Effect {
     const v = this.#velocity;
     this.#simulation.engine.reader.velocity(body.body, body.pointer, v, 0);
     const free = same3(given, v, 3);
-    const alone = state.slow && (this.#effects.find(jointSolve)?.alone(body) ?? false);
+    const alone = state.slow && (this.#effects.caused(jointSolve)?.alone(body) ?? false);
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
     if (alone) this.#takeMomentum(body, state);
     else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;

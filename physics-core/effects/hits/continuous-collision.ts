@@ -1,13 +1,12 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { thicknessOf } from '../contacts/contact-part.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
 /** What passes more than this share of its least extent in a step could pass through something thin. */
-const SHARE = 0.5;
+export const FAR = 0.5;
 
 /** Of the greatest ball within a body: a little less does not catch on the floor that it slides along. */
 const BALL = 0.9;
@@ -26,28 +25,17 @@ function areJoined({ joints }: Body, other: Body): boolean {
  */
 export class ContinuousCollision extends Effect {
   readonly #simulation: Simulation;
-  readonly #pose = new Float64Array(7);
+  readonly #pose = new Float64Array(POSE);
   #point: ContactPoint | undefined;
-  /** Metres, by the parts that a body has. */
-  readonly #extents = new WeakMap<object, number>();
 
   constructor(simulation: Simulation) {
     super();
     this.#simulation = simulation;
   }
 
-  /** A body will go so many metres, squared, in the next step. */
-  judge(body: Body, square: number): void {
-    const fast = square > (SHARE * this.#extentOf(body)) ** 2;
-    if (fast) this.need(body, 'passes more than half its size in a step');
-    else if (this.active) this.release(body);
-  }
-
-  #extentOf(body: Body): number {
-    const { solidParts } = body;
-    let extent = this.#extents.get(solidParts);
-    if (extent === undefined) this.#extents.set(solidParts, (extent = thicknessOf(body)));
-    return extent;
+  /** A body will go far in the next step. */
+  override need(body: Body, reason = 'passes more than half its size in a step'): void {
+    super.need(body, reason);
   }
 
   /** Calls `visit` with a contact point for each that has passed something in the step, as deep as it came since. */
@@ -56,7 +44,7 @@ export class ContinuousCollision extends Effect {
     for (const node of this.causes) {
       const body = node as Body;
       if (!body.active || !body.movable || body.sleeping) continue;
-      const radius = this.#extentOf(body) / 2;
+      const radius = body.leastExtent / 2;
       const from = compose(body.pose(), body.centerOfMass).p;
       engine.reader.pose(body.body, body.pointer, this.#pose, 0);
       if (!engine.sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;
@@ -79,16 +67,15 @@ export class ContinuousCollision extends Effect {
     let gap = -radius;
     for (let i = 0; i < 3; i++) gap += normal[i]! * (this.#pose[i]! - position[i]!);
     for (let i = 0; i < 3; i++) {
-      point.put(POINT.normalB, normal[i]!, i);
-      point.put(POINT.positionB, position[i]!, i);
-      point.put(POINT.positionA, position[i]! + normal[i]! * gap, i);
+      point.setNormal(i, normal[i]!);
+      point.setPosition(i, position[i]!);
+      point.setPositionOnA(i, position[i]! + normal[i]! * gap);
     }
-    point.put(POINT.distance, gap);
-    for (const offset of [POINT.impulse, POINT.lateralImpulse1, POINT.lateralImpulse2])
-      point.put(offset, 0);
-    // No triangle and no child of a compound: where there are several, the first speaks.
-    for (const offset of [POINT.part0, POINT.part1]) point.putInt(offset, -1);
-    for (const offset of [POINT.index0, POINT.index1]) point.putInt(offset, 0);
+    point.solverDistance = gap;
+    point.impulse = 0;
+    point.setLateralImpulses(0, 0);
+    // Where there are several, the first speaks.
+    point.setFirstChildren();
   }
 }
 

@@ -1,6 +1,6 @@
 import type { Ammo } from '../../engine/ammo.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { BODY } from '../../engine/offsets.js';
+import { addVelocity, originOf, writeInverseMass } from '../../engine/body-heap.js';
 import type { Body } from '../../dynamics/body.js';
 import type { JointRows } from '../joints/joint-rows.js';
 import { holds, otherEnd } from '../../dynamics/jointed.js';
@@ -28,9 +28,11 @@ export class EffectiveMassMatrix {
 
   read(body: Body): void {
     this.body = body;
-    this.#w.fill(0);
-    if (!body.movable) return;
-    this.#readFree();
+    if (!body.movable) {
+      this.#w.fill(0);
+      return;
+    }
+    writeInverseMass(this.#ammo, body.pointer, this.#w);
     for (const joint of body.joints) {
       if (!holds(joint) || otherEnd(joint, body)?.movable) continue;
       const first = joint.body1 === body;
@@ -38,21 +40,6 @@ export class EffectiveMassMatrix {
       rows.fill(joint, 0);
       for (const row of joint.lockedRows)
         this.#hold(rows.jacobian, row * 2 * WIDTH + (first ? 0 : WIDTH), rows.between(row, row));
-    }
-  }
-
-  #readFree(): void {
-    const { pointer } = this.body;
-    const heap = this.#ammo.HEAPF32;
-    const basis = (pointer + BODY.basis) >> 2;
-    const inertia = (pointer + BODY.inverseInertiaLocal) >> 2;
-    const mass = heap[(pointer + BODY.inverseMass) >> 2]!;
-    for (let i = 0; i < 3; i++) {
-      this.#w[i * WIDTH + i] = mass;
-      for (let j = 0; j < 3; j++)
-        for (let k = 0; k < 3; k++)
-          this.#w[(3 + i) * WIDTH + 3 + j]! +=
-            heap[basis + 4 * i + k]! * heap[inertia + k]! * heap[basis + 4 * j + k]!;
     }
   }
 
@@ -80,10 +67,10 @@ export class EffectiveMassMatrix {
 
   /** Change of speed along (x, y, z) at a contact point for an impulse of 1 N s there, 1/kg. */
   inverseEffectiveMass(point: ContactPoint, x: number, y: number, z: number): number {
-    const o = (this.body.pointer + BODY.origin) >> 2;
-    const rx = point.position(0) - this.#ammo.HEAPF32[o]!;
-    const ry = point.position(1) - this.#ammo.HEAPF32[o + 1]!;
-    const rz = point.position(2) - this.#ammo.HEAPF32[o + 2]!;
+    const { pointer } = this.body;
+    const rx = point.position(0) - originOf(this.#ammo, pointer, 0);
+    const ry = point.position(1) - originOf(this.#ammo, pointer, 1);
+    const rz = point.position(2) - originOf(this.#ammo, pointer, 2);
     const push = this.#push;
     [push[0], push[1], push[2]] = [x, y, z];
     push[3] = ry * z - rz * y;
@@ -93,12 +80,7 @@ export class EffectiveMassMatrix {
   }
 
   /** Applies so many N s of the push that `inverseEffectiveMass` was last asked about. */
-  push(heap: Float32Array, impulse: number): void {
-    const v = (this.body.pointer + BODY.linearVelocity) >> 2;
-    const w = (this.body.pointer + BODY.angularVelocity) >> 2;
-    for (let i = 0; i < 3; i++) {
-      heap[v + i]! += impulse * this.change[i]!;
-      heap[w + i]! += impulse * this.change[3 + i]!;
-    }
+  push(impulse: number): void {
+    addVelocity(this.#ammo, this.body.pointer, this.change, impulse);
   }
 }

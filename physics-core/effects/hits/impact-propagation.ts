@@ -1,30 +1,24 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { Blow, MOST_HITS } from './blow.js';
 import { continuousCollision } from './continuous-collision.js';
 import { Impact, OVER } from './impact.js';
 import { StruckBody } from './struck-body.js';
 import { isBallAt, isRound } from '../contacts/contact-part.js';
-import { leaveOut, type Pair } from '../contacts/contact-rows.js';
+import type { Pair } from '../contacts/contact-rows.js';
 import {
   contactSurface,
   type ContactListener,
   type ContactSurface,
 } from '../contacts/contact-surface.js';
 import { pairFilter } from '../contacts/pair-filter.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
-import type { Effects } from '../effects.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
-
-/** Hits that one blow may lead to. */
-const MOST_HITS = 200;
-
-/** Hits nearer to each other count as simultaneous, seconds. */
-const SAME_TIME = 1e-6;
 
 /**
  * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
@@ -42,13 +36,12 @@ export class ImpactPropagation extends Effect implements ContactListener {
   readonly #hits: Impact[] = [];
   /** By slot of the body. */
   readonly #links: StruckBody[] = [];
-  readonly #chain: Impact[] = [];
+  readonly #blow = new Blow();
   /** Of the step that runs. */
   readonly #touched: StruckBody[] = [];
   /** Pairs that were looked at again in this step. */
   readonly #seen = new Set<number>();
   #count = 0;
-  #strikes = 0;
   #steps = 0;
   #dt = 0;
   /** Hits up to this time of the step happen now. */
@@ -75,9 +68,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
   note(at: ContactPoint, pair: Pair, parameters: ContactParameters): void {
     const { bounce, minBounceSpeed, softness } = parameters;
     if (softness > 0 || isDirected(parameters)) return;
-    const { ammo } = this.#simulation.engine;
     const { a, b } = pair;
-    const round = isBallAt(ammo, a, at.pointer, 0) || isBallAt(ammo, b, at.pointer, 1);
+    const round = isBallAt(at, a, 0) || isBallAt(at, b, 1);
     if (!round && !this.#swept && bounce === 0) return;
     const hit = (this.#hits[this.#count++] ??= new Impact(this.#simulation.engine));
     hit.point.at(at.pointer, a.pointer, b.pointer);
@@ -85,8 +77,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     hit.b = this.#linkOf(b);
     hit.bounce = bounce;
     hit.least = Math.max(minBounceSpeed, OVER);
-    const { HEAPF32 } = ammo;
-    hit.gap = at.distance + hit.a.lateAt(HEAPF32, hit.point) - hit.b.lateAt(HEAPF32, hit.point);
+    hit.gap = at.distance + hit.a.lateAt(hit.point) - hit.b.lateAt(hit.point);
     hit.impulse = 0;
     hit.chained = false;
     hit.weigh(this.#dt);
@@ -98,22 +89,21 @@ export class ImpactPropagation extends Effect implements ContactListener {
   /** What touches in several points, or has others hanging on it, bounces in Bullet's solver: off all of them at once. */
   #leave(hit: Impact): void {
     const { point, a, b } = hit;
-    const { HEAPF32 } = this.#simulation.engine.ammo;
     // After Bullet's step it is too late.
     if (this.#until === 0) return;
     const share = hit.comes(this.#dt, this.#until) ? hit.shareAt(this.#dt) : 0;
-    point.put(POINT.restitution, share);
+    point.restitution = share;
     if (share === 0) return;
     // Neither a gap to close nor a depth to push out: the body is moved after the step.
-    point.put(POINT.distance, -this.#simulation.bullet.settings.linearSlop);
-    if (a.movable) a.bounce(HEAPF32, hit.time);
-    if (b.movable) b.bounce(HEAPF32, hit.time);
+    point.solverDistance = -this.#simulation.bullet.settings.linearSlop;
+    if (a.movable) a.bounce(hit.time);
+    if (b.movable) b.bounce(hit.time);
   }
 
   #meet(hit: Impact): void {
     if (hit.a.movable) hit.a.hits.push(hit);
     if (hit.b.movable) hit.b.hits.push(hit);
-    if (hit.comes(this.#dt, this.#until)) this.#handOn(hit);
+    if (hit.comes(this.#dt, this.#until)) this.#blow.handOn(hit, this.#dt, this.#until);
   }
 
   #linkOf(body: Body): StruckBody {
@@ -125,97 +115,6 @@ export class ImpactPropagation extends Effect implements ContactListener {
     return link;
   }
 
-  // ---- a blow ---------------------------------------------------------------------------------------------------------
-
-  #handOn(first: Impact): void {
-    this.#chain.length = 0;
-    this.#join(first);
-    for (let i = 0; i < MOST_HITS; i++) {
-      const hit = this.#earliest();
-      if (!hit) break;
-      this.#strike(hit);
-      for (const next of hit.a.hits) this.#join(next);
-      for (const next of hit.b.hits) this.#join(next);
-    }
-    for (const hit of this.#chain) hit.chained = false;
-  }
-
-  #join(hit: Impact): void {
-    if (hit.chained) return;
-    hit.chained = true;
-    hit.point.refresh();
-    this.#chain.push(hit);
-  }
-
-  /** Of those at the same time the hardest. */
-  #earliest(): Impact | undefined {
-    let first: Impact | undefined;
-    for (const hit of this.#chain) {
-      if (!hit.comes(this.#dt, this.#until)) continue;
-      const sooner = first ? first.time - hit.time : Infinity;
-      if (sooner > SAME_TIME || (sooner > -SAME_TIME && hit.speed > first!.speed)) first = hit;
-    }
-    return first;
-  }
-
-  #strike(hit: Impact): void {
-    const { point, time, speed, returned } = hit;
-    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const impulse = (speed + returned) / this.#inverseEffectiveMass(hit, x, y, z);
-    if (!Number.isFinite(impulse)) return;
-    this.#shiftGaps(hit, time);
-    this.#push(hit, impulse, time);
-    hit.impulse += impulse;
-    this.#strikes++;
-    this.#rub(hit, impulse * point.get(POINT.friction), time);
-    this.#shiftGaps(hit, -time);
-    // What is left is no bounce any more, and the way back to the surface is made up for after the step.
-    point.put(POINT.restitution, 0);
-    if (returned > 0) leaveOut(point);
-    else point.put(POINT.distance, 0);
-    // For whoever reads it: here they touched.
-    for (let i = 0; i < 3; i++) point.put(POINT.positionA, point.get(POINT.positionB, i), i);
-  }
-
-  /** Before and after a strike: gaps are those of paths led back to the start of the step with the speeds of now. */
-  #shiftGaps({ a, b }: Impact, time: number): void {
-    for (const hit of a.hits) hit.gap -= time * hit.approach;
-    for (const hit of b.hits) if (!a.hits.includes(hit)) hit.gap -= time * hit.approach;
-  }
-
-  /** Coulomb's friction of the hit: against the sliding, and no more than ends it. */
-  #rub(hit: Impact, most: number, time: number): void {
-    const { point } = hit;
-    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const out = point.speed(x, y, z);
-    const u = point.speed(1, 0, 0) - out * x;
-    const v = point.speed(0, 1, 0) - out * y;
-    const w = point.speed(0, 0, 1) - out * z;
-    const sliding = Math.hypot(u, v, w);
-    if (sliding < OVER) return;
-    const inverseEffectiveMass = this.#inverseEffectiveMass(
-      hit,
-      u / sliding,
-      v / sliding,
-      w / sliding,
-    );
-    this.#push(hit, -Math.min(most, sliding / inverseEffectiveMass), time);
-  }
-
-  /** How far both give way along a direction, 1/kg. */
-  #inverseEffectiveMass({ point, a, b }: Impact, x: number, y: number, z: number): number {
-    return (
-      a.known().inverseEffectiveMass(point, x, y, z) +
-      b.known().inverseEffectiveMass(point, x, y, z)
-    );
-  }
-
-  #push({ a, b }: Impact, impulse: number, time: number): void {
-    const { HEAPF32 } = this.#simulation.engine.ammo;
-    if (a.movable) a.push(HEAPF32, impulse, time);
-    if (b.movable) b.push(HEAPF32, -impulse, time);
-  }
-
   // ---- the way of the step -----------------------------------------------------------------------------------------------
 
   /**
@@ -225,7 +124,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   override settle(dt: number): void {
     const { engine, bullet } = this.#simulation;
     if (!engine.heapTrusted) return;
-    const struck = this.#strikes > 0;
+    const struck = this.#blow.strikes > 0;
     this.#makeUpAll(dt);
     engine.pairTest.clear(bullet.bullet);
     this.#until = 0;
@@ -240,7 +139,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   #noteImpulses(): void {
     for (let i = 0; i < this.#count; i++) {
       const { point, impulse } = this.#hits[i]!;
-      if (impulse > 0) point.refresh().put(POINT.impulse, point.get(POINT.impulse) + impulse);
+      if (impulse > 0) point.refresh().impulse += impulse;
     }
   }
 
@@ -260,7 +159,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#newRound();
     eachFastPair(this.#simulation, dt, this.#lookAt);
     this.#simulation.bullet.eachManifold(this.#lookBehind);
-    for (let i = 0; i < MOST_HITS && this.#strikes > 0; i++) {
+    for (let i = 0; i < MOST_HITS && this.#blow.strikes > 0; i++) {
       this.#makeUpAll(dt);
       this.#newRound();
       this.#simulation.bullet.eachManifold(this.#lookBehind);
@@ -270,7 +169,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
 
   #newRound(): void {
     this.#steps++;
-    this.#strikes = 0;
+    this.#blow.strikes = 0;
     this.#seen.clear();
   }
 
@@ -310,7 +209,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   #makeUpAll(dt: number): void {
-    for (const link of this.#touched) link.makeUp(this.#simulation.engine, dt);
+    for (const link of this.#touched) link.makeUp(dt);
     this.#touched.length = 0;
   }
 }

@@ -1,7 +1,8 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { BODY } from '../../engine/offsets.js';
+import { originOf } from '../../engine/body-heap.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import { hangsOnMoving, isJointed } from '../../dynamics/jointed.js';
 import type { Engine } from '../../engine/engine.js';
 import { EffectiveMassMatrix } from './effective-mass-matrix.js';
@@ -11,7 +12,7 @@ import type { Impact } from './impact.js';
 /** Linear, then angular. */
 const WIDTH = 6;
 
-const pose = new Float64Array(7);
+const pose = new Float64Array(POSE);
 const velocity = new Float64Array(6);
 const displacement = new Float64Array(3);
 const turn = new Float64Array(4);
@@ -40,8 +41,11 @@ export class StruckBody {
   readonly change = new Float64Array(WIDTH);
   readonly late = new Float64Array(WIDTH);
 
-  constructor({ ammo }: Engine, rows: JointRows) {
-    this.effectiveMass = new EffectiveMassMatrix(ammo, rows);
+  readonly #engine: Engine;
+
+  constructor(engine: Engine, rows: JointRows) {
+    this.#engine = engine;
+    this.effectiveMass = new EffectiveMassMatrix(engine.ammo, rows);
   }
 
   take(body: Body, step: number): void {
@@ -63,9 +67,9 @@ export class StruckBody {
   }
 
   /** Applies an impulse of `effectiveMass` at a time of the step. */
-  push(heap: Float32Array, impulse: number, time: number): void {
-    if (!this.struck) this.#begin(heap);
-    this.effectiveMass.push(heap, impulse);
+  push(impulse: number, time: number): void {
+    if (!this.struck) this.#begin();
+    this.effectiveMass.push(impulse);
     for (let i = 0; i < WIDTH; i++) {
       const change = impulse * this.effectiveMass.change[i]!;
       this.change[i]! += change;
@@ -74,8 +78,8 @@ export class StruckBody {
   }
 
   /** Bullet's solver will let it bounce, in several points together; the first of them tells the time. */
-  bounce(heap: Float32Array, time: number): void {
-    if (!this.struck) this.#begin(heap);
+  bounce(time: number): void {
+    if (!this.struck) this.#begin();
     if (!(this.bounces <= time)) this.bounces = time;
   }
 
@@ -91,13 +95,14 @@ export class StruckBody {
   }
 
   /** How far it is led back already along the normal of a point, metres. */
-  lateAt(heap: Float32Array, point: ContactPoint): number {
+  lateAt(point: ContactPoint): number {
     if (!this.struck) return 0;
-    const o = (this.body.pointer + BODY.origin) >> 2;
+    const { ammo } = this.#engine;
+    const { pointer } = this.body;
     const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const rx = point.position(0) - heap[o]!;
-    const ry = point.position(1) - heap[o + 1]!;
-    const rz = point.position(2) - heap[o + 2]!;
+    const rx = point.position(0) - originOf(ammo, pointer, 0);
+    const ry = point.position(1) - originOf(ammo, pointer, 1);
+    const rz = point.position(2) - originOf(ammo, pointer, 2);
     const [u, v, w, p, q, r] = this.late;
     return (
       x * (u! + q! * rz - r! * ry) + y * (v! + r! * rx - p! * rz) + z * (w! + p! * ry - q! * rx)
@@ -105,7 +110,8 @@ export class StruckBody {
   }
 
   /** Moves the body from where Bullet has taken it to where its hits take it. */
-  makeUp({ reader, scratch }: Engine, dt: number): void {
+  makeUp(dt: number): void {
+    const { reader, scratch } = this.#engine;
     const { body, jointed, before, change, late } = this;
     // Those that hang on others that move had their blow alone: the joint solve brings the rest along.
     if (!this.struck || !body.active || this.hangs) return;
@@ -123,15 +129,11 @@ export class StruckBody {
     body.body.setCenterOfMassTransform(scratch.transform(pose, turn));
   }
 
-  #begin(heap: Float32Array): void {
+  #begin(): void {
     this.struck = true;
     this.struckIn = this.step;
-    const v = (this.body.pointer + BODY.linearVelocity) >> 2;
-    const w = (this.body.pointer + BODY.angularVelocity) >> 2;
-    for (let i = 0; i < 3; i++) {
-      this.before[i] = heap[v + i]!;
-      this.before[3 + i] = heap[w + i]!;
-    }
+    const { body, pointer } = this.body;
+    this.#engine.reader.velocity(body, pointer, this.before, 0);
     this.change.fill(0);
     this.late.fill(0);
   }

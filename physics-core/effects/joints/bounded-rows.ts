@@ -14,7 +14,7 @@ export const isBounded = ({ stops, motors }: Joint): boolean =>
   stops.length > 0 || motors.length > 0;
 
 /** Told which stops are in the way of a joint. */
-interface StopListener {
+export interface StopListener {
   note(joint: Joint, stop: Stop, value: number, side: -1 | 0 | 1): void;
 }
 

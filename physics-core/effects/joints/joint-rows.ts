@@ -1,15 +1,16 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { backward, factor, forward } from '../../base/cholesky.js';
-import { applyInverseInertia, place, writeAxes } from '../../base/flat-math.js';
+import { applyInverseInertia, place } from '../../base/flat-math.js';
+import { writeAxes } from '../../base/matrix.js';
 import type { Pose } from '../../base/math.js';
 import { JointGeometry, LINEAR, type End } from './joint-geometry.js';
 
 /** Velocities of both bodies: linear and angular of body1, then of body2. */
 const WIDTH = 12;
 const ROWS = 6;
-const POSE = 7;
 
 /** The centre of mass of a side, and its principal axes as columns: x, y, z, three numbers each. */
 class Centre {

@@ -1,11 +1,10 @@
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { INERTIA, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
 import type { RowSystem } from './row-system.js';
-
-const POSE = 7;
 
 /** Of a body: mass, three moments, and the shares of linear and angular velocity that damping leaves in a step. */
 const TRAITS = 6;

@@ -1,5 +1,6 @@
 import { backward, factor, forward } from '../../base/cholesky.js';
-import { INERTIA, ROW_BLOCK, rowOf, ROWS, SIDE } from './blocks.js';
+import { rowOf } from '../../base/triangle.js';
+import { INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
 import type { TreeSolver } from './tree-solver.js';

@@ -1,5 +1,5 @@
 import type { Joint } from '../../dynamics/joint.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
 /** Torques and forces between the bodies of joints. Motors that heed a rate are rows of the joint solve. */
 export class Motors extends Effect {

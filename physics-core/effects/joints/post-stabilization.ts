@@ -1,14 +1,11 @@
-import type { Vec3 } from '../../fields/types.js';
-import type { Quaternion } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import { SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { RowSystem } from './row-system.js';
-
-const POSE = 7;
 
 /** Share of a velocity, or of a place, that single precision may change in a step. */
 const SAME = 1e-5;
@@ -119,8 +116,6 @@ export class PostStabilization {
     }
     writeTurn(this.#turn, this.#displacement, 1);
     multiply4(this.#turn, this.#turn, 0, this.#pose, 3);
-    const [x, y, z] = this.#pose as unknown as Vec3;
-    const [qx, qy, qz, qw] = this.#turn as unknown as Quaternion;
-    body.setCenterOfMassTransform(scratch.transform([x, y, z], [qx, qy, qz, qw]));
+    body.setCenterOfMassTransform(scratch.transform(this.#pose, this.#turn));
   }
 }

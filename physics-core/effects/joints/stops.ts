@@ -1,6 +1,6 @@
 import type { Joint, Stop } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 
 /** Distance from a stop (rad, m) at which it counts as left. */
 const LEFT = 1e-3;

@@ -1,9 +1,9 @@
 import type { Joint, Spring } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import type { Effects } from '../effects.js';
+import type { Effects } from '../effect/effects.js';
 import { JointRows } from './joint-rows.js';
 import { jointSolve } from './joint-solve.js';
-import { Effect, type EffectDescriptor } from '../effect.js';
+import { Effect, type EffectDescriptor } from '../effect/effect.js';
 import { Oscillator } from './oscillator.js';
 
 /**

@@ -1,15 +1,12 @@
+import { backward, factorTriangle, forward, rowOf } from '../../base/triangle.js';
 import {
   add6,
-  backward,
   BODY_BLOCK,
   copy6,
   dot6,
-  factorBlock,
-  forward,
   INERTIA,
   JOINT_BLOCK,
   ROW_BLOCK,
-  rowOf,
   ROWS,
   SIDE,
 } from './blocks.js';
@@ -72,7 +69,7 @@ export class TreeSolver {
     const pin = this.#isPin(joint);
     const given = pin
       ? this.#pins.factors.factor(joint, this.#bodies, body, parent)
-      : factorBlock(this.#bodies, body * BODY_BLOCK, SIDE);
+      : factorTriangle(this.#bodies, body * BODY_BLOCK, SIDE);
     if (!given) return false;
     if (joint < 0 || this.#system.heldCount[joint] === 0) return true;
     if (pin) this.#respondPinned(joint, body);
@@ -149,7 +146,7 @@ export class TreeSolver {
       const i = at + rowOf(r) + r;
       k[i] = k[i]! * (1 + LEAST_COMPLIANCE) + compliance[first + held[first + r]!]!;
     }
-    if (!factorBlock(k, at, n)) return false;
+    if (!factorTriangle(k, at, n)) return false;
     if (parent < 0) return true;
     if (!this.#isPin(joint)) this.#copySeen(joint, parent);
     this.#loadParent(joint, parent, n);

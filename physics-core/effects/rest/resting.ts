@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /**
  * When nobody wrote autoDisable: below these for this long, and not drifting meanwhile, an island may sleep unseen.

@@ -1,6 +1,6 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import type { Effects } from '../effects.js';
+import type { Effects } from '../effect/effects.js';
 import { resting } from './resting.js';
 
 /**

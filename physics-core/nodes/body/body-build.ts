@@ -48,7 +48,7 @@ export class BodyBuild {
     const node = this.#node;
     reportZeroMass(node);
     if (node.fresh) return;
-    node.grip.update();
+    node.grip.massChanged();
     const mass = massOf(node);
     if (!samePose(mass.centerOfMass, node.centerOfMass) || node.isDynamic !== node.movable) {
       this.updateShape();
@@ -64,7 +64,7 @@ export class BodyBuild {
     node.object.setMass();
     node.loads.applyDamping();
     node.loads.applyGravity();
-    node.world.registry.bodyChanged(node, 'mass');
+    node.changed('mass');
     for (const joint of node.joints) joint.massChanged();
   }
 

@@ -12,8 +12,8 @@ export interface BodyGeometry {
   readonly collidables: readonly CollidableNode[];
   /** The parts that collide, in the body's frame. */
   readonly parts: NodePart[];
-  /** The body is about to be made; where it starts if its author says nothing. */
-  begin(): Pose | undefined;
+  /** The body is about to be made. Where it starts if its author says nothing; `start`: where others say it does. */
+  begin(start: Pose | undefined): Pose | undefined;
   /** The collidables, or what they are made of, have changed. */
   update(): void;
   /** The body is gone. */
@@ -40,9 +40,9 @@ export class OwnedGeometry implements BodyGeometry {
     );
   }
 
-  begin(): Pose | undefined {
+  begin(start: Pose | undefined): Pose | undefined {
     this.#claim();
-    return this.collidables.find((collidable) => collidable.startPose)?.startPose;
+    return start ?? this.collidables.find((collidable) => collidable.startPose)?.startPose;
   }
 
   update(): void {

@@ -11,6 +11,8 @@ export class BodyGrip {
   held = false;
   /** Whether somebody can take hold of it now. */
   offered = false;
+  /** Whether it could move by itself when that was looked at. */
+  #mayMove: boolean | undefined;
 
   constructor(node: BodyNode) {
     this.#node = node;
@@ -32,12 +34,18 @@ export class BodyGrip {
 
   update(): void {
     const node = this.#node;
+    this.#mayMove = node.mayMove;
     this.#reportFixed();
     const { draggable } = this;
     if (draggable === this.offered) return;
     this.offered = draggable;
     node.world.emit('draggable', node);
     if (!draggable) node.world.registry.find(dragging)?.letGo(node, 'disabled');
+  }
+
+  /** A mass is another: what is fixed can't be pulled. */
+  massChanged(): void {
+    if (this.#node.mayMove !== this.#mayMove) this.update();
   }
 
   updateMode(): void {

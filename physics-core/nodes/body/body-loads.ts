@@ -29,7 +29,7 @@ export class BodyLoads {
   updateGravity(): void {
     if (!this.#node.built) return;
     this.applyGravity();
-    this.#node.world.registry.bodyChanged(this.#node, 'gravity');
+    this.#node.changed('gravity');
   }
 
   /** Bullet forgets it with each new mass, and whenever the body comes into the world. */
@@ -44,7 +44,7 @@ export class BodyLoads {
     const sum = (name: string): Vec3 =>
       this.#node.asked<Vec3[]>(name).reduce<Vec3>((total, value) => add(total, value), [0, 0, 0]);
     this.constantLoad = { force: sum('forces'), torque: sum('torques') };
-    this.#node.world.registry.bodyChanged(this.#node, 'load');
+    this.#node.changed('load');
     this.#node.wake();
   }
 
@@ -56,7 +56,7 @@ export class BodyLoads {
 
   updateDamping(): void {
     this.applyDamping();
-    this.#node.world.registry.bodyChanged(this.#node, 'damping');
+    this.#node.changed('damping');
   }
 
   /**

@@ -1,15 +1,9 @@
 import type { MassProperties } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
 import { guards } from '../../base/guards.js';
-import { IDENTITY, rotate, type Pose } from '../../base/math.js';
 import type { Geometry } from '../../shapes/geometry.js';
-import {
-  inertiaAbout,
-  principal,
-  solidOf,
-  type PlacedSolid,
-  type Tensor,
-} from '../../shapes/mass.js';
+import { principal, type Tensor } from '../../shapes/mass.js';
+import { momentsOf, momentsOfModel, type Moments } from '../../shapes/moments.js';
 import type { BodyNode } from './body.js';
 
 /**
@@ -18,26 +12,11 @@ import type { BodyNode } from './body.js';
  */
 const LEAST_MOMENT = 1e-4;
 
-function place({ p, q }: Pose, solid: PlacedSolid['solid']): PlacedSolid {
-  return {
-    solid,
-    origin: p,
-    axes: [rotate(q, [1, 0, 0]), rotate(q, [0, 1, 0]), rotate(q, [0, 0, 1])],
-  };
-}
-
-function solidsOf(body: BodyNode): PlacedSolid[] {
+/** A density model gives them, else the shapes. */
+function shapedMoments(body: BodyNode, mass: number, center: Vec3): Moments {
   const model = body.asked<Geometry | null>('massDensityModel');
-  if (model)
-    return [place({ p: body.asked('centerOfMass'), q: IDENTITY }, centered(solidOf(model)))];
-  return body.parts.map(({ geometry, pose }) => place(pose, solidOf(geometry)));
+  return model ? momentsOfModel(model, mass, center) : momentsOf(body.parts, mass, center);
 }
-
-/** A density model gives the distribution about the centre of mass, wherever its own origin lies. */
-const centered = (solid: PlacedSolid['solid']): PlacedSolid['solid'] => ({
-  ...solid,
-  centroid: [0, 0, 0],
-});
 
 function authoredTensor(body: BodyNode): Tensor {
   const m = body.asked<number[]>('inertia');
@@ -46,7 +25,7 @@ function authoredTensor(body: BodyNode): Tensor {
 }
 
 /** An authored tensor stands where a body can have it; else the density model or the shapes give one. */
-function authoredMoments(body: BodyNode): ReturnType<typeof principal> | undefined {
+function authoredMoments(body: BodyNode): Moments | undefined {
   if (!body.authored('inertia')) return undefined;
   const found = principal(authoredTensor(body));
   if (guards.positive(found.moments)) {
@@ -79,8 +58,7 @@ export function reportZeroMass(body: BodyNode): void {
 export function massOf(body: BodyNode): MassProperties {
   const mass = body.asked<number>('mass') || 1;
   const center = [...body.asked<Vec3>('centerOfMass')] as Vec3;
-  const { moments, frame } =
-    authoredMoments(body) ?? principal(inertiaAbout(solidsOf(body), mass, center));
+  const { moments, frame } = authoredMoments(body) ?? shapedMoments(body, mass, center);
   const least = Math.max(...moments) * LEAST_MOMENT;
   return {
     mass,

@@ -17,7 +17,7 @@ import { carrying } from '../../effects/drag/carrying.js';
 import { gyroscopic } from '../../effects/flight/gyroscopic.js';
 import { jointSolve } from '../../effects/joints/joint-solve.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
-import { ACTIVATION } from '../../engine/offsets.js';
+import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import type { Rotation, Vec3 } from '../../fields/types.js';
 import type { BodyNode } from './body.js';
 
@@ -78,7 +78,7 @@ export class BodyMotion {
     const center = compose(pose, centerOfMass);
     // setWorldTransform would leave the world inertia tensor and the interpolation pose behind.
     body.setCenterOfMassTransform(world.engine.scratch.transform(center.p, center.q));
-    world.moved();
+    world.rays.moved();
     world.poses.current.set([...pose.p, ...pose.q], slot * POSE);
     world.poses.snap(slot);
     if (!movable && joints.size > 0) world.registry.find(jointSolve)?.carried(this.#node);
@@ -114,7 +114,7 @@ export class BodyMotion {
     node.object.setFlags();
     this.#wakeTouching();
     this.place(pose);
-    node.body.forceActivationState(ACTIVATION.alwaysActive);
+    keepAwake(node.body);
     node.world.registry.get(carrying).carry(node, from, compose(pose, node.centerOfMass));
   }
 
@@ -130,7 +130,7 @@ export class BodyMotion {
     this.kinematic = false;
     node.object.setFlags();
     // As Bullet itself has immovable bodies: two of them are then not tested against each other.
-    node.body.forceActivationState(ACTIVATION.sleeping);
+    putToSleep(node.body);
     this.place(this.pose());
   }
 

@@ -1,8 +1,9 @@
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import type { NodePart } from '../collision/collidable.js';
+import { thicknessOf } from '../../effects/contacts/contact-part.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
+import { setMobility } from '../../engine/body-state.js';
 import type { BtBody } from '../../engine/heap.js';
-import { COLLISION_FLAG, RIGID_BODY_FLAG } from '../../engine/offsets.js';
 import { Owner } from '../../engine/owner.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BtShape } from '../../shapes/build.js';
@@ -23,6 +24,8 @@ export class BodyObject {
   pointer = 0;
   /** Those of its parts that have a shape in Bullet, in Bullet's order. */
   solidParts: NodePart[] = [];
+  /** Their least extent, metres, once it was asked for. */
+  #leastExtent: number | undefined;
 
   constructor(node: BodyNode) {
     this.#node = node;
@@ -60,6 +63,7 @@ export class BodyObject {
   #makeShape(): BtShape {
     const { shape, parts } = shapeOf(this.#node, this.#shapeOwner!);
     this.solidParts = parts;
+    this.#leastExtent = undefined;
     return shape;
   }
 
@@ -87,9 +91,7 @@ export class BodyObject {
 
   setFlags(): void {
     const { movable, kinematic } = this.#node;
-    const flag = kinematic ? COLLISION_FLAG.kinematic : COLLISION_FLAG.static;
-    this.body.setCollisionFlags(movable ? 0 : flag);
-    this.body.setFlags(RIGID_BODY_FLAG.ownGravity);
+    setMobility(this.body, movable ? 'dynamic' : kinematic ? 'kinematic' : 'static');
   }
 
   /** Whether it stands in the world in just these collision groups. */
@@ -118,6 +120,11 @@ export class BodyObject {
     const { bullet } = this.#node.world;
     bullet.removeBody(this.body);
     bullet.addBody(this.body, ...this.#groups);
+  }
+
+  /** Asked for in every step: looked up once for a shape. */
+  get leastExtent(): number {
+    return (this.#leastExtent ??= thicknessOf(this.#node));
   }
 
   /** Half the diagonal of the box around it, metres. */

@@ -29,7 +29,7 @@ export class BodyPresence {
     }
     node.object.enter(groups);
     node.loads.updateGravity();
-    node.world.contactParametersChanged(node);
+    node.world.pairs.contactsChanged(node);
     node.wake();
     for (const joint of node.joints) joint.bodyReady();
   }

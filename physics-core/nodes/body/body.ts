@@ -10,6 +10,7 @@ import type {
 import { POSE } from '../../dynamics/poses.js';
 import { contactReader } from '../../effects/contacts/contact-reader.js';
 import type { Drag, DragEnd } from '../../effects/drag/drag.js';
+import type { BodyChange } from '../../effects/effect/effect.js';
 import type { BtBody } from '../../engine/heap.js';
 import type { Rotation, Value, Vec3 } from '../../fields/types.js';
 import type { CollidableNode, NodePart } from '../collision/collidable.js';
@@ -27,7 +28,7 @@ import { BodyPresence } from './body-presence.js';
 import { restRuleOf, sameRule } from './body-rest.js';
 import type { BodyJoint } from './body-joint.js';
 
-/** A rigid body, put together from its parts: the object in Bullet, its motion, its geometry, and what people do to it. */
+/** A rigid body, put together from its parts. What people do to it is documented in face/nodes.ts. */
 export class BodyNode extends PhysicsNode implements Body {
   /** Index into the world's poses; -1 while the body is not built. */
   slot = -1;
@@ -90,10 +91,14 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.object.solidParts;
   }
 
+  get leastExtent(): number {
+    return this.object.leastExtent;
+  }
+
   // ---- life -------------------------------------------------------------------------------------------------------
 
   protected override create(): boolean {
-    this.motion.start ??= this.geometry.begin();
+    this.motion.start = this.geometry.begin(this.motion.start);
     this.presence.parked = false;
     this.fresh = true;
     this.slot = this.world.bodies.take(this);
@@ -108,7 +113,7 @@ export class BodyNode extends PhysicsNode implements Body {
 
   protected override created(): void {
     this.fresh = false;
-    this.world.registry.bodyChanged(this, 'mass');
+    this.world.registry.bodyMade(this);
     for (const joint of this.joints) joint.bodyReady();
   }
 
@@ -161,9 +166,13 @@ export class BodyNode extends PhysicsNode implements Body {
     this.world.pairs.refreshBody(this);
   }
 
+  /** Effects look at it again. While it is made nothing is said: they look once, at the end. */
+  changed(change: BodyChange): void {
+    if (!this.fresh) this.world.registry.bodyChanged(this, change);
+  }
+
   // ---- what acts on it --------------------------------------------------------------------------------------------
 
-  /** Its own acceleration, m/s². */
   get gravity(): Vec3 {
     return this.loads.gravity;
   }
@@ -184,7 +193,6 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.loads.dampedShare;
   }
 
-  /** Taken out of the world, since a step left it without finite numbers. */
   get parked(): boolean {
     return this.presence.parked;
   }
@@ -195,19 +203,17 @@ export class BodyNode extends PhysicsNode implements Body {
     const rest = restRuleOf(this);
     if (!sameRule(rest, this.rest)) this.wake();
     this.rest = rest;
-    this.world.registry.bodyChanged(this, 'rest');
+    this.changed('rest');
   }
 
   get sleeping(): boolean {
     return this.active && this.movable && this.world.bodies.asleep(this);
   }
 
-  /** Wakes it, and so what it touches as soon as it moves. */
   wake(): void {
     if (this.active && this.movable) this.world.bodies.wake(this);
   }
 
-  /** Puts it to sleep where it is. */
   sleep(): void {
     if (this.active && this.movable) this.world.bodies.sleep(this);
   }
@@ -222,7 +228,6 @@ export class BodyNode extends PhysicsNode implements Body {
     return name === 'orientation' ? rotationOf(this.motion.startPose().q) : value;
   }
 
-  /** The pose of its origin at the last finished step. */
   pose(): Pose {
     return this.motion.pose();
   }
@@ -251,7 +256,6 @@ export class BodyNode extends PhysicsNode implements Body {
     this.motion.standStill();
   }
 
-  /** Position (3) and quaternion (4) of the last finished step, without allocation. */
   readPose(out: Float32Array | Float64Array | number[]): typeof out {
     const { current } = this.world.poses;
     for (let i = 0; i < POSE; i++) out[i] = this.slot < 0 ? 0 : current[this.slot * POSE + i]!;
@@ -260,26 +264,18 @@ export class BodyNode extends PhysicsNode implements Body {
 
   // ---- what page code does to it ----------------------------------------------------------------------------------
 
-  /**
-   * Jumps to a pose: world frame, metres, axis and angle. What is left out stays: its orientation, and each of its
-   * velocities, m/s and rad/s, in the world frame. It is no edit of the fields: `position` set to what it was last set to
-   * before is still no edit, and to anything else moves the body there.
-   */
   teleport(position: Vec3, orientation?: Rotation, velocities: Partial<Velocities> = {}): void {
     this.world.events.during(() => this.#commands.teleport(position, orientation, velocities));
   }
 
-  /** Newtons in the world frame for the next timeStep, at a world point or the centre of mass. */
   applyForce(force: Vec3, at?: Vec3): void {
     this.world.events.during(() => this.#commands.applyForce(force, at));
   }
 
-  /** Newton metres in the world frame for the next timeStep. */
   applyTorque(torque: Vec3): void {
     this.world.events.during(() => this.#commands.applyTorque(torque));
   }
 
-  /** Newton seconds at once, at a world point or the centre of mass. */
   applyImpulse(impulse: Vec3, at?: Vec3): void {
     this.world.events.during(() => this.#commands.applyImpulse(impulse, at));
   }
@@ -292,20 +288,14 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.grip.mode;
   }
 
-  /** Whether people may drag it. */
   get draggable(): boolean {
     return this.grip.draggable;
   }
 
-  /** Whether somebody can take hold of it now. */
   get offered(): boolean {
     return this.grip.offered;
   }
 
-  /**
-   * Takes hold of it at a point of the world, metres; `onend` is told when it is over. Undefined where it can't be
-   * held: not simulated, fixed and held by a spring, or held already by another mode.
-   */
   drag(point: Vec3, onend: (reason: DragEnd) => void = () => {}): Drag | undefined {
     return this.world.events.during(() => this.grip.take(point, onend));
   }
@@ -314,7 +304,6 @@ export class BodyNode extends PhysicsNode implements Body {
     this.grip.hold(held);
   }
 
-  /** Half the diagonal of the box around it, metres. */
   get size(): number {
     return this.built ? this.object.size : 0;
   }

@@ -3,7 +3,7 @@ import { rotationOf } from '../../base/math.js';
 import { geometryTypes } from '../../shapes/geometry.js';
 import { BodyNode } from './body.js';
 import { OwnedGeometry } from './body-geometry.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 const mass = (body: BodyNode): void => body.build.updateMass();
 const rest = (body: BodyNode): void => body.updateRest();

@@ -1,6 +1,6 @@
 import { CollidableOffsetNode } from './collidable.js';
 import { collidableFields } from './collidable-shape.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 export const collidableOffset = defineNode<CollidableOffsetNode>({
   name: 'CollidableOffset',

@@ -1,6 +1,7 @@
 import { geometryTypes } from '../../shapes/geometry.js';
 import { CollidableShapeNode, type CollidableNode } from './collidable.js';
-import { defineNode, type Field } from '../node/table.js';
+import { defineNode } from '../node/define.js';
+import type { Field } from '../node/table.js';
 
 const changed = (collidable: CollidableNode): void => collidable.changed();
 

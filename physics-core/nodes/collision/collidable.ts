@@ -70,7 +70,7 @@ export abstract class CollidableNode extends PhysicsNode {
   claim(by: CollidableOwner | CollidableNode): void {
     if (this.#claims.includes(by)) return;
     this.#claims.push(by);
-    this.world.obstaclesDue();
+    this.world.obstacles.due();
     if (this.#claims[0] === by) return;
     by.report({
       code: 'already-owned',
@@ -86,7 +86,7 @@ export abstract class CollidableNode extends PhysicsNode {
     const at = this.#claims.indexOf(by);
     if (at < 0) return;
     this.#claims.splice(at, 1);
-    this.world.obstaclesDue();
+    this.world.obstacles.due();
     by.settle('geometry', 'already-owned');
     const [next] = this.#claims;
     if (at > 0 || !next) return;
@@ -100,12 +100,12 @@ export abstract class CollidableNode extends PhysicsNode {
   }
 
   protected override create(): boolean {
-    this.world.obstaclesDue();
+    this.world.obstacles.due();
     return true;
   }
 
   protected override released(): void {
-    this.world.obstaclesDue();
+    this.world.obstacles.due();
     this.owner?.touch('geometry');
   }
 }

@@ -6,7 +6,7 @@ import { Members, type MemberList } from './members.js';
 import { description } from '../node/common-fields.js';
 import { cut } from '../../base/show.js';
 import { PhysicsNode } from '../node/node.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Which collidables are tested against each other, and what their contacts are like. */
 export class CollisionCollectionNode extends PhysicsNode implements Collider {
@@ -42,7 +42,7 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
     this.#reportTokens();
     this.#reportSoftness(this.parameters);
     for (const body of this.world.bodies) {
-      this.world.contactParametersChanged(body);
+      this.world.pairs.contactsChanged(body);
       // What lay still may slide now.
       if (body.parts.some(({ collidable }) => this.#members.has(collidable))) body.wake();
     }

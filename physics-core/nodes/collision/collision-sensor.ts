@@ -8,7 +8,7 @@ import type { ContactNode } from './contact.js';
 import { foundContact } from './found-contact.js';
 import { description } from '../node/common-fields.js';
 import { PhysicsNode } from '../node/node.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Tells whether members of a CollisionCollection touch, and which. */
 export class CollisionSensorNode extends PhysicsNode implements Sensor {

@@ -2,7 +2,7 @@ import { meshShapes } from '../../effects/contacts/mesh-shapes.js';
 import { CollidableNode } from './collidable.js';
 import { Members, type MemberList } from './members.js';
 import { PhysicsNode } from '../node/node.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** A group of collidables within CollisionCollections, to be switched on and off together. */
 export class CollisionSpaceNode extends PhysicsNode {

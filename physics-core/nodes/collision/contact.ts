@@ -7,7 +7,7 @@ import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { NodeContext } from '../node/node-world.js';
 import { contactParameters } from './contact-parameters.js';
 import { PhysicsNode } from '../node/node.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Cosine from which a direction is the normal itself and says nothing. */
 const PARALLEL = 0.999999;

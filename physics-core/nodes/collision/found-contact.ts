@@ -1,13 +1,12 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import { carriedBy } from '../../dynamics/contact-order.js';
 import { PLAIN } from '../../dynamics/contact-parameters.js';
 import { firstDirection } from '../../effects/contacts/contact-rows.js';
-import type { Value, Vec3 } from '../../fields/types.js';
+import type { Value } from '../../fields/types.js';
 import type { NodeWorld } from '../node/node-world.js';
-import type { BodyNode } from '../body/body.js';
+import type { PhysicsNode } from '../node/node.js';
 import { contact, ContactNode } from './contact.js';
 import { frictionOf } from './contact-parameters.js';
 
@@ -32,26 +31,24 @@ export function foundContact(
   geometryB: Collidable,
 ): ContactNode {
   const first = carriedBy(a, b) === a;
-  const three = (offset: number, sign = 1): Vec3 => [
-    point.get(offset, 0) * sign,
-    point.get(offset, 1) * sign,
-    point.get(offset, 2) * sign,
-  ];
   const fields = {
     body1: bodyOf(first ? a : b),
     body2: bodyOf(first ? b : a),
     geometry1: first ? geometryA : geometryB,
     geometry2: first ? geometryB : geometryA,
-    position: three(POINT.positionB),
-    contactNormal: three(POINT.normalB, first ? 1 : -1),
+    position: point.positionVector(),
+    contactNormal: point.normalVector(first ? 1 : -1),
     frictionDirection: firstDirection(point),
     depth: -point.distance,
     ...parametersOf(world, geometryA, geometryB),
   };
   // It can't be asked for by number.
-  const collection = (a as BodyNode).collection ?? (b as BodyNode).collection;
+  const collection = collectionOf(a) ?? collectionOf(b);
   return new ContactNode({ world, type: contact, id: 0, collection }, { pair: [a, b], fields });
 }
+
+const collectionOf = ({ standsFor }: Body): PhysicsNode | undefined =>
+  (standsFor as PhysicsNode).collection;
 
 const bodyOf = (body: Body): Body | null => (body.isObstacle ? null : body);
 

@@ -1,6 +1,6 @@
 import { FREE, JointNode, LOCKED, type JointFrame } from './joint.js';
 import { anchorFields, jointFields } from './joint-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 export class BallJointNode extends JointNode {
   protected override wantedFrame(): JointFrame {

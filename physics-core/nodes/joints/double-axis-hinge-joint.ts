@@ -1,5 +1,5 @@
 import type { Motor, Stop } from '../../dynamics/joint.js';
-import { softnessAtStep } from '../../dynamics/levels.js';
+import { FRAME, softnessAtStep } from '../../dynamics/levels.js';
 import type { Vec3 } from '../../fields/types.js';
 import { dot } from '../../base/math.js';
 import {
@@ -14,15 +14,12 @@ import {
 import { doubleAxisHingeFields } from './double-axis-hinge-fields.js';
 import { direction, notAlong } from './joint-fields.js';
 import { nearlyWhole } from './stop-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Rows: along axis1 (z of body1's frame), about axis2 (x of body2's), and about axis1. */
 const ALONG = 2;
 const SPIN = 3;
 const STEER = 5;
-
-/** X3D's parameters are those of a step this long, seconds. */
-const FRAME = 1 / 60;
 
 /** Bullet's solver comes to a row this soft (in its own terms) within its iterations; softer ones it overshoots. */
 const SOFTEST_ROW = 0.5;

@@ -101,12 +101,9 @@ export function output<N extends JointNode>(
 /** The authored axis, or X3D 4.0's default after a report where it has no direction. */
 export function direction(joint: JointNode, attribute: string): Vec3 {
   const axis = joint.asked<Vec3>(attribute);
-  if (length(axis) > 1e-9) {
-    joint.settle(attribute, 'bad-value');
-    return normalize(axis);
-  }
+  const directed = length(axis) > 1e-9;
   const used = joint.type.fields[attribute]!.default as Vec3;
-  joint.report({
+  joint.reportWhile(!directed, {
     code: 'bad-value',
     severity: 'warning',
     attribute,
@@ -114,7 +111,7 @@ export function direction(joint: JointNode, attribute: string): Vec3 {
     used,
     message: `${joint.label}: ${attribute}="0 0 0" has no direction; ${used.join(' ')} is used`,
   });
-  return [...used];
+  return directed ? normalize(axis) : [...used];
 }
 
 /** Sine of the angle between two axes below which they count as one. */

@@ -1,49 +1,29 @@
-import { perStep, softnessAtStep } from '../../dynamics/levels.js';
-import type { Vec3 } from '../../fields/types.js';
-import { guards } from '../../base/guards.js';
-import {
-  compose,
-  identityPose,
-  invert,
-  length,
-  rotate,
-  subtract,
-  type Pose,
-} from '../../base/math.js';
+import { compose, identityPose, invert, type Pose } from '../../base/math.js';
 import type { Motor, RowCorrection, Spring, Stop } from '../../dynamics/joint.js';
 import { areNear } from '../../effects/rest/touching.js';
+import { JointConstraint, type Limit, type Side } from '../../engine/joint-constraint.js';
 import type { BodyNode } from '../body/body.js';
 import type { BodyJoint } from '../body/body-joint.js';
-import { JointConstraint, type Limit, type Side } from '../../engine/joint-constraint.js';
-import { aboutTwoAxes, alongArm, leverRatio, type JointFrame } from './joint-frames.js';
+import { correctionAt, softnessInBullet, type OwnCorrection } from './joint-corrections.js';
+import { leverRatio } from './joint-frames.js';
 import { reportBodies, reportMassRatio } from './joint-reports.js';
-import { PhysicsNode } from '../node/node.js';
+import { PlacedJoint } from './placed-joint.js';
 
 export { between, FREE, LOCKED, type Limit } from '../../engine/joint-constraint.js';
+export type { OwnCorrection } from './joint-corrections.js';
 export type { JointFrame } from './joint-frames.js';
-
-/** From 1 on Bullet lets a joint go altogether (measured: a sag of 500 m). */
-const MOST_SOFTNESS = 0.9;
-
-const ROWS = 6;
 
 /** Lever arms that differ by less than this erp ask alike: rounding is not to decide. */
 const ALIKE = 1e-3;
 
-/** Error correction per 1/60 s, and softness (X3D's constantForceMix) where it is the joint's own. */
-export type OwnCorrection = Pick<RowCorrection, 'erp'> & Partial<RowCorrection>;
+const ROWS = 6;
 
 /**
  * A joint as one btGeneric6DofConstraint, the one constraint of Bullet 2.82 whose every row takes an error
  * correction. Angles and separations are zero at the poses the bodies have when the joint is made.
  */
-export abstract class JointNode extends PhysicsNode implements BodyJoint {
-  body1: BodyNode | undefined;
-  body2: BodyNode | undefined;
-  /** The joint's frame in each body (or the world), fixed when the joint is made. */
-  frame1: Pose = identityPose();
-  frame2: Pose = identityPose();
-  /** The same from each centre of mass, along its principal axes. */
+export abstract class JointNode extends PlacedJoint implements BodyJoint {
+  /** The joint's frame from each centre of mass, along its principal axes. */
   centred1: Pose = identityPose();
   centred2: Pose = identityPose();
   /** The rows that hold, as the 6-DoF numbers them: 0 to 2 along x, y, z; 3 to 5 about them. */
@@ -56,13 +36,8 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
   spring: Spring | undefined;
   /** Just created: the first round of patches finds everything in place already. */
   protected fresh = false;
-  /** While a snapshot is restored: the frames of its zero. */
-  kept: { frame1: Pose; frame2: Pose } | undefined;
-  #zeroed = false;
   #constraint: JointConstraint | undefined;
 
-  /** Where the joint is wanted. */
-  protected abstract wantedFrame(): JointFrame;
   /** Linear then angular limits along the joint frame's axes. */
   protected abstract linearLimits(): [Limit, Limit, Limit];
   protected abstract angularLimits(): [Limit, Limit, Limit];
@@ -75,7 +50,7 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
   // ---- life -----------------------------------------------------------------------------------------------------
 
   protected override create(): boolean {
-    this.#zeroed = false;
+    this.forgetZero();
     this.fresh = true;
     this.body1 = this.asked<BodyNode | null>('body1') ?? undefined;
     this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
@@ -91,7 +66,7 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
 
   protected override destroy(): void {
     this.detach();
-    this.#zeroed = false;
+    this.forgetZero();
     for (const body of [this.body1, this.body2]) body?.joints.delete(this);
     this.body1 = this.body2 = undefined;
     this.world.registry.unmade(this);
@@ -99,7 +74,7 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
 
   /** Not its body's fault, if it fails. */
   bodyReady(): void {
-    if (this.built) this.world.attempt(this, () => this.attach());
+    if (this.built) this.world.failures.attempt(this, () => this.attach());
   }
 
   bodyGone(): void {
@@ -116,11 +91,6 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
   massChanged(): void {
     if (this.#constraint && this.shouldSwap() !== this.#constraint.swapped) this.reattach();
     else this.updateCorrection();
-  }
-
-  /** Whether its zero is known and its bodies stand somewhere: what it answers before is what its author asked for. */
-  get placed(): boolean {
-    return this.#zeroed && [this.body1, this.body2].every((body) => !body || body.built);
   }
 
   get constraint(): JointConstraint | undefined {
@@ -141,7 +111,8 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
     const bodies = [this.body1, this.body2].filter((body) => body !== undefined);
     if (bodies.length === 0 || bodies[0] === bodies[1] || bodies.some((body) => !body.active))
       return;
-    if (!this.#zeroed) this.#zero();
+    if (!this.zeroKnown) this.stops = [];
+    this.takeZero();
     this.#constraint = this.#make();
     this.#setRows(this.#constraint);
     this.#constraint.add(this.slides);
@@ -195,32 +166,7 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
 
   push(_dt: number): void {}
 
-  /** The frames are new: of the present poses, or of a snapshot's. */
-  protected zeroed(): void {}
-
-  // ---- frames -----------------------------------------------------------------------------------------------------
-
-  #zero(): void {
-    ({ frame1: this.frame1, frame2: this.frame2 } = this.kept ?? this.#framesNow());
-    this.#zeroed = true;
-    this.stops = [];
-    this.zeroed();
-  }
-
-  #framesNow(): { frame1: Pose; frame2: Pose } {
-    const { anchor, axis, axes } = this.wantedFrame();
-    const [q1, q2] = axes ? aboutTwoAxes(axes) : alongArm(this.#longestArm(anchor), axis);
-    const seen = (body: BodyNode | undefined, q: Pose['q']): Pose =>
-      compose(invert(body?.pose() ?? identityPose()), { p: anchor, q });
-    return { frame1: seen(this.body1, q1), frame2: seen(this.body2, q2) };
-  }
-
-  #longestArm(anchor: Vec3): Vec3 {
-    const body =
-      (leverRatio(this.body2, anchor) > leverRatio(this.body1, anchor) ? this.body2 : this.body1) ??
-      this.body2!;
-    return subtract(body.centerOfMassWorld(), anchor);
-  }
+  // ---- the constraint -----------------------------------------------------------------------------------------------
 
   /** Bullet's rows lie along body A's frame: A is the body whose lever arm asks for it. */
   protected shouldSwap(): boolean {
@@ -263,9 +209,9 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
     const { solver, jointRows } = this.world;
     jointRows.fill(this, solver.stepSeconds);
     for (let row = 0; row < ROWS; row++) {
-      const { erp, softness } = this.#correctionAt(row);
+      const { erp, softness } = correctionAt(solver, this.correctionOf(row));
       const response = jointRows.between(row, row);
-      const soft = this.#softness(softness, response);
+      const soft = softnessInBullet(softness, response, solver.stepSeconds);
       this.corrections[row] = { erp, softness: soft * response };
       constraint.setCorrection(row, erp, soft);
     }
@@ -302,66 +248,12 @@ export abstract class JointNode extends PhysicsNode implements BodyJoint {
     return undefined;
   }
 
-  /** Share of a row's error repaired per step, and X3D's constantForceMix for steps of this length. */
-  #correctionAt(row: number): RowCorrection {
-    const { errorCorrection, constantForceMix, stepSeconds } = this.world.solver;
-    const own = this.correctionOf(row);
-    return {
-      erp: own ? perStep(own.erp, stepSeconds) : errorCorrection,
-      softness:
-        own?.softness === undefined
-          ? constantForceMix
-          : softnessAtStep(own.softness, own.erp, stepSeconds),
-    };
-  }
-
-  /**
-   * X3D's constantForceMix is velocity per force; Bullet 2.82 scales it by the row's own response, so it is divided by
-   * dt · J M⁻¹ Jᵀ.
-   */
-  #softness(constantForceMix: number, response: number): number {
-    const { stepSeconds } = this.world.solver;
-    return guards.jointSoftness(
-      constantForceMix / (stepSeconds * response || Infinity),
-      MOST_SOFTNESS,
-    );
-  }
-
   // ---- outputs ------------------------------------------------------------------------------------------------------
-
-  /** The joint's frame as each body carries it, world frame. */
-  worldFrame(which: 1 | 2): Pose {
-    const [body, frame] = which === 1 ? [this.body1, this.frame1] : [this.body2, this.frame2];
-    return body ? compose(body.pose(), frame) : frame;
-  }
-
-  anchorOn(which: 1 | 2): Vec3 {
-    return this.placed ? this.worldFrame(which).p : this.asked<Vec3>('anchorPoint');
-  }
-
-  /** Distance between the two anchors, metres: 0 in a joint that holds. */
-  get gap(): number {
-    return this.placed ? length(subtract(this.anchorOn(1), this.anchorOn(2))) : 0;
-  }
 
   /** Whether forceOutput asks for an output: only then is it sent along ROUTEs. Who reads one has asked. */
   outputs(name: string): boolean {
     const wanted = this.asked<string[]>('forceOutput');
     return wanted.includes('ALL') || wanted.includes(name);
-  }
-
-  /** ω1 - ω2, rad/s. */
-  relativeSpin(): Vec3 {
-    const spin = (body: BodyNode | undefined): Vec3 =>
-      body ? body.velocityAtOrigin().angular : [0, 0, 0];
-    return subtract(spin(this.body1), spin(this.body2));
-  }
-
-  /** Column 0 to 2 (x to z) of the frame as each body carries it, world frame. */
-  axisOn(which: 1 | 2, column: 0 | 1 | 2): Vec3 {
-    const axis: Vec3 = [0, 0, 0];
-    axis[column] = 1;
-    return rotate(this.worldFrame(which).q, axis);
   }
 
   /** Where a row stands now, metres or radians; 0 at the poses the joint was made at. */

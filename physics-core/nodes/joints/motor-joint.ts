@@ -2,7 +2,7 @@ import type { Vec3 } from '../../fields/types.js';
 import { add, cross, dot, length, normalize, rotate, scale, subtract } from '../../base/math.js';
 import { FREE, JointNode, type JointFrame, type Limit } from './joint.js';
 import { motorFields } from './motor-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Row of the angle about each axis in Euler mode, and whether it counts the other way round. */
 const EULER = [
@@ -47,12 +47,9 @@ export class MotorJointNode extends JointNode {
   #across(): Vec3 {
     const [first, third] = [this.#asked(1), this.#asked(3)];
     const along = dot(first, third);
-    if (Math.abs(along) < SKEW) {
-      this.settle('motor3Axis', 'bad-value');
-      return third;
-    }
-    const used = normalize(subtract(third, scale(first, along)), NOWHERE);
-    this.report({
+    const skew = Math.abs(along) >= SKEW;
+    const used = skew ? normalize(subtract(third, scale(first, along)), NOWHERE) : third;
+    this.reportWhile(skew, {
       code: 'bad-value',
       severity: 'warning',
       attribute: 'motor3Axis',

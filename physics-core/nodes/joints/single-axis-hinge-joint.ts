@@ -10,7 +10,7 @@ import {
 } from './joint.js';
 import { anchorFields, axisField, direction, jointFields, output } from './joint-fields.js';
 import { angleStop, bounceField, correctionField, nearlyWhole } from './stop-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** The row about the frame's x. */
 const ANGLE = 3;

@@ -11,7 +11,8 @@ import {
 } from './joint.js';
 import { direction, jointFields, output } from './joint-fields.js';
 import { bounceField, correctionField } from './stop-fields.js';
-import { defineNode, type Field } from '../node/table.js';
+import { defineNode } from '../node/define.js';
+import type { Field } from '../node/table.js';
 
 /** The row along the frame's x. */
 const ALONG = 0;

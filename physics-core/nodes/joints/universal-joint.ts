@@ -10,7 +10,7 @@ import {
   notAlong,
 } from './joint-fields.js';
 import { idleStop } from './stop-fields.js';
-import { defineNode } from '../node/table.js';
+import { defineNode } from '../node/define.js';
 
 /** Cosine of the angle between the axes up to which they count as at right angles. */
 const SKEW = 1e-4;

@@ -5,7 +5,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Collider, Pairs } from '../../dynamics/pairs.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import type { Effects } from '../../effects/effects.js';
+import type { Effects } from '../../effects/effect/effects.js';
 import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { NodeData } from './node-data.js';
 import type { PhysicsNode } from './node.js';
@@ -51,6 +51,8 @@ export interface PairRules extends Pairs {
   /** Something about membership changed: every body goes to its groups again. */
   refresh(): void;
   refreshBody(body: Body): void;
+  /** What contacts of a body are like is to be looked up again. */
+  contactsChanged(body: Body): void;
   /** Bullet's collision group and mask of a body. */
   groupsOf(body: Body): [group: number, mask: number];
   /** It is in no group any more. */
@@ -76,8 +78,6 @@ export interface NodeWorld extends Simulation {
   /** Of one joint after the other. */
   readonly jointRows: JointRows;
   readonly nodes: Iterable<PhysicsNode>;
-  /** Its RigidBodyCollections. */
-  readonly rigidBodyCollections: Iterable<PhysicsNode>;
   /** Settings of the world: its first collection's, or X3D's defaults. */
   readonly settings: PhysicsNode;
   readonly solver: JointSettings;
@@ -87,21 +87,30 @@ export interface NodeWorld extends Simulation {
 
   /** Applies pending edits. */
   flush(): void;
-  enqueue(node: PhysicsNode): void;
-  /** A node is gone for good. */
-  forget(node: PhysicsNode): void;
-  /** A node from plain data in a field that takes `types`; undefined: it takes none such. */
-  addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined;
-  /** Does something for a node that may fail; then nothing of the node stays in Bullet. */
-  attempt(node: PhysicsNode, act: () => void): void;
+  readonly store: {
+    /** Its RigidBodyCollections. */
+    readonly collections: Iterable<PhysicsNode>;
+    /** A node was added, or fields of it changed. */
+    changed(node: PhysicsNode): void;
+    /** A node is gone for good. */
+    forget(node: PhysicsNode): void;
+    /** A node from plain data in a field that takes `types`; undefined: it takes none such. */
+    addData(data: NodeData, parent: PhysicsNode, types: readonly string[]): PhysicsNode | undefined;
+  };
+  readonly failures: {
+    /** Does something for a node that may fail; then nothing of the node stays in Bullet. */
+    attempt(node: PhysicsNode, act: () => void): void;
+  };
   /** Takes the settings of the first collection into Bullet. */
   configure(): void;
-  /** Collidables that no body owns are looked at again. */
-  obstaclesDue(): void;
-  /** Something moved: rays ask anew where everything is. */
-  moved(): void;
-  /** What contacts of a body are like is to be looked up again. */
-  contactParametersChanged(body: Body): void;
+  readonly obstacles: {
+    /** Collidables that no body owns are looked at after the present edits. */
+    due(): void;
+  };
+  readonly rays: {
+    /** Something moved: rays ask anew where everything is. */
+    moved(): void;
+  };
 
   report(report: ProblemReport, about?: unknown): void;
   settle(about: unknown, attribute?: string, code?: string): void;

@@ -2,16 +2,15 @@ import { Emitter, type Listener } from '../../base/emitter.js';
 import { codecs } from '../../fields/values.js';
 import type { Value } from '../../fields/types.js';
 import type { ProblemReport } from '../../base/problems.js';
-import { accept, fieldOf, takesEvents, writable } from './accept.js';
+import { fieldOf } from './accept.js';
 import { Children } from './children.js';
 import type { SimulationNode } from '../../dynamics/node.js';
 import { contactReader } from '../../effects/contacts/contact-reader.js';
 import type { NodeData } from './node-data.js';
 import type { NodeContext, NodeWorld } from './node-world.js';
+import { FieldEdits, type EditedNode } from './field-edits.js';
 import { FieldState } from './field-state.js';
-import type { FieldOwner } from './field-owner.js';
 import { defaultOf, fieldName, type Field, type NodeType } from './table.js';
-import { tellUnchanged } from './unchanged.js';
 
 const COLLISION_EVENTS = ['collisionstart', 'collisionend'];
 
@@ -19,7 +18,7 @@ const COLLISION_EVENTS = ['collisionstart', 'collisionend'];
  * One X3D physics node: what its author asked for, and the Bullet object behind it. The tables say what each field
  * does; subclasses say how the object is made and unmade.
  */
-export class PhysicsNode implements SimulationNode, FieldOwner {
+export class PhysicsNode implements SimulationNode, EditedNode {
   readonly world: NodeWorld;
   readonly type: NodeType;
   readonly id: number;
@@ -32,6 +31,7 @@ export class PhysicsNode implements SimulationNode, FieldOwner {
   readonly children = new Children<PhysicsNode>(this);
   /** What its author said and events said since. */
   readonly fieldState = new FieldState();
+  readonly #edits = new FieldEdits(this);
   readonly #emitter = new Emitter();
   #changed = new Set<string>();
   /** Those of them that its author or an event changed; the others follow from edits of other nodes. */
@@ -89,96 +89,36 @@ export class PhysicsNode implements SimulationNode, FieldOwner {
 
   /** Asks for a value. Equal to the one last asked for: nothing happens. `text`: how the author wrote it. */
   set(spelling: string, value: unknown, text: unknown = value): void {
-    this.world.events.during(() => this.#set(spelling, value, text));
-  }
-
-  #set(spelling: string, value: unknown, text: unknown): void {
-    const name = fieldName(this.type, spelling);
-    const field = writable(this, name);
-    if (!field) return;
-    if (field.access === 'inputOnly') {
-      this.#event(name, value);
-      return;
-    }
-    const accepted = accept(this, name, field, value, text);
-    if (accepted === undefined) return;
-    const same = codecs[field.type].equal(accepted, this.#lastAsked(name));
-    if (same && (this.fieldState.authored.has(name) || field.read)) {
-      this.fieldState.authored.add(name);
-      if (this.#built && !this.#changed.has(name)) tellUnchanged(this, name, field, accepted);
-      return;
-    }
-    this.fieldState.beforeEvent.delete(name);
-    this.#take(name, accepted);
-  }
-
-  /** The author's last word: what events did since does not make the same word an edit. */
-  #lastAsked(name: string): Value {
-    const { beforeEvent } = this.fieldState;
-    if (!beforeEvent.has(name)) return this.asked(name);
-    return beforeEvent.get(name) ?? this.defaultOf(name);
+    this.world.events.during(() => this.#edits.set(spelling, value, text));
   }
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
   event(spelling: string, value: unknown): void {
-    this.world.events.during(() => this.#event(spelling, value));
-  }
-
-  #event(spelling: string, value: unknown): void {
-    const name = fieldName(this.type, spelling);
-    const field = writable(this, name);
-    if (!field) return;
-    if (!takesEvents(this, name, field)) return;
-    const accepted = accept(this, name, field, value, value);
-    if (accepted === undefined) return;
-    if (!this.fieldState.beforeEvent.has(name))
-      this.fieldState.beforeEvent.set(
-        name,
-        this.fieldState.authored.has(name) ? this.asked(name) : undefined,
-      );
-    this.#take(name, accepted);
+    this.world.events.during(() => this.#edits.event(spelling, value));
   }
 
   /** The attribute was removed: X3D's default again. */
   unset(spelling: string): void {
-    const name = fieldName(this.type, spelling);
-    const field = this.type.fields[name];
-    if (!field) return;
-    this.settle(name);
-    this.fieldState.refused.delete(name);
-    this.fieldState.beforeEvent.delete(name);
-    if (!this.fieldState.authored.delete(name)) return;
-    this.fieldState.asked.delete(name);
-    this.children.adopt(name, field, this.defaultOf(name));
-    this.#edit(name);
+    this.#edits.unset(spelling);
   }
 
   /** Takes over what a snapshot holds. */
   load(state: FieldState): void {
-    for (const [name, value] of state.asked) {
-      const field = this.type.fields[name]!;
-      if (field.nodes) state.asked.set(name, this.children.adopt(name, field, value));
-    }
-    this.fieldState.take(state);
+    this.#edits.load(state);
   }
 
   /** Back to the author's own values: what events did is undone. */
   forgetEvents(): void {
-    for (const [name, said] of this.fieldState.beforeEvent) {
-      if (said === undefined) this.unset(name);
-      else this.#take(name, said);
-    }
-    this.fieldState.beforeEvent.clear();
+    this.#edits.forgetEvents();
   }
 
-  #take(name: string, value: Value): void {
-    if (!this.fieldState.refused.has(name)) this.settle(name);
-    this.fieldState.asked.set(name, this.children.adopt(name, this.type.fields[name]!, value));
-    this.fieldState.authored.add(name);
-    this.#edit(name);
+  /** Whether an edit of a field waits to be applied. */
+  waits(name: string): boolean {
+    return this.#changed.has(name);
   }
 
-  #edit(name: string): void {
+  /** Its author or an event changed a field. */
+  edited(name: string): void {
     this.#edited.add(name);
     this.touch(name);
   }
@@ -190,7 +130,7 @@ export class PhysicsNode implements SimulationNode, FieldOwner {
   }
 
   makeChild(data: NodeData, types: readonly string[]): PhysicsNode | undefined {
-    return this.world.addData(data, this, types);
+    return this.world.store.addData(data, this, types);
   }
 
   // ---- life ---------------------------------------------------------------------------------------------------
@@ -198,7 +138,7 @@ export class PhysicsNode implements SimulationNode, FieldOwner {
   /** Notes that a field changed; the world applies it in one batch before the next step. */
   touch(name: string): void {
     this.#changed.add(name);
-    this.world.enqueue(this);
+    this.world.store.changed(this);
   }
 
   /** Applies what changed: creates the object, makes it again, or patches it. */
@@ -270,7 +210,7 @@ export class PhysicsNode implements SimulationNode, FieldOwner {
     this.removed = true;
     this.unmake();
     this.children.remove();
-    this.world.forget(this);
+    this.world.store.forget(this);
     this.released();
     // It may still be listened to.
     this.world.registry.unmade(this);

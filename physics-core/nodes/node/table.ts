@@ -1,6 +1,4 @@
 import type { Access, Dimension, FieldType, Value } from '../../fields/types.js';
-import { boundedFields, nodeFields } from './common-fields.js';
-import type { NodeContext } from './node-world.js';
 
 /**
  * One field of one node. Everything that knows a field reads it here: parsing, properties, observed attributes,
@@ -58,13 +56,6 @@ export interface NodeType<N = unknown> {
   fields: Record<string, Field<N>>;
   /** An X3DBoundedObject. */
   bounded?: true;
-  make(context: NodeContext): N;
-}
-
-/** Adds the fields that all nodes, or all bounded ones, have. */
-export function defineNode<N>(type: NodeType<N>): NodeType<N> {
-  const common = { ...(type.bounded ? boundedFields : {}), ...nodeFields };
-  return { ...type, fields: byName({ ...type.fields, ...common }) };
 }
 
 /** What words of authors are looked up in: `constructor` is in it only where somebody put it. */

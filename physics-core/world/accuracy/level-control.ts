@@ -26,6 +26,8 @@ export class LevelControl {
   readonly #own: Level | undefined;
   readonly #auto = new AutoLevel();
   level: Level = levelNamed(DEFAULT_LEVEL);
+  /** FALSE on the first collection freezes the world. */
+  enabled = true;
   joints!: JointSettings;
   #told: Level | undefined;
   /** While it is carried out. */
@@ -40,6 +42,7 @@ export class LevelControl {
   /** Takes the settings of the first collection into Bullet. */
   configure(): void {
     const world = this.#world;
+    this.enabled = world.settings.asked('enabled');
     this.#setLevel(this.#own ?? levelOf(world.settings) ?? this.#auto.level);
     const speed = world.settings.asked<number>('maxCorrectionSpeed');
     this.#limit(speed < 0 ? Infinity : speed);

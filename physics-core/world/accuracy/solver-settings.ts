@@ -9,7 +9,6 @@ import {
 } from '../../dynamics/levels.js';
 import type { SolverDemands } from '../../effects/contacts/solver-demands.js';
 import type { SolverSettings } from '../../engine/bullet-world.js';
-import { SOLVER_MODE } from '../../engine/offsets.js';
 import type { JointSettings } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 
@@ -52,11 +51,8 @@ export function solverSettings(
 ): SolverSettings {
   return {
     iterations: Math.max(1, authored(settings, 'iterations', level.iterations)),
-    solverMode:
-      SOLVER_MODE.warmstart |
-      SOLVER_MODE.simd |
-      (directed ? SOLVER_MODE.cachedFrictionDirections : 0) |
-      (directed || level.twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0),
+    givenFrictionDirections: directed,
+    twoFrictionDirections: directed || level.twoFrictionDirections,
     splitImpulseThreshold: pushing ? 0 : SPLIT_THRESHOLD,
     contactErrorReduction: perStep(CONTACT_CORRECTION, level.timeStep),
     linearSlop: Math.max(CONTACT_DEPTH, settings.asked<number>('contactSurfaceThickness')),

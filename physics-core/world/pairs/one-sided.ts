@@ -28,7 +28,7 @@ export function isOneSided(world: NodeWorld, collection: CollisionCollectionNode
 }
 
 function isCollider(world: NodeWorld, collection: CollisionCollectionNode): boolean {
-  for (const node of world.rigidBodyCollections)
+  for (const node of world.store.collections)
     if (node.asked('collider') === collection) return true;
   return false;
 }

@@ -1,4 +1,5 @@
 import { contactReader } from '../../effects/contacts/contact-reader.js';
+import { contactSurface } from '../../effects/contacts/contact-surface.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection.js';
@@ -47,7 +48,7 @@ export class Pairs implements PairRules {
   /** Something about membership changed: every body goes to its groups again. */
   refresh(): void {
     if (!this.#world.started) return;
-    this.#world.obstaclesDue();
+    this.#world.obstacles.due();
     this.#updateOneSided();
     this.#watched = this.#watchedNow();
     this.#listing.clear();
@@ -69,6 +70,14 @@ export class Pairs implements PairRules {
     for (const space of this.#spaces) space.updateGeometry();
   }
 
+  /** Without collections, and with none gone just now, nothing but the default is said of contacts. */
+  contactsChanged(body: BodyNode): void {
+    const { registry } = this.#world;
+    const surface =
+      this.#collections.length > 0 ? registry.get(contactSurface) : registry.find(contactSurface);
+    if (body.built) surface?.update(body);
+  }
+
   /** The body goes: it is of no group. */
   leave(body: BodyNode): void {
     this.#groups.leave(body);
@@ -82,8 +91,8 @@ export class Pairs implements PairRules {
   }
 
   #watchedNow(): ReadonlySet<CollisionCollectionNode> {
-    const { rigidBodyCollections, registry } = this.#world;
-    const waiting = [...rigidBodyCollections].some(
+    const { store, registry } = this.#world;
+    const waiting = [...store.collections].some(
       (node) => isWaiting(node) && !node.asked('collider'),
     );
     const watched = (waiting && registry.find(contactReader)?.watched) || [];
@@ -105,7 +114,7 @@ export class Pairs implements PairRules {
   #regroup(body: BodyNode): void {
     if (!body.built) return;
     body.presence.update();
-    this.#world.contactParametersChanged(body);
+    this.contactsChanged(body);
   }
 
   // ---- membership -------------------------------------------------------------------------------------------------

@@ -1,10 +1,12 @@
 import { resting } from '../../effects/rest/resting.js';
-import type { LevelName } from '../../dynamics/levels.js';
 import type { Engine } from '../../engine/engine.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
-import type { BodySlots } from '../body-slots.js';
-import type { AddOptions } from '../types.js';
+import type { BodySlots } from '../bodies/body-slots.js';
+import type { LevelControl } from '../accuracy/level-control.js';
+import type { Lifecycle } from '../lifecycle/lifecycle.js';
+import type { Stepping } from '../stepping/stepping.js';
+import type { AddOptions } from '../store/types.js';
 import { loadNode, loadState } from './load.js';
 import { Lookup } from './lookup.js';
 import type { Snapshot } from './snapshot.js';
@@ -14,14 +16,9 @@ interface RestoredWorld extends NodeWorld {
   readonly bodies: BodySlots;
   add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode;
   set(field: string, value: unknown): void;
-  /** The same nodes in a fresh Bullet world; `between`: what changes while nothing stands in any. */
-  rebuild(between: () => void): void;
-  /** Makes a Bullet world of all nodes, piece by piece. */
-  starting(engine: Engine): Generator<void>;
-  /** Where the level is left to itself, it begins at this one. */
-  begin(level: LevelName): void;
-  /** Goes on from a time. */
-  resume(time: number): void;
+  readonly lifecycle: Lifecycle;
+  readonly stepping: Stepping;
+  readonly control: LevelControl;
 }
 
 export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void {
@@ -30,11 +27,11 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
   const found = new Lookup(world.nodes, snapshot);
   const tellWoken = world.bodies.sleepers();
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
-  world.rebuild(() => {
-    world.begin(snapshot.level);
+  world.lifecycle.rebuild(() => {
+    world.control.begin(snapshot.level);
     for (const node of [...world.nodes]) loadNode(node, found);
   });
-  world.resume(snapshot.time);
+  world.stepping.resume(snapshot.time);
   world.registry.get(resting).sinceLook = snapshot.sinceLook;
   for (const node of world.nodes) loadState(node, found, slept);
   tellWoken();
@@ -66,9 +63,9 @@ export function* copyInto(
     yield;
   }
   for (const [name, value] of Object.entries(settings)) world.set(name, value);
-  world.begin(snapshot.level);
-  yield* world.starting(engine);
-  world.resume(snapshot.time);
+  world.control.begin(snapshot.level);
+  yield* world.lifecycle.starting(engine);
+  world.stepping.resume(snapshot.time);
   world.registry.get(resting).sinceLook = snapshot.sinceLook;
   for (const node of world.nodes) {
     loadState(node, found);

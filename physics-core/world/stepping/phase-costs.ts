@@ -1,6 +1,6 @@
 import type { Phase } from '../../effects/costs/frame-costs.js';
 import { userTiming } from '../../effects/costs/user-timing.js';
-import type { Effects } from '../../effects/effects.js';
+import type { Effects } from '../../effects/effect/effects.js';
 
 /** What the phases of a frame take, milliseconds. */
 export class PhaseCosts {
@@ -25,8 +25,7 @@ export class PhaseCosts {
   spent(phase: Phase, start: number): number {
     const now = performance.now();
     this.ms[phase] += now - start;
-    const timing = this.#effects.find(userTiming);
-    if (timing?.active) timing.measure(phase, start, now);
+    this.#effects.caused(userTiming)?.measure(phase, start, now);
     return now - start;
   }
 }

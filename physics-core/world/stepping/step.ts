@@ -1,5 +1,5 @@
 import type { NodeWorld } from '../../nodes/node/node-world.js';
-import type { BodySlots } from '../body-slots.js';
+import type { BodySlots } from '../bodies/body-slots.js';
 import { reportOverlaps } from '../pairs/overlaps.js';
 import type { PhaseCosts } from './phase-costs.js';
 import type { StepTime } from './step-time.js';
@@ -87,7 +87,7 @@ export class Step {
   }
 
   #reportOverlaps(): void {
-    this.#world.moved();
+    this.#world.rays.moved();
     if (this.#first) reportOverlaps(this.#world);
     this.#first = false;
   }

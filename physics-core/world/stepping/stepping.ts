@@ -1,6 +1,9 @@
 import { Clock } from '../../base/clock.js';
 import { show } from '../../base/show.js';
 import { frameCosts } from '../../effects/costs/frame-costs.js';
+import type { LevelControl } from '../accuracy/level-control.js';
+import type { Editing } from '../store/editing.js';
+import type { HeapLimit } from '../store/heap-limit.js';
 import { PhaseCosts } from './phase-costs.js';
 import { Step, type SteppedWorld } from './step.js';
 import { StepTime } from './step-time.js';
@@ -16,14 +19,9 @@ const MUCH_LOST = 1;
 
 /** The world whose time passes. */
 export interface TimedWorld extends SteppedWorld {
-  /** FALSE freezes it. */
-  readonly enabled: boolean;
-  /** Whether edits wait for the next step or frame. */
-  readonly pending: boolean;
-  /** A frame that stood for `seconds` took `ms`. */
-  noteFrame(ms: number, seconds: number): void;
-  /** A frame has taken its steps. */
-  watchHeap(): void;
+  readonly edits: Editing;
+  readonly control: LevelControl;
+  readonly heapLimit: HeapLimit;
 }
 
 /** How a world passes time: fixed steps, as many as the clock or the caller asks for. */
@@ -141,6 +139,10 @@ export class Stepping {
 
   // ---- frames -----------------------------------------------------------------------------------------------------
 
+  /**
+   * Advances by wall time in fixed steps and places what is drawn between the last two. Returns `needsFrame`. `seen`:
+   * somebody waits for the frame, so that accuracy auto is to judge by it.
+   */
   frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
     if (!world.started || this.#step.running) return this.needsFrame;
@@ -148,7 +150,7 @@ export class Stepping {
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#costs.clear();
     world.flush();
-    if (seen && this.#moving) world.noteFrame(ms, seconds);
+    if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.running) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
     world.poses.interpolate(this.#moving ? fraction : 1);
@@ -168,7 +170,7 @@ export class Stepping {
     // Where a listener stopped the world, the rest of the frame is not missed.
     if (this.running) lost += left;
     if (lost > 0) this.#lag(lost, scale);
-    this.#world.watchHeap();
+    this.#world.heapLimit.watch();
   }
 
   #stepIsDue(first: boolean, start: number): boolean {
@@ -197,8 +199,8 @@ export class Stepping {
 
   /** Whether time passes by itself. */
   get running(): boolean {
-    const { started, enabled } = this.#world;
-    return started && enabled && !this.#paused && this.#timeScale > 0;
+    const { started, control } = this.#world;
+    return started && control.enabled && !this.#paused && this.#timeScale > 0;
   }
 
   get #moving(): boolean {
@@ -206,6 +208,6 @@ export class Stepping {
   }
 
   get needsFrame(): boolean {
-    return this.#world.started && (this.#moving || this.#world.pending);
+    return this.#world.started && (this.#moving || this.#world.edits.pending);
   }
 }

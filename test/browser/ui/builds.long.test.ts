@@ -1,9 +1,9 @@
 import { expect } from 'chai';
-import type { World } from '../../../elements/index.js';
 import '../console.js';
 import { until, wait } from '../scene.js';
 import { open, openText, type PageWindow } from '../page.js';
 import { Shown } from './monitor.js';
+import type { World } from '../inside.js';
 
 const SCENE = `<x3d width="200px" height="100px"><scene>
     <transform><shape><box></box></shape><x3d-rigid-body id="b"></x3d-rigid-body></transform>

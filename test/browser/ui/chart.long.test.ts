@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import type { World } from '../../../elements/index.js';
 import '../console.js';
 import { open, type PageWindow } from '../page.js';
 import { until } from '../scene.js';
+import type { World } from '../inside.js';
 
 interface Chart extends HTMLElement {
   world: World | undefined;

@@ -1,8 +1,9 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../elements/index.js';
 import { claim } from '../console.js';
 import { drawn, drawnAt, show, until, wait } from '../scene.js';
 import { addMonitor, Shown, TWO_SCENES } from './monitor.js';
+import { worldOf } from '../inside.js';
 
 const falling = `<x3d-rigid-body-collection id="collection">
     <x3d-rigid-body id="ball" def="ball" for="shape"></x3d-rigid-body>
@@ -94,7 +95,7 @@ describe('the monitor', () => {
     const before = { time: world.time, y: drawnAt(shape)[1]! };
     shown.button(/Step/).click();
     expect(world.time - before.time).to.be.closeTo(world.timeStep, 1e-9);
-    const ball = x3d.querySelector('#ball') as unknown as { position: number[] };
+    const ball = x3d.querySelector<X3DRigidBodyElement>('#ball')!;
     await until(() => Math.abs(drawnAt(shape)[1]! - ball.position[1]!) < 1e-5);
     expect(drawnAt(shape)[1]!).to.be.below(before.y);
     shown.button(/Reset/).click();

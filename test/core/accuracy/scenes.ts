@@ -1,4 +1,4 @@
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import { addBody, addFloor, addJoint, box, sphere, world } from '../helpers.js';
 
 /** Boxes and balls that fall onto a floor and a jointed pair, and are listened to. */

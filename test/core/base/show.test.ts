@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../physics-core/index.js';
+import { nodeTypes } from '../../../physics-core/inside.js';
 import { show } from '../../../physics-core/base/show.js';
 import { claim, fact, world } from '../helpers.js';
 

@@ -2,8 +2,8 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { allEffects } from '../../../physics-core/effects/all.js';
-import type { EffectDescriptor } from '../../../physics-core/effects/effect.js';
-import { inOrder } from '../../../physics-core/effects/order.js';
+import type { EffectDescriptor } from '../../../physics-core/effects/effect/effect.js';
+import { inOrder } from '../../../physics-core/effects/effect/order.js';
 
 const FOLDER = 'physics-core/effects';
 const namesOf = (effects: readonly EffectDescriptor[]): string[] => effects.map(({ name }) => name);

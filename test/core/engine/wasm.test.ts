@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { configure, createWorld, loadEngine } from '../../../physics-core/index.js';
+import { configure, createWorld, loadEngine } from '../../../physics-core/inside.js';
 
 const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { nodeTypes } from '../../../physics-core/index.js';
+import { nodeTypes } from '../../../physics-core/inside.js';
 import { factsOf } from '../../conformance/all.js';
 import { wrongInCore } from '../../conformance/core-driver.js';
 

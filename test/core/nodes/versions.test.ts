@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../physics-core/index.js';
+import { nodeTypes } from '../../../physics-core/inside.js';
 import { fact, world } from '../helpers.js';
 
 fact('a node of an X3D 3 file has the defaults of its version, and gets them back', async () => {

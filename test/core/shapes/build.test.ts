@@ -230,3 +230,12 @@ fact('malformed meshes are cleaned: indices without points are left out', async 
   close(await restHeight(mesh), 1, 6e-3, 'm');
   assert.ok(true);
 });
+
+fact('a body that is told where it starts has its shape there, too', async () => {
+  const w = await world();
+  addFloor(w);
+  const geometry = [sphere(0.5)];
+  const body = w.add('RigidBody', { geometry }, { start: { p: [1, 3, 0], q: [0, 0, 0, 1] } });
+  w.advance(3);
+  close(position(body)[1]!, 0.5, 0.01, 'm');
+});

@@ -1,4 +1,5 @@
 import { isConvex } from '../../../physics-core/shapes/convex.js';
+import { hullOf } from '../../../physics-core/shapes/hull.js';
 import { tessellate } from '../../../physics-core/shapes/tessellate.js';
 import type { Mesh } from '../../../physics-core/shapes/geometry.js';
 import { quaternionOf, rotate } from '../../../physics-core/base/math.js';
@@ -39,6 +40,8 @@ const as = ({ points, index }: Mesh, at: number, round: (x: number) => number): 
   ).flatMap(([x, y, z]) => [round(x + at), round(y - 0.7 * at), round(z + 0.3 * at)]),
 });
 
+const convex = (mesh: Mesh): boolean => isConvex(mesh, hullOf(mesh.points));
+
 const MESHES: [string, Mesh][] = [
   ['a sphere', tessellate({ type: 'Sphere' })],
   ['a cylinder', tessellate({ type: 'Cylinder' })],
@@ -47,17 +50,25 @@ const MESHES: [string, Mesh][] = [
 ];
 
 fact('a convex mesh is one in single precision, too, ten metres from its origin', () => {
-  for (const [name, mesh] of MESHES) assert.ok(isConvex(as(mesh, 10, Math.fround)), name);
+  for (const [name, mesh] of MESHES) assert.ok(convex(as(mesh, 10, Math.fround)), name);
 });
 
 fact('a convex mesh is one with six decimals in its file, too', () => {
   for (const [name, mesh] of MESHES)
-    assert.ok(isConvex(as(mesh, 0, (x) => Number(x.toFixed(6)))), name);
+    assert.ok(convex(as(mesh, 0, (x) => Number(x.toFixed(6)))), name);
 });
 
 fact('a dent of a ten-thousandth of its size makes a mesh concave', () => {
   const mesh = divided(16);
   // In the middle of the first face.
   mesh.points[(8 * 17 + 8) * 3]! += 1e-4 * Math.hypot(2, 2, 2);
-  assert.ok(!isConvex(mesh));
+  assert.ok(!convex(mesh));
+});
+
+fact('a mesh that faces inward is concave, and a flat one is convex from both sides', () => {
+  const cube = divided(16);
+  assert.ok(!convex({ ...cube, index: cube.index.toReversed() }));
+  const sheet = tessellate({ type: 'Rectangle2D' });
+  assert.ok(convex(sheet));
+  assert.ok(convex({ ...sheet, index: [...sheet.index, ...sheet.index.toReversed()] }));
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { bulletHas, touchedBy } from '../../../physics-core/index.js';
+import { bulletHas, touchedBy } from '../../../physics-core/inside.js';
 import { addBody, addFloor, addJoint, box, claim, close, fact, sphere, world } from '../helpers.js';
 
 describe('what Bullet has', () => {

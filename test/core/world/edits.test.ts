@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { World } from '../../../physics-core/index.js';
+import { World } from '../../../physics-core/inside.js';
 import { addBody, claim, close, counts, fact, position, velocity, world } from '../helpers.js';
 
 fact(

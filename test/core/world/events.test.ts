@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { Emitter } from '../../../physics-core/base/emitter.js';
-import { loadEngine, World } from '../../../physics-core/index.js';
+import { loadEngine, World } from '../../../physics-core/inside.js';
 import { landing, hear, record } from './event-scenes.js';
 import {
   addBody,

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { afterEach } from 'node:test';
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../physics-core/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -27,7 +27,7 @@ const undamped = { linearDampingFactor: 0, angularDampingFactor: 0 };
 fact('a world takes its settings from the next collection when the first one goes', async () => {
   const w = await world({ accuracy: 'game' });
   w.add('RigidBodyCollection', { rest: 'never', accuracy: 'game' }).set('accuracy', 'fine');
-  const [first] = w.rigidBodyCollections;
+  const [first] = w.store.collections;
   first!.remove();
   w.step(0);
   close(w.timeStep, 1 / 240, 1e-12, 's');

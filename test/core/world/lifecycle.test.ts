@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { loadEngine, World } from '../../../physics-core/index.js';
+import { loadEngine, World } from '../../../physics-core/inside.js';
 import { addBody, claim, close, fact, height, position, watch, way, world } from '../helpers.js';
 import { recorded, busy } from './runs.js';
 
@@ -22,7 +22,7 @@ fact('before its start a world takes nodes and edits, steps nothing and returns 
 
 fact('ready rejects with the problem of a world that can not start', async () => {
   const w = new World();
-  w.fail({ code: 'engine-load-failed' });
+  w.lifecycle.ready.reject({ code: 'engine-load-failed' });
   await assert.rejects(w.ready, { code: 'engine-load-failed' });
 });
 

@@ -1,4 +1,4 @@
-import { World } from '../../../physics-core/index.js';
+import { World } from '../../../physics-core/inside.js';
 import { addBody, addFloor, addJoint, box, claim, random } from '../helpers.js';
 
 /** Poses of all bodies after every step, as bits. */

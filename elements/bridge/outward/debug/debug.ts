@@ -1,4 +1,4 @@
-import { debugging } from '../../../../physics-core/index.js';
+import { debugging } from '../../../../physics-core/inside.js';
 import { loop } from '../../drawing/loop.js';
 import type { PageWorld } from '../../nodes/surroundings.js';
 import type { Stage } from '../stage.js';

@@ -1,4 +1,4 @@
-import type { DebugLines } from '../../../../physics-core/index.js';
+import type { DebugLines } from '../../../../physics-core/inside.js';
 import {
   x3dom,
   type NodeContext,

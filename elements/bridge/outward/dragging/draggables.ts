@@ -1,6 +1,6 @@
 import type { PageWorld } from '../../nodes/surroundings.js';
 import type { Stage } from '../stage.js';
-import type { DraggableBody } from './body.js';
+import type { DraggableBody } from '../body.js';
 import type { Hands } from './hands.js';
 
 /** Which bodies of a scene may be dragged. What people drag them with is loaded with the first. */

@@ -1,8 +1,8 @@
-import type { Vec3 } from '../../../../physics-core/index.js';
+import type { Vec3 } from '../../../../physics-core/inside.js';
 import { precedes } from '../../words/dom.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { Stage } from '../stage.js';
-import type { DraggableBody } from './body.js';
+import type { DraggableBody } from '../body.js';
 import { HandleBox } from './handle-box.js';
 import { Held } from './held.js';
 import { bindingOf, metresOf, scaled } from './picking.js';

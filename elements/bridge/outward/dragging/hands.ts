@@ -1,5 +1,5 @@
 import type { Stage } from '../stage.js';
-import type { DraggableBody } from './body.js';
+import type { DraggableBody } from '../body.js';
 import { Handles } from './handles.js';
 import { Pointers } from './pointers.js';
 import { View } from './view.js';

@@ -1,8 +1,8 @@
-import type { Drag, DragEnd, Vec3 } from '../../../../physics-core/index.js';
+import type { Drag, DragEnd, Vec3 } from '../../../../physics-core/inside.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { Stage } from '../stage.js';
 import { setState } from '../../base/states.js';
-import type { By, DraggableBody } from './body.js';
+import type { By, DraggableBody } from '../body.js';
 import type { Picked } from './picking.js';
 
 /** How many hold each body: its state ends with the last. */

@@ -1,7 +1,7 @@
-import type { Vec3 } from '../../../../physics-core/index.js';
+import type { Vec3 } from '../../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../../nodes/binding.js';
 import type { Stage } from '../stage.js';
-import type { DraggableBody } from './body.js';
+import type { DraggableBody } from '../body.js';
 import type { Sight } from './view.js';
 
 /** A draggable body under the pointer, and the point of it, metres. */

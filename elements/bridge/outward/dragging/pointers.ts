@@ -1,6 +1,6 @@
-import type { Vec3 } from '../../../../physics-core/index.js';
+import type { Vec3 } from '../../../../physics-core/inside.js';
 import type { Stage } from '../stage.js';
-import type { By } from './body.js';
+import type { By } from '../body.js';
 import { Held } from './held.js';
 import { metresOf, pick, scaled, type Picked } from './picking.js';
 import { minus, plus, size, type View } from './view.js';

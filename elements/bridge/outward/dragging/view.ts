@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../../../physics-core/index.js';
+import type { Vec3 } from '../../../../physics-core/inside.js';
 import { x3dom, type X3DElement, type X3DProjection, type X3DViewarea } from '../../x3dom/x3dom.js';
 
 /** A line of sight, in the lengths of the scene: from where the picture begins to where it ends. */

@@ -1,4 +1,5 @@
 import { expect } from 'chai';
+import type { X3DRigidBodyElement } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { drawn, drawnAt, nextFrame, place, show, codes } from '../../scene.js';
 import { worldOf } from '../../../../elements/index.js';
@@ -111,11 +112,7 @@ describe('units', () => {
       <transform DEF="t" translation="100 0 0" rotation="0 0 1 90"><shape><box size="100 20 20"></box></shape>
         <x3d-rigid-body id="b" useglobalgravity="false" angularvelocity="0 0 90" linearvelocity="50 0 0"></x3d-rigid-body></transform>
     </scene></x3d>`;
-    const body = document.querySelector('#b') as unknown as Element & {
-      position: number[];
-      orientation: number[];
-      angularVelocity: number[];
-    };
+    const body = document.querySelector<X3DRigidBodyElement>('#b')!;
     const world = worldOf(body)!;
     await world.ready;
     world.paused = true;

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { nextFrame, show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 type Data = Record<string, unknown>;
 

@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
 import { drawn, drawnAt, place, show, position } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 const ball = (at: string): string => `
   <x3d-rigid-body id="ball" position="${at}">

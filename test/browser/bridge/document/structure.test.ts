@@ -1,6 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../../elements/index.js';
 import { show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 import { append, ball, collection } from '../scene/collections.js';
 
 describe('a CollisionCollection outside any collection', () => {
@@ -13,7 +14,7 @@ describe('a CollisionCollection outside any collection', () => {
 
   /** How high the ball stands a second and a half after it was let go: 3 m up it has bounced once. */
   async function height(x3d: Element): Promise<number> {
-    const body = x3d.querySelector('.ball')! as unknown as Element & { position: number[] };
+    const body = x3d.querySelector<X3DRigidBodyElement>('.ball')!;
     const world = worldOf(body)!;
     await world.ready;
     world.paused = true;

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { drawn, drawnAt, show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 interface Node {
   _trafo: Record<string, number>;
@@ -43,7 +43,7 @@ describe('what is drawn', () => {
       .runtime.canvas.doc;
     doc.needRender = false;
     await wait(200);
-    expect(world.needsFrame).to.equal(false);
+    expect(world.stepping.needsFrame).to.equal(false);
     expect(doc.needRender).to.be.oneOf([false, 0]);
   });
 

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
 import { worldOf } from '../../../../elements/index.js';
-import { nodeTypes, type Problem, type World } from '../../../../physics-core/index.js';
+import { nodeTypes, type Problem } from '../../../../physics-core/inside.js';
 import type { NodeData } from '../../../conformance/fact.js';
 import { fieldText, markup, nodesIn, typesByName } from '../../../conformance/markup.js';
 import { kebab, tags } from '../../../conformance/page-driver.js';
@@ -9,6 +9,7 @@ import { scene, SECONDS, SPARES, SUBJECTS } from '../../../edits/scene.js';
 import { editOf } from '../../../edits/table.js';
 import { ALL_FIELDS, walkField, type Editor } from '../../../edits/walk.js';
 import { claim } from '../../console.js';
+import type { World } from '../../inside.js';
 
 interface X3DElement extends Element {
   setFieldValue(field: string, value: unknown): void;

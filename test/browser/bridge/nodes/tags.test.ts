@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import { worldOf, type World } from '../../../../elements/index.js';
-import { codecs, nodeTypes, type NodeType } from '../../../../physics-core/index.js';
+import { codecs, nodeTypes, type NodeType } from '../../../../physics-core/inside.js';
 import { attributeOf, kebab, sample, written } from '../../samples.js';
 import { show } from '../../scene.js';
+import { worldOf, type World } from '../../inside.js';
 
 // Every tag, in both spellings, generated over the tables.
 

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { place, show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 const inWorld = (content: string): string =>
   `<x3d-rigid-body-collection id="c">${content}</x3d-rigid-body-collection>`;
@@ -119,10 +119,7 @@ describe('problems', () => {
 
   it('an element set up before it is defined and attached keeps what was set', async () => {
     claim('position="4 5" is');
-    const body = document.createElement('x3d-rigid-body') as unknown as HTMLElement & {
-      mass: unknown;
-      position: unknown;
-    };
+    const body = document.createElement('x3d-rigid-body');
     body.mass = 5;
     body.position = new Float32Array([1, 2, 3]);
     expect(body.position).to.eql([1, 2, 3]);

@@ -1,8 +1,9 @@
 import { expect } from 'chai';
-import { explain, type World } from '../../../../elements/index.js';
+import { explain } from '../../../../elements/index.js';
 import { open, worldIn } from '../../page.js';
 import { claim } from '../../console.js';
 import { show, until, wait } from '../../scene.js';
+import type { World } from '../../inside.js';
 
 const SCENE = `
   <x3d-rigid-body-collection id="collection">

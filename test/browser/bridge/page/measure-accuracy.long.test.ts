@@ -1,8 +1,9 @@
 import { expect } from 'chai';
-import type { LevelMeasurement, World } from '../../../../elements/index.js';
+import type { LevelMeasurement } from '../../../../elements/index.js';
 import '../../console.js';
 import { open, openText, worldIn, type PageWindow } from '../../page.js';
 import { nextFrame, until } from '../../scene.js';
+import type { World } from '../../inside.js';
 
 const JOB = { seconds: 0.25 };
 

@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { explain } from '../../../../elements/index.js';
+import { type X3DRigidBodyElement, explain } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { drawn, drawnAt, show } from '../../scene.js';
 
@@ -24,7 +24,7 @@ describe('the world in a page', () => {
     world.reset();
     world.advance(0.5);
     const snapshot = world.snapshot();
-    const ball = x3d.querySelector('#ball') as unknown as { position: number[] };
+    const ball = x3d.querySelector<X3DRigidBodyElement>('#ball')!;
     const before = ball.position;
     const runs = [1, 2].map(() => {
       world.restore(snapshot);
@@ -56,10 +56,10 @@ describe('the world in a page', () => {
       '#c',
     );
     world.paused = true;
-    const body = x3d.querySelector('#b')!;
+    const body = x3d.querySelector<X3DRigidBodyElement>('#b')!;
     world.advance(0.5);
     expect(explain(body).sleeps).to.match(/^autoDisable/);
-    (body as unknown as { wake(): void }).wake();
+    body.wake();
     expect(explain(body).sleeps).to.equal(undefined);
   });
 });

@@ -1,5 +1,5 @@
-import { worldOf } from '../../../../elements/index.js';
 import { wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 export type PageWorld = NonNullable<ReturnType<typeof worldOf>>;
 

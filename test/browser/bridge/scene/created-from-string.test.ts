@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
 import { place, until, position } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 type Runtime = { createX3DFromString(text: string): Element };
 

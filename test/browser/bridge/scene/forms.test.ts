@@ -1,4 +1,5 @@
 import { expect } from 'chai';
+import type { X3DRigidBodyElement } from '../../../../elements/index.js';
 import { worldOf } from '../../../../elements/index.js';
 import '../../console.js';
 import { drawn, drawnAt, nextFrame, place, show, wait } from '../../scene.js';
@@ -67,8 +68,8 @@ describe('shortcuts', () => {
       '#ball',
     );
     world.paused = true;
-    const ball = x3d.querySelector('#ball')!;
-    expect((ball as unknown as { position: number[] }).position).to.eql([1, 6, 0]);
+    const ball = x3d.querySelector<X3DRigidBodyElement>('#ball')!;
+    expect(ball.position).to.eql([1, 6, 0]);
     world.advance(4);
     await nextFrame();
     await nextFrame();
@@ -102,9 +103,7 @@ describe('shortcuts', () => {
     await nextFrame();
     x3d.querySelector('#t')!.setAttribute('translation', '4 5 6');
     await nextFrame();
-    expect((x3d.querySelector('#ball') as unknown as { position: number[] }).position).to.eql([
-      4, 5, 6,
-    ]);
+    expect(x3d.querySelector<X3DRigidBodyElement>('#ball')!.position).to.eql([4, 5, 6]);
   });
 });
 

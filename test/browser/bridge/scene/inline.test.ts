@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { nextFrame, place, show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 const ball = `<transform id="t" translation="0 3 0"><shape><sphere></sphere></shape><x3d-rigid-body id="ball"></x3d-rigid-body></transform>`;
 

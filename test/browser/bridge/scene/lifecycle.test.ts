@@ -1,6 +1,6 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { drawn, drawnAt, nextFrame, place, show, until, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 const ball = `<transform id="t" translation="0 3 0"><shape><sphere></sphere></shape><x3d-rigid-body id="ball"></x3d-rigid-body></transform>`;
 

@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { nodeTypes, type Field, type NodeType } from '../../../../physics-core/index.js';
+import { nodeTypes, type Field, type NodeType } from '../../../../physics-core/inside.js';
 import { claim } from '../../console.js';
 import { plain } from '../../forms.js';
 import { kebab, sample, written } from '../../samples.js';

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { show, until } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 describe('shared-world at an Inline', () => {
   it('may change at run time, and the Inline is in the world of its own collection', async () => {

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { place, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 import { ball, collection, outcome } from './collections.js';
 
 describe('ready', () => {

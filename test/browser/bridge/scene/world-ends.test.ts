@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { bothSpellings } from '../../forms.js';
 import { nextFrame, show, until, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 import { type PageWorld, append, ball, collection, outcome } from './collections.js';
 
 describe('a world', () => {

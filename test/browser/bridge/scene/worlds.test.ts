@@ -1,7 +1,8 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { place, show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 const world = (x3d: Element, selector: string) => worldOf(x3d.querySelector(selector)!)!;
 
@@ -36,7 +37,7 @@ describe('worlds', () => {
 
   it('the world object is there before the start, and ready once', async () => {
     const x3d = place(`<x3d-rigid-body-collection id="c"></x3d-rigid-body-collection>`);
-    const collection = x3d.querySelector('#c')!;
+    const collection = x3d.querySelector('x3d-rigid-body-collection')!;
     let ready = 0;
     collection.addEventListener('physicsready', () => ready++);
     const before = worldOf(collection)!;
@@ -44,7 +45,7 @@ describe('worlds', () => {
     expect(await before.ready).to.equal(before);
     await wait(20);
     expect(ready).to.equal(1);
-    expect((collection as unknown as { world: unknown }).world).to.equal(before);
+    expect(collection.world).to.equal(before);
   });
 
   it('shared-world at an Inline joins its collections with those of the page', async () => {
@@ -63,10 +64,7 @@ describe('worlds', () => {
     await world(x3d, '#c').ready;
     first.paused = world(x3d, '#c').paused = true;
     first.advance(1);
-    const body = x3d.querySelector('#b')! as unknown as Element & {
-      position: number[];
-      linearVelocity: number[];
-    };
+    const body = x3d.querySelector<X3DRigidBodyElement>('#b')!;
     const [position, velocity] = [body.position, body.linearVelocity];
     x3d.querySelector('#a')!.append(body);
     expect(body.position).to.eql(position);

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { bothSpellings } from '../../forms.js';
 import { drawn, drawnAt, show, until } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 interface X3DOM {
   fields: { SFVec3f: new (x: number, y: number, z: number) => object };

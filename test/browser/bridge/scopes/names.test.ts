@@ -1,6 +1,7 @@
 import { expect } from 'chai';
-import { worldOf, X3DRigidBodyElement } from '../../../../elements/index.js';
+import { X3DRigidBodyElement } from '../../../../elements/index.js';
 import { show } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 describe('names', () => {
   it('world.node takes the id of an element with a DEF', async () => {
@@ -25,7 +26,7 @@ describe('names', () => {
     customElements.define('my-body', Mine);
     const mine = new Mine();
     Object.assign(mine, { mass: 3, position: [0, 4, 0], id: 'm' });
-    expect((mine as unknown as { mass: number }).mass).to.equal(3);
+    expect(mine.mass).to.equal(3);
     const { x3d, world } = await show(
       '<x3d-rigid-body-collection id="c"></x3d-rigid-body-collection>',
       '#c',

@@ -1,7 +1,8 @@
 import { expect } from 'chai';
-import { explain, worldOf } from '../../../../elements/index.js';
+import { explain } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { drawn, drawnAt, place, show, wait, position } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 import { bothSpellings } from '../../forms.js';
 
 describe('attributes that are no fields', () => {

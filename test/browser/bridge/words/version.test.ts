@@ -1,8 +1,8 @@
 import { expect } from 'chai';
-import { worldOf, type World } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
 import { place, show, wait } from '../../scene.js';
+import { worldOf, type World } from '../../inside.js';
 
 describe('the version of a document', () => {
   const hinge = `<RigidBodyCollection id="c"><RigidBody DEF="a"></RigidBody>

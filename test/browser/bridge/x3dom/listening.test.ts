@@ -1,4 +1,5 @@
 import { expect } from 'chai';
+import type { X3DRigidBodyElement } from '../../../../elements/index.js';
 import { bothSpellings } from '../../forms.js';
 import { show, wait } from '../../scene.js';
 
@@ -139,12 +140,12 @@ describe('sleep and wake', () => {
 
   it('show as a state of custom elements', async () => {
     const { x3d, world } = await paused(bodies[0]![1]);
-    const body = x3d.querySelector('#b')!;
+    const body = x3d.querySelector<X3DRigidBodyElement>('#b')!;
     expect(body.matches(':state(sleeping)')).to.equal(false);
     world.advance(0.5);
     expect(body.matches(':state(sleeping)')).to.equal(true);
     expect(x3d.querySelector('#other')!.matches(':state(sleeping)')).to.equal(false);
-    (body as unknown as { wake(): void }).wake();
+    body.wake();
     world.step(1);
     expect(body.matches(':state(sleeping)')).to.equal(false);
     await wait(0);

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
-import { worldOf } from '../../../../elements/index.js';
 import { show, wait } from '../../scene.js';
+import { worldOf } from '../../inside.js';
 
 describe('x3dom', () => {
   it('draws a USE that stands before its DEF', async () => {

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../../physics-core/index.js';
-import type { CollectionNode } from '../../../../physics-core/nodes/rigid-body-collection.js';
+import type { World } from '../../../../physics-core/inside.js';
+import type { CollectionNode } from '../../../../physics-core/nodes/collection-node.js';
 import {
   addBody,
   box,

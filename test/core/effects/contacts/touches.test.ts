@@ -1,6 +1,6 @@
 import { contactReader } from '../../../../physics-core/effects/contacts/contact-reader.js';
 import assert from 'node:assert/strict';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import type { Collision } from '../../../../physics-core/effects/contacts/touches.js';
 import {
   addBody,

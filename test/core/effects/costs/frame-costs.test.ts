@@ -30,13 +30,13 @@ describe('the costs of frames', () => {
     const w = await world();
     addBody(w);
     w.frame(1 / 60);
-    w.frameOver(0);
+    w.stepping.frameOver(0);
     assert.equal(w.costs, undefined);
     assert.equal(effect(w, 'monitor').active, false);
     const stop = w.recordCosts('me', 'to know');
     assert.deepEqual(effect(w, 'monitor').because, { element: 'me', reason: 'to know' });
     w.frame(1 / 60);
-    w.frameOver(0);
+    w.stepping.frameOver(0);
     assert.equal(w.costs!.frames, 1);
     stop();
     assert.equal(w.costs, undefined);
@@ -52,7 +52,7 @@ describe('the costs of frames', () => {
     let ticks = 0;
     performance.now = () => ticks++;
     w.frame(1 / 120);
-    w.frameOver(performance.now());
+    w.stepping.frameOver(performance.now());
     performance.now = now;
     // One tick lies between the readings of the clock around reading poses, and around writing them.
     assert.deepEqual(w.stats.ms, { step: 2, read: 1, write: 1, events: 0 });
@@ -64,7 +64,7 @@ describe('the costs of frames', () => {
     w.recordCosts('me');
     for (const seconds of [1 / 60, 0, 0, 1 / 60]) {
       w.frame(seconds);
-      w.frameOver(0);
+      w.stepping.frameOver(0);
     }
     assert.equal(w.costs!.frames, 2);
   });
@@ -83,7 +83,7 @@ describe('User Timing', () => {
     const frame = async (): Promise<string[]> => {
       seen.length = 0;
       w.frame(1 / 120);
-      w.frameOver(0);
+      w.stepping.frameOver(0);
       await new Promise((resolve) => setTimeout(resolve, 20));
       return [...new Set(seen)].sort();
     };

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { debugLines, type DebugLines, type World } from '../../../../physics-core/index.js';
+import { debugLines, type DebugLines, type World } from '../../../../physics-core/inside.js';
 import { COLOR, type Color } from '../../../../physics-core/effects/debug/colors.js';
 import {
   above,

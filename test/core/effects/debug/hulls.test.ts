@@ -1,4 +1,4 @@
-import { debugLines } from '../../../../physics-core/index.js';
+import { debugLines } from '../../../../physics-core/inside.js';
 import { addBody, fact, world } from '../../helpers.js';
 import { leavesNoTrace } from '../../no-trace.js';
 

@@ -1,4 +1,4 @@
-import { levels } from '../../../../physics-core/index.js';
+import { levels } from '../../../../physics-core/inside.js';
 import { chain } from './scenes.js';
 import {
   above,

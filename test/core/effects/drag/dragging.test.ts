@@ -1,4 +1,4 @@
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import assert from 'node:assert/strict';
 import { chain } from './scenes.js';
 import {

@@ -1,4 +1,4 @@
-import type { LevelName } from '../../../../physics-core/index.js';
+import type { LevelName } from '../../../../physics-core/inside.js';
 import { addBody, addJoint, sphere, world, type Body, type Hinge } from '../../helpers.js';
 
 /** Eight spheres on ball joints, hanging 1 m apart from the world, the last one heavy. */

@@ -1,5 +1,5 @@
 import { describe } from 'node:test';
-import { levels, type World } from '../../../../physics-core/index.js';
+import { levels, type World } from '../../../../physics-core/inside.js';
 import { quaternionOf, rotate } from '../../../../physics-core/base/math.js';
 import {
   addBody,

@@ -1,5 +1,5 @@
 import { quaternionOf, rotate } from '../../../../physics-core/base/math.js';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   addJoint,

@@ -1,4 +1,4 @@
-import { jointSolve, type World } from '../../../../physics-core/index.js';
+import { jointSolve, type World } from '../../../../physics-core/inside.js';
 import { chainEnd, type Chain } from '../../../../references/chain.js';
 import { ballChain, boxChain } from '../../../../references/chains.js';
 import { addBallChain, addBoxChain, type Jointed } from './scenes.js';

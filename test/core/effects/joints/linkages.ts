@@ -1,5 +1,5 @@
 import { add, scale, subtract } from '../../../../physics-core/base/math.js';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import { addBody, addJoint, box, type Body, type Hinge, type Vec3 } from '../../helpers.js';
 
 export const G = 9.8;

@@ -3,7 +3,7 @@ import { describe } from 'node:test';
 import { ballChain } from '../../../../references/chains.js';
 import { addBallChain } from './scenes.js';
 import { add, cross, scale } from '../../../../physics-core/base/math.js';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import {
   above,
   addBody,

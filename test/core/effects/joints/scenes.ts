@@ -1,7 +1,7 @@
 import type { Chain } from '../../../../references/chain.js';
 import type { JointNode } from '../../../../physics-core/nodes/joints/joint.js';
 import type { BodyNode } from '../../../../physics-core/nodes/body/body.js';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 
 /** Bodies and joints from the fixed end on, and where the end is that is looked at, from the first joint. */
 export interface Jointed {

@@ -1,6 +1,6 @@
-import { jointSolve } from '../../../../physics-core/index.js';
+import { jointSolve } from '../../../../physics-core/inside.js';
 import { addBody, addJoint, below, close, fact, sphere, velocity, world } from '../../helpers.js';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 
 /** A ball on its way to two of its kind, a metre apart, that a joint holds together. */
 function shot(w: World) {

@@ -87,7 +87,7 @@ fact('an edit asks for a frame again, and the world calls for it', async () => {
   w.onwork = () => calls++;
   stone.set('linearVelocity', [0, 3, 0]);
   assert.ok(calls > 0);
-  assert.equal(w.needsFrame, true);
+  assert.equal(w.stepping.needsFrame, true);
   assert.equal(w.frame(1 / 60), true);
   assert.equal(w.poses.movedCount, 1);
 });

@@ -1,5 +1,5 @@
 import { describe } from 'node:test';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import type { JointNode } from '../../../../physics-core/nodes/joints/joint.js';
 import {
   add,

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../../physics-core/index.js';
+import { nodeTypes } from '../../../../physics-core/inside.js';
 import { addBody, claim, fact, world, told } from '../../helpers.js';
 
 fact('names that every object of JavaScript has are no fields, node types or nodes', async () => {

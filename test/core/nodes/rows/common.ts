@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../../physics-core/index.js';
+import { nodeTypes } from '../../../../physics-core/inside.js';
 import { addBody, box, close, height, sphere, world } from '../../helpers.js';
 import type { Row } from './row.js';
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { CreateOptions, World } from '../../../../physics-core/index.js';
+import type { CreateOptions, World } from '../../../../physics-core/inside.js';
 import {
   above,
   addBody,
@@ -414,7 +414,7 @@ export const rows: Row[] = [
       w.recordCosts('somebody');
       for (let i = 0; i < 3; i++) {
         w.frame(1 / 60);
-        w.frameOver(0);
+        w.stepping.frameOver(0);
       }
       assert.equal(w.costs!.frames, 3);
     },

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { levels, type LevelName, type World } from '../../../../physics-core/index.js';
+import { levels, type LevelName, type World } from '../../../../physics-core/inside.js';
 import { AutoLevel } from '../../../../physics-core/world/accuracy/auto-level.js';
 import { levelNamed } from '../../../../physics-core/dynamics/levels.js';
 import {

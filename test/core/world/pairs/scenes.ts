@@ -1,4 +1,4 @@
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import { sphere, type Node } from '../../helpers.js';
 
 export const shapeOf = (w: World, geometry: object = sphere(0.5), fields: object = {}): Node =>

@@ -11,7 +11,7 @@ import {
   type Body,
   type Node,
 } from '../../helpers.js';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 
 // A collection that is switched on and off between bodies that both move, and are in the same collections.
 

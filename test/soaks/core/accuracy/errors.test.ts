@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { LevelMeasurement, LevelName } from '../../../../physics-core/index.js';
+import type { LevelMeasurement, LevelName } from '../../../../physics-core/inside.js';
 import {
   above,
   addBody,

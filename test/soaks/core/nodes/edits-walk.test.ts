@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { nodeTypes, type PhysicsNode, type World } from '../../../../physics-core/index.js';
+import { nodeTypes, type PhysicsNode, type World } from '../../../../physics-core/inside.js';
 import { BodyNode } from '../../../../physics-core/nodes/body/body.js';
 import { openInCore } from '../../../conformance/core-driver.js';
 import type { Fact, NodeData } from '../../../conformance/fact.js';

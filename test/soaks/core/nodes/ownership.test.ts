@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../../physics-core/index.js';
+import type { World } from '../../../../physics-core/inside.js';
 import { addBody, addFloor, addJoint, box, fact, sphere, world } from '../../../core/helpers.js';
 import { leavesNoTrace } from '../../../core/no-trace.js';
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { createWorld, nodeTypes, type World } from '../../../../physics-core/index.js';
+import { createWorld, nodeTypes, type World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   close,

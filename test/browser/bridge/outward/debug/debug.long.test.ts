@@ -1,6 +1,8 @@
 import { expect } from 'chai';
-import { worldOf, type World } from '../../../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../../../elements/index.js';
+import { worldOf } from '../../../../../elements/index.js';
 import { drawn, place, show, until, wait } from '../../../scene.js';
+import type { World } from '../../../inside.js';
 
 interface LineShape {
   _vf: { isPickable: boolean };
@@ -75,11 +77,7 @@ describe('debug drawing', () => {
     const { x3d, world } = await show(hanging('custom', 'debug'));
     world.paused = true;
     await until(() => sketches(x3d).length === 1);
-    const body = x3d.querySelector('#body') as unknown as {
-      linearVelocity: number[];
-      teleport(position: number[]): void;
-      remove(): void;
-    };
+    const body = x3d.querySelector<X3DRigidBodyElement>('#body')!;
     body.linearVelocity = [12, 0, 0];
     world.step(10);
     await until(() => Math.abs(least(x3d, 0) - 1) < 1e-5);

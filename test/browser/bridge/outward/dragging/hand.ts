@@ -1,6 +1,6 @@
 import { executeServerCommand, sendMouse } from '@web/test-runner-commands';
-import type { PhysicsNode, World } from '../../../../../elements/index.js';
 import { nextFrame, until } from '../../../scene.js';
+import type { PhysicsNode, World } from '../../../inside.js';
 
 // A person before the screen: real input of the browser, and where things are in its window.
 

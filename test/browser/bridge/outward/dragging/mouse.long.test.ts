@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import { sendKeys } from '@web/test-runner-commands';
-import { worldOf, type X3DRigidBodyElement } from '../../../../../elements/index.js';
+import type { X3DRigidBodyElement } from '../../../../../elements/index.js';
 import { bothSpellings } from '../../../forms.js';
 import {
   camera,
@@ -15,35 +15,8 @@ import {
   pointUnder,
   position,
 } from './hand.js';
-import { place, show, until, wait } from '../../../scene.js';
-
-const CAMERA = '<viewpoint position="0 0 10" orientation="0 1 0 0"></viewpoint>';
-const box = (id: string) =>
-  `<shape id="${id}"><appearance><material></material></appearance><box size="1 1 1"></box></shape>`;
-const WEIGHTLESS =
-  '<x3d-rigid-body-collection default gravity="0 0 0"></x3d-rigid-body-collection>';
-
-/** One box at the origin, 1 m wide, before a camera 10 m away, and nothing that pulls it down. */
-const one = (attributes: string): string =>
-  `${CAMERA}${WEIGHTLESS}<transform>${box('s')}<x3d-rigid-body id="b" ${attributes}></x3d-rigid-body></transform>`;
-
-async function stage(content: string, name = 'b') {
-  const { x3d, world } = await show(content, '#b, [def=b]');
-  await draggable(x3d);
-  const body = world.node(name)!;
-  const element = body.host as HTMLElement;
-  return { x3d, world, body, element, events: listen(x3d) };
-}
-
-/** Where the front of the box at `from` is grabbed, and where that goes; pixels. */
-async function dragTo(x3d: Element, from: number[], to: number[]) {
-  const start = pixelOf(x3d, from);
-  const end = pixelOf(x3d, to);
-  await mouse.move(start);
-  await mouse.down();
-  await moveMouse(start, end);
-  return { start, end };
-}
+import { place, until, wait } from '../../../scene.js';
+import { CAMERA, box, WEIGHTLESS, one, stage, dragTo } from './scenes.js';
 
 /** The point so far before the body's origin. */
 function ahead(body: X3DRigidBodyElement, way: number): number[] {
@@ -160,8 +133,6 @@ describe('dragging with the mouse', () => {
   });
 });
 
-// ---- forms -------------------------------------------------------------------------------------------------------------
-
 const standard = `${CAMERA}
   <x3d-rigid-body-collection gravity="0 0 0" draggable-body drag-mode="teleport">
     <x3d-rigid-body def="b">
@@ -266,40 +237,5 @@ describe('what is dragged', () => {
     look();
     expect(widest).to.be.below(0.01);
     expect(objects(world)).to.deep.equal(before);
-  });
-});
-
-// ---- ends --------------------------------------------------------------------------------------------------------------
-
-describe('a drag ends cleanly', () => {
-  const ends: [what: string, act: (element: HTMLElement) => void, reason: string][] = [
-    ['the element is removed', (element) => element.remove(), 'removed'],
-    ['the world starts again', (element) => worldOf(element)!.reset(), 'reset'],
-    ['a snapshot is restored', (e) => worldOf(e)!.restore(worldOf(e)!.snapshot()), 'reset'],
-    ['it is disabled', (element) => element.setAttribute('enabled', 'false'), 'disabled'],
-    ['it may no longer be dragged', (e) => e.removeAttribute('draggable-body'), 'disabled'],
-    ['the <x3d> goes', (element) => element.closest('x3d')!.remove(), 'removed'],
-  ];
-  for (const [what, act, reason] of ends)
-    it(`when ${what}`, async () => {
-      const { x3d, element, world } = await stage(one('draggable-body'));
-      const events = listen(element);
-      await dragTo(x3d, [0, 0, 0.5], [1, 0, 0.5]);
-      act(element);
-      world.step(0);
-      await until(() => events.at(-1)!.type === 'bodydragend');
-      expect(events.at(-1)!.detail.reason).to.equal(reason);
-      expect(element.matches(':state(dragging)')).to.be.false;
-      await mouse.move([20, 20]);
-      await mouse.up();
-      expect(events.filter(({ type }) => type === 'bodydragend')).to.have.length(1);
-    });
-
-  it('and nothing of dragging is left in a page without draggable bodies', async () => {
-    const { x3d, element } = await stage(one('draggable-body'));
-    element.removeAttribute('draggable-body');
-    await until(() => x3d.querySelector('.x3d-physics-handles') === null);
-    element.setAttribute('draggable-body', '');
-    await until(() => x3d.querySelector('.x3d-physics-handles') !== null);
   });
 });

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { CreateOptions } from '../../../../../physics-core/index.js';
+import type { CreateOptions } from '../../../../../physics-core/inside.js';
 import type { SliderJointNode } from '../../../../../physics-core/nodes/joints/slider-joint.js';
 import {
   addBody,

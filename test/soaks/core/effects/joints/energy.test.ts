@@ -7,7 +7,7 @@ import {
   rotate,
   scale,
 } from '../../../../../physics-core/base/math.js';
-import type { World } from '../../../../../physics-core/index.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import {
   below,
   fact,

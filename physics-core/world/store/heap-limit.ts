@@ -1,7 +1,7 @@
-import { HeapExhausted } from '../engine/exhausted.js';
-import type { PhysicsNode } from '../nodes/node/node.js';
-import { show } from '../base/show.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
+import { HeapExhausted } from '../../engine/exhausted.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import { show } from '../../base/show.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
 
 /** Share of the heap limit from which an author is warned. */
 const HEAP_LOW = 0.9;

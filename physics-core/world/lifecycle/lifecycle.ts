@@ -1,16 +1,18 @@
-import { contactReader } from '../effects/contacts/contact-reader.js';
-import { givenContacts } from '../effects/contacts/given-contacts.js';
-import { dragging } from '../effects/drag/dragging.js';
-import { resting } from '../effects/rest/resting.js';
-import { BulletWorld } from '../engine/bullet-world.js';
-import type { Engine } from '../engine/engine.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
-import type { BodySlots } from './body-slots.js';
-import { RANKS } from './edits.js';
-import type { Obstacles } from './pairs/obstacles.js';
-import type { Rays } from './raycast.js';
+import { contactReader } from '../../effects/contacts/contact-reader.js';
+import { givenContacts } from '../../effects/contacts/given-contacts.js';
+import { dragging } from '../../effects/drag/dragging.js';
+import { resting } from '../../effects/rest/resting.js';
+import { BulletWorld } from '../../engine/bullet-world.js';
+import type { Engine } from '../../engine/engine.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { BodySlots } from '../bodies/body-slots.js';
+import { RANKS } from '../store/edits.js';
+import type { LevelControl } from '../accuracy/level-control.js';
+import type { Editing } from '../store/editing.js';
+import type { Obstacles } from '../pairs/obstacles.js';
+import type { Rays } from '../rays/raycast.js';
 import { Readiness } from './readiness.js';
-import type { Stepping } from './stepping/stepping.js';
+import type { Stepping } from '../stepping/stepping.js';
 
 /** The world that starts and ends. */
 interface LivingWorld extends NodeWorld {
@@ -21,10 +23,8 @@ interface LivingWorld extends NodeWorld {
   readonly stepping: Stepping;
   readonly obstacles: Obstacles;
   readonly rays: Rays;
-  /** Applies one pending edit, unheard. False: there is none. */
-  applyNext(): boolean;
-  /** Where the level is left to itself, it begins at the default. */
-  begin(): void;
+  readonly control: LevelControl;
+  readonly edits: Editing;
 }
 
 /** How the Bullet world behind the nodes comes, begins anew, and goes. */
@@ -52,7 +52,7 @@ export class Lifecycle {
   *starting(engine: Engine): Generator<void> {
     this.#world.engine = engine;
     this.#build();
-    while (this.#world.applyNext()) yield;
+    while (this.#world.edits.applyNext()) yield;
   }
 
   #build(): void {
@@ -84,7 +84,7 @@ export class Lifecycle {
         world.stepping.setTime(0);
         const rest = world.registry.find(resting);
         if (rest) rest.sinceLook = 0;
-        world.begin();
+        world.control.begin();
         for (const node of world.nodes) node.forgetEvents();
       });
       tellWoken();
@@ -99,7 +99,7 @@ export class Lifecycle {
     this.#unbuild();
     between();
     this.#build();
-    for (const node of world.nodes) world.enqueue(node);
+    for (const node of world.nodes) world.store.changed(node);
     world.flush();
   }
 

@@ -1,4 +1,4 @@
-import type { Drag, DragEnd, DragMode, PhysicsNode, Vec3 } from '../../../../physics-core/index.js';
+import type { Drag, DragEnd, DragMode, PhysicsNode, Vec3 } from '../../../physics-core/inside.js';
 
 /** What dragging asks of a body's node. */
 export interface DraggableBody extends PhysicsNode {

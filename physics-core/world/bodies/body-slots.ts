@@ -1,18 +1,15 @@
-import { debugging } from '../effects/debug/debugging.js';
-import { continuousCollision } from '../effects/hits/continuous-collision.js';
-import { resting } from '../effects/rest/resting.js';
-import { ACTIVATION } from '../engine/offsets.js';
-import { guards } from '../base/guards.js';
-import { compose, invert, type Pose } from '../base/math.js';
-import type { BodyNode } from '../nodes/body/body.js';
-import { POSE, type Poses } from '../dynamics/poses.js';
-import type { BodyTable, NodeWorld } from '../nodes/node/node-world.js';
+import { debugging } from '../../effects/debug/debugging.js';
+import { continuousCollision, FAR } from '../../effects/hits/continuous-collision.js';
+import { resting } from '../../effects/rest/resting.js';
+import { keepAwake, putToSleep } from '../../engine/body-state.js';
+import { guards } from '../../base/guards.js';
+import { compose, invert, type Pose } from '../../base/math.js';
+import type { BodyNode } from '../../nodes/body/body.js';
+import { POSE, type Poses } from '../../dynamics/poses.js';
+import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
 
 /** Numbers per velocity: linear, then angular. */
 const VELOCITY = 6;
-
-/** A way in a step that is short for anything, as a square: 0.1 mm. */
-const SHORT = 1e-8;
 
 /** No body is sane at this speed or spin, m/s or rad/s. */
 const WILD = 1e6;
@@ -133,8 +130,9 @@ export class BodySlots implements BodyTable {
     const v = this.#velocities;
     const at = slot * VELOCITY;
     const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
-    if (square > SHORT) effects.get(continuousCollision).judge(body, square);
-    else effects.find(continuousCollision)?.judge(body, square);
+    const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
+    if (far) effects.get(continuousCollision).need(body);
+    else effects.caused(continuousCollision)?.release(body);
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------
@@ -144,7 +142,7 @@ export class BodySlots implements BodyTable {
   }
 
   wake(body: BodyNode): void {
-    body.body.forceActivationState(ACTIVATION.alwaysActive);
+    keepAwake(body.body);
     this.#world.registry.find(resting)?.restart(body.slot);
     if (this.#asleep[body.slot]) this.#setAsleep(body, false);
     // So that the page's loop starts again at once, not at the next step.
@@ -153,14 +151,14 @@ export class BodySlots implements BodyTable {
   }
 
   sleep(body: BodyNode): void {
-    body.body.forceActivationState(ACTIVATION.sleeping);
+    putToSleep(body.body);
     this.#world.registry.find(resting)?.leaveIsland(body.slot);
     if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
   }
 
   /** Falls asleep without a word, if it was asleep before the world was restored. */
   restoreSleep(body: BodyNode): void {
-    body.body.forceActivationState(ACTIVATION.sleeping);
+    putToSleep(body.body);
     this.#asleep[body.slot] = 1;
   }
 
@@ -216,8 +214,7 @@ export class BodySlots implements BodyTable {
 
   /** Bullet wakes a sleeping island that something hits by changing its state. */
   #stayedAwake(body: BodyNode, slot: number): boolean {
-    const state = this.#world.engine.reader.activation(body.body, body.pointer);
-    if (state === ACTIVATION.sleeping) return false;
+    if (this.#world.engine.reader.sleeps(body.body, body.pointer)) return false;
     if (this.#asleep[slot]) this.wake(body);
     return true;
   }

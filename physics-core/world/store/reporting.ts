@@ -1,7 +1,7 @@
-import { Emitter, type Listener } from '../base/emitter.js';
-import { EventQueue } from '../base/event-queue.js';
-import { PhysicsNode } from '../nodes/node/node.js';
-import { logProblem, ProblemLog, type Problem, type ProblemReport } from '../base/problems.js';
+import { Emitter, type Listener } from '../../base/emitter.js';
+import { EventQueue } from '../../base/event-queue.js';
+import { PhysicsNode } from '../../nodes/node/node.js';
+import { logProblem, ProblemLog, type Problem, type ProblemReport } from '../../base/problems.js';
 
 /** Whether problems are logged, or what logs them. */
 export type Console = boolean | ((problem: Problem) => void);

@@ -1,11 +1,11 @@
-import type { Ammo } from '../engine/ammo.js';
-import { BulletWorld } from '../engine/bullet-world.js';
-import type { BtBody } from '../engine/heap.js';
-import { Owner } from '../engine/owner.js';
-import { codecs } from '../fields/values.js';
-import type { Vec3 } from '../fields/types.js';
-import { guards, LARGEST } from '../base/guards.js';
-import { show } from '../base/show.js';
+import type { Ammo } from '../../engine/ammo.js';
+import { BulletWorld } from '../../engine/bullet-world.js';
+import type { BtBody } from '../../engine/heap.js';
+import { Owner } from '../../engine/owner.js';
+import { codecs } from '../../fields/values.js';
+import type { Vec3 } from '../../fields/types.js';
+import { guards, LARGEST } from '../../base/guards.js';
+import { show } from '../../base/show.js';
 import {
   add,
   compose,
@@ -16,12 +16,12 @@ import {
   scale,
   subtract,
   type Pose,
-} from '../base/math.js';
-import type { BodyNode } from '../nodes/body/body.js';
-import type { CollidableNode, NodePart } from '../nodes/collision/collidable.js';
-import type { PhysicsNode } from '../nodes/node/node.js';
-import { entryInto } from '../shapes/ray.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
+} from '../../base/math.js';
+import type { BodyNode } from '../../nodes/body/body.js';
+import type { CollidableNode, NodePart } from '../../nodes/collision/collidable.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import { entryInto } from '../../shapes/ray.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
 
 /** Every group of Bullet's, so that a ray hits whatever collides with anything or nothing. */
 const EVERYTHING = -1;

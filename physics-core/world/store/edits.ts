@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../nodes/node/node.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
 
 /** Nodes are made and patched in this order: collections, collidables, bodies, joints, collision collections, sensors. */
 export const RANKS = 6;

@@ -1,6 +1,6 @@
-import type { Level } from '../dynamics/levels.js';
-import type { Pose } from '../base/math.js';
-import type { PhysicsNode } from '../nodes/node/node.js';
+import type { Level } from '../../dynamics/levels.js';
+import type { Pose } from '../../base/math.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
 import type { Console } from './reporting.js';
 
 export interface WorldOptions {

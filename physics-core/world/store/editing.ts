@@ -1,9 +1,9 @@
-import type { NodeWorld } from '../nodes/node/node-world.js';
-import type { PhysicsNode } from '../nodes/node/node.js';
-import type { LevelControl } from './accuracy/level-control.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import type { LevelControl } from '../accuracy/level-control.js';
 import { Edits } from './edits.js';
 import type { HeapLimit } from './heap-limit.js';
-import type { Obstacles } from './pairs/obstacles.js';
+import type { Obstacles } from '../pairs/obstacles.js';
 
 /** The road of edits: nodes that changed are made or patched in one batch, and what follows from that. */
 export class Editing {
@@ -48,7 +48,7 @@ export class Editing {
   }
 
   readonly #apply = (node: PhysicsNode): void =>
-    this.#world.attempt(node, () => {
+    this.#world.failures.attempt(node, () => {
       if (!node.built) this.#heapLimit.check();
       node.apply();
     });

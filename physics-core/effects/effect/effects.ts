@@ -1,7 +1,7 @@
-import type { Body } from '../dynamics/body.js';
-import type { Joint } from '../dynamics/joint.js';
-import type { Simulation } from '../dynamics/simulation.js';
-import type { ContactProcessor } from '../engine/contact-hook.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import type { ContactProcessor } from '../../engine/contact-hook.js';
 import {
   STAGES,
   type BodyChange,
@@ -28,7 +28,12 @@ export interface EffectReport {
 export class Effects {
   readonly #simulation: Simulation;
   readonly #ordered: readonly EffectDescriptor[];
+  /** Those that bodies or joints cause. */
+  readonly #byBodies: readonly EffectDescriptor[];
+  readonly #byJoints: readonly EffectDescriptor[];
   readonly #made = new Map<EffectDescriptor, Effect>();
+  /** Those of them that a node causes. */
+  readonly #caused = new Map<EffectDescriptor, Effect>();
   #stale = false;
   #on: readonly Effect[] = [];
   #stages: Record<Stage, readonly Effect[]> = { beforeStep: [], settle: [], afterStep: [] };
@@ -40,6 +45,8 @@ export class Effects {
   constructor(simulation: Simulation, ordered: readonly EffectDescriptor[]) {
     this.#simulation = simulation;
     this.#ordered = ordered;
+    this.#byBodies = ordered.filter((each) => each.body);
+    this.#byJoints = ordered.filter((each) => each.joint);
   }
 
   /** The effect of this world, made if it was not needed before. */
@@ -52,32 +59,43 @@ export class Effects {
     return this.#made.get(descriptor) as E | undefined;
   }
 
+  /** Undefined: no node causes it now. */
+  caused<E extends Effect>(descriptor: EffectDescriptor<E>): E | undefined {
+    return this.#caused.get(descriptor) as E | undefined;
+  }
+
   /** Whether it is on. */
   active(descriptor: EffectDescriptor): boolean {
     if (descriptor.with) return descriptor.with.some((each) => this.active(each));
-    return this.find(descriptor)?.active === true;
+    return this.#caused.has(descriptor);
   }
 
   #make<E extends Effect>(descriptor: EffectDescriptor<E>): E {
     const effect = descriptor.load(this.#simulation, this);
-    effect.onswitch = this.#switched;
+    effect.onswitch = (on) => this.#switch(descriptor, effect, on);
     this.#made.set(descriptor, effect);
     return effect;
   }
 
   // ---- causes -----------------------------------------------------------------------------------------------------
 
+  /** A body is made as its fields say: it needs its effects. */
+  bodyMade(body: Body): void {
+    for (const descriptor of this.#byBodies)
+      this.#review(descriptor, body, descriptor.body!.reason(body, this));
+  }
+
   /** Effects that such a change of a body concerns are needed by it now, or no more. */
   bodyChanged(body: Body, change: BodyChange): void {
-    for (const descriptor of this.#ordered)
-      if (descriptor.body?.on.includes(change))
-        this.#review(descriptor, body, descriptor.body.reason(body, this));
+    for (const descriptor of this.#byBodies)
+      if (descriptor.body!.on.includes(change))
+        this.#review(descriptor, body, descriptor.body!.reason(body, this));
   }
 
   /** A joint came, went, or is another now. */
   jointChanged(joint: Joint): void {
-    for (const descriptor of this.#ordered)
-      if (descriptor.joint) this.#review(descriptor, joint, descriptor.joint(joint));
+    for (const descriptor of this.#byJoints)
+      this.#review(descriptor, joint, descriptor.joint!(joint));
   }
 
   #review(descriptor: EffectDescriptor, node: Cause, reason: string | undefined): void {
@@ -92,9 +110,11 @@ export class Effects {
 
   // ---- a step -----------------------------------------------------------------------------------------------------
 
-  readonly #switched = (): void => {
+  #switch(descriptor: EffectDescriptor, effect: Effect, on: boolean): void {
     this.#stale = true;
-  };
+    if (on) this.#caused.set(descriptor, effect);
+    else this.#caused.delete(descriptor);
+  }
 
   /** The lists of what is on. Those that are being walked stay as they are. */
   #refresh(): void {

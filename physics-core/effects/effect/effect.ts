@@ -1,6 +1,6 @@
-import type { Body } from '../dynamics/body.js';
-import type { Joint } from '../dynamics/joint.js';
-import type { Simulation } from '../dynamics/simulation.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from './effects.js';
 
 /** Weight of the newest step in the running mean of an effect's cost. */
@@ -50,7 +50,7 @@ export abstract class Effect {
   ms = 0;
   spent = 0;
   /** Told when it comes on and when it goes off. */
-  onswitch?: () => void;
+  onswitch?: (on: boolean) => void;
 
   get active(): boolean {
     return this.#causes.size > 0;
@@ -78,12 +78,12 @@ export abstract class Effect {
 
   need(node: Cause, reason: string): void {
     this.#causes.set(node, reason);
-    if (this.#causes.size === 1) this.onswitch?.();
+    if (this.#causes.size === 1) this.onswitch?.(true);
   }
 
   /** The node causes it no more. */
   release(node: Cause): void {
-    if (this.#causes.delete(node) && this.#causes.size === 0) this.onswitch?.();
+    if (this.#causes.delete(node) && this.#causes.size === 0) this.onswitch?.(false);
   }
 
   /** What stood for a node in Bullet is gone; the node may be made again. */

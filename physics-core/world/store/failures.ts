@@ -1,6 +1,6 @@
 import type { HeapLimit } from './heap-limit.js';
-import type { PhysicsNode } from '../nodes/node/node.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
 
 /**
  * What becomes of a node that fails while it is made or patched: nothing of it stays in Bullet, its author is told, and

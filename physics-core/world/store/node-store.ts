@@ -1,22 +1,30 @@
-import type { PhysicsNode } from '../nodes/node/node.js';
-import type { NodeData } from '../nodes/node/node-data.js';
-import type { NodeWorld } from '../nodes/node/node-world.js';
-import { BodyNode } from '../nodes/body/body.js';
-import { nodeTypes } from '../nodes/index.js';
-import { CollectionNode } from '../nodes/rigid-body-collection.js';
-import { isGeometry } from '../shapes/geometry.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import type { NodeData } from '../../nodes/node/node-data.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { Editing } from './editing.js';
+import { BodyNode } from '../../nodes/body/body.js';
+import { nodeTypes } from '../../nodes/index.js';
+import { CollectionNode } from '../../nodes/collection-node.js';
+import { isGeometry } from '../../shapes/geometry.js';
+import { show } from '../../base/show.js';
 import type { AddOptions } from './types.js';
+
+/** The world whose nodes these are. */
+interface StoreWorld extends NodeWorld {
+  readonly edits: Editing;
+  add(type: string): PhysicsNode;
+}
 
 /** The nodes of a world in the order they were added. */
 export class NodeStore {
-  readonly #world: NodeWorld;
+  readonly #world: StoreWorld;
   readonly #nodes = new Set<PhysicsNode>();
   readonly #collections = new Set<CollectionNode>();
   /** X3D's defaults, for a world without a collection. */
   readonly defaults: PhysicsNode;
   #nextId = 1;
 
-  constructor(world: NodeWorld) {
+  constructor(world: StoreWorld) {
     this.#world = world;
     this.defaults = this.#make('RigidBodyCollection', {});
   }
@@ -30,6 +38,11 @@ export class NodeStore {
     return this.#collections;
   }
 
+  /** The collection that settings are set on, made where there is none. */
+  firstCollection(): PhysicsNode {
+    return this.#collections.size > 0 ? this.settings : this.#world.add('RigidBodyCollection');
+  }
+
   /** Settings of the world: its first collection's, or X3D's defaults. */
   get settings(): PhysicsNode {
     for (const collection of this.#collections) return collection;
@@ -37,12 +50,13 @@ export class NodeStore {
   }
 
   add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode {
+    if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${show(type)}`);
     const node = this.#make(type, options);
     this.#nodes.add(node);
     if (node instanceof CollectionNode) this.#collections.add(node);
     if (node instanceof BodyNode && options.start) node.motion.start = options.start;
     for (const [name, value] of Object.entries(fields)) node.set(name, value);
-    this.#world.enqueue(node);
+    this.changed(node);
     return node;
   }
 
@@ -85,9 +99,19 @@ export class NodeStore {
     return found;
   }
 
+  /** A node was added, or fields of it changed: it is made or patched before the next step. */
+  changed(node: PhysicsNode): void {
+    if (node === this.defaults) return;
+    this.#world.edits.add(node);
+    this.#world.work();
+  }
+
   forget(node: PhysicsNode): void {
     this.#nodes.delete(node);
     this.#collections.delete(node as CollectionNode);
+    this.#world.edits.drop(node);
+    this.#world.takeBack(node);
+    this.#world.work();
   }
 
   /** Tells where later collections of a shared world say something else than the first. */

@@ -1,0 +1,108 @@
+import { OVER, type Impact } from './impact.js';
+import { leaveOut } from '../contacts/contact-rows.js';
+
+/** Hits that one blow may lead to. */
+export const MOST_HITS = 200;
+
+/** Hits nearer to each other count as simultaneous, seconds. */
+const SAME_TIME = 1e-6;
+
+/** One blow through touching bodies: hit after hit, the earliest first. */
+export class Blow {
+  readonly #chain: Impact[] = [];
+  #dt = 0;
+  #until = 0;
+  /** Hits since whoever counts them set it to 0. */
+  strikes = 0;
+
+  /** The hit and all that it leads to in a step of `dt` seconds, before `until`. */
+  handOn(first: Impact, dt: number, until: number): void {
+    this.#dt = dt;
+    this.#until = until;
+    this.#chain.length = 0;
+    this.#join(first);
+    for (let i = 0; i < MOST_HITS; i++) {
+      const hit = this.#earliest();
+      if (!hit) break;
+      this.#strike(hit);
+      for (const next of hit.a.hits) this.#join(next);
+      for (const next of hit.b.hits) this.#join(next);
+    }
+    for (const hit of this.#chain) hit.chained = false;
+  }
+
+  #join(hit: Impact): void {
+    if (hit.chained) return;
+    hit.chained = true;
+    hit.point.refresh();
+    this.#chain.push(hit);
+  }
+
+  /** Of those at the same time the hardest. */
+  #earliest(): Impact | undefined {
+    let first: Impact | undefined;
+    for (const hit of this.#chain) {
+      if (!hit.comes(this.#dt, this.#until)) continue;
+      const sooner = first ? first.time - hit.time : Infinity;
+      if (sooner > SAME_TIME || (sooner > -SAME_TIME && hit.speed > first!.speed)) first = hit;
+    }
+    return first;
+  }
+
+  #strike(hit: Impact): void {
+    const { point, time, speed, returned } = hit;
+    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
+    const impulse = (speed + returned) / this.#inverseEffectiveMass(hit, x, y, z);
+    if (!Number.isFinite(impulse)) return;
+    this.#shiftGaps(hit, time);
+    this.#push(hit, impulse, time);
+    hit.impulse += impulse;
+    this.strikes++;
+    this.#rub(hit, impulse * point.friction, time);
+    this.#shiftGaps(hit, -time);
+    // What is left is no bounce any more, and the way back to the surface is made up for after the step.
+    point.restitution = 0;
+    if (returned > 0) leaveOut(point);
+    else point.solverDistance = 0;
+    // For whoever reads it: here they touched.
+    for (let i = 0; i < 3; i++) point.setPositionOnA(i, point.position(i));
+  }
+
+  /** Before and after a strike: gaps are those of paths led back to the start of the step with the speeds of now. */
+  #shiftGaps({ a, b }: Impact, time: number): void {
+    for (const hit of a.hits) hit.gap -= time * hit.approach;
+    for (const hit of b.hits) if (!a.hits.includes(hit)) hit.gap -= time * hit.approach;
+  }
+
+  /** Coulomb's friction of the hit: against the sliding, and no more than ends it. */
+  #rub(hit: Impact, most: number, time: number): void {
+    const { point } = hit;
+    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
+    const out = point.speed(x, y, z);
+    const u = point.speed(1, 0, 0) - out * x;
+    const v = point.speed(0, 1, 0) - out * y;
+    const w = point.speed(0, 0, 1) - out * z;
+    const sliding = Math.hypot(u, v, w);
+    if (sliding < OVER) return;
+    const inverseEffectiveMass = this.#inverseEffectiveMass(
+      hit,
+      u / sliding,
+      v / sliding,
+      w / sliding,
+    );
+    this.#push(hit, -Math.min(most, sliding / inverseEffectiveMass), time);
+  }
+
+  /** How far both give way along a direction, 1/kg. */
+  #inverseEffectiveMass({ point, a, b }: Impact, x: number, y: number, z: number): number {
+    return (
+      a.known().inverseEffectiveMass(point, x, y, z) +
+      b.known().inverseEffectiveMass(point, x, y, z)
+    );
+  }
+
+  #push({ a, b }: Impact, impulse: number, time: number): void {
+    if (a.movable) a.push(impulse, time);
+    if (b.movable) b.push(-impulse, time);
+  }
+}

@@ -1,0 +1,255 @@
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { BoundedRows, type StopListener } from './bounded-rows.js';
+import { BulletTargets } from './bullet-targets.js';
+import type { Component, Edge, Forest } from './forest.js';
+import { GeometricStiffness } from './geometric-stiffness.js';
+import { JointedBodies } from './jointed-bodies.js';
+import { JointEnds } from './joint-ends.js';
+import { LockedRows } from './locked-rows.js';
+import { NextPoses } from './next-poses.js';
+import { PointConstraints } from './point-constraints.js';
+import { PostStabilization } from './post-stabilization.js';
+import { RowSystem } from './row-system.js';
+
+/**
+ * Rounds, at most, in which the rates asked for are corrected by how far the step would miss. Each gains two digits at the
+ * usual speeds, less where a body turns by half a radian in a step.
+ */
+const ROUNDS = 8;
+
+/** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
+const NO_MISS = 1e-6;
+
+/** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
+const TORN = 1e-4;
+
+/** Misses (m, rad) that a step may leave where its rounds do not find together. */
+const LEFT_OPEN = 1e-5;
+
+/** Pulls at bodies that joints hold, by more than a force: their joints give way to it as they can. */
+export interface Pull {
+  /** Body number `i` of the system. */
+  pullIn(body: Body, system: RowSystem, i: number, dt: number): void;
+}
+
+/** Solves the joints of one component after the other: finds the velocities that take its bodies to where they are whole. */
+export class ComponentSolve {
+  readonly #system = new RowSystem();
+  readonly #ends = new JointEnds();
+  readonly bodies: JointedBodies;
+  /** What Bullet's own rows are to aim at. */
+  readonly targets: BulletTargets;
+  readonly #next: NextPoses;
+  readonly #stabilization: PostStabilization;
+  readonly #pins: PointConstraints;
+  readonly #rows: LockedRows;
+  readonly #bounded: BoundedRows;
+  readonly #stiffness: GeometricStiffness;
+  /** What pulls at bodies by more than a force. */
+  readonly pulls = new Set<Pull>();
+  /** Those of this step that an edit had torn, or that met a stop. */
+  readonly #repaired: Component[] = [];
+  /** And those whose round ways could not be met: the step leaves them open. */
+  readonly #open = new Set<Component>();
+
+  constructor(simulation: Simulation) {
+    this.bodies = new JointedBodies(simulation, this.#system);
+    this.#next = new NextPoses(this.#system, this.bodies);
+    this.#stabilization = new PostStabilization(simulation, this.#system, this.bodies);
+    this.#pins = new PointConstraints(this.#system.pins, this.bodies, this.#next);
+    this.#rows = new LockedRows(this.#system, this.bodies, this.#next, this.#ends);
+    this.#bounded = new BoundedRows(this.#system, this.bodies, this.#rows);
+    this.#stiffness = new GeometricStiffness(this.#system, this.bodies);
+    this.targets = new BulletTargets(this.#system, this.bodies, this.#ends);
+  }
+
+  // ---- what there is ------------------------------------------------------------------------------------------------
+
+  /** Bodies and joints are numbered anew; `before`: the joints as they were numbered. */
+  take(
+    bodies: Body[],
+    joints: readonly Joint[],
+    before: readonly (Joint | undefined)[],
+    edges: Edge[],
+    forest: Forest,
+  ): void {
+    this.#system.resize(bodies.length, edges, forest);
+    this.bodies.take(bodies);
+    this.#next.take(bodies.length, edges, forest.components);
+    this.#stabilization.take(bodies.length);
+    this.#ends.take(joints, edges);
+    this.#pins.take(joints, edges, forest);
+    this.#rows.take(joints);
+    this.#bounded.take(joints);
+    this.#stiffness.take(before, joints);
+  }
+
+  /** Where joint `k` holds on to an immovable body is elsewhere. */
+  takeEnds(k: number, joint: Joint): void {
+    this.#ends.takeFrames(k, joint);
+    if (this.#system.isPin[k]) this.#pins.takePoints(k, joint, this.#ends.edges[k]!);
+  }
+
+  // ---- around a step ------------------------------------------------------------------------------------------------
+
+  begin(): void {
+    this.#repaired.length = 0;
+    this.#open.clear();
+  }
+
+  /** Hands the velocities found to Bullet. False: there are none that make sense. */
+  solve(component: Component, dt: number): boolean {
+    const torn = this.#fill(component, dt) > TORN;
+    this.bodies.noteStep(component, dt);
+    this.#setTargets(component, dt, torn ? 0 : 1);
+    const found = this.#find(component, dt, torn ? 0 : 1);
+    const closed = found && (torn ? this.#repair(component, dt) : this.#land(component, dt));
+    const at = this.#repaired.indexOf(component);
+    if (!closed) {
+      if (at >= 0) this.#repaired.splice(at, 1);
+      return false;
+    }
+    this.bodies.write(component, dt);
+    if (at >= 0) this.#stabilization.note(component);
+    return true;
+  }
+
+  /** Tells which stops of joint `k` held in this step. */
+  tellStops(k: number, listener: StopListener): void {
+    this.#bounded.tell(k, listener);
+  }
+
+  /** What contacts did to joints in the step, and what the step itself left open, is brought together here. True: contacts did. */
+  settle(component: Component, dt: number): boolean {
+    const disturbed = this.#stabilization.disturbed(component, dt);
+    if (this.#open.has(component)) this.#close(component, dt, LEFT_OPEN);
+    else if (disturbed) this.#close(component, dt, TORN);
+    return disturbed;
+  }
+
+  /** What was moved together again shall not go on moving. */
+  takeBack(): void {
+    for (const component of this.#repaired) this.#stabilization.takeBack(component);
+  }
+
+  /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
+  #close(component: Component, dt: number, least: number): void {
+    for (let round = 0; round < ROUNDS; round++) {
+      let worst = 0;
+      this.#read(component, dt);
+      for (const k of component.pins) {
+        worst = Math.max(worst, this.#pins.fill(k));
+        this.#pins.setWholeTargets(k);
+      }
+      for (const k of component.rows) {
+        worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+        this.#rows.setWholeTargets(k);
+        this.#bounded.setWholeTargets(k);
+      }
+      if (worst < least) return;
+      this.#stabilization.clearMomentum(component);
+      if (!this.#system.solve(component) || !this.bodies.sane(component)) return;
+      this.#stabilization.move(component);
+    }
+  }
+
+  // ---- the solution -------------------------------------------------------------------------------------------------
+
+  /** Returns the worst error of a joint. */
+  #fill(component: Component, dt: number): number {
+    let worst = 0;
+    this.#read(component, dt);
+    for (const k of component.pins) {
+      worst = Math.max(worst, this.#pins.fill(k));
+      this.#stiffness.stiffenPin(k, dt);
+    }
+    for (const k of component.rows) {
+      worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+      if (!this.#system.isPin[k]) this.#stiffness.stiffen(k, this.#ends.geometry.two.origin, dt);
+    }
+    this.#drag(component, dt);
+    return worst;
+  }
+
+  #read(component: Component, dt: number): void {
+    this.bodies.read(component, dt);
+    this.#system.resisting.clear();
+  }
+
+  /** What somebody pulls at. */
+  #drag({ bodies }: Component, dt: number): void {
+    for (const pull of this.pulls)
+      for (const i of bodies) pull.pullIn(this.bodies.bodies[i]!, this.#system, i, dt);
+  }
+
+  #setTargets(component: Component, dt: number, repair: 0 | 1): void {
+    for (const k of component.pins) this.#pins.setTargets(k, dt, repair);
+    for (const k of component.rows) {
+      this.#rows.setTargets(k, dt, repair);
+      this.#bounded.setTargets(k, dt, repair);
+    }
+  }
+
+  /** False: no solution that makes sense. */
+  #find(component: Component, dt: number, repair: 0 | 1): boolean {
+    if (!this.#system.solve(component)) return false;
+    this.#correctNonlinearly(component, dt, repair);
+    // The repair of a torn joint is no pull.
+    if (!this.#repaired.includes(component)) {
+      for (const k of component.pins) this.#stiffness.notePin(k);
+      for (const k of component.rows) if (!this.#system.isPin[k]) this.#stiffness.note(k);
+    }
+    return this.bodies.sane(component);
+  }
+
+  /** Corrects the rates by how far the step would miss, as long as that helps: where bodies turn too far, energy suffers. */
+  #correctNonlinearly(component: Component, dt: number, repair: 0 | 1): void {
+    let first = Infinity;
+    let before = Infinity;
+    for (let round = 0; round < ROUNDS; round++) {
+      const worst = this.#correct(component, dt, repair);
+      if (worst > first) this.#forgetCorrections(component, dt, repair);
+      if (worst < LEFT_OPEN) this.#open.delete(component);
+      else this.#open.add(component);
+      if (worst < NO_MISS || worst > before) return;
+      this.#system.again(component);
+      if (round === 0) first = worst;
+      before = worst;
+    }
+  }
+
+  /** Returns by how much the velocities found miss. */
+  #correct(component: Component, dt: number, repair: 0 | 1): number {
+    this.#next.predict(component, dt);
+    let worst = 0;
+    for (const k of component.pins) worst = Math.max(worst, this.#pins.correct(k, dt, repair));
+    for (const k of component.rows) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
+    return worst;
+  }
+
+  #forgetCorrections(component: Component, dt: number, repair: 0 | 1): void {
+    for (const k of component.pins) this.#pins.forgetCorrections(k);
+    for (const k of component.rows) this.#rows.forgetCorrections(k);
+    this.#setTargets(component, dt, repair);
+    this.#system.again(component);
+  }
+
+  /** Joints that an edit tore apart come together in the step, but what that takes is no motion of the bodies. */
+  #repair(component: Component, dt: number): boolean {
+    this.#repaired.push(component);
+    this.#stabilization.keep(component);
+    this.#setTargets(component, dt, 1);
+    for (const k of component.rows) this.#bounded.setRepairTargets(k, dt);
+    return this.#find(component, dt, 1);
+  }
+
+  /** What meets a stop within the step is thrown back there: the step takes it elsewhere than its rate after it would. */
+  #land(component: Component, dt: number): boolean {
+    if (!this.#bounded.setLandingTargets(component)) return true;
+    this.#repaired.push(component);
+    this.#stabilization.keep(component);
+    return this.#find(component, dt, 1);
+  }
+}

@@ -1,0 +1,23 @@
+import type { BtBody } from './heap.js';
+import { ACTIVATION, COLLISION_FLAG, RIGID_BODY_FLAG } from './offsets.js';
+
+/** Bullet leaves it awake, however slow. */
+export const keepAwake = (body: BtBody): void => body.forceActivationState(ACTIVATION.alwaysActive);
+
+/** Bullet leaves it where it is until something that moves touches it. */
+export const putToSleep = (body: BtBody): void => body.forceActivationState(ACTIVATION.sleeping);
+
+/** Moved by Bullet, carried along by its author, or fixed. */
+export type Mobility = 'dynamic' | 'kinematic' | 'static';
+
+const FLAG = {
+  dynamic: 0,
+  kinematic: COLLISION_FLAG.kinematic,
+  static: COLLISION_FLAG.static,
+} as const;
+
+/** Its gravity is its own, not the world's. */
+export function setMobility(body: BtBody, mobility: Mobility): void {
+  body.setCollisionFlags(FLAG[mobility]);
+  body.setFlags(RIGID_BODY_FLAG.ownGravity);
+}

@@ -1,0 +1,26 @@
+import type { Ammo } from './ammo.js';
+import { MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
+
+// Bullet's contact points of two bodies near each other; only where the heap is trusted.
+
+export type Manifold = Ammo['btPersistentManifold']['prototype'];
+
+/** Pointer of its first contact point; it must have one. The others follow. */
+export const firstPoint = (ammo: Ammo, manifold: Manifold): number =>
+  ammo.getPointer(manifold.getContactPoint(0));
+
+/** Pointer of the contact point `i` after another one of the same manifold. */
+export const pointAfter = (first: number, i: number): number => first + i * POINT.size;
+
+/** The distance of a point as the solver has it, metres. */
+export const solverDistanceAt = ({ HEAPF32 }: Ammo, point: number): number =>
+  HEAPF32[(point + POINT.distance) >> 2]!;
+
+/** How far a point may move and still be the same, metres. */
+export const breakingOf = (ammo: Ammo, manifold: Manifold): number =>
+  ammo.HEAPF32[(ammo.getPointer(manifold) + MANIFOLD.breaking) >> 2]!;
+
+/** From now on it has no contact point. */
+export function forgetPoints(ammo: Ammo, manifold: Manifold): void {
+  ammo.HEAP32[(ammo.getPointer(manifold) + MANIFOLD.pointCount) >> 2] = 0;
+}

@@ -1,0 +1,790 @@
+// Written by `npm run types` from the tables in physics-core/nodes.
+import type { Rotation, Vec3 } from '../fields/types.js';
+import type { Geometry } from '../shapes/geometry.js';
+import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
+import type { NumberLists, Numbers, Several, Strings } from './values.js';
+
+/** What may be said of a RigidBodyCollection (ISO/IEC 19775-1, 37.4.12); what is left out has its default. */
+export interface RigidBodyCollectionFields {
+  /** The bodies; membership is kept at each body. (MFNode) */
+  bodies?: unknown;
+  /** The joints; membership is kept at each joint. (MFNode) */
+  joints?: unknown;
+  /** Set: exactly the pairs inside that CollisionCollection collide. Not set: every pair of the world. (SFNode) */
+  collider?: NodeInput<'CollisionCollection'> | null;
+  /** Contacts for the next step, as page code changed those of a CollisionSensor: what the list leaves out does not push, what page code added does. With a collider it only changes parameters. (MFNode) */
+  set_contacts?: Several<NodeInput<'Contact'>>;
+  /** FALSE freezes the simulation; it resumes without a jump in time. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Acceleration of every body that uses global gravity, m/s². (SFVec3f) Default 0 -9.8 0. */
+  gravity?: Numbers;
+  /** TRUE asks for accuracy level `precise` where no level is authored. (SFBool) Default false. */
+  preferAccuracy?: boolean;
+  /** Solver iterations per step; authored, it wins over the accuracy level. 0 counts as 1. Range [0, Infinity]. (SFInt32) Default 10. */
+  iterations?: number;
+  /** Share of a joint error repaired per 1/60 s; authored, it wins over the accuracy level. Range [0, 1]. (SFFloat) Default 0.8. */
+  errorCorrection?: number;
+  /** Softness of joints, m/(N·s); acts where authored. Range [0, Infinity]. (SFFloat) Default 0.0001. */
+  constantForceMix?: number;
+  /** Depth that resting contacts keep, metres. Range [0, Infinity]. (SFFloat) Default 0. */
+  contactSurfaceThickness?: number;
+  /** Greatest speed at which overlaps are pushed apart, m/s; -1 is unlimited. The push adds no velocity. Range [-1, Infinity]. (SFFloat) Default -1. */
+  maxCorrectionSpeed?: number;
+  /** Default of the bodies. Not authored: bodies at rest may sleep unnoticed. FALSE: never. TRUE: by the fields below. (SFBool) Default false. */
+  autoDisable?: boolean;
+  /** Seconds below both speeds before a body sleeps. Range [0, Infinity]. (SFTime) Default 0. */
+  disableTime?: number;
+  /** Speed below which a body may sleep, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  disableLinearSpeed?: number;
+  /** Angular speed below which a body may sleep, rad/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  disableAngularSpeed?: number;
+  /** Accuracy level: game, standard (default), fine, precise, reference; auto takes the finest that fits the time budget. (SFString) Default standard. */
+  accuracy?: 'game' | 'standard' | 'fine' | 'precise' | 'reference' | 'auto';
+  /** Milliseconds per frame that accuracy auto lets the physics take, in nine of ten frames. Range [0, Infinity]. (SFFloat) Default 6. */
+  timeBudget?: number;
+  /** `never` keeps bodies awake whose autoDisable nobody wrote. (SFString) Default auto. */
+  rest?: 'auto' | 'never';
+  /** `strict` follows the standard to the letter: without a collider nothing collides but the contacts of a CollisionSensor that page code hands to set_contacts, and friction is what frictionCoefficients say. (SFString) Default lenient. */
+  collisionRules?: 'lenient' | 'strict';
+  /** How its bodies are dragged: spring (default), kinematic, teleport. (SFString) Default spring. */
+  dragMode?: 'spring' | 'kinematic' | 'teleport';
+  /** TRUE: people may drag all of its bodies that move. (SFBool) Default false. */
+  draggableBody?: boolean;
+  /** Keeps running while the page is hidden or the scene scrolled away. (SFBool) Default false. */
+  runHidden?: boolean;
+  /** Draws its world as Bullet has it: shapes (awake green, asleep blue, fixed grey, carried orange), centres of mass, joints with their limits, contacts. (SFBool) Default false. */
+  debug?: boolean;
+  /** Greatest size of the wasm heap, MB; looked at whenever something is made. Range [16, 2048]. (SFFloat) Default 512. */
+  heapLimit?: number;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a RigidBodyCollection answers. */
+export interface RigidBodyCollectionValues {
+  bodies: unknown;
+  joints: unknown;
+  collider: NodeHandles['CollisionCollection'] | null;
+  enabled: boolean;
+  gravity: Vec3;
+  preferAccuracy: boolean;
+  iterations: number;
+  errorCorrection: number;
+  constantForceMix: number;
+  contactSurfaceThickness: number;
+  maxCorrectionSpeed: number;
+  autoDisable: boolean;
+  disableTime: number;
+  disableLinearSpeed: number;
+  disableAngularSpeed: number;
+  accuracy: 'game' | 'standard' | 'fine' | 'precise' | 'reference' | 'auto';
+  timeBudget: number;
+  rest: 'auto' | 'never';
+  collisionRules: 'lenient' | 'strict';
+  dragMode: 'spring' | 'kinematic' | 'teleport';
+  draggableBody: boolean;
+  runHidden: boolean;
+  debug: boolean;
+  heapLimit: number;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a RigidBody (ISO/IEC 19775-1, 37.4.11); what is left out has its default. */
+export interface RigidBodyFields {
+  /** FALSE takes it out of the simulation: no motion, no contact, its joints idle. (SFBool) Default true. */
+  enabled?: boolean;
+  /** TRUE: never moves, but is collided with and holds joints. (SFBool) Default false. */
+  fixed?: boolean;
+  /** Mass, kg. 0 means fixed. Range [0, Infinity]. (SFFloat) Default 1. */
+  mass?: number;
+  /** Inertia tensor about the centre of mass in body axes, kg·m². Not authored: from massDensityModel or the geometry. (SFMatrix3f) Default 1 0 0 0 1 0 0 0 1. */
+  inertia?: Numbers;
+  /** Centre of mass in the body frame, metres. (SFVec3f) Default 0 0 0. */
+  centerOfMass?: Numbers;
+  /** Sphere, Box or Cone whose solid gives the distribution of the mass; never drawn. (SFNode) */
+  massDensityModel?: Geometry | null;
+  /** The collidables that make its shape. (MFNode) */
+  geometry?: Several<CollidableInput>;
+  /** Position, metres, world frame. Live. What differs from the value last set acts at once; to set an equal one again is no edit: teleport() always moves it. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** Orientation, axis and angle, radians. Live. What differs from the value last set acts at once; to set an equal one again is no edit: teleport() always turns it. (SFRotation) Default 0 0 1 0. */
+  orientation?: Numbers;
+  /** Velocity of the body's origin, m/s. Live. What differs from the value last set acts at once; to set an equal one again is no edit: applyImpulse() always kicks it. (SFVec3f) Default 0 0 0. */
+  linearVelocity?: Numbers;
+  /** Angular velocity, rad/s, world frame. Live. What differs from the value last set acts at once; to set an equal one again is no edit: applyImpulse() off the centre of mass always spins it. (SFVec3f) Default 0 0 0. */
+  angularVelocity?: Numbers;
+  /** Forces at the centre of mass, newtons, world frame; their sum acts in every step. (MFVec3f) */
+  forces?: NumberLists;
+  /** Torques, newton metres, world frame; their sum acts in every step. (MFVec3f) */
+  torques?: NumberLists;
+  /** FALSE: the collection's gravity does not act on it. (SFBool) Default true. */
+  useGlobalGravity?: boolean;
+  /** TRUE switches both damping factors on. (SFBool) Default false. */
+  autoDamp?: boolean;
+  /** Damping force = -factor × velocity, N·s/m. Range [0, 1]. (SFFloat) Default 0.001. */
+  linearDampingFactor?: number;
+  /** Damping torque = -factor × angular velocity, N·m·s. Range [0, 1]. (SFFloat) Default 0.001. */
+  angularDampingFactor?: number;
+  /** TRUE: sleeps by the fields below. FALSE, authored: never. Not authored: as its collection, else unnoticed at rest. (SFBool) Default false. */
+  autoDisable?: boolean;
+  /** Seconds below both speeds before it sleeps. Range [0, Infinity]. (SFTime) Default 0. */
+  disableTime?: number;
+  /** Speed below which it may sleep, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  disableLinearSpeed?: number;
+  /** Angular speed below which it may sleep, rad/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  disableAngularSpeed?: number;
+  /** `spring` pulls it at the grabbed point, `kinematic` carries it, pushing others aside, `teleport` sets it down. Not authored: as its collection. (SFString) Default spring. */
+  dragMode?: 'spring' | 'kinematic' | 'teleport';
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard. Not authored: as its collection, if it moves. (SFBool) Default false. */
+  draggableBody?: boolean;
+  /** Bullet always turns bodies by finite rotations, so both values do the same. (SFBool) Default false. */
+  useFiniteRotation?: boolean;
+  /** All axes turn by finite rotations, so there is none to choose. Range [-1, 1]. (SFVec3f) Default 0 1 0. */
+  finiteRotationAxis?: Numbers;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a RigidBody answers. */
+export interface RigidBodyValues {
+  enabled: boolean;
+  fixed: boolean;
+  mass: number;
+  inertia: number[];
+  centerOfMass: Vec3;
+  massDensityModel: Geometry | null;
+  geometry: (NodeHandles['CollidableShape'] | NodeHandles['CollidableOffset'])[];
+  position: Vec3;
+  orientation: Rotation;
+  linearVelocity: Vec3;
+  angularVelocity: Vec3;
+  forces: Vec3[];
+  torques: Vec3[];
+  useGlobalGravity: boolean;
+  autoDamp: boolean;
+  linearDampingFactor: number;
+  angularDampingFactor: number;
+  autoDisable: boolean;
+  disableTime: number;
+  disableLinearSpeed: number;
+  disableAngularSpeed: number;
+  dragMode: 'spring' | 'kinematic' | 'teleport';
+  draggableBody: boolean;
+  useFiniteRotation: boolean;
+  finiteRotationAxis: Vec3;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a CollidableShape (ISO/IEC 19775-1, 37.4.3); what is left out has its default. */
+export interface CollidableShapeFields {
+  /** FALSE takes it out of collision; it is still drawn. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Place, metres. In a body it is the body that says where; in a CollidableOffset it is the offset. (SFVec3f) Default 0 0 0. */
+  translation?: Numbers;
+  /** Orientation, axis and angle in radians; as translation. (SFRotation) Default 0 0 1 0. */
+  rotation?: Numbers;
+  /** The Shape whose geometry collides. (MFNode) */
+  shape?: Several<Geometry>;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a CollidableShape answers. */
+export interface CollidableShapeValues {
+  enabled: boolean;
+  translation: Vec3;
+  rotation: Rotation;
+  shape: Geometry[];
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a CollidableOffset (ISO/IEC 19775-1, 37.4.2); what is left out has its default. */
+export interface CollidableOffsetFields {
+  /** FALSE takes it out of collision; it is still drawn. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Place, metres. In a body it is the body that says where; in a CollidableOffset it is the offset. (SFVec3f) Default 0 0 0. */
+  translation?: Numbers;
+  /** Orientation, axis and angle in radians; as translation. (SFRotation) Default 0 0 1 0. */
+  rotation?: Numbers;
+  /** The collidable that is placed. (SFNode) */
+  collidable?: CollidableInput | null;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a CollidableOffset answers. */
+export interface CollidableOffsetValues {
+  enabled: boolean;
+  translation: Vec3;
+  rotation: Rotation;
+  collidable: NodeHandles['CollidableShape'] | NodeHandles['CollidableOffset'] | null;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a CollisionCollection (ISO/IEC 19775-1, 37.4.4); what is left out has its default. */
+export interface CollisionCollectionFields {
+  /** What it is for, in words for people. (SFString) */
+  description?: string;
+  /** The members; `*` means every collidable of the world. (MFNode) */
+  collidables?: Several<NodeInput<'CollidableShape' | 'CollidableOffset' | 'CollisionSpace'>> | '*';
+  /** FALSE: its pairs are not tested. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Which parameters act: BOUNCE, FRICTION_COEFFICIENT-2, SPEED-1, SPEED-2, SLIP-1, SLIP-2, ERROR_REDUCTION, CONSTANT_FORCE; hyphen or underscore. USER_FRICTION means something on a Contact only. (MFString) Default "BOUNCE". */
+  appliedParameters?: Strings;
+  /** Share of the approach speed that comes back. Range [0, 1]. (SFFloat) Default 0. */
+  bounce?: number;
+  /** Approach speed below which nothing bounces, m/s. Range [0, Infinity]. (SFFloat) Default 0.1. */
+  minBounceSpeed?: number;
+  /** Coulomb friction along direction 1 and 2; without FRICTION_COEFFICIENT-2 the first acts in both. Not authored: 0.5. Direction 1 is the world’s x axis laid into the surface (z where the surface faces along x), direction 2 is across: z on a floor. Two different ones act each along its own direction, so that sliding obliquely meets both. Range [0, Infinity]. (SFVec2f) Default 0 0. */
+  frictionCoefficients?: Numbers;
+  /** Speed at which the surface carries bodies along friction direction 1 and 2, m/s (a conveyor belt); needs SPEED-1, SPEED-2. What does not move is the belt; of two bodies that move, the one made earlier. (SFVec2f) Default 0 0. */
+  surfaceSpeed?: Numbers;
+  /** Sliding speed per tangential force along friction direction 1 and 2, (m/s)/N; needs SLIP-1, SLIP-2. Below 0 counts as 0. (SFVec2f) Default 0 0. */
+  slipFactors?: Numbers;
+  /** Softness of contacts, (m/s)/N; needs CONSTANT_FORCE. A load F sinks in by F · softness / (60 · error correction). No more than a quarter of the thinner body, so that nothing falls through. It yields but does not spring back. Range [0, 1]. (SFFloat) Default 0.0001. */
+  softnessConstantForceMix?: number;
+  /** Share of an overlap repaired per 1/60 s; needs ERROR_REDUCTION. Range [0, 1]. (SFFloat) Default 0.8. */
+  softnessErrorCorrection?: number;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a CollisionCollection answers. */
+export interface CollisionCollectionValues {
+  description: string;
+  collidables:
+    | (
+        | NodeHandles['CollidableShape']
+        | NodeHandles['CollidableOffset']
+        | NodeHandles['CollisionSpace']
+      )[]
+    | '*';
+  enabled: boolean;
+  appliedParameters: string[];
+  bounce: number;
+  minBounceSpeed: number;
+  frictionCoefficients: [number, number];
+  surfaceSpeed: [number, number];
+  slipFactors: [number, number];
+  softnessConstantForceMix: number;
+  softnessErrorCorrection: number;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a CollisionSpace (ISO/IEC 19775-1, 37.4.6); what is left out has its default. */
+export interface CollisionSpaceFields {
+  /** FALSE: its collidables are in the collection only where they are in it by another way. (SFBool) Default true. */
+  enabled?: boolean;
+  /** The members: collidables and further spaces; `*` means every collidable of the world. (MFNode) */
+  collidables?: Several<NodeInput<'CollidableShape' | 'CollidableOffset' | 'CollisionSpace'>> | '*';
+  /** FALSE: a moving mesh may collide as its convex hull. TRUE: its own triangles. (SFBool) Default false. */
+  useGeometry?: boolean;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a CollisionSpace answers. */
+export interface CollisionSpaceValues {
+  enabled: boolean;
+  collidables:
+    | (
+        | NodeHandles['CollidableShape']
+        | NodeHandles['CollidableOffset']
+        | NodeHandles['CollisionSpace']
+      )[]
+    | '*';
+  useGeometry: boolean;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a CollisionSensor (ISO/IEC 19775-1, 37.4.5); what is left out has its default. */
+export interface CollisionSensorFields {
+  /** What it is for, in words for people. (SFString) */
+  description?: string;
+  /** The collection it watches; both members of a pair must be in it. (SFNode) */
+  collider?: NodeInput<'CollisionCollection'> | null;
+  /** FALSE: it sends nothing. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a CollisionSensor answers. */
+export interface CollisionSensorValues {
+  description: string;
+  collider: NodeHandles['CollisionCollection'] | null;
+  enabled: boolean;
+  isActive: boolean;
+  intersections: unknown;
+  contacts: NodeHandles['Contact'][];
+  metadata: unknown;
+}
+
+/** What may be said of a Contact (ISO/IEC 19775-1, 37.4.7); what is left out has its default. */
+export interface ContactFields {
+  /** Which parameters act, as on a CollisionCollection; USER_FRICTION gives frictionDirection. (MFString) Default "BOUNCE". */
+  appliedParameters?: Strings;
+  /** The body that the normal points into: the one that moves, of two that do the one made later. NULL: none. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The other body; NULL where the collidable belongs to none. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Share of the approach speed that comes back. Range [0, 1]. (SFFloat) Default 0. */
+  bounce?: number;
+  /** Unit vector into body1: moved along it, body1 comes free. World frame. (SFVec3f) Default 0 1 0. */
+  contactNormal?: Numbers;
+  /** Depth of the overlap, metres; negative is a gap. (SFFloat) Default 0. */
+  depth?: number;
+  /** Coulomb friction along direction 1 and 2; without FRICTION_COEFFICIENT-2 the first acts in both. Range [0, Infinity]. (SFVec2f) Default 0 0. */
+  frictionCoefficients?: Numbers;
+  /** Friction direction 1, world frame; acts with USER_FRICTION. Along the normal it says nothing. (SFVec3f) Default 0 1 0. */
+  frictionDirection?: Numbers;
+  /** The collidable of body1. (SFNode) */
+  geometry1?: CollidableInput | null;
+  /** The collidable of body2. (SFNode) */
+  geometry2?: CollidableInput | null;
+  /** Approach speed below which nothing bounces, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  minBounceSpeed?: number;
+  /** Where they touch, metres, world frame. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** Sliding speed per tangential force along direction 1 and 2, (m/s)/N. Below 0 counts as 0. (SFVec2f) Default 0 0. */
+  slipCoefficients?: Numbers;
+  /** Softness: speed per normal force, (m/s)/N. Range [0, 1]. (SFFloat) Default 0.0001. */
+  softnessConstantForceMix?: number;
+  /** Share of the overlap repaired per 1/60 s. Range [0, 1]. (SFFloat) Default 0.8. */
+  softnessErrorCorrection?: number;
+  /** Speed at which body1 is carried along body2, direction 1 and 2, m/s. (SFVec2f) Default 0 0. */
+  surfaceSpeed?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a Contact answers. */
+export interface ContactValues {
+  appliedParameters: string[];
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  bounce: number;
+  contactNormal: Vec3;
+  depth: number;
+  frictionCoefficients: [number, number];
+  frictionDirection: Vec3;
+  geometry1: NodeHandles['CollidableShape'] | NodeHandles['CollidableOffset'] | null;
+  geometry2: NodeHandles['CollidableShape'] | NodeHandles['CollidableOffset'] | null;
+  minBounceSpeed: number;
+  position: Vec3;
+  slipCoefficients: [number, number];
+  softnessConstantForceMix: number;
+  softnessErrorCorrection: number;
+  surfaceSpeed: [number, number];
+  metadata: unknown;
+}
+
+/** What may be said of a BallJoint (ISO/IEC 19775-1, 37.4.1); what is left out has its default. */
+export interface BallJointFields {
+  /** The first body; without it the other side is the world. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The second body; without it the other side is the world. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
+  forceOutput?: Strings;
+  /** Place of the joint, metres, world frame, when it is made. Editing it makes the joint anew. (SFVec3f) Default 0 0 0. */
+  anchorPoint?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a BallJoint answers. */
+export interface BallJointValues {
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  forceOutput: string[];
+  anchorPoint: Vec3;
+  body1AnchorPoint: Vec3;
+  body2AnchorPoint: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a SingleAxisHingeJoint (ISO/IEC 19775-1, 37.4.14); what is left out has its default. */
+export interface SingleAxisHingeJointFields {
+  /** The first body; without it the other side is the world. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The second body; without it the other side is the world. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
+  forceOutput?: Strings;
+  /** Place of the joint, metres, world frame, when it is made. Editing it makes the joint anew. (SFVec3f) Default 0 0 0. */
+  anchorPoint?: Numbers;
+  /** Direction of the axis, world frame, when the joint is made. Editing it makes the joint anew. (SFVec3f) Default 0 1 0. */
+  axis?: Numbers;
+  /** Lower stop, radians from the pose the joint was made at. Above maxAngle: no stops. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default -3.141592653589793. */
+  minAngle?: number;
+  /** Upper stop, radians. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default 3.141592653589793. */
+  maxAngle?: number;
+  /** Share of the turning speed that comes back from a stop. Range [0, 1]. (SFFloat) Default 0. */
+  stopBounce?: number;
+  /** Share of an overshoot past a stop repaired per 1/60 s. Range [0, 1]. (SFFloat) Default 0.8. */
+  stopErrorCorrection?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a SingleAxisHingeJoint answers. */
+export interface SingleAxisHingeJointValues {
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  forceOutput: string[];
+  anchorPoint: Vec3;
+  body1AnchorPoint: Vec3;
+  body2AnchorPoint: Vec3;
+  axis: Vec3;
+  minAngle: number;
+  maxAngle: number;
+  stopBounce: number;
+  stopErrorCorrection: number;
+  angle: number;
+  angleRate: number;
+  metadata: unknown;
+}
+
+/** What may be said of a DoubleAxisHingeJoint (ISO/IEC 19775-1, 37.4.9); what is left out has its default. */
+export interface DoubleAxisHingeJointFields {
+  /** The first body; without it the other side is the world. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The second body; without it the other side is the world. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
+  forceOutput?: Strings;
+  /** Place of the joint, metres, world frame, when it is made. Editing it makes the joint anew. (SFVec3f) Default 0 0 0. */
+  anchorPoint?: Numbers;
+  /** Axis of steering and suspension, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew. (SFVec3f) Default 1 0 0. */
+  axis1?: Numbers;
+  /** Axis of spin, world frame, when the joint is made; body2 carries it. The angle between the axes stays as it is then. (SFVec3f) Default 0 1 0. */
+  axis2?: Numbers;
+  /** Lower stop of the angle about axis 1, radians from the pose the joint was made at. Above maxAngle1: no stops. Equal to it: held there. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default -3.141592653589793. */
+  minAngle1?: number;
+  /** Upper stop of the angle about axis 1, radians. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default 3.141592653589793. */
+  maxAngle1?: number;
+  /** Share of the rate about axis 1 that comes back from a stop. Range [0, 1]. (SFFloat) Default 0. */
+  stop1Bounce?: number;
+  /** Share of an overshoot past a stop repaired per 1/60 s. Range [0, 1]. (SFFloat) Default 0.8. */
+  stop1ErrorCorrection?: number;
+  /** How far the stops give way: a steady torque sinks in by constantForceMix / (60 · errorCorrection) radians per newton metre. 0: not at all. Range [0, Infinity]. (SFFloat) Default 0.001. */
+  stop1ConstantForceMix?: number;
+  /** Rate that the motor about axis 1 strives for, rad/s, body1 relative to body2. (SFFloat) Default 0. */
+  desiredAngularVelocity1?: number;
+  /** Torque that the motor about axis 1 can muster, newton metres; 0: no motor. Range [0, Infinity]. (SFFloat) Default 0. */
+  maxTorque1?: number;
+  /** Rate that the motor about axis 2 strives for, rad/s, body1 relative to body2. (SFFloat) Default 0. */
+  desiredAngularVelocity2?: number;
+  /** Torque that the motor about axis 2 can muster, newton metres; 0: no motor. Range [0, Infinity]. (SFFloat) Default 0. */
+  maxTorque2?: number;
+  /** Softness of the suspension along axis 1, despite its name: stiffness 60 · suspensionErrorCorrection / suspensionForce N/m, damping (1 - suspensionErrorCorrection) / suspensionForce N s/m. 0: rigid. Range [0, Infinity]. (SFFloat) Default 0. */
+  suspensionForce?: number;
+  /** Share of the spring against the damper in the suspension: 1 has no damper, 0 no spring. Range [0, 1]. (SFFloat) Default 0.8. */
+  suspensionErrorCorrection?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a DoubleAxisHingeJoint answers. */
+export interface DoubleAxisHingeJointValues {
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  forceOutput: string[];
+  anchorPoint: Vec3;
+  body1AnchorPoint: Vec3;
+  body2AnchorPoint: Vec3;
+  axis1: Vec3;
+  axis2: Vec3;
+  minAngle1: number;
+  maxAngle1: number;
+  stop1Bounce: number;
+  stop1ErrorCorrection: number;
+  stop1ConstantForceMix: number;
+  desiredAngularVelocity1: number;
+  maxTorque1: number;
+  desiredAngularVelocity2: number;
+  maxTorque2: number;
+  suspensionForce: number;
+  suspensionErrorCorrection: number;
+  hinge1Angle: number;
+  hinge1AngleRate: number;
+  hinge2Angle: number;
+  hinge2AngleRate: number;
+  body1Axis: Vec3;
+  body2Axis: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a SliderJoint (ISO/IEC 19775-1, 37.4.15); what is left out has its default. */
+export interface SliderJointFields {
+  /** The first body; without it the other side is the world. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The second body; without it the other side is the world. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
+  forceOutput?: Strings;
+  /** Direction in which they slide, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew. (SFVec3f) Default 0 1 0. */
+  axis?: Numbers;
+  /** Lower stop, metres from the pose the joint was made at; negative is allowed. Above maxSeparation: no stops. (SFFloat) Default 0. */
+  minSeparation?: number;
+  /** Upper stop, metres. (SFFloat) Default 1. */
+  maxSeparation?: number;
+  /** Newtons along the axis on both bodies in every step: positive pushes them apart, negative pulls them together. (SFFloat) Default 0. */
+  sliderForce?: number;
+  /** Share of the speed that comes back from a stop. Range [0, 1]. (SFFloat) Default 0. */
+  stopBounce?: number;
+  /** Share of an overshoot past a stop repaired per 1/60 s. Range [0, 1]. (SFFloat) Default 1. */
+  stopErrorCorrection?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a SliderJoint answers. */
+export interface SliderJointValues {
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  forceOutput: string[];
+  axis: Vec3;
+  minSeparation: number;
+  maxSeparation: number;
+  sliderForce: number;
+  stopBounce: number;
+  stopErrorCorrection: number;
+  separation: number;
+  separationRate: number;
+  metadata: unknown;
+}
+
+/** What may be said of a UniversalJoint (ISO/IEC 19775-1, 37.4.16); what is left out has its default. */
+export interface UniversalJointFields {
+  /** The first body; without it the other side is the world. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The second body; without it the other side is the world. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
+  forceOutput?: Strings;
+  /** Place of the joint, metres, world frame, when it is made. Editing it makes the joint anew. (SFVec3f) Default 0 0 0. */
+  anchorPoint?: Numbers;
+  /** First arm of the cross, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew. (SFVec3f) Default 1 0 0. */
+  axis1?: Numbers;
+  /** Second arm, at right angles to the first, world frame, when the joint is made; body2 carries it. Editing it makes the joint anew. (SFVec3f) Default 0 1 0. */
+  axis2?: Numbers;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 1. Range [0, 1]. (SFFloat) Default 0. */
+  stop1Bounce?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 1. Range [0, 1]. (SFFloat) Default 0.8. */
+  stop1ErrorCorrection?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 2. Range [0, 1]. (SFFloat) Default 0. */
+  stop2Bounce?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 2. Range [0, 1]. (SFFloat) Default 0.8. */
+  stop2ErrorCorrection?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a UniversalJoint answers. */
+export interface UniversalJointValues {
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  forceOutput: string[];
+  anchorPoint: Vec3;
+  body1AnchorPoint: Vec3;
+  body2AnchorPoint: Vec3;
+  axis1: Vec3;
+  axis2: Vec3;
+  stop1Bounce: number;
+  stop1ErrorCorrection: number;
+  stop2Bounce: number;
+  stop2ErrorCorrection: number;
+  body1Axis: Vec3;
+  body2Axis: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a MotorJoint (ISO/IEC 19775-1, 37.4.10); what is left out has its default. */
+export interface MotorJointFields {
+  /** The first body; without it the other side is the world. (SFNode) */
+  body1?: NodeInput<'RigidBody'> | null;
+  /** The second body; without it the other side is the world. (SFNode) */
+  body2?: NodeInput<'RigidBody'> | null;
+  /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
+  forceOutput?: Strings;
+  /** TRUE: the angles are measured, as Euler angles about axis 1 (of body1), axis 3 (of body2) and the one across. FALSE: the author tells them. (SFBool) Default false. */
+  autoCalc?: boolean;
+  /** How many axes are driven: 0 to 3. Range [0, 3]. (SFInt32) Default 1. */
+  enabledAxes?: number;
+  /** Direction of axis 1, world frame when the joint is made. It turns with body1; with autoCalc axis 3 turns with body2 and axis 2 is axis 3 × axis 1. Without a direction it turns nothing. Editing it makes the joint anew. (SFVec3f) Default 1 0 0. */
+  motor1Axis?: Numbers;
+  /** Angle about axis 1 as the author measured it, radians: motor1Angle says it again, unless autoCalc measures it. It drives nothing. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default 0. */
+  axis1Angle?: number;
+  /** Torque about axis 1, newton metres: plus on body1, minus on body2. (SFFloat) Default 0. */
+  axis1Torque?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 1. Range [0, 1]. (SFFloat) Default 0. */
+  stop1Bounce?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 1. Range [0, 1]. (SFFloat) Default 0.8. */
+  stop1ErrorCorrection?: number;
+  /** Direction of axis 2, world frame when the joint is made. It turns with body1; with autoCalc axis 3 turns with body2 and axis 2 is axis 3 × axis 1. Without a direction it turns nothing. Editing it makes the joint anew. (SFVec3f) Default 0 1 0. */
+  motor2Axis?: Numbers;
+  /** Angle about axis 2 as the author measured it, radians: motor2Angle says it again, unless autoCalc measures it. It drives nothing. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default 0. */
+  axis2Angle?: number;
+  /** Torque about axis 2, newton metres: plus on body1, minus on body2. (SFFloat) Default 0. */
+  axis2Torque?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 2. Range [0, 1]. (SFFloat) Default 0. */
+  stop2Bounce?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 2. Range [0, 1]. (SFFloat) Default 0.8. */
+  stop2ErrorCorrection?: number;
+  /** Direction of axis 3, world frame when the joint is made. It turns with body1; with autoCalc axis 3 turns with body2 and axis 2 is axis 3 × axis 1. Without a direction it turns nothing. Editing it makes the joint anew. (SFVec3f) Default 0 0 1. */
+  motor3Axis?: Numbers;
+  /** Angle about axis 3 as the author measured it, radians: motor3Angle says it again, unless autoCalc measures it. It drives nothing. Range [-3.141592653589793, 3.141592653589793]. (SFFloat) Default 0. */
+  axis3Angle?: number;
+  /** Torque about axis 3, newton metres: plus on body1, minus on body2. (SFFloat) Default 0. */
+  axis3Torque?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 3. Range [0, 1]. (SFFloat) Default 0. */
+  stop3Bounce?: number;
+  /** Kept, and without effect: X3D gives this node no limits, so nothing stops about axis 3. Range [0, 1]. (SFFloat) Default 0.8. */
+  stop3ErrorCorrection?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a MotorJoint answers. */
+export interface MotorJointValues {
+  body1: NodeHandles['RigidBody'] | null;
+  body2: NodeHandles['RigidBody'] | null;
+  forceOutput: string[];
+  autoCalc: boolean;
+  enabledAxes: number;
+  motor1Axis: Vec3;
+  axis1Angle: number;
+  axis1Torque: number;
+  stop1Bounce: number;
+  stop1ErrorCorrection: number;
+  motor1Angle: number;
+  motor1AngleRate: number;
+  motor2Axis: Vec3;
+  axis2Angle: number;
+  axis2Torque: number;
+  stop2Bounce: number;
+  stop2ErrorCorrection: number;
+  motor2Angle: number;
+  motor2AngleRate: number;
+  motor3Axis: Vec3;
+  axis3Angle: number;
+  axis3Torque: number;
+  stop3Bounce: number;
+  stop3ErrorCorrection: number;
+  motor3Angle: number;
+  motor3AngleRate: number;
+  metadata: unknown;
+}
+
+/** What may be said of each type of node. */
+export interface NodeFields {
+  RigidBodyCollection: RigidBodyCollectionFields;
+  RigidBody: RigidBodyFields;
+  CollidableShape: CollidableShapeFields;
+  CollidableOffset: CollidableOffsetFields;
+  CollisionCollection: CollisionCollectionFields;
+  CollisionSpace: CollisionSpaceFields;
+  CollisionSensor: CollisionSensorFields;
+  Contact: ContactFields;
+  BallJoint: BallJointFields;
+  SingleAxisHingeJoint: SingleAxisHingeJointFields;
+  DoubleAxisHingeJoint: DoubleAxisHingeJointFields;
+  SliderJoint: SliderJointFields;
+  UniversalJoint: UniversalJointFields;
+  MotorJoint: MotorJointFields;
+}
+
+/** What each type of node answers. */
+export interface NodeValues {
+  RigidBodyCollection: RigidBodyCollectionValues;
+  RigidBody: RigidBodyValues;
+  CollidableShape: CollidableShapeValues;
+  CollidableOffset: CollidableOffsetValues;
+  CollisionCollection: CollisionCollectionValues;
+  CollisionSpace: CollisionSpaceValues;
+  CollisionSensor: CollisionSensorValues;
+  Contact: ContactValues;
+  BallJoint: BallJointValues;
+  SingleAxisHingeJoint: SingleAxisHingeJointValues;
+  DoubleAxisHingeJoint: DoubleAxisHingeJointValues;
+  SliderJoint: SliderJointValues;
+  UniversalJoint: UniversalJointValues;
+  MotorJoint: MotorJointValues;
+}
+
+/** X3D's names of the types. */
+export type NodeName = keyof NodeFields;

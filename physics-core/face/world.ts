@@ -1,0 +1,143 @@
+import type { LevelMeasurement, MeasureOptions } from '../world/measuring.js';
+import type { Problem } from '../base/problems.js';
+import type { Level, LevelName } from '../dynamics/levels.js';
+import type { Costs } from '../effects/costs/frame-costs.js';
+import type { EffectReport } from '../effects/effect/effects.js';
+import type { Vec3 } from '../fields/types.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
+import type { Stats } from '../world/store/types.js';
+import type { WorldEvents } from './events.js';
+import type { NodeFields, NodeName, NodeValues, RigidBodyCollectionFields } from './fields.js';
+import type { Body, Node, NodeHandles, NodeOf, Vector } from './nodes.js';
+
+/** The first thing on the way of a ray. */
+export interface RayHit {
+  /** The body; the collidable where that has none. */
+  node: Node;
+  /** The part of it that was hit. */
+  collidable: Node;
+  /** World frame, metres. */
+  position: Vec3;
+  /** Unit vector of the surface, towards where the ray came from. */
+  normal: Vec3;
+  /** Share of the way, 0 to 1. */
+  fraction: number;
+}
+
+export interface NodeOptions {
+  /** Its DEF, by which `world.node` finds it. */
+  name?: string;
+  /** Which RigidBodyCollection a body belongs to, in a world with several. */
+  collection?: NodeOf<'RigidBodyCollection'>;
+}
+
+/** A world of X3D nodes. It is its first RigidBodyCollection, too: `get` and `set` are those of that node. */
+export interface World {
+  /** Settles when it has started, and always: it rejects with the problem where it can't. In the core it has. */
+  readonly ready: Promise<World>;
+
+  // ---- nodes ----------------------------------------------------------------------------------------------------
+
+  /**
+   * Adds a node of an X3D type, with values for its fields in SI units. Throws a TypeError for a type that there is not;
+   * values that can't be used are reported in `problems`, and the defaults are used.
+   */
+  add<Name extends NodeName>(
+    type: Name,
+    fields?: NodeFields[Name],
+    options?: NodeOptions,
+  ): NodeHandles[Name];
+
+  /** All its nodes, in the order in which they were added. */
+  readonly nodes: Iterable<Node>;
+
+  /** The node with this name (DEF, or id in a page) or number; the last one where several have the name. */
+  node<Type extends Node = Body>(name: string | number | null | undefined): Type | undefined;
+
+  /** A field of its first RigidBodyCollection. */
+  get<Field extends keyof NodeValues['RigidBodyCollection']>(
+    field: Field,
+  ): NodeValues['RigidBodyCollection'][Field];
+
+  /** Asks for a value of a field of its first RigidBodyCollection. */
+  set<Field extends keyof RigidBodyCollectionFields>(
+    field: Field,
+    value: RigidBodyCollectionFields[Field],
+  ): void;
+
+  // ---- time -----------------------------------------------------------------------------------------------------
+
+  /** Whether time stands still in a page; `step` and `advance` go on all the same. */
+  paused: boolean;
+
+  /** Simulated seconds per second of the clock, in a page; 1 by default, 0 stands still. */
+  timeScale: number;
+
+  /** Simulated seconds since the start or the last reset. */
+  readonly time: number;
+
+  /** Seconds of one step at the present level: 1/120 at `standard`. */
+  readonly timeStep: number;
+
+  /**
+   * Advances `n` steps (1 by default) at once, paused or not, and returns the seconds advanced. `step(0)` applies edits that
+   * wait. Before the start, and within a step, it does nothing and returns 0.
+   */
+  step(n?: number): number;
+
+  /** Advances by as many whole steps as come nearest to so many seconds; returns the seconds advanced. */
+  advance(seconds: number): number;
+
+  /** Back to what the markup, or `add` and `set`, say, at time 0. The next n steps are the first n steps, bit for bit. */
+  reset(): void;
+
+  /** Its state as plain data, without contacts: to keep, clone or send. */
+  snapshot(): Snapshot;
+
+  /** Back to a snapshot of this world; two restores of one snapshot run alike, bit for bit. */
+  restore(snapshot: Snapshot): void;
+
+  /** Ends it, and gives back its memory. */
+  destroy(): void;
+
+  // ---- accuracy -------------------------------------------------------------------------------------------------
+
+  /** The level in force. Set to `auto` it is the finest that fits the field `timeBudget`. */
+  get accuracy(): LevelName;
+  set accuracy(level: LevelName | 'auto');
+
+  /** The ladder, coarse to fine; `active` marks the level in force. */
+  readonly levels: (Level & { active: boolean })[];
+
+  /** What each level costs and leaves in this scene, from the state it is in; the running world notices nothing. */
+  measureAccuracy(options?: MeasureOptions): Promise<LevelMeasurement[]>;
+
+  // ---- looking in -----------------------------------------------------------------------------------------------
+
+  /** The first thing on the way between two points (world frame, metres), or null. */
+  raycast(from: Vector, to: Vector): RayHit | null;
+
+  /** How much there is in it, and milliseconds of the last frame by phase. */
+  readonly stats: Stats;
+
+  /** What it does beyond plain falling bodies, because of what, and milliseconds per step. */
+  readonly effects: EffectReport[];
+
+  /** What authors should know, each once, until it changes. */
+  readonly problems: Problem[];
+
+  /** Milliseconds of late frames by phase, while `recordCosts` asks for them. */
+  readonly costs: Costs | undefined;
+
+  /** Keeps what frames cost, for `costs`; `who` looks stands in `effects`. Returns how to stop. */
+  recordCosts(who: unknown, reason?: string): () => void;
+
+  /** Whether each phase stands on the browser's Performance panel (User Timing); false by default. */
+  profile: boolean;
+
+  /** Calls the listener with each event's detail until the function that is returned is called. */
+  on<Event extends keyof WorldEvents>(
+    event: Event,
+    listener: (detail: WorldEvents[Event]) => void,
+  ): () => void;
+}

@@ -1,0 +1,73 @@
+// What this repository works with: the working classes, the tables, and what reads them. People are shown index.ts.
+import type { DebugLines } from './effects/debug/debug-lines.js';
+import { loadEngine } from './engine/engine.js';
+import type { EngineSource } from './engine/wasm.js';
+import type { WorldOptions } from './world/store/types.js';
+import { JointNode } from './nodes/joints/joint.js';
+import { measureWith } from './world/measuring.js';
+import { World } from './world/world.js';
+
+export { loadEngine } from './engine/engine.js';
+export { configure, type EngineSource } from './engine/wasm.js';
+export type { Engine } from './engine/engine.js';
+export { bulletHas, touchedBy } from './world/bullet-has.js';
+export { World } from './world/world.js';
+export type { RayHit } from './world/rays/raycast.js';
+export type { Snapshot } from './world/snapshot/snapshot.js';
+export type { AddOptions, Stats, WorldOptions } from './world/store/types.js';
+export { PhysicsNode } from './nodes/node/node.js';
+export { nodeTypes } from './nodes/index.js';
+export type { NodeDefinition as NodeType } from './nodes/node/define.js';
+export { defaultOf, type Field } from './nodes/node/table.js';
+export { nearest } from './base/nearest.js';
+export { show } from './base/show.js';
+export { codecs } from './fields/values.js';
+export { fromSI, SI, toSI, type Units } from './fields/units.js';
+export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fields/types.js';
+export { logProblem, type Problem, type ProblemReport, type Severity } from './base/problems.js';
+export { shown } from './face/shown.js';
+export type { DebugLines } from './effects/debug/debug-lines.js';
+export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
+export type { DragMode } from './dynamics/body.js';
+export type { Drag, DragEnd } from './effects/drag/drag.js';
+export { debugging } from './effects/debug/debugging.js';
+export { jointSolve } from './effects/joints/joint-solve.js';
+export type { EffectReport } from './effects/effect/effects.js';
+export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
+export { levels, type Level, type LevelName } from './dynamics/levels.js';
+export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
+export type { Geometry } from './shapes/geometry.js';
+
+/** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
+export async function debugLines(world: World): Promise<DebugLines> {
+  const { DebugLines: Lines } = await import('./effects/debug/debug-lines.js');
+  return new Lines(world, {
+    flush: () => world.flush(),
+    joints: () => [...world.nodes].filter((node) => node instanceof JointNode),
+  });
+}
+
+measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);
+
+export interface CreateOptions extends WorldOptions, Pick<EngineSource, 'wasmUrl' | 'wasmBinary'> {
+  [field: string]: unknown;
+}
+
+/**
+ * A world without a page. The options are the fields of RigidBodyCollection, and `maxHeapBytes`.
+ * @example
+ * const world = await createWorld({ gravity: [0, -9.8, 0] });
+ * const ball = world.add('RigidBody', { position: [0, 5, 0], geometry: [{ type: 'Sphere', radius: 0.5 }] });
+ * world.advance(1);
+ */
+export async function createWorld(options: CreateOptions = {}): Promise<World> {
+  const { wasmUrl, wasmBinary, console, maxHeapBytes, ...fields } = options;
+  const engine = await loadEngine({ wasmUrl, wasmBinary });
+  const world = new World({
+    console: console ?? false,
+    ...(maxHeapBytes === undefined ? {} : { maxHeapBytes }),
+  });
+  world.add('RigidBodyCollection', fields);
+  world.start(engine);
+  return world;
+}
