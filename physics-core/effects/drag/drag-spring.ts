@@ -3,8 +3,7 @@ import { add, AXES, compose, cross, length, scale, subtract } from '../../base/m
 import type { Body } from '../../dynamics/body.js';
 import { applyInertia, applyInverseInertia } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { backward, factor, forward } from '../../base/cholesky.js';
-import { rowOf } from '../../base/triangle.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { BODY_BLOCK, SIDE } from '../joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../joints/row-system.js';
@@ -35,7 +34,7 @@ export class DragSpring {
   readonly #grip: Vec3;
   /** Of the body and all that hangs on it by joints, kg. */
   readonly #mass: number;
-  readonly #matrix = new Float64Array(9);
+  readonly #matrix = new Float64Array(rowOf(3));
   readonly #vector = new Float64Array(3);
   readonly #load = new Float64Array(SIDE);
   readonly #hand: Hand;
@@ -105,17 +104,17 @@ export class DragSpring {
     const drag = this.#drag(dt);
     const [matrix, vector] = [this.#matrix, this.#vector];
     AXES.forEach((axis, i) => {
-      const ease = add(
+      const inverseMass = add(
         scale(axis, 1 / this.#body.mass.mass),
         cross(applyInverseInertia(this.#body, cross(arm, axis)), arm),
       );
-      for (let j = 0; j < 3; j++) matrix[i * 3 + j] = ease[j]! + axis[j]! / drag;
+      for (let j = 0; j <= i; j++) matrix[rowOf(i) + j] = inverseMass[j]! + axis[j]! / drag;
     });
     const short = subtract(scale(this.#pull(dt), 1 / drag), this.#rate(arm, dt));
     vector.set(short);
-    factor(matrix, 3);
-    forward(matrix, vector, 3);
-    backward(matrix, vector, 3);
+    factor(matrix, 0, 3);
+    forward(matrix, 0, 3, vector, 0);
+    backward(matrix, 0, 3, vector, 0);
     return [vector[0]!, vector[1]!, vector[2]!];
   }
 

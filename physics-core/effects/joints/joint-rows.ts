@@ -2,7 +2,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { backward, factor, forward } from '../../base/cholesky.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { applyInverseInertia, place } from '../../base/flat-math.js';
 import { writeAxes } from '../../base/matrix.js';
 import type { Pose } from '../../base/math.js';
@@ -38,7 +38,7 @@ export class JointRows {
   #joint!: Joint;
   #dt = 0;
   #locked: readonly number[] = [];
-  readonly #factors = new Float64Array(ROWS * ROWS);
+  readonly #factors = new Float64Array(rowOf(ROWS));
   readonly #coupling = new Float64Array(ROWS);
   readonly #held = new Float64Array(ROWS);
   readonly #impulse = new Float64Array(WIDTH);
@@ -151,8 +151,8 @@ export class JointRows {
     const rows = this.#locked;
     const n = rows.length;
     for (let i = 0; i < n; i++)
-      for (let j = 0; j < n; j++) this.#factors[i * n + j] = this.between(rows[i]!, rows[j]!);
-    return factor(this.#factors, n);
+      for (let j = 0; j <= i; j++) this.#factors[rowOf(i) + j] = this.between(rows[i]!, rows[j]!);
+    return factor(this.#factors, 0, n);
   }
 
   /** Fills `rate` and `inverseEffectiveMass` for a row that is not locked. */
@@ -160,7 +160,7 @@ export class JointRows {
     const rows = this.#locked;
     const n = rows.length;
     for (let i = 0; i < n; i++) this.#coupling[i] = this.between(rows[i]!, row);
-    forward(this.#factors, this.#coupling, n);
+    forward(this.#factors, 0, n, this.#coupling, 0);
     this.rate = this.rateNow(row);
     this.inverseEffectiveMass = this.between(row, row);
     for (let i = 0; i < n; i++) this.inverseEffectiveMass -= this.#coupling[i]! ** 2;
@@ -171,7 +171,7 @@ export class JointRows {
     const rows = this.#locked;
     const n = rows.length;
     for (let i = 0; i < n; i++) this.#held[i] = this.#pulled(rows[i]!);
-    forward(this.#factors, this.#held, n);
+    forward(this.#factors, 0, n, this.#held, 0);
     let pull = this.#pulled(row);
     for (let i = 0; i < n; i++) pull -= this.#coupling[i]! * this.#held[i]!;
     return pull;
@@ -198,7 +198,7 @@ export class JointRows {
   push(row: number, impulse: number): void {
     const rows = this.#locked;
     const n = rows.length;
-    backward(this.#factors, this.#coupling, n);
+    backward(this.#factors, 0, n, this.#coupling, 0);
     this.#impulse.fill(0);
     this.#add(row, impulse);
     for (let i = 0; i < n; i++) this.#add(rows[i]!, -this.#coupling[i]! * impulse);

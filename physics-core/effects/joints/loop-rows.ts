@@ -1,5 +1,4 @@
-import { backward, factor, forward } from '../../base/cholesky.js';
-import { rowOf } from '../../base/triangle.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
@@ -38,7 +37,7 @@ export class LoopRows {
     if (!this.#collect(component)) return false;
     if (this.#count === 0) return true;
     this.#fill(component);
-    return factor(this.#matrix, this.#count);
+    return factor(this.#matrix, 0, this.#count);
   }
 
   /** Velocities of trees and loops under `load`, which is used up. False: singular, or too many. */
@@ -51,8 +50,8 @@ export class LoopRows {
       const { targetVelocity } = this.#system;
       for (let i = 0; i < n; i++)
         this.#impulse[i] = targetVelocity[this.#rows[i]!]! - this.#rate(i);
-      forward(this.#matrix, this.#impulse, n);
-      backward(this.#matrix, this.#impulse, n);
+      forward(this.#matrix, 0, n, this.#impulse, 0);
+      backward(this.#matrix, 0, n, this.#impulse, 0);
       for (let i = 0; i < n; i++) this.#push(i, this.#impulse[i]!, load);
     }
     this.#trees.solve(component, load, 1);
@@ -68,11 +67,11 @@ export class LoopRows {
       this.#copy(component, undefined, this.#load);
       this.#push(j, 1, this.#load);
       this.#trees.solve(component, this.#load, 0);
-      for (let i = j; i < n; i++) this.#matrix[i * n + j] = this.#rate(i);
+      for (let i = j; i < n; i++) this.#matrix[rowOf(i) + j] = this.#rate(i);
       largest = Math.max(largest, this.#alone(j));
     }
     for (let i = 0; i < n; i++)
-      this.#matrix[i * n + i]! += compliance[this.#rows[i]!]! + COMPLIANCE * largest;
+      this.#matrix[rowOf(i) + i]! += compliance[this.#rows[i]!]! + COMPLIANCE * largest;
   }
 
   /** What an impulse on a row would do to it if no joint held its bodies, by the diagonals of their inertia. */
@@ -134,6 +133,6 @@ export class LoopRows {
   #grow(room: number): void {
     this.#rows = new Int32Array(room);
     this.#impulse = new Float64Array(room);
-    this.#matrix = new Float64Array(room * room);
+    this.#matrix = new Float64Array(rowOf(room));
   }
 }

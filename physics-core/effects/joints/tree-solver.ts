@@ -1,4 +1,4 @@
-import { backward, factorTriangle, forward, rowOf } from '../../base/triangle.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import {
   add6,
   BODY_BLOCK,
@@ -69,7 +69,7 @@ export class TreeSolver {
     const pin = this.#isPin(joint);
     const given = pin
       ? this.#pins.factors.factor(joint, this.#bodies, body, parent)
-      : factorTriangle(this.#bodies, body * BODY_BLOCK, SIDE);
+      : factor(this.#bodies, body * BODY_BLOCK, SIDE);
     if (!given) return false;
     if (joint < 0 || this.#system.heldCount[joint] === 0) return true;
     if (pin) this.#respondPinned(joint, body);
@@ -146,7 +146,7 @@ export class TreeSolver {
       const i = at + rowOf(r) + r;
       k[i] = k[i]! * (1 + LEAST_COMPLIANCE) + compliance[first + held[first + r]!]!;
     }
-    if (!factorTriangle(k, at, n)) return false;
+    if (!factor(k, at, n)) return false;
     if (parent < 0) return true;
     if (!this.#isPin(joint)) this.#copySeen(joint, parent);
     this.#loadParent(joint, parent, n);
@@ -178,9 +178,9 @@ export class TreeSolver {
       for (let c = 0; c < r; c++) add6(y, o, y, c * SIDE, -k[row + c]!);
       for (let x = 0; x < SIDE; x++) y[o + x]! *= k[row + r]!;
       for (let i = 0; i < SIDE; i++) {
-        const factor = y[o + i]!;
+        const scale = y[o + i]!;
         const into = inertia + rowOf(i);
-        for (let j = 0; j <= i; j++) this.#bodies[into + j]! += factor * y[o + j]!;
+        for (let j = 0; j <= i; j++) this.#bodies[into + j]! += scale * y[o + j]!;
       }
     }
   }

@@ -25,12 +25,11 @@ import { massOf } from './body-mass.js';
 import { BodyMotion } from './body-motion.js';
 import { BodyObject } from './body-object.js';
 import { BodyPresence } from './body-presence.js';
-import { restRuleOf, sameRule } from './body-rest.js';
 import type { BodyJoint } from './body-joint.js';
 
 /** A rigid body, put together from its parts. What people do to it is documented in face/nodes.ts. */
 export class BodyNode extends PhysicsNode implements Body {
-  /** Index into the world's poses; -1 while the body is not built. */
+  /** -1 while the body is not built. */
   slot = -1;
   readonly object = new BodyObject(this);
   readonly motion = new BodyMotion(this);
@@ -119,7 +118,6 @@ export class BodyNode extends PhysicsNode implements Body {
 
   protected override destroy(): void {
     const { world } = this;
-    // A world made anew has told already.
     world.registry.find(contactReader)?.part(this, 'removed');
     this.presence.goOut();
     world.pairs.leave(this);
@@ -154,7 +152,6 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.built && this.object.inWorld;
   }
 
-  /** The collection whose gravity and defaults it has. */
   get settings(): PhysicsNode {
     return this.collection ?? this.world.settings;
   }
@@ -198,13 +195,6 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   // ---- rest -------------------------------------------------------------------------------------------------------
-
-  updateRest(): void {
-    const rest = restRuleOf(this);
-    if (!sameRule(rest, this.rest)) this.wake();
-    this.rest = rest;
-    this.changed('rest');
-  }
 
   get sleeping(): boolean {
     return this.active && this.movable && this.world.bodies.asleep(this);

@@ -3,10 +3,10 @@ import { rotationOf } from '../../base/math.js';
 import { geometryTypes } from '../../shapes/geometry.js';
 import { BodyNode } from './body.js';
 import { OwnedGeometry } from './body-geometry.js';
+import { updateRest } from './body-rest.js';
 import { defineNode } from '../node/define.js';
 
 const mass = (body: BodyNode): void => body.build.updateMass();
-const rest = (body: BodyNode): void => body.updateRest();
 const damping = (body: BodyNode): void => body.loads.updateDamping();
 const forces = (body: BodyNode): void => body.loads.updateForces();
 
@@ -202,7 +202,7 @@ export const rigidBody = defineNode<BodyNode>({
       access: 'inputOutput',
       default: false,
       edit: 'live',
-      patch: rest,
+      patch: updateRest,
       doc: 'TRUE: sleeps by the fields below. FALSE, authored: never. Not authored: as its collection, else unnoticed at rest.',
     },
     disableTime: {
@@ -211,7 +211,7 @@ export const rigidBody = defineNode<BodyNode>({
       default: 0,
       range: [0, Infinity],
       edit: 'live',
-      patch: rest,
+      patch: updateRest,
       doc: 'Seconds below both speeds before it sleeps.',
     },
     disableLinearSpeed: {
@@ -221,7 +221,7 @@ export const rigidBody = defineNode<BodyNode>({
       range: [0, Infinity],
       dimension: { length: 1 },
       edit: 'live',
-      patch: rest,
+      patch: updateRest,
       doc: 'Speed below which it may sleep, m/s.',
     },
     disableAngularSpeed: {
@@ -231,7 +231,7 @@ export const rigidBody = defineNode<BodyNode>({
       range: [0, Infinity],
       dimension: { angle: 1 },
       edit: 'live',
-      patch: rest,
+      patch: updateRest,
       doc: 'Angular speed below which it may sleep, rad/s.',
     },
     dragMode: {
