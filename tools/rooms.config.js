@@ -28,7 +28,6 @@ export const trees = {
         'body-motion',
         'body-object',
         'body-presence',
-        'body-rest',
         'body-shape',
         'body',
       ].map((part) => `nodes/body/${part}.ts`),

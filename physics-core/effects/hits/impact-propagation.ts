@@ -215,7 +215,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
 }
 
 export const impactPropagation: EffectDescriptor<ImpactPropagation> = {
-  name: 'chains of hits',
+  name: 'impact propagation',
   causes: 'contacts that say more than the default, or something fast',
   after: { 'free flight': 'what hits is put right from where its free flight would end' },
   with: [contactSurface, continuousCollision],

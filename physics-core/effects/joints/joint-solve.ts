@@ -181,7 +181,7 @@ export const jointSolve: EffectDescriptor<JointSolve> = {
     dragging: 'the same',
     motors: 'the same',
     'gyroscopic torque': 'it begins with the spin of free motion',
-    'chains of hits': 'what was hit is where its hits take it before joints are closed',
+    'impact propagation': 'what was hit is where its hits take it before joints are closed',
     'pair filter': 'a contact that is taken back wakes none of its rows',
   },
   joint: (joint) => (holds(joint) ? 'joint' : undefined),

@@ -79,9 +79,9 @@ fact('boxes of a touching row part all at once, as Bullet has them', async () =>
   );
 });
 
-fact('chains of hits are looked for only while something bounces', async () => {
+fact('impact propagation are looked for only while something bounces', async () => {
   const w = await world();
-  const chains = () => w.effects.find(({ name }) => name === 'chains of hits')!.active;
+  const chains = () => w.effects.find(({ name }) => name === 'impact propagation')!.active;
   addFloor(w);
   addBody(w, { position: [0, 1, 0] });
   const collection = w.add('CollisionCollection', { collidables: '*', bounce: 0 });

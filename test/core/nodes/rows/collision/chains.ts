@@ -39,7 +39,7 @@ const speeds = (balls: Body[]): number[] => balls.map((ball) => velocity(ball)[0
 
 export const chainRows: Row[] = [
   {
-    effect: 'chains of hits',
+    effect: 'impact propagation',
     fact: 'a blow on a touching row goes on as one hit after the other: the far ball leaves',
     run: async () => {
       const equal = await line([1, 1, 1, 1]);
@@ -52,7 +52,7 @@ export const chainRows: Row[] = [
     },
   },
   {
-    effect: 'chains of hits',
+    effect: 'impact propagation',
     fact: 'with bounce e the last of n balls gets ((1 + e) / 2)ⁿ⁻¹ of the speed, and momentum stays',
     run: async () => {
       const { w, balls } = await line([1, 1, 1, 1], { bounce: 0.5 });
@@ -68,7 +68,7 @@ export const chainRows: Row[] = [
     },
   },
   {
-    effect: 'chains of hits',
+    effect: 'impact propagation',
     fact: 'who listens hears how hard a hit was that went on',
     run: async () => {
       const { w, balls } = await line([1, 1, 1]);
@@ -87,7 +87,7 @@ export const chainRows: Row[] = [
     },
   },
   {
-    effect: 'chains of hits',
+    effect: 'impact propagation',
     fact: 'a ball that hangs on a rod gives way as its hinge lets it',
     run: async () => {
       const { w, balls } = await line([1, 1, 1]);
@@ -105,7 +105,7 @@ export const chainRows: Row[] = [
     },
   },
   {
-    effect: 'chains of hits',
+    effect: 'impact propagation',
     fact: 'a hit acts at its own time of the step: both are where their speeds lead from there',
     run: async () => {
       const { w, balls } = await line([1, 1]);
