@@ -1,6 +1,20 @@
 import assert from 'node:assert/strict';
-import { loadEngine, World } from '../../../physics-core/inside.js';
-import { addBody, claim, close, fact, height, position, watch, way, world } from '../helpers.js';
+import { setTimeout as later } from 'node:timers/promises';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
+import { createWorld, loadEngine, World } from '../../../physics-core/inside.js';
+import {
+  addBody,
+  box,
+  claim,
+  close,
+  fact,
+  height,
+  position,
+  watch,
+  way,
+  world,
+} from '../helpers.js';
 import { recorded, busy } from './runs.js';
 
 fact('before its start a world takes nodes and edits, steps nothing and returns 0', async () => {
@@ -83,4 +97,28 @@ fact('reset undoes what events did, and the author may say the same again', asyn
   w.reset();
   close(position(ball), [0, 9, 0], 1e-6, 'm');
   assert.equal(ball.asked('linearDampingFactor'), 0.001);
+});
+
+/** A world that has read contacts, ended; nobody has it any more. */
+async function gone(): Promise<WeakRef<World>> {
+  const w = await createWorld({ console: false });
+  const floor = w.add('CollidableShape', { shape: [box(1)] });
+  w.add('CollisionCollection', { collidables: '*', bounce: 0.5 });
+  w.on('collisionstart', () => {});
+  addBody(w, { position: [0, 0.9, 0] });
+  floor.set('translation', [0, -0.5, 0]);
+  w.advance(1);
+  w.destroy();
+  return new WeakRef(w);
+}
+
+fact('a world that has ended is let go, by the engine too', async () => {
+  const world = await gone();
+  setFlagsFromString('--expose-gc');
+  const collect = runInNewContext('gc') as () => void;
+  for (let times = 0; times < 10 && world.deref(); times++) {
+    await later();
+    collect();
+  }
+  assert.ok(!world.deref());
 });
