@@ -209,12 +209,12 @@ function accelerationOf({ gravity, mass: { mass, moments }, constantLoad }: Body
 const isTurned = ({ dampedShare }: Body, acceleration: Float64Array): boolean =>
   dampedShare.angular > 0 || acceleration.subarray(3).some(Boolean);
 
-/** Whether something known pulls, turns or brakes it. */
-const isLed = ({ movable, gravity, constantLoad, dampedShare }: Body): boolean =>
+/** Whether something known pulls, turns or brakes it. What a torque does to unequal moments is not known in closed form. */
+const isLed = ({ movable, gravity, mass, constantLoad, dampedShare }: Body): boolean =>
   movable &&
   (gravity.some(Boolean) ||
     constantLoad.force.some(Boolean) ||
-    constantLoad.torque.some(Boolean) ||
+    (constantLoad.torque.some(Boolean) && turnsAlike(mass.moments)) ||
     dampedShare.linear > 0 ||
     dampedShare.angular > 0);
 

@@ -132,6 +132,12 @@ export class DoubleAxisHingeJointNode extends JointNode {
       .filter(({ row, most }) => most > 0 && !this.lockedRows.includes(row));
   }
 
+  /** The speed of a motor without torque is nothing to the effects. */
+  override updateMotors(): void {
+    if (this.motors.length > 0 || this.wantedMotors().length > 0) super.updateMotors();
+    else this.wakeBodies();
+  }
+
   // ---- outputs ------------------------------------------------------------------------------------------------------
 
   /** Turn of body1 against body2 about axis 1 or 2, radians in (-π, π]. */

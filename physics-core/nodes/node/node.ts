@@ -213,7 +213,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
     this.world.store.forget(this);
     this.released();
     // It may still be listened to.
-    this.world.registry.unmade(this);
+    this.world.registry.find(contactReader)?.release(this);
   }
 
   /** It stands in another collection of its world now. */

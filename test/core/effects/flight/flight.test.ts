@@ -1,3 +1,4 @@
+import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { levels, type World } from '../../../../physics-core/inside.js';
 import { quaternionOf, rotate } from '../../../../physics-core/base/math.js';
@@ -188,4 +189,12 @@ describe('what something touches', () => {
       }
     });
   }
+});
+
+fact('a torque on unequal moments alone is none of its business', async () => {
+  const w = await world(WEIGHTLESS);
+  addBody(w, { geometry: [box(1, 2, 3)], torques: [[1, 0, 0]] });
+  w.step();
+  const on = w.effects.filter(({ active }) => active).map(({ name }) => name);
+  assert.deepEqual(on, ['forces', 'gyroscopic torque']);
 });

@@ -238,3 +238,21 @@ fact('softness is told with what it leaves out', async () => {
   const [told] = w.problems;
   assert.equal(told!.attribute, 'softnessConstantForceMix');
 });
+
+fact('a Contact that page code made may go: what the others bear stays known', async () => {
+  const { w, stones, sensor } = await watched(1);
+  const [stone] = stones as [Body];
+  stone.set('forces', [[2, 0, 0]]);
+  w.advance(0.5);
+  for (let i = 0; i < 60; i++) {
+    for (const contact of sensor.contacts) {
+      contact.set('appliedParameters', ['SLIP-1']);
+      contact.set('slipCoefficients', [0.1, 0]);
+    }
+    w.settings.event('set_contacts', sensor.contacts);
+    w.add('Contact', {}).remove();
+    w.step();
+  }
+  // Slip is speed per force, which is that of the step before.
+  close(velocity(stone), [0.2, 0, 0], 0.005, 'm/s');
+});
