@@ -161,6 +161,10 @@ export const resting: EffectDescriptor<Resting> = {
   name: 'rest',
   causes: 'a body that may sleep: autoDisable TRUE, or written by nobody',
   after: { 'given contacts': 'contacts that page code gives wake bodies' },
-  body: { on: ['rest'], reason: ({ rest }) => REASONS[rest.mode] },
+  body: {
+    on: ['rest'],
+    // What the world stands for a collidable never moves.
+    reason: ({ rest, isObstacle }) => (isObstacle ? undefined : REASONS[rest.mode]),
+  },
   load: (simulation) => new Resting(simulation),
 };

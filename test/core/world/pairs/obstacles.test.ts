@@ -208,3 +208,11 @@ fact('a reset puts an obstacle back, and the first steps are the same bit for bi
   assert.deepEqual(block.get('translation'), [0, -1, 0]);
   assert.deepEqual(run(), first);
 });
+
+fact('obstacles alone call for no effect', async () => {
+  const w = await world({ rest: 'auto' });
+  w.add('CollidableShape', { shape: [box(1)] });
+  w.add('CollisionCollection', { collidables: '*' });
+  w.step();
+  assert.ok(w.effects.every(({ active }) => !active));
+});
