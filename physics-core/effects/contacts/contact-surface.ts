@@ -90,8 +90,9 @@ export class ContactSurface extends Effect {
     }
   }
 
-  /** maxCorrectionSpeed of the world; Infinity: no limit. */
+  /** maxCorrectionSpeed of the world; Infinity: no limit. Told with every edit of the collection. */
   limit(collection: Cause, speed: number): void {
+    if (collection === this.#limiting && speed === this.#step.maxCorrectionSpeed) return;
     if (this.#limiting) this.release(this.#limiting);
     this.#limiting = collection;
     this.#step.maxCorrectionSpeed = speed;

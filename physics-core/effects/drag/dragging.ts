@@ -34,7 +34,6 @@ export class Dragging extends Effect implements Pull {
     const drag = new Drag(this, this.#simulation, body, point, onend);
     this.#drags.add(drag);
     this.need(body, 'drag');
-    this.#effects.find(jointSolve)?.pulls.add(this);
     return drag;
   }
 
@@ -77,8 +76,9 @@ export class Dragging extends Effect implements Pull {
     this.letGo(body, body.removed ? 'removed' : 'reset');
   }
 
-  /** What is held does not sleep. */
+  /** What is held does not sleep. A joint may have come while it is held: the first one brings the joint solve. */
   override beforeStep(dt: number): void {
+    this.#effects.caused(jointSolve)?.pulls.add(this);
     for (const drag of this.#drags) {
       if (!this.holds(drag)) this.end(drag, 'disabled');
       else if (drag.mode === 'spring') this.#pull(drag, dt);

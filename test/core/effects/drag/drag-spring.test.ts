@@ -167,3 +167,17 @@ fact('two hands hold one body', async () => {
   w.advance(2);
   close(position(plank), [0, 2, 0], 0.02, 'held level');
 });
+
+fact(
+  'who is held goes on following the hand when a joint, the first of the world, comes',
+  async () => {
+    const w = await world();
+    const bob = addBody(w, { position: [1, 0, 0] });
+    const drag = bob.drag([1, 0, 0])!;
+    w.step();
+    w.add('BallJoint', { body1: bob, anchorPoint: [0, 0, 0] });
+    drag.move([0, 1, 0]);
+    w.advance(3);
+    close(position(bob), [0, 1, 0], 0.03, 'm');
+  },
+);
