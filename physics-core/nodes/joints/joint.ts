@@ -220,8 +220,10 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   /** Its limits, corrections, stops or motors are others. */
   updateRows(): void {
     if (this.fresh) return;
-    if (this.#constraint) this.#setRows(this.#constraint);
-    this.wakeBodies();
+    if (this.#constraint) {
+      this.#setRows(this.#constraint);
+      this.wakeBodies();
+    }
     this.#changed();
   }
 

@@ -16,10 +16,10 @@ export interface AccuracyChange {
   p90?: number;
 }
 
-/** The level in force, and what Bullet's solver works with at it. */
 /** Told before steps change their length, seconds. */
 type Lengthen = (from: number, to: number) => void;
 
+/** The level in force, and what Bullet's solver works with at it. */
 export class LevelControl {
   readonly #world: NodeWorld;
   readonly #lengthen: Lengthen;
