@@ -26,8 +26,9 @@ const DOT = 8;
 /** Of a name, pixels: in the mean 6.5 for a letter, and room for those that are broad or bold. */
 const widthOf = (text: string): number => 6.5 * text.length + 10;
 
-/** From a dot's middle to the base line of its name: above it, below it, and farther where dots are close. */
-const LINES = [-6, 16, -20, 30, -34, 44, -48, -62, -76];
+/** From a dot's middle to the base line of its name: above it, below it, and farther, at last anywhere, where dots are close. */
+const LINES = [-6, 16, -20, 30, -34, 44];
+for (let more = 4; more < 96; more += 4) LINES.push(-34 - more, 44 + more);
 
 const boxOf = ({ text, x, y, anchor }: Label): Box => {
   const left = anchor === 'start' ? x : x - widthOf(text);
@@ -51,24 +52,31 @@ const beside = ({ name, x, y }: Place, anchor: Label['anchor'], down: number): L
   anchor,
 });
 
-/** Names beside their dots, where they hide neither each other nor another dot; to the right and above where there is room. */
+/**
+ * Names beside their dots, where they hide neither each other nor another dot; to the right and above where there is
+ * room. In a crowd a name rather lies on a dot than on another name.
+ */
 export function labelsOf(dots: readonly Place[], within: Box): Label[] {
   const labels: Label[] = [];
-  const hides = (label: Label, own: Place): boolean => {
-    const box = boxOf(label);
-    const others = dots.filter((dot) => dot !== own).map(boxAround);
-    return [...labels.map(boxOf), ...others].some((other) => overlap(box, other));
-  };
   for (const dot of dots) {
+    const names = labels.map(boxOf);
+    const others = dots.filter((other) => other !== dot).map(boxAround);
+    const free = (boxes: readonly Box[]) => (label: Label) =>
+      !boxes.some((box) => overlap(boxOf(label), box));
     const around = LINES.flatMap((down) => [
       beside(dot, 'start', down),
       beside(dot, 'end', down),
     ]).filter((label) => {
-      const box = boxOf(label);
-      return box.left >= within.left && box.right <= within.right && box.bottom <= within.bottom;
+      const { left, right, top, bottom } = boxOf(label);
+      const inside = left >= within.left && right <= within.right && bottom <= within.bottom;
+      // Above the grid there is room as well.
+      return inside && top >= 0;
     });
-    const free = around.find((label) => !hides(label, dot));
-    labels.push(free ?? around[0] ?? beside(dot, 'start', LINES[0]!));
+    labels.push(
+      around.find(free([...names, ...others])) ??
+        around.find(free(names)) ??
+        beside(dot, 'start', LINES[0]!),
+    );
   }
   return labels;
 }
