@@ -166,7 +166,8 @@ export function forType<
 }
 
 declare global {
-  // Those of plain tags, of all that stands above them, of the document and the window.
+  // Those of plain tags, of all that stands above them, of the document and the window. Only by an interface that says
+  // nothing of its own can one of the platform's be extended.
   /* eslint-disable @typescript-eslint/no-empty-object-type */
   interface ElementEventMap extends PhysicsEventMap {}
   interface GlobalEventHandlersEventMap extends PhysicsEventMap {}

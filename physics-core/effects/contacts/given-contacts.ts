@@ -144,6 +144,7 @@ export class GivenContacts extends Effect {
   }
 
   #restore(): void {
+    if (this.#moved.length === 0) return;
     const point = new ContactPoint(this.#simulation.engine.ammo);
     this.#moved.forEach((pointer, i) => point.at(pointer, 0, 0).loadPlace(this.#places, i * PLACE));
     this.#moved.length = this.#places.length = 0;

@@ -39,7 +39,7 @@ export class Effects {
   #stages: Record<Stage, readonly Effect[]> = { beforeStep: [], settle: [], afterStep: [] };
   #contacts: readonly Effect[] = [];
   /** Those that a step's contacts go to. */
-  #seeing: readonly Effect[] = [];
+  readonly #seeing: Effect[] = [];
 
   /** `ordered`: as `inOrder` has them. */
   constructor(simulation: Simulation, ordered: readonly EffectDescriptor[]) {
@@ -143,7 +143,9 @@ export class Effects {
   /** What sees every contact point of the step that begins; null: nothing does. */
   contacts(): ContactProcessor | null {
     this.#refresh();
-    this.#seeing = this.#contacts.filter((effect) => effect.seesContacts?.() ?? true);
+    this.#seeing.length = 0;
+    for (const effect of this.#contacts)
+      if (effect.seesContacts?.() ?? true) this.#seeing.push(effect);
     return this.#seeing.length > 0 ? this.#processor : null;
   }
 
