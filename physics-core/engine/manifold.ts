@@ -12,6 +12,12 @@ export const firstPoint = (ammo: Ammo, manifold: Manifold): number =>
 /** Pointer of the contact point `i` after another one of the same manifold. */
 export const pointAfter = (first: number, i: number): number => first + i * POINT.size;
 
+/** Visits the pointers of its contact points. */
+export function eachPoint(ammo: Ammo, manifold: number, visit: (point: number) => void): void {
+  const count = ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
+  for (let i = 0; i < count; i++) visit(pointAfter(manifold + MANIFOLD.points, i));
+}
+
 /** The distance of a point as the solver has it, metres. */
 export const solverDistanceAt = ({ HEAPF32 }: Ammo, point: number): number =>
   HEAPF32[(point + POINT.distance) >> 2]!;

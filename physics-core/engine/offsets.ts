@@ -56,6 +56,9 @@ export const SOLVER = {
   mode: 64,
 } as const;
 
+/** Of btSequentialImpulseConstraintSolver: entries before and after where its pointer leads, and two of them. */
+export const SOLVER_VTABLE = { before: 2, after: 14, prepareSolve: 2, allSolved: 4 } as const;
+
 /** btContactSolverInfo::m_solverMode bits. */
 export const SOLVER_MODE = {
   warmstart: 4,
@@ -86,6 +89,9 @@ export const MANIFOLD_POINT = {
   direction2: 168,
   size: 184,
 } as const;
+
+/** Bytes of btCollisionDispatcher: the array of its manifolds. */
+export const DISPATCHER = { manifoldCount: 12, manifolds: 20 } as const;
 
 /** Bytes of btPersistentManifold: the points are its first member. */
 export const MANIFOLD = {

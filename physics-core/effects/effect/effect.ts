@@ -39,7 +39,7 @@ export interface EffectDescriptor<E extends Effect = Effect> {
 }
 
 /** Stages of a step in which effects act. */
-export const STAGES = ['beforeStep', 'settle', 'afterStep'] as const;
+export const STAGES = ['beforeStep', 'found', 'solve', 'solved', 'settle', 'afterStep'] as const;
 export type Stage = (typeof STAGES)[number];
 
 /** Something a plain scene of falling bodies can do without. It is called while at least one node causes it, and only then. */
@@ -93,6 +93,12 @@ export abstract class Effect {
 
   /** Before each step of Bullet, `dt` seconds. */
   beforeStep?(dt: number): void;
+  /** When Bullet has found what touches, before its contacts are seen one by one. */
+  found?(dt: number): void;
+  /** When all contacts of the step are seen, before Bullet's solver. */
+  solve?(dt: number): void;
+  /** When Bullet's solver has given every body its velocity, before they move. */
+  solved?(dt: number): void;
   /** Right after each step of Bullet, before anybody reads where it took the bodies. */
   settle?(dt: number): void;
   /** After each step of Bullet, when poses and velocities are read. */
