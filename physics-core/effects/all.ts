@@ -3,6 +3,7 @@ import { contactSurface } from './contacts/contact-surface.js';
 import { givenContacts } from './contacts/given-contacts.js';
 import { meshShapes } from './contacts/mesh-shapes.js';
 import { pairFilter } from './contacts/pair-filter.js';
+import { contactSolve } from './contact-solve/contact-solve.js';
 import { frameCosts } from './costs/frame-costs.js';
 import { userTiming } from './costs/user-timing.js';
 import { debugging } from './debug/debugging.js';
@@ -38,6 +39,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   jointSolve,
   contactSurface,
   givenContacts,
+  contactSolve,
   carrying,
   contactReader,
   meshShapes,

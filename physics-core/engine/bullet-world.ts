@@ -22,6 +22,8 @@ export interface SolverSettings {
   contactErrorReduction: number;
   /** Depth that resting contacts keep, metres. */
   linearSlop: number;
+  /** Whether contacts may be solved directly. */
+  direct: boolean;
 }
 
 const modeOf = ({ givenFrictionDirections, twoFrictionDirections }: SolverSettings): number =>

@@ -6,6 +6,7 @@ export const BODY = {
   /** Rows of the rotation matrix, 16 bytes apart; the origin follows. */
   basis: 4,
   origin: 52,
+  collisionFlags: 204,
   islandTag: 208,
   activationState: 216,
   linearVelocity: 312,

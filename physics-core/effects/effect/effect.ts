@@ -34,6 +34,8 @@ export interface EffectDescriptor<E extends Effect = Effect> {
   };
   /** The joints that cause it: looked at again whenever one changes. */
   readonly joint?: (joint: Joint) => string | undefined;
+  /** Looked at in each step in which Bullet finds bodies near each other. */
+  readonly found?: (simulation: Simulation, effects: Effects) => void;
   /** Makes it for one world, when it is needed first. */
   readonly load: (simulation: Simulation, effects: Effects) => E;
 }

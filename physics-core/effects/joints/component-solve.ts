@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { BoundedRows, type StopListener } from './bounded-rows.js';
+import { BoundedRows, type Bound, type StopListener } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { GeometricStiffness } from './geometric-stiffness.js';
@@ -114,6 +114,11 @@ export class ComponentSolve {
     this.bodies.write(component, dt);
     if (at >= 0) this.#stabilization.note(component);
     return true;
+  }
+
+  /** Visits the stops and motors of joint `k`. */
+  eachBound(k: number, visit: (bound: Bound) => void): void {
+    this.#bounded.each(k, visit);
   }
 
   /** Tells which stops of joint `k` held in this step. */

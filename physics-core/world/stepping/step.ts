@@ -91,6 +91,7 @@ export class Step {
   readonly #between: SolverListener = {
     found: () => {
       const { registry: effects, timeStep } = this.#world;
+      effects.found();
       effects.run('found', timeStep);
       effects.seeContacts();
       effects.run('solve', timeStep);
