@@ -1,5 +1,6 @@
 import type { Vec3 } from '../fields/types.js';
 import type { Mesh } from './geometry.js';
+import { hullForm } from './forms/hull-form.js';
 import type { Hull } from './hull.js';
 import { BallForm } from './forms/ball.js';
 import { boxForm } from './forms/box.js';
@@ -23,6 +24,8 @@ export function formOf(outline: Outline): Form | undefined {
       return new BallForm(outline.radius);
     case 'frustum':
       return new FrustumForm(outline.bottom, outline.top, outline.half);
+    case 'hull':
+      return outline.hull && hullForm(outline.points, outline.hull.triangles);
     default:
       return undefined;
   }

@@ -21,7 +21,7 @@ export interface BodyForms {
   wanted: boolean;
 }
 
-const WANTED: readonly Outline['kind'][] = ['frustum'];
+const WANTED: readonly Outline['kind'][] = ['frustum', 'hull'];
 
 /** A part whose contact points Bullet's own search does not find as they are. */
 export const wanted = ({ solidParts }: Body): CollidablePart | undefined =>

@@ -109,7 +109,7 @@ const reasonOf = (body: Body): string | undefined => wanted(body) && 'geometry';
 
 export const contactShapes: EffectDescriptor<ContactShapes> = {
   name: 'contact shapes',
-  causes: 'a body with a cylinder or a cone',
+  causes: 'a body with a cylinder, a cone or a hull',
   body: { on: ['mass'], reason: reasonOf },
   load: (simulation) => new ContactShapes(simulation),
 };
