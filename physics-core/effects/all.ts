@@ -20,11 +20,13 @@ import { jointSolve } from './joints/joint-solve.js';
 import { motors } from './joints/motors.js';
 import { stops } from './joints/stops.js';
 import { suspension } from './joints/suspension.js';
+import { contactShapes } from './manifolds/contact-shapes.js';
 import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
 
 /** Every effect there is, in the order in which a step calls them. */
 export const allEffects: readonly EffectDescriptor[] = inOrder([
+  contactShapes,
   forces,
   axisDamping,
   flight,

@@ -50,3 +50,17 @@ export function writeInverseMass({ HEAPF32 }: Ammo, body: number, out: Float64Ar
           HEAPF32[basis + 4 * i + k]! * HEAPF32[inertia + k]! * HEAPF32[basis + 4 * j + k]!;
   }
 }
+
+/** Where its centre of mass is, and the rows of its rotation. */
+export function writeFrame(
+  { HEAPF32 }: Ammo,
+  body: number,
+  origin: Float64Array,
+  rows: Float64Array,
+): void {
+  const basis = (body + BODY.basis) >> 2;
+  for (let i = 0; i < 3; i++) {
+    origin[i] = HEAPF32[((body + BODY.origin) >> 2) + i]!;
+    for (let j = 0; j < 3; j++) rows[3 * i + j] = HEAPF32[basis + 4 * i + j]!;
+  }
+}

@@ -202,6 +202,13 @@ function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prot
     close(HEAPF32[(at + MANIFOLD.breaking) >> 2]!, 0.02 * Math.sqrt(3)) &&
     ammo.getPointer(manifold.getContactPoint(0)) === first &&
     ammo.getPointer(manifold.getContactPoint(1)) === first + MANIFOLD_POINT.size &&
-    HEAPF32[(first + MANIFOLD_POINT.distance) >> 2] === manifold.getContactPoint(0).getDistance()
+    HEAPF32[(first + MANIFOLD_POINT.distance) >> 2] === manifold.getContactPoint(0).getDistance() &&
+    localsHold(ammo, first)
   );
+}
+
+/** The top of the lower box, the bottom of the upper one. */
+function localsHold({ HEAPF32 }: Ammo, point: number): boolean {
+  const y = (local: number): number => HEAPF32[(point + local + 4) >> 2]!;
+  return close(y(MANIFOLD_POINT.localA), 1) && close(y(MANIFOLD_POINT.localB), -1);
 }

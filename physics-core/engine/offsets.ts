@@ -70,6 +70,9 @@ export const SOLVER_MODE = {
 } as const;
 
 export const MANIFOLD_POINT = {
+  /** Of both positions, each in the frame of its own body. */
+  localA: 0,
+  localB: 16,
   positionB: 32,
   positionA: 48,
   normalB: 64,
@@ -93,6 +96,9 @@ export const MANIFOLD_POINT = {
 
 /** Bytes of btCollisionDispatcher: the array of its manifolds. */
 export const DISPATCHER = { manifoldCount: 12, manifolds: 20 } as const;
+
+/** Points that a manifold holds. */
+export const MOST_POINTS = 4;
 
 /** Bytes of btPersistentManifold: the points are its first member. */
 export const MANIFOLD = {
