@@ -30,7 +30,9 @@ export const C = {
   turning: 36,
   /** Overlap to be taken out in this step, metres. */
   overlap: 37,
-  size: 38,
+  /** How deep it lies beyond what contacts keep, metres. */
+  depth: 38,
+  size: 39,
 } as const;
 
 export const OPEN = 0;

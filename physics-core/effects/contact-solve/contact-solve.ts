@@ -19,6 +19,14 @@ import { SIZE } from './sparse-cholesky.js';
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
 
+/** Bodies of one part that are always solved directly; and those that are once all are slower than this, m/s. */
+const FEW = +(process.env.FEW ?? 24);
+const MOST = +(process.env.MOST ?? 400);
+const SLOW = +(process.env.SLOW ?? 0.25);
+
+/** Steps before what found no end is tried again. */
+const PAUSE = 8;
+
 const NONE: ReadonlySet<number> = new Set();
 
 /**
@@ -46,6 +54,8 @@ export class ContactSolve extends Effect {
   /** Manifolds of the step, and which bodies they are of. */
   readonly #manifolds: number[] = [];
   readonly #solved: Part[] = [];
+  /** The step from which on a part may be tried again, by pointer of its first body. */
+  readonly #failed = new Map<number, number>();
   /** What Bullet is to find again, by contact. */
   readonly #distances: number[] = [];
   /** The body that is named as its cause. */
@@ -98,8 +108,8 @@ export class ContactSolve extends Effect {
     this.#gather();
     for (let i = 0; i < this.#parts.count; i++) {
       const part = this.#parts.at(i);
-      if (part.manifolds.length > 0 && this.#fill(part) && this.#newton.solve(part))
-        this.#take(part);
+      if (part.manifolds.length === 0) continue;
+      if (this.#fill(part) && this.#isDirect(part)) this.#try(part);
     }
     if (this.#manifolds.length === 0) this.#letGo();
   }
@@ -203,6 +213,17 @@ export class ContactSolve extends Effect {
     return true;
   }
 
+  /** What found no end is left to Bullet for some steps. */
+  #try(part: Part): void {
+    const { stepsTaken } = this.#simulation;
+    const pointer = this.#bodies.pointers[part.bodies[0]!]!;
+    if (this.#failed.get(pointer)! > stepsTaken) return;
+    if (this.#newton.solve(part)) {
+      this.#failed.delete(pointer);
+      this.#take(part);
+    } else this.#failed.set(pointer, stepsTaken + PAUSE);
+  }
+
   /** Bullet's solver is to leave it alone. */
   #take(part: Part): void {
     if (!this.#newton.pushApart())
@@ -216,10 +237,18 @@ export class ContactSolve extends Effect {
     }
   }
 
+  /** Whether a matrix is cheaper than the iterations that it saves: of many that tumble, contacts change too fast. */
+  #isDirect({ bodies }: Part): boolean {
+    if (bodies.length <= FEW) return true;
+    return bodies.length <= MOST && this.#bodies.fastestOf(bodies) < SLOW;
+  }
+
   override solved(): void {
-    const f = this.#simulation.engine.ammo.HEAPF32;
     for (const part of this.#solved) {
-      for (const body of part.bodies) this.#bodies.write(body);
+      for (const body of part.bodies) {
+        this.#bodies.writeVelocity(body);
+        this.#bodies.writePlace(body);
+      }
       for (const i of part.contacts) {
         f[(this.#contacts.pointers[i]! + POINT.distance) >> 2] = this.#distances[i]!;
         this.#port.write(i);

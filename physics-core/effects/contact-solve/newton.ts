@@ -46,6 +46,13 @@ const KEPT = 0.9;
 /** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
 const PRODUCTS = 400;
 
+/** Products of blocks in a step, after which Bullet's iterations are the cheaper way; and matrices at least. */
+const WORK = +(process.env.WORK ?? 20000);
+const LEAST = 8;
+
+/** What may be missed where that is reached, m/s: the next step goes on from there. */
+const MISSED = 1e-3;
+
 /**
  * Finds the velocities and impulses of bodies in touch at once. Velocities minimise their distance from free ones, by
  * mass, and half the square of what contacts push over their penalty; impulses are then what they push. Each round of
@@ -63,7 +70,7 @@ export class Newton {
   #number = new Int32Array(16);
   #part!: Part;
   #analysed = false;
-  /** Matrices factored so far. */
+  /** Matrices factored for this part. */
   factored = 0;
 
   constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
@@ -83,6 +90,7 @@ export class Newton {
       if (!this.#minimise()) return false;
       const miss = this.#raise(share);
       if (miss < MISS) return true;
+      if (this.#exhausted) return miss < MISSED;
       share = miss > SLOW * before ? 0.5 : 1;
       before = miss;
     }
@@ -92,6 +100,7 @@ export class Newton {
   #begin(part: Part): void {
     this.#part = part;
     this.#analysed = false;
+    this.factored = 0;
     const { count } = this.#bodies;
     if (this.#number.length < count) this.#number = new Int32Array(2 * count);
     if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
@@ -106,6 +115,11 @@ export class Newton {
     for (const i of this.#part.contacts)
       for (let k = i * C.size; k < i * C.size + 3; k++) c[k + C.impulse]! *= KEPT;
     for (const i of this.#part.rows) r[i * R.size + R.impulse]! *= KEPT;
+  }
+
+  /** What costs too much is cut short: the next step goes on from there. */
+  get #exhausted(): boolean {
+    return this.factored > LEAST && this.factored * this.#matrix.products > WORK;
   }
 
   /** The structure of the matrix: only once it is needed. */
@@ -163,6 +177,7 @@ export class Newton {
       if (!this.#assemble()) return false;
       if (this.#findDirection() < STILL) return true;
       this.#go();
+      if (this.#exhausted) return this.#readSlope() < MISSED;
     }
     return true;
   }

@@ -16,10 +16,10 @@ const SHALLOW = 1e-3;
 const PUSH_SHARE = 0.8;
 
 /**
- * Share of the depth that contacts keep by which one may lie less deep and still bear: what stands on four legs would
- * else stand on three, as single precision has it.
+ * By so much a contact may lie less deep than it should and still bear, metres: what stands on four legs would else stand
+ * on three, as single precision has it.
  */
-const BAND = 0.8;
+const BAND = 8e-6;
 
 /** What a contact point needs to know of the step. */
 export interface ContactStep {
@@ -113,7 +113,8 @@ export class ContactPort {
   ): void {
     const asked = written.has(point);
     const gap = distance + slop;
-    c[at + C.target] = gap > BAND * slop ? -gap / dt : 0;
+    c[at + C.depth] = -gap;
+    c[at + C.target] = gap > BAND ? -gap / dt : 0;
     c[at + C.overlap] = gap < 0 ? -gap * (asked || gap < -SHALLOW ? PUSH_SHARE : SHARE) : 0;
     const restitution = this.#ammo.HEAPF32[(point + POINT.restitution) >> 2]!;
     if (restitution === 0) return;
@@ -122,6 +123,7 @@ export class ContactPort {
     const back = -restitution * c[at + C.miss]!;
     if (back <= 0) return;
     c[at + C.target] = back;
+    c[at + C.depth] = 0;
     c[at + C.overlap] = 0;
   }
 

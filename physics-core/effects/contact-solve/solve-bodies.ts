@@ -102,6 +102,14 @@ export class SolveBodies {
       }
   }
 
+  /** I⁻¹ v */
+  applyInverseInertia(body: number, v: Float64Array, out: Float64Array): void {
+    const m = this.inverseInertias;
+    const at = 9 * body;
+    for (let k = 0; k < 3; k++)
+      out[k] = m[at + 3 * k]! * v[0]! + m[at + 3 * k + 1]! * v[1]! + m[at + 3 * k + 2]! * v[2]!;
+  }
+
   /** M (v - free), into `momentum`. */
   gradient(bodies: readonly number[]): void {
     for (const body of bodies) {
@@ -136,6 +144,17 @@ export class SolveBodies {
       }
     }
     return most;
+  }
+
+  /** The greatest linear speed of all, m/s. */
+  fastestOf(bodies: readonly number[]): number {
+    const v = this.velocities;
+    let most = 0;
+    for (const body of bodies) {
+      const i = body * SIZE;
+      most = Math.max(most, v[i]! ** 2 + v[i + 1]! ** 2 + v[i + 2]! ** 2);
+    }
+    return Math.sqrt(most);
   }
 
   /** changeᵀ momentum */
@@ -173,20 +192,26 @@ export class SolveBodies {
     }
   }
 
-  /** Its velocity, and by how much it was pushed apart (`change`), go to Bullet. */
-  write(body: number): void {
+  /** Its velocity goes to Bullet. */
+  writeVelocity(body: number): void {
     const f = this.#ammo.HEAPF32;
     const pointer = this.pointers[body]!;
-    const { velocities, change } = this;
     const v = (pointer + BODY.linearVelocity) >> 2;
     const w = (pointer + BODY.angularVelocity) >> 2;
-    const o = (pointer + BODY.origin) >> 2;
-    const at = body * SIZE;
     for (let k = 0; k < 3; k++) {
-      f[v + k] = velocities[at + k]!;
-      f[w + k] = velocities[at + 3 + k]!;
-      f[o + k]! += change[at + k]!;
+      f[v + k] = this.velocities[body * SIZE + k]!;
+      f[w + k] = this.velocities[body * SIZE + 3 + k]!;
     }
+  }
+
+  /** By how much it was pushed apart (`change`), before the step moves it on. */
+  writePlace(body: number): void {
+    const f = this.#ammo.HEAPF32;
+    const pointer = this.pointers[body]!;
+    const { change } = this;
+    const at = body * SIZE;
+    const o = (pointer + BODY.origin) >> 2;
+    for (let k = 0; k < 3; k++) f[o + k]! += change[at + k]!;
     this.#turn(pointer, change[at + 3]!, change[at + 4]!, change[at + 5]!);
   }
 

@@ -32,7 +32,7 @@ fact('the deepest overlap of a ball at rest is the depth that contacts keep', as
   addBody(w, { position: [0, 0.5, 0] });
   w.advance(1);
   for (const { error, contacts } of await w.measureAccuracy({ seconds: 0.5 })) {
-    close(error.penetration, 1e-4, 2e-5, 'm');
+    close(error.penetration, 1e-5, 2e-6, 'm');
     above(contacts, 0);
   }
 });
