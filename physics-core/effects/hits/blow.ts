@@ -12,6 +12,8 @@ export class Blow {
   readonly #chain: Impact[] = [];
   #dt = 0;
   #until = 0;
+  /** Depth that resting contacts keep, metres. */
+  slop = 0;
   /** Hits since whoever counts them set it to 0. */
   strikes = 0;
 
@@ -28,7 +30,11 @@ export class Blow {
       for (const next of hit.a.hits) this.#join(next);
       for (const next of hit.b.hits) this.#join(next);
     }
-    for (const hit of this.#chain) hit.chained = false;
+    for (const hit of this.#chain) {
+      hit.chained = false;
+      // Pressed together again, but too slowly to part once more.
+      if (hit.impulse > 0 && hit.approach > 0) hit.handOver(this.slop);
+    }
   }
 
   #join(hit: Impact): void {
@@ -57,13 +63,17 @@ export class Blow {
     this.#shiftGaps(hit, time);
     this.#push(hit, impulse, time);
     hit.impulse += impulse;
+    hit.a.strikes++;
+    hit.b.strikes++;
     this.strikes++;
     this.#rub(hit, impulse * point.friction, time);
     this.#shiftGaps(hit, -time);
     // What is left is no bounce any more, and the way back to the surface is made up for after the step.
     point.restitution = 0;
-    if (returned > 0) leaveOut(point);
-    else point.solverDistance = 0;
+    if (returned > 0 && !hit.borne) leaveOut(point);
+    else hit.handOver(this.slop);
+    if (hit.a.isSpent) for (const each of hit.a.hits) each.handOver(this.slop);
+    if (hit.b.isSpent) for (const each of hit.b.hits) each.handOver(this.slop);
     // For whoever reads it: here they touched.
     for (let i = 0; i < 3; i++) point.setPositionOnA(i, point.position(i));
   }

@@ -20,6 +20,9 @@ import { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
 
+/** Of places a few metres from the origin, metres: nearer than this, bodies touch. */
+const ROUNDING = 1e-6;
+
 /**
  * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
  * from there are those of that time, so that a bounce is as high at every level. A blow goes on through touching balls as
@@ -42,7 +45,9 @@ export class ImpactPropagation extends Effect implements ContactListener {
   /** Pairs that were looked at again in this step. */
   readonly #seen = new Set<number>();
   #count = 0;
+  /** Rounds of looking, several in a step of Bullet. */
   #steps = 0;
+  #bulletSteps = 0;
   #dt = 0;
   /** Hits up to this time of the step happen now. */
   #until = 0;
@@ -61,6 +66,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
   override beforeStep(dt: number): void {
     this.#dt = this.#until = dt;
     this.#count = 0;
+    this.#bulletSteps++;
+    this.#blow.slop = this.#simulation.bullet.settings.linearSlop;
     this.#newRound();
   }
 
@@ -95,7 +102,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     point.restitution = share;
     if (share === 0) return;
     // Neither a gap to close nor a depth to push out: the body is moved after the step.
-    point.solverDistance = -this.#simulation.bullet.settings.linearSlop;
+    point.solverDistance = -this.#blow.slop;
     if (a.movable) a.bounce(hit.time);
     if (b.movable) b.bounce(hit.time);
   }
@@ -104,12 +111,14 @@ export class ImpactPropagation extends Effect implements ContactListener {
     if (hit.a.movable) hit.a.hits.push(hit);
     if (hit.b.movable) hit.b.hits.push(hit);
     if (hit.comes(this.#dt, this.#until)) this.#blow.handOn(hit, this.#dt, this.#until);
+    // What rests comes no more back in Bullet's solver than here.
+    else if (hit.point.solverDistance <= ROUNDING) hit.handOver(this.#blow.slop);
   }
 
   #linkOf(body: Body): StruckBody {
     const link = (this.#links[body.slot] ??= new StruckBody(this.#simulation.engine, this.#rows));
     if (link.step !== this.#steps) {
-      link.take(body, this.#steps);
+      link.take(body, this.#steps, this.#bulletSteps, this.#until > 0);
       this.#touched.push(link);
     }
     return link;
@@ -125,6 +134,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const { engine, bullet } = this.#simulation;
     if (!engine.heapTrusted) return;
     const struck = this.#blow.strikes > 0;
+    for (const link of this.#touched) link.weigh(dt);
     this.#makeUpAll(dt);
     engine.pairTest.clear(bullet.bullet);
     this.#until = 0;
