@@ -4,9 +4,10 @@ import { isDirected, type ContactParameters } from '../../dynamics/contact-param
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Blow, MOST_HITS } from './blow.js';
 import { continuousCollision } from './continuous-collision.js';
+import { hitShapeOf, type HitShape } from './hit-shape.js';
 import { Impact, OVER } from './impact.js';
 import { StruckBody } from './struck-body.js';
-import { isBallAt, isRound } from '../contacts/contact-part.js';
+import { isBallAt, isRound, partOf } from '../contacts/contact-part.js';
 import type { Pair } from '../contacts/contact-rows.js';
 import {
   contactSurface,
@@ -39,7 +40,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   readonly #hits: Impact[] = [];
   /** By slot of the body. */
   readonly #links: StruckBody[] = [];
-  readonly #blow = new Blow();
+  readonly #blow: Blow;
   /** Of the step that runs. */
   readonly #touched: StruckBody[] = [];
   /** Pairs that were looked at again in this step. */
@@ -59,6 +60,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#simulation = simulation;
     this.#effects = effects;
     this.#rows = new JointRows(simulation);
+    this.#blow = new Blow(simulation.engine);
     this.#surface = effects.get(contactSurface);
     this.#surface.listener = this;
   }
@@ -84,10 +86,10 @@ export class ImpactPropagation extends Effect implements ContactListener {
     hit.b = this.#linkOf(b);
     hit.bounce = bounce;
     hit.least = Math.max(minBounceSpeed, OVER);
-    hit.gap = at.distance + hit.a.lateAt(hit.point) - hit.b.lateAt(hit.point);
-    hit.impulse = 0;
-    hit.chained = false;
-    hit.weigh(this.#dt);
+    hit.shapeA = this.#shapeOf(at, a, b, 0);
+    hit.shapeB = this.#shapeOf(at, a, b, 1);
+    hit.begin(at.distance, this.#dt);
+    if (!this.#swept) this.#blow.timeOfImpact.measure(hit, this.#dt);
     const alone = round && !hit.a.hangs && !hit.b.hangs;
     if (alone || this.#swept) this.#meet(hit);
     else this.#leave(hit);
@@ -113,6 +115,14 @@ export class ImpactPropagation extends Effect implements ContactListener {
     if (hit.comes(this.#dt, this.#until)) this.#blow.handOn(hit, this.#dt, this.#until);
     // What rests comes no more back in Bullet's solver than here.
     else if (hit.point.solverDistance <= ROUNDING) hit.handOver(this.#blow.slop);
+  }
+
+  /** Where a sweep says what was met it may be another part. */
+  #shapeOf(at: ContactPoint, a: Body, b: Body, side: 0 | 1): HitShape | undefined {
+    const body = side === 0 ? a : b;
+    if (this.#swept && body.solidParts.length > 1) return undefined;
+    const part = partOf(at, body, side);
+    return part && hitShapeOf(part, body);
   }
 
   #linkOf(body: Body): StruckBody {

@@ -1,5 +1,8 @@
 import { ContactPoint } from '../../engine/contact-point.js';
+import { originOf, speedAt } from '../../engine/body-heap.js';
+import type { Ammo } from '../../engine/ammo.js';
 import type { Engine } from '../../engine/engine.js';
+import type { HitShape } from './hit-shape.js';
 import type { StruckBody } from './struck-body.js';
 
 /** Below this approach a hit is over: what bounces less and less would go on for ever, m/s. */
@@ -7,9 +10,19 @@ export const OVER = 1e-3;
 
 /** A point where something round touches: whether it hits in this step, when, and how hard. */
 export class Impact {
+  readonly #ammo: Ammo;
   readonly point: ContactPoint;
   a!: StruckBody;
   b!: StruckBody;
+  /** Of what touches, where a ball touches something that is known in closed form. */
+  shapeA: HitShape | undefined;
+  shapeB: HitShape | undefined;
+  /** From B into A, and from both centres of mass to where they touch: as Bullet found it, then at the hit's own time. */
+  readonly normal = new Float64Array(3);
+  readonly armA = new Float64Array(3);
+  readonly armB = new Float64Array(3);
+  /** Hits of both bodies when it was located last. */
+  #located = -1;
   bounce = 0;
   /** Approach speed that bounces at least, m/s. */
   least = 0;
@@ -33,6 +46,7 @@ export class Impact {
   speed = 0;
 
   constructor({ ammo }: Engine) {
+    this.#ammo = ammo;
     this.point = new ContactPoint(ammo);
   }
 
@@ -42,28 +56,90 @@ export class Impact {
   }
 
   get approach(): number {
-    const { point } = this;
-    return this.#lead - point.speed(point.normal(0), point.normal(1), point.normal(2));
+    return this.#lead - this.speedAlong(this.normal[0]!, this.normal[1]!, this.normal[2]!);
   }
 
-  weigh(dt: number): void {
-    this.#depth = this.point.solverDistance;
+  /** Of A against B where they touch, m/s. */
+  speedAlong(x: number, y: number, z: number): number {
+    const { a, b, armA, armB } = this;
+    return (
+      speedAt(this.#ammo, a.body.pointer, armA, x, y, z) -
+      speedAt(this.#ammo, b.body.pointer, armB, x, y, z)
+    );
+  }
+
+  /** As Bullet found it. */
+  begin(distance: number, dt: number): void {
+    const { point, a, b } = this;
+    for (let i = 0; i < 3; i++) {
+      this.normal[i] = point.normal(i);
+      this.armA[i] = point.position(i) - originOf(this.#ammo, a.body.pointer, i);
+      this.armB[i] = point.position(i) - originOf(this.#ammo, b.body.pointer, i);
+    }
+    this.gap = distance + a.lateAt(this.armA, this.normal) - b.lateAt(this.armB, this.normal);
+    this.#depth = point.solverDistance;
+    this.#located = -1;
+    this.impulse = 0;
+    this.chained = false;
+    this.#weigh(dt);
+  }
+
+  /** So far apart at the start of the step. */
+  measured(gap: number, dt: number): void {
+    this.gap = gap;
+    this.#weigh(dt);
+  }
+
+  /** It was located at this time: the plane in which they touch then. */
+  touchAt(time: number, dt: number): void {
+    this.#weigh(dt);
+    this.gap = (this.approach + (this.#pull * time) / 2) * time;
+  }
+
+  /** Whether its time and place are those of the velocities of now. */
+  get isLocated(): boolean {
+    return this.#located === this.a.strikes + this.b.strikes;
+  }
+
+  noteLocated(): void {
+    this.#located = this.a.strikes + this.b.strikes;
+  }
+
+  /** For whoever reads it: here they touched. */
+  writePlace(): void {
+    const { point, b } = this;
+    for (let i = 0; i < 3; i++) {
+      const place = originOf(this.#ammo, b.body.pointer, i) + this.armB[i]!;
+      point.setNormal(i, this.normal[i]!);
+      point.setPosition(i, place);
+      point.setPositionOnA(i, place);
+    }
+  }
+
+  /** Whether one of the bodies, which lies on something else, does not fall away from the other. */
+  stays(link: StruckBody): boolean {
+    return link.carried && this.#pullOf(link, link === this.a ? -1 : 1) < 0;
+  }
+
+  #weigh(dt: number): void {
     this.#pull = this.#lead = this.#rest = 0;
-    this.#weigh(this.a, -1, dt);
-    this.#weigh(this.b, 1, dt);
+    this.#add(this.a, -1, dt);
+    this.#add(this.b, 1, dt);
     if (!this.borne) this.#rest = this.#pull;
   }
 
   /** Of bodies in joints the joint solve hands over velocities of the step's middle, less what Bullet will add. */
-  #weigh({ body, movable, jointed, carried }: StruckBody, sign: 1 | -1, dt: number): void {
-    if (!movable) return;
-    const { point } = this;
-    const [x, y, z] = body.gravity;
-    const pull = sign * (x * point.normal(0) + y * point.normal(1) + z * point.normal(2));
+  #add(link: StruckBody, sign: 1 | -1, dt: number): void {
+    if (!link.movable) return;
+    const pull = this.#pullOf(link, sign);
     this.#rest = Math.max(this.#rest, Math.abs(pull));
-    if (jointed) this.#lead += pull * dt;
-    // What lies on something else does not fall away from the other.
-    else if (!(carried && pull < 0)) this.#pull += pull;
+    if (link.jointed) this.#lead += pull * dt;
+    else if (!this.stays(link)) this.#pull += pull;
+  }
+
+  #pullOf({ body: { gravity } }: StruckBody, sign: 1 | -1): number {
+    const [x, y, z] = gravity;
+    return sign * (x * this.normal[0]! + y * this.normal[1]! + z * this.normal[2]!);
   }
 
   /**

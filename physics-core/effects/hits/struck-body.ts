@@ -1,5 +1,3 @@
-import type { ContactPoint } from '../../engine/contact-point.js';
-import { originOf } from '../../engine/body-heap.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
@@ -137,18 +135,15 @@ export class StruckBody {
     }
   }
 
-  /** How far it is led back already along the normal of a point, metres. */
-  lateAt(point: ContactPoint): number {
+  /** How far it is led back already at an arm from its centre of mass, along a normal, metres. */
+  lateAt(arm: Float64Array, normal: Float64Array): number {
     if (!this.struck) return 0;
-    const { ammo } = this.#engine;
-    const { pointer } = this.body;
-    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const rx = point.position(0) - originOf(ammo, pointer, 0);
-    const ry = point.position(1) - originOf(ammo, pointer, 1);
-    const rz = point.position(2) - originOf(ammo, pointer, 2);
     const [u, v, w, p, q, r] = this.late;
+    const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
     return (
-      x * (u! + q! * rz - r! * ry) + y * (v! + r! * rx - p! * rz) + z * (w! + p! * ry - q! * rx)
+      normal[0]! * (u! + q! * rz - r! * ry) +
+      normal[1]! * (v! + r! * rx - p! * rz) +
+      normal[2]! * (w! + p! * ry - q! * rx)
     );
   }
 
