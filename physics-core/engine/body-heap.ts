@@ -26,6 +26,25 @@ export function speedBetween({ HEAPF32 }: Ammo, a: number, b: number): number {
   return Math.sqrt(x * x + y * y + z * z);
 }
 
+/** Component along (x, y, z) of the velocity that a body's material has at an arm from its centre of mass, m/s. */
+export function speedAt(
+  { HEAPF32 }: Ammo,
+  body: number,
+  arm: Float64Array,
+  x: number,
+  y: number,
+  z: number,
+): number {
+  const v = (body + BODY.linearVelocity) >> 2;
+  const w = (body + BODY.angularVelocity) >> 2;
+  const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
+  return (
+    x * (HEAPF32[v]! + HEAPF32[w + 1]! * rz - HEAPF32[w + 2]! * ry) +
+    y * (HEAPF32[v + 1]! + HEAPF32[w + 2]! * rx - HEAPF32[w]! * rz) +
+    z * (HEAPF32[v + 2]! + HEAPF32[w]! * ry - HEAPF32[w + 1]! * rx)
+  );
+}
+
 /** Adds so many times a change to the velocity, six numbers. */
 export function addVelocity({ HEAPF32 }: Ammo, body: number, change: Float64Array, s: number) {
   const v = (body + BODY.linearVelocity) >> 2;

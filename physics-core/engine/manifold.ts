@@ -58,3 +58,16 @@ export function writeDeepestNormal(
   }
   return least < Infinity;
 }
+
+/** The solver's next step does not start from what went through its points in the last one. */
+export function forgetImpulses(ammo: Ammo, manifold: Manifold): void {
+  const { HEAPF32 } = ammo;
+  const count = manifold.getNumContacts();
+  if (count === 0) return;
+  const first = firstPoint(ammo, manifold);
+  for (let i = 0; i < count; i++) {
+    const point = pointAfter(first, i);
+    for (const at of [POINT.impulse, POINT.lateralImpulse1, POINT.lateralImpulse2])
+      HEAPF32[(point + at) >> 2] = 0;
+  }
+}

@@ -244,6 +244,7 @@ export class ContactSolve extends Effect {
   }
 
   override solved(): void {
+    const f = this.#simulation.engine.ammo.HEAPF32;
     for (const part of this.#solved) {
       for (const body of part.bodies) {
         this.#bodies.writeVelocity(body);

@@ -16,7 +16,8 @@ function partNumberAt(point: ContactPoint, body: Body, side: 0 | 1): number {
   return meshNumberAt(body, point.positionVector());
 }
 
-const partOf = (point: ContactPoint, body: Body, side: 0 | 1): CollidablePart | undefined =>
+/** The part of a body that a contact point lies on. */
+export const partOf = (point: ContactPoint, body: Body, side: 0 | 1): CollidablePart | undefined =>
   body.solidParts[partNumberAt(point, body, side)];
 
 /** The collidable of a body that a contact point lies on. */

@@ -1,6 +1,5 @@
 import type { Ammo } from '../../engine/ammo.js';
-import type { ContactPoint } from '../../engine/contact-point.js';
-import { addVelocity, originOf, writeInverseMass } from '../../engine/body-heap.js';
+import { addVelocity, writeInverseMass } from '../../engine/body-heap.js';
 import type { Body } from '../../dynamics/body.js';
 import type { JointRows } from '../joints/joint-rows.js';
 import { holds, otherEnd } from '../../dynamics/jointed.js';
@@ -65,12 +64,9 @@ export class EffectiveMassMatrix {
     return inverseEffectiveMass;
   }
 
-  /** Change of speed along (x, y, z) at a contact point for an impulse of 1 N s there, 1/kg. */
-  inverseEffectiveMass(point: ContactPoint, x: number, y: number, z: number): number {
-    const { pointer } = this.body;
-    const rx = point.position(0) - originOf(this.#ammo, pointer, 0);
-    const ry = point.position(1) - originOf(this.#ammo, pointer, 1);
-    const rz = point.position(2) - originOf(this.#ammo, pointer, 2);
+  /** Change of speed along (x, y, z) at an arm from the centre of mass for an impulse of 1 N s there, 1/kg. */
+  inverseEffectiveMass(arm: Float64Array, x: number, y: number, z: number): number {
+    const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
     const push = this.#push;
     [push[0], push[1], push[2]] = [x, y, z];
     push[3] = ry * z - rz * y;

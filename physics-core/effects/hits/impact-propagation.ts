@@ -4,9 +4,10 @@ import { isDirected, type ContactParameters } from '../../dynamics/contact-param
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Blow, MOST_HITS } from './blow.js';
 import { continuousCollision } from './continuous-collision.js';
+import { hitShapeOf, type HitShape } from './hit-shape.js';
 import { Impact, OVER } from './impact.js';
 import { StruckBody } from './struck-body.js';
-import { isBallAt, isRound } from '../contacts/contact-part.js';
+import { isBallAt, isRound, partOf } from '../contacts/contact-part.js';
 import type { Pair } from '../contacts/contact-rows.js';
 import {
   contactSurface,
@@ -19,6 +20,9 @@ import type { Effects } from '../effect/effects.js';
 import { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
+
+/** Of places a few metres from the origin, metres: nearer than this, bodies touch. */
+const ROUNDING = 1e-6;
 
 /**
  * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
@@ -36,13 +40,15 @@ export class ImpactPropagation extends Effect implements ContactListener {
   readonly #hits: Impact[] = [];
   /** By slot of the body. */
   readonly #links: StruckBody[] = [];
-  readonly #blow = new Blow();
+  readonly #blow: Blow;
   /** Of the step that runs. */
   readonly #touched: StruckBody[] = [];
   /** Pairs that were looked at again in this step. */
   readonly #seen = new Set<number>();
   #count = 0;
+  /** Rounds of looking, several in a step of Bullet. */
   #steps = 0;
+  #bulletSteps = 0;
   #dt = 0;
   /** Hits up to this time of the step happen now. */
   #until = 0;
@@ -54,6 +60,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#simulation = simulation;
     this.#effects = effects;
     this.#rows = new JointRows(simulation);
+    this.#blow = new Blow(simulation.engine);
     this.#surface = effects.get(contactSurface);
     this.#surface.listener = this;
   }
@@ -61,6 +68,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
   override beforeStep(dt: number): void {
     this.#dt = this.#until = dt;
     this.#count = 0;
+    this.#bulletSteps++;
+    this.#blow.slop = this.#simulation.bullet.settings.linearSlop;
     this.#newRound();
   }
 
@@ -77,10 +86,10 @@ export class ImpactPropagation extends Effect implements ContactListener {
     hit.b = this.#linkOf(b);
     hit.bounce = bounce;
     hit.least = Math.max(minBounceSpeed, OVER);
-    hit.gap = at.distance + hit.a.lateAt(hit.point) - hit.b.lateAt(hit.point);
-    hit.impulse = 0;
-    hit.chained = false;
-    hit.weigh(this.#dt);
+    hit.shapeA = this.#shapeOf(at, a, b, 0);
+    hit.shapeB = this.#shapeOf(at, a, b, 1);
+    hit.begin(at.distance, this.#dt);
+    if (!this.#swept) this.#blow.timeOfImpact.measure(hit, this.#dt);
     const alone = round && !hit.a.hangs && !hit.b.hangs;
     if (alone || this.#swept) this.#meet(hit);
     else this.#leave(hit);
@@ -95,7 +104,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     point.restitution = share;
     if (share === 0) return;
     // Neither a gap to close nor a depth to push out: the body is moved after the step.
-    point.solverDistance = -this.#simulation.bullet.settings.linearSlop;
+    point.solverDistance = -this.#blow.slop;
     if (a.movable) a.bounce(hit.time);
     if (b.movable) b.bounce(hit.time);
   }
@@ -104,12 +113,22 @@ export class ImpactPropagation extends Effect implements ContactListener {
     if (hit.a.movable) hit.a.hits.push(hit);
     if (hit.b.movable) hit.b.hits.push(hit);
     if (hit.comes(this.#dt, this.#until)) this.#blow.handOn(hit, this.#dt, this.#until);
+    // What rests comes no more back in Bullet's solver than here.
+    else if (hit.point.solverDistance <= ROUNDING) hit.handOver(this.#blow.slop);
+  }
+
+  /** Where a sweep says what was met it may be another part. */
+  #shapeOf(at: ContactPoint, a: Body, b: Body, side: 0 | 1): HitShape | undefined {
+    const body = side === 0 ? a : b;
+    if (this.#swept && body.solidParts.length > 1) return undefined;
+    const part = partOf(at, body, side);
+    return part && hitShapeOf(part, body);
   }
 
   #linkOf(body: Body): StruckBody {
     const link = (this.#links[body.slot] ??= new StruckBody(this.#simulation.engine, this.#rows));
     if (link.step !== this.#steps) {
-      link.take(body, this.#steps);
+      link.take(body, this.#steps, this.#bulletSteps, this.#until > 0);
       this.#touched.push(link);
     }
     return link;
@@ -125,6 +144,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const { engine, bullet } = this.#simulation;
     if (!engine.heapTrusted) return;
     const struck = this.#blow.strikes > 0;
+    for (const link of this.#touched) link.weigh(dt);
     this.#makeUpAll(dt);
     engine.pairTest.clear(bullet.bullet);
     this.#until = 0;

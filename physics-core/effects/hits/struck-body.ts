@@ -1,5 +1,3 @@
-import type { ContactPoint } from '../../engine/contact-point.js';
-import { originOf } from '../../engine/body-heap.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
@@ -11,6 +9,12 @@ import type { Impact } from './impact.js';
 
 /** Linear, then angular. */
 const WIDTH = 6;
+
+/** Hits of one body in a step; the balls of a cradle take fewer, those of a heap would take hundreds. */
+const MOST_STRIKES = 24;
+
+/** How much more than its weight may act on it, as a square: rounding. */
+const EVEN = 1.02;
 
 const pose = new Float64Array(POSE);
 const velocity = new Float64Array(6);
@@ -26,6 +30,13 @@ export class StruckBody {
   /** Whether the joint solve moves it, and whether others that move hang on it. */
   jointed = false;
   hangs = false;
+  /** Whether half its weight or more was borne in the last step of Bullet: by what that solves alone, or hits as well. */
+  carried = false;
+  borne = false;
+  /** The step of Bullet that it was last touched in. */
+  #touchedIn = -1;
+  /** In this step of Bullet. */
+  strikes = 0;
   /** The step that it belongs to. */
   step = -1;
   /** Whether its effectiveMass is known in this step, and it was struck. */
@@ -33,6 +44,9 @@ export class StruckBody {
   struck = false;
   /** The step that it was last struck in. */
   struckIn = -1;
+  /** Velocity as Bullet's step begins. */
+  readonly #start = new Float64Array(WIDTH);
+  #weighed = false;
   /** Velocity before it was struck. */
   readonly before = new Float64Array(WIDTH);
   /** When Bullet's solver lets it bounce, seconds; NaN: it does not. */
@@ -48,8 +62,12 @@ export class StruckBody {
     this.effectiveMass = new EffectiveMassMatrix(engine.ammo, rows);
   }
 
-  take(body: Body, step: number): void {
+  /** `begins`: Bullet's step, so many after the first, is still to come. */
+  take(body: Body, step: number, bulletStep: number, begins: boolean): void {
     this.step = step;
+    if (bulletStep > this.#touchedIn + 1) this.carried = this.borne = false;
+    if (bulletStep > this.#touchedIn) this.strikes = 0;
+    this.#touchedIn = bulletStep;
     this.body = body;
     this.movable = body.movable;
     this.jointed = isJointed(body);
@@ -57,6 +75,29 @@ export class StruckBody {
     this.hits.length = 0;
     this.#known = this.struck = false;
     this.bounces = NaN;
+    this.#weighed = begins && this.movable && !this.jointed;
+    if (this.#weighed) this.#engine.reader.velocity(body.body, body.pointer, this.#start, 0);
+  }
+
+  /** What lies between others may be hit to and fro without end: from here on Bullet holds it against all of them at once. */
+  get isSpent(): boolean {
+    return this.movable && this.strikes >= MOST_STRIKES;
+  }
+
+  /** Once Bullet's step is over: what its weight should have given it, and hits did not, something took. */
+  weigh(dt: number): void {
+    const { body, pointer, gravity } = this.body;
+    this.carried = this.borne = false;
+    if (!this.#weighed || !this.body.active) return;
+    this.#engine.reader.velocity(body, pointer, velocity, 0);
+    let [gained, due, hit] = [0, 0, 0];
+    for (let i = 0; i < 3; i++) {
+      if (this.struck) hit += gravity[i]! * this.change[i]!;
+      gained += gravity[i]! * (velocity[i]! - this.#start[i]!);
+      due += gravity[i]! ** 2 * dt;
+    }
+    this.carried = gained - hit < due / 2;
+    this.borne = gained < due / 2;
   }
 
   /** What a push would do to it now. */
@@ -94,18 +135,15 @@ export class StruckBody {
     }
   }
 
-  /** How far it is led back already along the normal of a point, metres. */
-  lateAt(point: ContactPoint): number {
+  /** How far it is led back already at an arm from its centre of mass, along a normal, metres. */
+  lateAt(arm: Float64Array, normal: Float64Array): number {
     if (!this.struck) return 0;
-    const { ammo } = this.#engine;
-    const { pointer } = this.body;
-    const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
-    const rx = point.position(0) - originOf(ammo, pointer, 0);
-    const ry = point.position(1) - originOf(ammo, pointer, 1);
-    const rz = point.position(2) - originOf(ammo, pointer, 2);
     const [u, v, w, p, q, r] = this.late;
+    const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
     return (
-      x * (u! + q! * rz - r! * ry) + y * (v! + r! * rx - p! * rz) + z * (w! + p! * ry - q! * rx)
+      normal[0]! * (u! + q! * rz - r! * ry) +
+      normal[1]! * (v! + r! * rx - p! * rz) +
+      normal[2]! * (w! + p! * ry - q! * rx)
     );
   }
 
@@ -118,15 +156,25 @@ export class StruckBody {
     reader.pose(body.body, body.pointer, pose, 0);
     reader.velocity(body.body, body.pointer, velocity, 0);
     if (this.bounces === this.bounces && !jointed) this.#noteBounce(dt);
+    const evenly = !jointed && this.#isEven(dt);
     for (let i = 0; i < 3; i++) {
       pose[i]! += late[i]!;
-      // The joint solve has its own account of weight.
-      if (!jointed) pose[i]! -= (dt / 2) * (velocity[i]! - before[i]! - change[i]!);
+      if (evenly) pose[i]! -= (dt / 2) * (velocity[i]! - before[i]! - change[i]!);
       displacement[i] = late[3 + i]!;
     }
     writeTurn(turn, displacement, 1);
     multiply4(turn, turn, 0, pose, 3);
     body.body.setCenterOfMassTransform(scratch.transform(pose, turn));
+  }
+
+  /** Whether no more than its weight acted beside its hits. The joint solve has its own account of weight. */
+  #isEven(dt: number): boolean {
+    let [rest, weight] = [0, 0];
+    for (let i = 0; i < 3; i++) {
+      rest += (velocity[i]! - this.before[i]! - this.change[i]!) ** 2;
+      weight += (this.body.gravity[i]! * dt) ** 2;
+    }
+    return rest <= EVEN * weight;
   }
 
   #begin(): void {

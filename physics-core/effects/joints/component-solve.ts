@@ -134,9 +134,12 @@ export class ComponentSolve {
     return disturbed;
   }
 
-  /** What was moved together again shall not go on moving. */
-  takeBack(): void {
-    for (const component of this.#repaired) this.#stabilization.takeBack(component);
+  /** What was moved together again shall not go on moving. `tell`: where more than that had to be taken, m/s. */
+  takeBack(tell: (component: Component, speed: number) => void): void {
+    for (const component of this.#repaired) {
+      const speed = this.#stabilization.takeBack(component);
+      if (speed > 0) tell(component, speed);
+    }
   }
 
   /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
@@ -235,10 +238,14 @@ export class ComponentSolve {
   }
 
   #forgetCorrections(component: Component, dt: number, repair: 0 | 1): void {
-    for (const k of component.pins) this.#pins.forgetCorrections(k);
-    for (const k of component.rows) this.#rows.forgetCorrections(k);
+    this.#dropCorrections(component);
     this.#setTargets(component, dt, repair);
     this.#system.again(component);
+  }
+
+  #dropCorrections({ pins, rows }: Component): void {
+    for (const k of pins) this.#pins.forgetCorrections(k);
+    for (const k of rows) this.#rows.forgetCorrections(k);
   }
 
   /** Joints that an edit tore apart come together in the step, but what that takes is no motion of the bodies. */
@@ -247,7 +254,10 @@ export class ComponentSolve {
     this.#stabilization.keep(component);
     this.#setTargets(component, dt, 1);
     for (const k of component.rows) this.#bounded.setRepairTargets(k, dt);
-    return this.#find(component, dt, 1);
+    const found = this.#find(component, dt, 1);
+    // The next step's ways are round by nothing like these.
+    this.#dropCorrections(component);
+    return found;
   }
 
   /** What meets a stop within the step is thrown back there: the step takes it elsewhere than its rate after it would. */

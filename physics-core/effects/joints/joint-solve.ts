@@ -141,8 +141,19 @@ export class JointSolve extends Effect {
   }
 
   override afterStep(): void {
-    this.#solver.takeBack();
+    this.#solver.takeBack(this.#tellThrown);
   }
+
+  readonly #tellThrown = (component: Component, speed: number): void => {
+    const joint = this.#joints[component.joints[0]!]!;
+    joint.report({
+      code: 'joint-repair',
+      severity: 'info',
+      value: speed,
+      used: 'the speeds from before',
+      message: `${joint.label}, or a joint that it hangs together with, was torn so far apart that putting it together would throw its bodies away; they keep the speeds that they had`,
+    });
+  };
 
   #solve(component: Component, dt: number): void {
     if (!this.#solver.solve(component, dt)) {

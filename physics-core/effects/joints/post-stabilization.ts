@@ -10,6 +10,11 @@ import type { RowSystem } from './row-system.js';
 /** Share of a velocity, or of a place, that single precision may change in a step. */
 const SAME = 1e-5;
 
+/** What weight and contacts may add in a step to bodies at rest, m/s and rad/s. */
+const GENTLE = 2;
+
+const speedIn = (v: Float64Array, at: number): number => Math.hypot(v[at]!, v[at + 1]!, v[at + 2]!);
+
 /** What Bullet's step made of the velocities it was given, and what is put right of it. */
 export class PostStabilization {
   readonly #simulation: Simulation;
@@ -17,6 +22,8 @@ export class PostStabilization {
   readonly #jointed: JointedBodies;
   /** Of velocities given to Bullet, what is motion: the rest closes what an edit tore. Then that rest. */
   #kept = new Float64Array(0);
+  /** What of them is motion. */
+  #motion = new Float64Array(0);
   readonly #pose = new Float64Array(POSE);
   readonly #now = new Float64Array(SIDE);
   readonly #displacement = new Float64Array(3);
@@ -31,13 +38,15 @@ export class PostStabilization {
   take(bodies: number): void {
     if (this.#kept.length >= bodies * SIDE) return;
     this.#kept = new Float64Array(bodies * 2 * SIDE);
+    this.#motion = new Float64Array(bodies * 2 * SIDE);
   }
 
   /** Notes the velocities found: what is found beyond them is taken back after the step. */
   keep({ bodies }: Component): void {
     const { velocity } = this.#system;
     for (const i of bodies)
-      for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x] = velocity[x]!;
+      for (let x = i * SIDE; x < (i + 1) * SIDE; x++)
+        this.#kept[x] = this.#motion[x] = velocity[x]!;
   }
 
   /** Those that close joints are found: notes what of them is to be taken back. */
@@ -47,17 +56,34 @@ export class PostStabilization {
       for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x]! -= velocity[x]!;
   }
 
-  takeBack({ bodies }: Component): void {
+  /** Returns the greatest speed (m/s, rad/s) that the way together left beyond what could be motion: it goes, too. */
+  takeBack({ bodies }: Component): number {
     const { engine, bodies: all } = this.#simulation;
     const now = this.#now;
+    const most = this.#mostSpeed(bodies);
+    let left = 0;
     for (const i of bodies) {
       const node = this.#jointed.bodies[i]!;
       if (!node.active) continue;
       engine.reader.velocity(node.body, node.pointer, now, 0);
       for (let x = 0; x < SIDE; x++) now[x]! += this.#kept[i * SIDE + x]!;
+      const speed = Math.max(speedIn(now, 0), speedIn(now, 3));
+      if (speed > most) {
+        left = Math.max(left, speed);
+        for (let x = 0; x < SIDE; x++) now[x] = this.#motion[i * SIDE + x]!;
+      }
       engine.velocities.write(node.body, node.pointer, now, 0);
       all.readVelocity(node);
     }
+    return left;
+  }
+
+  /** A hit may turn a body round, or hand on what another one had. */
+  #mostSpeed(bodies: Int32Array): number {
+    let most = 0;
+    for (const i of bodies)
+      for (const part of [0, 3]) most = Math.max(most, speedIn(this.#motion, i * SIDE + part));
+    return 2 * most + GENTLE;
   }
 
   /** Whether something else than joints and forces acted on a body in the step. */

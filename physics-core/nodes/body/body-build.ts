@@ -62,6 +62,7 @@ export class BodyBuild {
   #applyMass(): void {
     const node = this.#node;
     node.object.setMass();
+    node.world.bullet.forgetImpulsesOf(node.pointer);
     node.loads.applyDamping();
     node.loads.applyGravity();
     node.changed('mass');

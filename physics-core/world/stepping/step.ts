@@ -1,6 +1,7 @@
 import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
+import { HardContacts } from '../pairs/hard-contacts.js';
 import { reportOverlaps } from '../pairs/overlaps.js';
 import type { PhaseCosts } from './phase-costs.js';
 import type { StepTime } from './step-time.js';
@@ -18,6 +19,7 @@ export class Step {
   readonly #costs: PhaseCosts;
   /** Listeners of a step may ask for another: there is none in it. */
   running = false;
+  readonly #hardContacts: HardContacts;
   /** The next step is the first one: bodies may begin inside each other. */
   #first = true;
 
@@ -25,11 +27,13 @@ export class Step {
     this.#world = world;
     this.#time = time;
     this.#costs = costs;
+    this.#hardContacts = new HardContacts(world);
   }
 
   /** A Bullet world was made: whatever overlaps in its first step was there before. `first` FALSE: it goes on from a time. */
   begin(first: boolean): void {
     this.#first = first;
+    this.#hardContacts.forget();
   }
 
   /** The road of a step, stage by stage. Returns the seconds it took: none where a listener ended the world. */
@@ -103,6 +107,7 @@ export class Step {
     this.#world.rays.moved();
     if (this.#first) reportOverlaps(this.#world);
     this.#first = false;
+    this.#hardContacts.look(this.#world.timeStep);
   }
 
   #read(): number {

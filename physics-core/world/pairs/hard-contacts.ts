@@ -1,0 +1,171 @@
+import { compose, dot, length, subtract } from '../../base/math.js';
+import { keyOf } from '../../effects/contacts/touches.js';
+import type { Body } from '../../dynamics/body.js';
+import { isJointed } from '../../dynamics/jointed.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { ContactPoint } from '../../engine/contact-point.js';
+import { hitShapeOf } from '../../effects/hits/hit-shape.js';
+import { eachContactPoint } from '../../effects/contacts/contact-points.js';
+import { Streaks } from './streaks.js';
+
+/** A body on one so many times lighter is more than contacts hold. */
+export const MOST_MASS_RATIO = 10_000;
+
+/** Seconds between two looks, and looks in a row that must find the same: what hits is thrown out at once. */
+const PAUSE = 0.1;
+const LOOKS = 4;
+
+/** From this share of its least extent in an obstacle on a body is looked at in every step. */
+const SINKING = 0.1;
+
+/** From here on every step is looked at: a weight that needs no longer to be somewhere else, m/s². */
+const STRONG_GRAVITY = 200;
+
+/** Share of its own least extent that a body's weight may take it in a step. */
+const FAR = 0.5;
+
+/** Tells of what contacts do not hold: seldom looked for, so that it costs next to nothing. */
+export class HardContacts {
+  readonly #simulation: Simulation;
+  readonly #unlike = new Streaks();
+  readonly #sunk = new Streaks();
+  #point: ContactPoint | undefined;
+  #since = Infinity;
+  #strong = false;
+  /** Something is on the way to be told of. */
+  #sinking = false;
+
+  constructor(simulation: Simulation) {
+    this.#simulation = simulation;
+  }
+
+  /** Nothing is known of what was before. */
+  forget(): void {
+    this.#since = Infinity;
+    this.#unlike.forget();
+    this.#sunk.forget();
+  }
+
+  /** After a step of `dt` seconds. */
+  look(dt: number): void {
+    this.#since += dt;
+    const due = this.#since >= PAUSE;
+    if (due) this.#weigh(dt);
+    if (due || this.#strong || this.#sinking) this.#findSunk();
+  }
+
+  #weigh(dt: number): void {
+    this.#since = 0;
+    this.#strong = false;
+    let [most, least] = [0, Infinity];
+    for (const body of this.#simulation.bodies) {
+      if (!body.movable) continue;
+      most = Math.max(most, body.mass.mass);
+      least = Math.min(least, body.mass.mass);
+      const gravity = length(body.gravity);
+      if (gravity < STRONG_GRAVITY) continue;
+      this.#strong = true;
+      if (gravity * dt * dt > FAR * body.leastExtent) this.#tellFar(body, gravity, dt);
+    }
+    this.#unlike.begin();
+    if (most > MOST_MASS_RATIO * least) this.#lookAtPiles();
+  }
+
+  #findSunk(): void {
+    if (!this.#simulation.engine.heapTrusted) return;
+    const point = (this.#point ??= new ContactPoint(this.#simulation.engine.ammo));
+    this.#sunk.begin();
+    this.#sinking = false;
+    eachContactPoint(this.#simulation, (pointer, a, b) => {
+      point.at(pointer, a.pointer, b.pointer);
+      if (a.movable !== b.movable) this.#lookAtObstacle(point, a, b);
+    });
+  }
+
+  /** What moves has come halfway through what does not. Only of what is convex the middle says so. */
+  #lookAtObstacle(point: ContactPoint, a: Body, b: Body): void {
+    const moving = a.movable ? a : b;
+    if (-point.distance < SINKING * moving.leastExtent) return;
+    this.#sinking = true;
+    const height = heightOver(point, moving, a.movable ? 1 : -1);
+    if (!(height < 0)) return;
+    // Under a strong gravity the next look may be too late.
+    if (this.#sunk.note(keyOf(a, b)) >= (this.#strong ? 1 : LOOKS)) this.#tellSunk(a, b);
+  }
+
+  /** Of bodies that hang together by contacts, the heaviest shall lie on none that is far lighter. */
+  #lookAtPiles(): void {
+    const { bodies, engine } = this.#simulation;
+    const piles = new Map<number, { heavy: Body; light: Body }>();
+    for (const body of bodies) {
+      // What hangs on joints is told of by them.
+      if (!body.movable || isJointed(body)) continue;
+      const island = engine.reader.island(body.body, body.pointer);
+      if (island < 0) continue;
+      const pile = piles.get(island);
+      if (!pile) piles.set(island, { heavy: body, light: body });
+      else if (body.mass.mass > pile.heavy.mass.mass) pile.heavy = body;
+      else if (body.mass.mass < pile.light.mass.mass) pile.light = body;
+    }
+    for (const { heavy, light } of piles.values())
+      if (liesOnLighter(heavy, light) && this.#unlike.note(keyOf(heavy, light)) > 1)
+        this.#tellUnlike(heavy, light);
+  }
+
+  #tellFar(body: Body, gravity: number, dt: number): void {
+    const way = gravity * dt * dt;
+    this.#simulation.report(
+      {
+        code: 'strong-gravity',
+        severity: 'warning',
+        value: gravity,
+        used: 'the present accuracy',
+        message: `${body.label}: gravity of ${show(gravity)} m/s² takes it ${show(way)} m in a step, more than half its own size: contacts may not hold it; a finer accuracy does, or less gravity`,
+      },
+      body,
+    );
+  }
+
+  #tellSunk(a: Body, b: Body): void {
+    const [sunk, obstacle] = a.movable ? [a, b] : [b, a];
+    this.#simulation.report(
+      {
+        code: 'sunk',
+        severity: 'warning',
+        attribute: 'position',
+        used: 'the present accuracy',
+        message: `${sunk.label} is pressed through ${obstacle.label}: contacts do not hold what weighs on it; a finer accuracy, less gravity or masses more alike would`,
+      },
+      sunk,
+    );
+  }
+
+  #tellUnlike(heavy: Body, light: Body): void {
+    this.#simulation.report(
+      {
+        code: 'mass-ratio',
+        severity: 'warning',
+        value: heavy.mass.mass / light.mass.mass,
+        used: 'the present accuracy',
+        message: `${heavy.label} (${show(heavy.mass.mass)} kg) weighs on ${light.label} (${show(light.mass.mass)} kg): contacts hold no more than ${MOST_MASS_RATIO} times what lies below`,
+      },
+      heavy,
+    );
+  }
+}
+
+/** Of the middle of a body over the surface that it touches, metres; NaN where it has several parts or an unknown middle. */
+function heightOver(point: ContactPoint, body: Body, sign: 1 | -1): number {
+  const part = body.solidParts.length === 1 ? body.solidParts[0]! : undefined;
+  if (!part || !hitShapeOf(part, body)) return NaN;
+  const middle = compose(body.pose(), part.pose).p;
+  return sign * dot(point.normalVector(), subtract(middle, point.positionVector()));
+}
+
+/** Whether a body is higher than one that is far lighter: the other way round all is well. */
+function liesOnLighter(heavy: Body, light: Body): boolean {
+  if (heavy.mass.mass <= MOST_MASS_RATIO * light.mass.mass) return false;
+  return dot(heavy.gravity, subtract(light.pose().p, heavy.pose().p)) > 0;
+}
+
+const show = (value: number): string => String(Number(value.toPrecision(3)));
