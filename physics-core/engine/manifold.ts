@@ -42,12 +42,12 @@ export function childAt({ HEAP32 }: Ammo, manifold: number, side: 0 | 1): number
   return HEAP32[(manifold + MANIFOLD.points + index) >> 2]!;
 }
 
-/** The normal of its deepest point, from B into A. False: it has no point. */
+/** The normal of its deepest point, from B into A. Returns the distance there, metres; Infinity: it has no point. */
 export function writeDeepestNormal(
   { HEAP32, HEAPF32 }: Ammo,
   manifold: number,
   out: Float64Array,
-): boolean {
+): number {
   let least = Infinity;
   for (let i = 0; i < HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!; i++) {
     const point = manifold + MANIFOLD.points + i * POINT.size;
@@ -56,5 +56,5 @@ export function writeDeepestNormal(
     least = distance;
     for (let k = 0; k < 3; k++) out[k] = HEAPF32[((point + POINT.normalB) >> 2) + k]!;
   }
-  return least < Infinity;
+  return least;
 }
