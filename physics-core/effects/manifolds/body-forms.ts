@@ -17,6 +17,7 @@ export interface PartForm {
 
 /** The forms of a body's solid parts, in Bullet's order. */
 export interface BodyForms {
+  readonly body: Body;
   /** What they were made of: a body whose shape changes has new ones. */
   parts: readonly CollidablePart[];
   forms: readonly PartForm[];
@@ -41,5 +42,5 @@ export function formsOf(body: Body): BodyForms {
     const surface = outline?.kind === 'triangles' ? new Surface(outline.mesh) : undefined;
     return { form, surface, turn, origin: Float64Array.from(p) };
   });
-  return { parts, forms, wanted: wanted(body) !== undefined };
+  return { body, parts, forms, wanted: wanted(body) !== undefined };
 }

@@ -2,11 +2,13 @@ import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { MATRIX } from '../../base/matrix.js';
+import { ContactPoint } from '../../engine/contact-point.js';
 import { writeFrame } from '../../engine/body-heap.js';
-import { breakingAt, childAt, writeDeepestNormal } from '../../engine/manifold.js';
+import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold.js';
 import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
+import { partNumberAt } from '../contacts/contact-part.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';
 import { formsOf, wanted, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact } from './convex-contact.js';
@@ -34,6 +36,7 @@ export class ContactShapes extends Effect {
   readonly #mesh = new MeshContact();
   readonly #a = new PlacedForm();
   readonly #b = new PlacedForm();
+  readonly #point: ContactPoint;
   readonly #normal = new Float64Array(3);
   readonly #rows = new Float64Array(MATRIX);
   readonly #origin = new Float64Array(3);
@@ -43,6 +46,7 @@ export class ContactShapes extends Effect {
     this.#simulation = simulation;
     this.#ammo = simulation.engine.ammo;
     this.#old = new OldPoints(this.#ammo);
+    this.#point = new ContactPoint(this.#ammo);
     this.#writer = new ManifoldWriter(this.#ammo, this.#old, DEFAULT_FRICTION);
   }
 
@@ -72,8 +76,8 @@ export class ContactShapes extends Effect {
   readonly #renew = (manifold: number, a: number, b: number): void => {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
     if (!first || !second || !(first.wanted || second.wanted)) return;
-    const partA = this.#partNumber(manifold, first, 0);
-    const partB = this.#partNumber(manifold, second, 1);
+    const partA = this.#partNumber(manifold, first.body, 0);
+    const partB = this.#partNumber(manifold, second.body, 1);
     const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
     if (!ofA || !ofB || !(ofA.form ?? ofB.form)) return;
     this.#place(this.#a, a, ofA);
@@ -103,8 +107,10 @@ export class ContactShapes extends Effect {
   }
 
   /** The number of the part that a manifold is of, -1 where it does not say so: each pair of parts has one of its own. */
-  #partNumber(manifold: number, { forms }: BodyForms, side: 0 | 1): number {
-    return forms.length <= 1 ? 0 : childAt(this.#ammo, manifold, side);
+  #partNumber(manifold: number, body: Body, side: 0 | 1): number {
+    if (body.solidParts.length <= 1) return 0;
+    const point = firstPointAt(this.#ammo, manifold);
+    return point === 0 ? -1 : partNumberAt(this.#point.at(point, 0, 0), body, side);
   }
 
   #place(placed: PlacedForm, body: number, { form, turn, origin }: PartForm): void {
