@@ -179,9 +179,15 @@ export class FoundPoints implements NewPoints {
   /** Twice the area of a triangle of three points, seen along the normal of the first. */
   #area(i: number, j: number, k: number): number {
     const { at, normal } = this;
-    const [a, b, c] = [3 * i, 3 * j, 3 * k];
-    const [ux, uy, uz] = [at[b]! - at[a]!, at[b + 1]! - at[a + 1]!, at[b + 2]! - at[a + 2]!];
-    const [vx, vy, vz] = [at[c]! - at[a]!, at[c + 1]! - at[a + 1]!, at[c + 2]! - at[a + 2]!];
+    const a = 3 * i;
+    const b = 3 * j;
+    const c = 3 * k;
+    const ux = at[b]! - at[a]!;
+    const uy = at[b + 1]! - at[a + 1]!;
+    const uz = at[b + 2]! - at[a + 2]!;
+    const vx = at[c]! - at[a]!;
+    const vy = at[c + 1]! - at[a + 1]!;
+    const vz = at[c + 2]! - at[a + 2]!;
     return (
       normal[0]! * (uy * vz - uz * vy) +
       normal[1]! * (uz * vx - ux * vz) +

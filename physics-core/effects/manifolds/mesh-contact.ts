@@ -29,6 +29,10 @@ export class MeshContact {
   readonly #box = new Float64Array(BOX);
   readonly #corners = new Float64Array(9);
   readonly #lying = new Float64Array(3 * MOST_CLIPPED);
+  /** What of A lies on the plane of the triangle that was looked at last, before it is clipped. */
+  readonly #lain = new Float64Array(3 * MOST_CLIPPED);
+  #lainCount = 0;
+  readonly #plane = new Float64Array(3);
   readonly #out = new Float64Array(3);
   readonly #normal = new Float64Array(3);
   /** Of one edge or corner, until it is known to stand out. */
@@ -58,6 +62,7 @@ export class MeshContact {
   ): boolean {
     this.#triangle.standAt(at);
     this.#sure = true;
+    this.#plane.fill(0);
     this.#writeBox(a, at, limit);
     const count = surface.near(this.#box, this.#near);
     this.#lowest = known ? -a.height(-normal[0]!, -normal[1]!, -normal[2]!) - DEEPER : -Infinity;
@@ -103,7 +108,7 @@ export class MeshContact {
     const [x, y, z] = [this.#out[0]!, this.#out[1]!, this.#out[2]!];
     const height = x * face[0]! + y * face[1]! + z * face[2]!;
     const lying = this.#lying;
-    const count = clip(lying, a.lying(-x, -y, -z, lying), face, 3, x, y, z);
+    const count = clip(lying, this.#lieDown(a, x, y, z), face, 3, x, y, z);
     let least = Infinity;
     for (let at = 0; at < 3 * count; at += 3)
       least = Math.min(least, x * lying[at]! + y * lying[at + 1]! + z * lying[at + 2]! - height);
@@ -126,6 +131,19 @@ export class MeshContact {
       );
     }
     return true;
+  }
+
+  /** What of A lies on a plane with this normal, which is that of the triangle before more often than not. */
+  #lieDown(a: PlacedForm, x: number, y: number, z: number): number {
+    const plane = this.#plane;
+    if (plane[0] !== x || plane[1] !== y || plane[2] !== z) {
+      plane[0] = x;
+      plane[1] = y;
+      plane[2] = z;
+      this.#lainCount = a.lying(-x, -y, -z, this.#lain);
+    }
+    for (let i = 0; i < 3 * this.#lainCount; i++) this.#lying[i] = this.#lain[i]!;
+    return this.#lainCount;
   }
 
   /** Whether the surface neither ends nor falls beyond those sides of the triangle that the lowest of A is beyond. */
