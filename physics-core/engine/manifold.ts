@@ -35,19 +35,16 @@ export function forgetPoints(ammo: Ammo, manifold: Manifold): void {
 export const breakingAt = ({ HEAPF32 }: Ammo, manifold: number): number =>
   HEAPF32[(manifold + MANIFOLD.breaking) >> 2]!;
 
-/** The number that its first point has for the child of a compound, -1 where it has no point; `side` 0 is A. */
-export function childAt({ HEAP32 }: Ammo, manifold: number, side: 0 | 1): number {
-  if (HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0) return -1;
-  const index = side === 0 ? POINT.index0 : POINT.index1;
-  return HEAP32[(manifold + MANIFOLD.points + index) >> 2]!;
-}
+/** Pointer of the first point of a manifold's pointer, 0 where it has none. */
+export const firstPointAt = ({ HEAP32 }: Ammo, manifold: number): number =>
+  HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0 ? 0 : manifold + MANIFOLD.points;
 
-/** The normal of its deepest point, from B into A. False: it has no point. */
+/** The normal of its deepest point, from B into A. Returns the distance there, metres; Infinity: it has no point. */
 export function writeDeepestNormal(
   { HEAP32, HEAPF32 }: Ammo,
   manifold: number,
   out: Float64Array,
-): boolean {
+): number {
   let least = Infinity;
   for (let i = 0; i < HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!; i++) {
     const point = manifold + MANIFOLD.points + i * POINT.size;
@@ -56,7 +53,7 @@ export function writeDeepestNormal(
     least = distance;
     for (let k = 0; k < 3; k++) out[k] = HEAPF32[((point + POINT.normalB) >> 2) + k]!;
   }
-  return least < Infinity;
+  return least;
 }
 
 /** The solver's next step does not start from what went through its points in the last one. */

@@ -10,7 +10,7 @@ import { tessellate } from '../../shapes/tessellate.js';
  * The number among the solid parts of a body of the one that a contact point lies on; `side` 0 is the manifold's first
  * body. Bullet numbers the children of a compound, but a triangle of a mesh child overwrites that number with its own.
  */
-function partNumberAt(point: ContactPoint, body: Body, side: 0 | 1): number {
+export function partNumberAt(point: ContactPoint, body: Body, side: 0 | 1): number {
   if (body.solidParts.length <= 1) return 0;
   if (!point.onTriangle(side)) return point.child(side);
   return meshNumberAt(body, point.positionVector());

@@ -2,21 +2,26 @@ import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { MATRIX } from '../../base/matrix.js';
+import { ContactPoint } from '../../engine/contact-point.js';
 import { writeFrame } from '../../engine/body-heap.js';
-import { breakingAt, childAt, writeDeepestNormal } from '../../engine/manifold.js';
+import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold.js';
 import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
-import type { Form } from '../../shapes/forms/form.js';
+import { partNumberAt } from '../contacts/contact-part.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';
 import { formsOf, wanted, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
+import { MeshContact } from './mesh-contact.js';
 import { PlacedForm } from './placed-form.js';
+
+/** What Bullet finds so deep in a mesh must not be missed, metres: twice the margin that it has around hulls. */
+const MISSED = 0.01;
 
 /**
  * Bullet adds one point to a manifold in each step and keeps those of earlier poses: of what rolls or turns they are wrong,
- * push from behind and gain energy. Here the points of all pairs with a cylinder, a cone or a hull are worked out from the
+ * push from behind and gain energy. Here the points of all pairs with a cylinder, a cone, a hull or a mesh are worked out from the
  * poses of this very step, between Bullet's contact search, which says who is near whom, and its solver.
  */
 export class ContactShapes extends Effect {
@@ -28,8 +33,10 @@ export class ContactShapes extends Effect {
   readonly #forms: BodyForms[] = [];
   readonly #points = new FoundPoints();
   readonly #convex = new ConvexContact();
+  readonly #mesh = new MeshContact();
   readonly #a = new PlacedForm();
   readonly #b = new PlacedForm();
+  readonly #point: ContactPoint;
   readonly #normal = new Float64Array(3);
   readonly #rows = new Float64Array(MATRIX);
   readonly #origin = new Float64Array(3);
@@ -39,6 +46,7 @@ export class ContactShapes extends Effect {
     this.#simulation = simulation;
     this.#ammo = simulation.engine.ammo;
     this.#old = new OldPoints(this.#ammo);
+    this.#point = new ContactPoint(this.#ammo);
     this.#writer = new ManifoldWriter(this.#ammo, this.#old, DEFAULT_FRICTION);
   }
 
@@ -68,40 +76,61 @@ export class ContactShapes extends Effect {
   readonly #renew = (manifold: number, a: number, b: number): void => {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
     if (!first || !second || !(first.wanted || second.wanted)) return;
-    const partA = this.#partNumber(manifold, first, 0);
-    const partB = this.#partNumber(manifold, second, 1);
+    const partA = this.#partNumber(manifold, first.body, 0);
+    const partB = this.#partNumber(manifold, second.body, 1);
     const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
-    if (!ofA?.form || !ofB?.form) return;
-    this.#place(this.#a, a, ofA.form, ofA);
-    this.#place(this.#b, b, ofB.form, ofB);
-    this.#guess(manifold);
-    const points = this.#points;
-    points.clear();
-    const limit = breakingAt(this.#ammo, manifold);
-    this.#convex.find(this.#a, this.#b, this.#normal, limit, points);
-    points.reduce();
+    if (!ofA || !ofB || !(ofA.form ?? ofB.form)) return;
+    this.#place(this.#a, a, ofA);
+    this.#place(this.#b, b, ofB);
+    const theirs = this.#guess(manifold);
+    if (!this.#find(ofA, ofB, theirs < Infinity, breakingAt(this.#ammo, manifold))) return;
+    if ((ofA.surface ?? ofB.surface) && this.#points.least > 0 && theirs < -MISSED) return;
+    this.#points.reduce();
     this.#old.look(manifold, a, b);
-    this.#writer.write(manifold, a, b, points, partA, partB);
+    this.#writer.write(manifold, a, b, this.#points, partA, partB, ofA.surface ? 0 : 1);
   };
 
-  /** The number of the part that a manifold is of, -1 where it does not say so: each pair of parts has one of its own. */
-  #partNumber(manifold: number, { forms }: BodyForms, side: 0 | 1): number {
-    return forms.length <= 1 ? 0 : childAt(this.#ammo, manifold, side);
+  /** False: Bullet's points are to stay. */
+  #find(ofA: PartForm, ofB: PartForm, known: boolean, limit: number): boolean {
+    const [points, normal] = [this.#points, this.#normal];
+    points.clear();
+    if (ofB.surface)
+      return this.#mesh.find(this.#a, this.#b, ofB.surface, normal, known, limit, points);
+    if (ofA.surface) {
+      for (let k = 0; k < 3; k++) normal[k] = -normal[k]!;
+      const sure = this.#mesh.find(this.#b, this.#a, ofA.surface, normal, known, limit, points);
+      points.swap();
+      return sure;
+    }
+    this.#convex.find(this.#a, this.#b, normal, limit, points);
+    return true;
   }
 
-  #place(placed: PlacedForm, body: number, form: Form, { turn, origin }: PartForm): void {
+  /** The number of the part that a manifold is of, -1 where it does not say so: each pair of parts has one of its own. */
+  #partNumber(manifold: number, body: Body, side: 0 | 1): number {
+    if (body.solidParts.length <= 1) return 0;
+    const point = firstPointAt(this.#ammo, manifold);
+    return point === 0 ? -1 : partNumberAt(this.#point.at(point, 0, 0), body, side);
+  }
+
+  #place(placed: PlacedForm, body: number, { form, turn, origin }: PartForm): void {
     writeFrame(this.#ammo, body, this.#origin, this.#rows);
     placed.put(form, this.#rows, this.#origin, turn, origin);
   }
 
-  /** About where the normal points: that of the deepest point that Bullet has, else from middle to middle. */
-  #guess(manifold: number): void {
+  /**
+   * About where the normal points: that of the deepest point that Bullet has, else from middle to middle. Returns Bullet's
+   * distance.
+   */
+  #guess(manifold: number): number {
     const normal = this.#normal;
-    if (writeDeepestNormal(this.#ammo, manifold, normal)) return;
+    const least = writeDeepestNormal(this.#ammo, manifold, normal);
+    if (least < Infinity) return least;
     for (let k = 0; k < 3; k++) normal[k] = this.#a.origin[k]! - this.#b.origin[k]!;
     const size = Math.hypot(normal[0]!, normal[1]!, normal[2]!);
     if (size > 0) for (let k = 0; k < 3; k++) normal[k]! /= size;
     else normal[1] = 1;
+    return least;
   }
 }
 
@@ -109,7 +138,7 @@ const reasonOf = (body: Body): string | undefined => wanted(body) && 'geometry';
 
 export const contactShapes: EffectDescriptor<ContactShapes> = {
   name: 'contact shapes',
-  causes: 'a body with a cylinder, a cone or a hull',
+  causes: 'a body with a cylinder, a cone, a hull or triangles',
   body: { on: ['mass'], reason: reasonOf },
   load: (simulation) => new ContactShapes(simulation),
 };

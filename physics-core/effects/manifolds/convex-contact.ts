@@ -6,7 +6,7 @@ import { NearestPoints } from './nearest-points.js';
 import type { PlacedForm } from './placed-form.js';
 
 /** So much farther than the nearest corner a face may begin and still bear the contact: the depth that resting contacts keep, metres. */
-const FLUSH = 1e-4;
+export const FLUSH = 1e-4;
 
 /** Of what is small, this share of its reach. */
 const FLUSH_SHARE = 1e-3;

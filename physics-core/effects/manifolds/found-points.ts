@@ -1,8 +1,10 @@
 import type { NewPoints } from '../../engine/manifold-writer.js';
-import { MOST_CLIPPED } from './clip.js';
 
 /** Points that Bullet's manifolds hold. */
 const MOST_POINTS = 4;
+
+/** So many are found before those that are not needed are dropped. */
+const MOST_FOUND = 96;
 
 /** Two points so near each other are one, metres. */
 const SAME = 1e-5;
@@ -19,11 +21,11 @@ const NO_AREA = 1e-12;
 /** Contact points as they are found: where they lie on B, the normal from B into A, and the distance. */
 export class FoundPoints implements NewPoints {
   count = 0;
-  readonly at = new Float64Array(3 * MOST_CLIPPED);
-  readonly normal = new Float64Array(3 * MOST_CLIPPED);
-  readonly distance = new Float64Array(MOST_CLIPPED);
+  readonly at = new Float64Array(3 * MOST_FOUND);
+  readonly normal = new Float64Array(3 * MOST_FOUND);
+  readonly distance = new Float64Array(MOST_FOUND);
   /** The number of the triangle that each lies on. */
-  readonly triangle = new Int32Array(MOST_CLIPPED);
+  readonly triangle = new Int32Array(MOST_FOUND);
   /** Those to be kept. */
   readonly kept = new Int32Array(MOST_POINTS);
   keptCount = 0;
@@ -42,8 +44,8 @@ export class FoundPoints implements NewPoints {
     distance: number,
     triangle: number,
   ): void {
+    if (this.count === MOST_FOUND) this.#condense();
     const at = 3 * this.count;
-    if (this.count === MOST_CLIPPED) return;
     for (let i = 0; i < at; i += 3)
       if (
         Math.abs(this.at[i]! - x) + Math.abs(this.at[i + 1]! - y) + Math.abs(this.at[i + 2]! - z) <
@@ -61,15 +63,57 @@ export class FoundPoints implements NewPoints {
     this.triangle[this.count++] = triangle;
   }
 
-  /** Leaves four at most: the deepest, the one farthest from it, and those that make the largest face with both. */
+  /** A and B change places. */
+  swap(): void {
+    for (let i = 0; i < 3 * this.count; i++) {
+      this.at[i]! += this.normal[i]! * this.distance[Math.floor(i / 3)]!;
+      this.normal[i] = -this.normal[i]!;
+    }
+  }
+
+  /** The points of another. */
+  take({ count, at, normal, distance, triangle }: FoundPoints): void {
+    for (let i = 0; i < count; i++) {
+      const k = 3 * i;
+      this.add(
+        at[k]!,
+        at[k + 1]!,
+        at[k + 2]!,
+        normal[k]!,
+        normal[k + 1]!,
+        normal[k + 2]!,
+        distance[i]!,
+        triangle[i]!,
+      );
+    }
+  }
+
+  /** Only what would be kept of those found so far. */
+  #condense(): void {
+    this.reduce();
+    this.kept.subarray(0, this.keptCount).sort();
+    for (let i = 0; i < this.keptCount; i++) {
+      const from = this.kept[i]!;
+      for (let k = 0; k < 3; k++) {
+        this.at[3 * i + k] = this.at[3 * from + k]!;
+        this.normal[3 * i + k] = this.normal[3 * from + k]!;
+      }
+      this.distance[i] = this.distance[from]!;
+      this.triangle[i] = this.triangle[from]!;
+    }
+    this.count = this.keptCount;
+  }
+
+  /** Leaves four at most: the deepest, which is to stop a blow before the others, the one farthest from it, and those that make the largest face with both. */
   reduce(): void {
     this.keptCount = 0;
-    if (this.count <= MOST_POINTS) {
-      while (this.keptCount < this.count) this.kept[this.keptCount] = this.keptCount++;
-      return;
-    }
+    if (this.count === 0) return;
     const first = this.#deepest();
     this.#keep(first);
+    if (this.count <= MOST_POINTS) {
+      for (let i = 0; i < this.count; i++) if (i !== first) this.#keep(i);
+      return;
+    }
     const second = this.#farthest(first);
     this.#keep(second);
     if (second < 0) return;
@@ -84,9 +128,15 @@ export class FoundPoints implements NewPoints {
     if (number >= 0) this.kept[this.keptCount++] = number;
   }
 
-  #deepest(): number {
+  /** The least distance, metres; Infinity where nothing was found. */
+  get least(): number {
     let least = Infinity;
     for (let i = 0; i < this.count; i++) least = Math.min(least, this.distance[i]!);
+    return least;
+  }
+
+  #deepest(): number {
+    const { least } = this;
     for (let i = 0; i < this.count; i++) if (this.distance[i]! <= least + AS_DEEP) return i;
     return 0;
   }
@@ -129,9 +179,15 @@ export class FoundPoints implements NewPoints {
   /** Twice the area of a triangle of three points, seen along the normal of the first. */
   #area(i: number, j: number, k: number): number {
     const { at, normal } = this;
-    const [a, b, c] = [3 * i, 3 * j, 3 * k];
-    const [ux, uy, uz] = [at[b]! - at[a]!, at[b + 1]! - at[a + 1]!, at[b + 2]! - at[a + 2]!];
-    const [vx, vy, vz] = [at[c]! - at[a]!, at[c + 1]! - at[a + 1]!, at[c + 2]! - at[a + 2]!];
+    const a = 3 * i;
+    const b = 3 * j;
+    const c = 3 * k;
+    const ux = at[b]! - at[a]!;
+    const uy = at[b + 1]! - at[a + 1]!;
+    const uz = at[b + 2]! - at[a + 2]!;
+    const vx = at[c]! - at[a]!;
+    const vy = at[c + 1]! - at[a + 1]!;
+    const vz = at[c + 2]! - at[a + 2]!;
     return (
       normal[0]! * (uy * vz - uz * vy) +
       normal[1]! * (uz * vx - ux * vz) +

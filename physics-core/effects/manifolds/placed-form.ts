@@ -10,9 +10,15 @@ export class PlacedForm {
   readonly turn = new Float64Array(MATRIX);
   readonly origin = new Float64Array(3);
 
+  /** The place of another. */
+  standAt({ turn, origin }: PlacedForm): void {
+    this.turn.set(turn);
+    this.origin.set(origin);
+  }
+
   /** Where its part stands in a body: `turn` and `origin` in the frame of the body, whose own are `rows` and `at`. */
-  put(form: Form, rows: Flat, at: Flat, turn: Flat, origin: Flat): void {
-    this.form = form;
+  put(form: Form | undefined, rows: Flat, at: Flat, turn: Flat, origin: Flat): void {
+    if (form) this.form = form;
     for (let i = 0; i < 3; i++) {
       const [a, b, c] = [rows[3 * i]!, rows[3 * i + 1]!, rows[3 * i + 2]!];
       for (let j = 0; j < 3; j++)
@@ -24,6 +30,16 @@ export class PlacedForm {
   #in(x: number, y: number, z: number, axis: number): number {
     const { turn } = this;
     return turn[axis]! * x + turn[3 + axis]! * y + turn[6 + axis]! * z;
+  }
+
+  /** One number, in the world, of a direction of the form's frame. */
+  along(axis: number, direction: Flat): number {
+    const { turn } = this;
+    return (
+      turn[3 * axis]! * direction[0]! +
+      turn[3 * axis + 1]! * direction[1]! +
+      turn[3 * axis + 2]! * direction[2]!
+    );
   }
 
   /** Directions of the form's frame become those of the world. */

@@ -3,6 +3,10 @@ import type { Flat, Form } from './form.js';
 /** Corners that stand for the rim of a disc. */
 const RIM = 16;
 
+const ANGLES = Float64Array.from({ length: RIM }, (_, i) => (2 * Math.PI * i) / RIM);
+const COSINES = ANGLES.map(Math.cos);
+const SINES = ANGLES.map(Math.sin);
+
 /** A disc whose rim is lowered by less than this all across lies level, metres: the depth that resting contacts keep. */
 const LEVEL = 1e-4;
 
@@ -58,13 +62,14 @@ export class FrustumForm implements Form {
   /** Points of a rim from the one along the unit vector (x, z) on. */
   #disc(atTop: boolean, x: number, z: number, out: Flat): number {
     const radius = atTop ? this.#top : this.#bottom;
+    const y = atTop ? this.#half : -this.#half;
     // Against the clock as seen from outside.
-    const turn = ((atTop ? -2 : 2) * Math.PI) / RIM;
+    const way = atTop ? -radius : radius;
     for (let i = 0; i < RIM; i++) {
-      const c = Math.cos(i * turn) * radius;
-      const s = Math.sin(i * turn) * radius;
+      const c = COSINES[i]! * radius;
+      const s = SINES[i]! * way;
       out[3 * i] = c * x - s * z;
-      out[3 * i + 1] = atTop ? this.#half : -this.#half;
+      out[3 * i + 1] = y;
       out[3 * i + 2] = s * x + c * z;
     }
     return RIM;

@@ -121,3 +121,24 @@ fact('a cart on four hinged wheels that nothing drives does not roll away', asyn
   w.advance(20);
   below(Math.abs(position(cart)[0]), 1e-3, 'way');
 });
+
+fact('two wheels on an axle that are one body roll on', async () => {
+  const w = await world({ gravity: [0, -G, 0] });
+  addFloor(w);
+  const collidable = (geometry: object) => w.add('CollidableShape', { shape: [geometry] });
+  const wheel = (x: number) => ({
+    type: 'CollidableOffset',
+    translation: [x, 0, 0],
+    rotation: [0, 0, 1, Math.PI / 2],
+    collidable: collidable({ type: 'Cylinder', radius: 0.3, height: 0.1 }),
+  });
+  const body = addBody(w, {
+    position: [0, 0.3, -5],
+    linearVelocity: [0, 0, 0.5],
+    angularVelocity: [0.5 / 0.3, 0, 0],
+    geometry: [wheel(-0.5), collidable(box(1, 0.1, 0.1)), wheel(0.5)],
+  });
+  w.advance(15);
+  below(Math.abs(speed(body) / 0.5 - 1), 0.02, 'speed');
+  below(Math.abs(position(body)[0]), 0.02, 'way to the side');
+});

@@ -2,6 +2,7 @@ import { offsetRows, shapeRows } from './collision/collidables.js';
 import { chainRows } from './collision/chains.js';
 import { collectionRows, sensorRows } from './collision/collisions.js';
 import { contactRows } from './collision/contacts.js';
+import { contactShapeRows } from './body/contact-shapes.js';
 import { bodyDragRows, collectionDragRows } from './body/dragging.js';
 import { setContactsRows } from './collision/set-contacts.js';
 import { commonRows } from './common.js';
@@ -18,7 +19,7 @@ import { spaceRows } from './collision/spaces.js';
 
 const ownRows: Record<string, Row[]> = {
   RigidBodyCollection: [...rigidBodyCollectionRows, ...setContactsRows, ...collectionDragRows],
-  RigidBody: [...rigidBodyRows, ...bodyDragRows],
+  RigidBody: [...rigidBodyRows, ...bodyDragRows, ...contactShapeRows],
   CollidableShape: shapeRows,
   CollidableOffset: offsetRows,
   CollisionCollection: [...collectionRows, ...chainRows],
