@@ -72,7 +72,7 @@ export class BoundedRows {
 
   #fillStop(k: number, r: number, stop: Stop, dt: number): number {
     const i = k * ROWS + r;
-    const value = (this.#values[i] = this.#rows.fillRow(k, r, stop.row));
+    const value = (this.#values[i] = this.#rows.fillRow(k, r, stop.row, dt));
     const side = stop.high - value < value - stop.low ? 1 : -1;
     this.#sides[i] = side;
     this.#noteChange(k, r);
@@ -88,7 +88,7 @@ export class BoundedRows {
   #fillMotor(k: number, r: number, { row, target, most }: Motor, dt: number): void {
     const i = k * ROWS + r;
     const strength = most * dt * this.#rows.launchShare(k);
-    this.#rows.fillRow(k, r, row);
+    this.#rows.fillRow(k, r, row, dt);
     this.#system.compliance[i] = 0;
     this.#system.targetVelocity[i] = this.#system.threshold[i] = target;
     this.#system.bounded(i, -strength, strength);

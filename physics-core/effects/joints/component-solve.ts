@@ -6,7 +6,7 @@ import { BulletTargets } from './bullet-targets.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { GeometricStiffness } from './geometric-stiffness.js';
 import { JointedBodies } from './jointed-bodies.js';
-import { JointEnds } from './joint-ends.js';
+import { JointEnds, type Ways } from './joint-ends.js';
 import { LockedRows } from './locked-rows.js';
 import { NextPoses } from './next-poses.js';
 import { PointConstraints } from './point-constraints.js';
@@ -86,10 +86,10 @@ export class ComponentSolve {
     this.#stiffness.take(before, joints);
   }
 
-  /** Where joint `k` holds on to an immovable body is elsewhere. */
-  takeEnds(k: number, joint: Joint): void {
-    this.#ends.takeFrames(k, joint);
-    if (this.#system.isPin[k]) this.#pins.takePoints(k, joint, this.#ends.edges[k]!);
+  /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */
+  takeEnds(k: number, joint: Joint, ways?: Ways): void {
+    this.#ends.takeFrames(k, joint, ways);
+    if (this.#system.isPin[k]) this.#pins.takePoints(k, joint, this.#ends.edges[k]!, ways);
   }
 
   // ---- around a step ------------------------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ export class ComponentSolve {
         this.#pins.setWholeTargets(k);
       }
       for (const k of component.rows) {
-        worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+        worst = Math.max(worst, this.#rows.fill(k, dt), this.#bounded.fill(k, dt));
         this.#rows.setWholeTargets(k);
         this.#bounded.setWholeTargets(k);
       }
@@ -166,7 +166,7 @@ export class ComponentSolve {
       this.#stiffness.stiffenPin(k, dt);
     }
     for (const k of component.rows) {
-      worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+      worst = Math.max(worst, this.#rows.fill(k, dt), this.#bounded.fill(k, dt));
       if (!this.#system.isPin[k]) this.#stiffness.stiffen(k, this.#ends.geometry.two.origin, dt);
     }
     this.#drag(component, dt);

@@ -67,7 +67,7 @@ export class LoopRows {
       this.#copy(component, undefined, this.#load);
       this.#push(j, 1, this.#load);
       this.#trees.solve(component, this.#load, 0);
-      for (let i = j; i < n; i++) this.#matrix[rowOf(i) + j] = this.#rate(i);
+      for (let i = j; i < n; i++) this.#matrix[rowOf(i) + j] = this.#product(i);
       largest = Math.max(largest, this.#alone(j));
     }
     for (let i = 0; i < n; i++)
@@ -101,6 +101,12 @@ export class LoopRows {
       const p = body * SIDE;
       for (let x = p; x < p + SIDE; x++) to[x] = from ? from[x]! : 0;
     }
+  }
+
+  #product(i: number): number {
+    const row = this.#rows[i]!;
+    const { velocity } = this.#system;
+    return this.#system.product(velocity, Math.floor(row / ROWS), row % ROWS);
   }
 
   #rate(i: number): number {

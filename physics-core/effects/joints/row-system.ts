@@ -13,7 +13,7 @@ const AT_LEAST = 1;
 const AT_MOST = 2;
 
 /**
- * All joints of a world as rows J v + γ λ = targetVelocity whose impulses λ lie between two bounds, solved directly: of all
+ * All joints of a world as rows J v + carriedRate + γ λ = targetVelocity whose impulses λ lie between two bounds, solved directly: of all
  * velocities at which the rows hold it finds those nearest, in kinetic energy, to the ones predicted. Which bounded
  * rows (stops, motors) hold is searched for in a few rounds that start from how they stood last.
  */
@@ -32,6 +32,8 @@ export class RowSystem {
   /** Per row. `threshold`: velocity past which a bounded row that gives way begins to hold. */
   targetVelocity = new Float64Array(0);
   threshold = new Float64Array(0);
+  /** What ends of joints that carried bodies take along add to the rate. */
+  carriedRate = new Float64Array(0);
   compliance = new Float64Array(0);
   least = new Float64Array(0);
   most = new Float64Array(0);
@@ -77,6 +79,7 @@ export class RowSystem {
     this.rowCount = new Int32Array(room);
     this.targetVelocity = new Float64Array(room * ROWS);
     this.threshold = new Float64Array(room * ROWS);
+    this.carriedRate = new Float64Array(room * ROWS);
     this.compliance = new Float64Array(room * ROWS);
     this.least = new Float64Array(room * ROWS);
     this.most = new Float64Array(room * ROWS);
@@ -184,12 +187,17 @@ export class RowSystem {
     if (b >= 0) add6(momentum, b * SIDE, this.jacobian, at + ROW_BLOCK, impulse);
   }
 
-  /** J v of a row, by the velocities found. */
+  /** The rate of a row by the velocities found. */
   rate(joint: number, row: number): number {
     return this.rateBy(this.velocity, joint, row);
   }
 
   rateBy(velocity: Float64Array, joint: number, row: number): number {
+    return this.product(velocity, joint, row) + this.carriedRate[joint * ROWS + row]!;
+  }
+
+  /** J v of a row. */
+  product(velocity: Float64Array, joint: number, row: number): number {
     const { a, b } = this.edges[joint]!;
     const at = joint * 2 * ROW_BLOCK + row * SIDE;
     return (

@@ -216,14 +216,15 @@ export class TreeSolver {
     share: 0 | 1,
     pin: boolean,
   ): void {
-    const { targetVelocity, held, heldCount } = this.#system;
+    const { targetVelocity, carriedRate, held, heldCount } = this.#system;
     const n = heldCount[joint]!;
     const at = joint * JOINT_BLOCK;
     const s = this.#rows;
     for (let r = 0; r < n; r++) {
       const i = joint * ROWS + r;
       const row = joint * ROW_BLOCK + r * SIDE;
-      let wants = targetVelocity[joint * ROWS + held[i]!]!;
+      const at0 = joint * ROWS + held[i]!;
+      let wants = targetVelocity[at0]! - carriedRate[at0]!;
       if (pin) wants -= this.#pins.wants(joint, this.#seen, row);
       s[r] = this.#rest[i] = share * wants - dot6(this.#response, row, load, body * SIDE);
     }
