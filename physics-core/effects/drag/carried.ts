@@ -56,6 +56,8 @@ export class Carried implements Way {
   /** It is there already, from where it was before: no motion, as joints see it. */
   jumped = false;
   #from: Pose;
+  /** Of the step: linear, then angular. */
+  readonly velocity = new Float64Array(6);
   /** At what pace its last step took it, and at what pace the moves before and after want it to go. */
   #step = new Pace();
   #before = new Pace();
@@ -104,6 +106,8 @@ export class Carried implements Way {
         ? mix(this.#to, this.#from, Math.min(1, dt / this.#duration))
         : undefined;
     this.next = left < dt * 1.5 ? this.#to : mix(this.now, this.#to, dt / left);
+    this.velocity.set(scale(subtract(this.next.p, this.now.p), 1 / dt));
+    this.velocity.set(scale(turnOf(this.now, this.next), 1 / dt), 3);
     const { p, q } = this.now;
     const back = multiply(q, conjugate(this.next.q));
     return {
@@ -120,7 +124,7 @@ export class Carried implements Way {
 }
 
 /** The turn from one pose to another, radians about each axis. */
-function turnOf(from: Pose, to: Pose): Vec3 {
+export function turnOf(from: Pose, to: Pose): Vec3 {
   const [x, y, z, angle] = rotationOf(multiply(to.q, conjugate(from.q)));
   return scale([x, y, z], angle);
 }
