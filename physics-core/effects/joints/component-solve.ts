@@ -19,6 +19,9 @@ import { RowSystem } from './row-system.js';
  */
 const ROUNDS = 8;
 
+/** The same of bringing together what a step left open. */
+const CLOSING_ROUNDS = 30;
+
 /** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
 const NO_MISS = 1e-6;
 
@@ -136,7 +139,7 @@ export class ComponentSolve {
 
   /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
   #close(component: Component, dt: number, least: number): void {
-    for (let round = 0; round < ROUNDS; round++) {
+    for (let round = 0; round < CLOSING_ROUNDS; round++) {
       let worst = 0;
       this.#read(component, dt);
       for (const k of component.pins) {

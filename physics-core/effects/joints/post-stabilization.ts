@@ -10,6 +10,9 @@ import type { RowSystem } from './row-system.js';
 /** Share of a velocity, or of a place, that single precision may change in a step. */
 const SAME = 1e-5;
 
+/** Radians that joints are brought together by at once: beyond, straight ways lead away from where they are whole. */
+const FARTHEST = 0.5;
+
 /** What Bullet's step made of the velocities it was given, and what is put right of it. */
 export class PostStabilization {
   readonly #simulation: Simulation;
@@ -100,19 +103,25 @@ export class PostStabilization {
     for (const i of bodies) momentum.fill(0, i * SIDE, (i + 1) * SIDE);
   }
 
-  /** By the velocities found, taken as ways. */
+  /** By the velocities found, taken as ways; where they turn a body far, by a share of them only: they are straight. */
   move({ bodies }: Component): void {
-    for (const i of bodies) this.#moveBody(i, this.#jointed.bodies[i]!);
+    const { velocity } = this.#system;
+    let most = 0;
+    for (const i of bodies)
+      for (let x = i * SIDE + 3; x < (i + 1) * SIDE; x++)
+        most = Math.max(most, Math.abs(velocity[x]!));
+    const share = Math.min(1, FARTHEST / most);
+    for (const i of bodies) this.#moveBody(i, this.#jointed.bodies[i]!, share);
   }
 
-  #moveBody(i: number, { body, pointer }: Body): void {
+  #moveBody(i: number, { body, pointer }: Body, share: number): void {
     const { reader, scratch } = this.#simulation.engine;
     const { velocity } = this.#system;
     const v = i * SIDE;
     reader.pose(body, pointer, this.#pose, 0);
     for (let x = 0; x < 3; x++) {
-      this.#pose[x]! += velocity[v + x]!;
-      this.#displacement[x] = velocity[v + 3 + x]!;
+      this.#pose[x]! += share * velocity[v + x]!;
+      this.#displacement[x] = share * velocity[v + 3 + x]!;
     }
     writeTurn(this.#turn, this.#displacement, 1);
     multiply4(this.#turn, this.#turn, 0, this.#pose, 3);
