@@ -60,6 +60,11 @@ export class BoundedRows {
     });
   }
 
+  /** Whether a joint has stops or motors. */
+  any(k: number): boolean {
+    return this.#joints[k]!.stops.length + this.#joints[k]!.motors.length > 0;
+  }
+
   /** Rows of one joint, after its locked ones; returns the worst overshoot past a stop. */
   fill(k: number, dt: number): number {
     const { stops, motors } = this.#joints[k]!;

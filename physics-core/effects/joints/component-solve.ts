@@ -3,6 +3,7 @@ import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { BoundedRows, type StopListener } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
+import { EnergyBudget } from './energy-budget.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { GeometricStiffness } from './geometric-stiffness.js';
 import { JointedBodies } from './jointed-bodies.js';
@@ -21,6 +22,9 @@ const ROUNDS = 8;
 
 /** The same of bringing together what a step left open. */
 const CLOSING_ROUNDS = 30;
+
+/** Rounds, at most, in which what has too much energy is slowed. */
+const SLOWING_ROUNDS = 3;
 
 /** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
 const NO_MISS = 1e-6;
@@ -50,6 +54,7 @@ export class ComponentSolve {
   readonly #rows: LockedRows;
   readonly #bounded: BoundedRows;
   readonly #stiffness: GeometricStiffness;
+  readonly #budget: EnergyBudget;
   /** What pulls at bodies by more than a force. */
   readonly pulls = new Set<Pull>();
   /** Those of this step that an edit had torn, or that met a stop. */
@@ -65,6 +70,7 @@ export class ComponentSolve {
     this.#rows = new LockedRows(this.#system, this.bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.bodies, this.#rows);
     this.#stiffness = new GeometricStiffness(this.#system, this.bodies);
+    this.#budget = new EnergyBudget(this.#system, this.bodies);
     this.targets = new BulletTargets(this.#system, this.bodies, this.#ends);
   }
 
@@ -87,6 +93,7 @@ export class ComponentSolve {
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#stiffness.take(before, joints);
+    this.#budget.forget();
   }
 
   /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */
@@ -105,6 +112,9 @@ export class ComponentSolve {
   /** Hands the velocities found to Bullet. False: there are none that make sense. */
   solve(component: Component, dt: number): boolean {
     const torn = this.#fill(component, dt) > TORN;
+    const free = this.#isFree(component);
+    if (free) this.#budget.begin(component);
+    else this.#budget.forget(component);
     this.bodies.noteStep(component, dt);
     this.#setTargets(component, dt, torn ? 0 : 1);
     const found = this.#find(component, dt, torn ? 0 : 1);
@@ -114,9 +124,30 @@ export class ComponentSolve {
       if (at >= 0) this.#repaired.splice(at, 1);
       return false;
     }
+    if (free && at < 0) this.#slow(component, dt);
+    if (free) this.#budget.end(component);
     this.bodies.write(component, dt);
     if (at >= 0) this.#stabilization.note(component);
     return true;
+  }
+
+  /** Whether it has loops, and nothing but forces does work on it: no motor, nothing soft, nobody who drags or carries. */
+  #isFree({ joints, loops }: Component): boolean {
+    if (loops.length === 0 || this.#system.resisting.size > 0) return false;
+    for (const k of joints)
+      if (this.#ends.moves(k) || this.#bounded.any(k) || this.#rows.anySoft(k)) return false;
+    return true;
+  }
+
+  /** What has more energy than joints could leave it is slowed, and led on anew. */
+  #slow(component: Component, dt: number): void {
+    for (let round = 0; round < SLOWING_ROUNDS; round++) {
+      const share = this.#budget.share(component);
+      if (share === 1) return;
+      this.#budget.slow(component, share);
+      if (!this.#system.again(component)) return;
+      this.#correctNonlinearly(component, dt, 1);
+    }
   }
 
   /** Tells which stops of joint `k` held in this step. */

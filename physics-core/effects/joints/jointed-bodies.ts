@@ -66,6 +66,10 @@ export class JointedBodies {
     return this.#traits[i * TRAITS]!;
   }
 
+  moment(i: number, axis: number): number {
+    return this.#traits[i * TRAITS + MOMENTS + axis]!;
+  }
+
   leastMoment(i: number): number {
     const t = i * TRAITS + MOMENTS;
     return Math.min(this.#traits[t]!, this.#traits[t + 1]!, this.#traits[t + 2]!);

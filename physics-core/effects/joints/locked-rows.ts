@@ -70,6 +70,13 @@ export class LockedRows {
     return this.#counts[k]!;
   }
 
+  /** Whether a locked row of a joint gives way. */
+  anySoft(k: number): boolean {
+    for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++)
+      if (this.#system.compliance[i] !== 0) return true;
+    return false;
+  }
+
   // ---- a step -------------------------------------------------------------------------------------------------------
 
   /** Rows of one joint at the poses the step begins with; returns the worst error, metres or radians. */
