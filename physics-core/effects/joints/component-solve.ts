@@ -3,10 +3,12 @@ import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { BoundedRows, type StopListener } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
+import { Taut } from './closing.js';
 import { EnergyBudget } from './energy-budget.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { GeometricStiffness } from './geometric-stiffness.js';
 import { JointedBodies } from './jointed-bodies.js';
+import { JointClosing } from './joint-closing.js';
 import { JointEnds, type Ways } from './joint-ends.js';
 import { LockedRows } from './locked-rows.js';
 import { NextPoses } from './next-poses.js';
@@ -19,9 +21,6 @@ import { RowSystem } from './row-system.js';
  * usual speeds, less where a body turns by half a radian in a step.
  */
 const ROUNDS = 8;
-
-/** The same of bringing together what a step left open. */
-const CLOSING_ROUNDS = 30;
 
 /** Rounds, at most, in which what has too much energy is slowed. */
 const SLOWING_ROUNDS = 3;
@@ -55,6 +54,8 @@ export class ComponentSolve {
   readonly #bounded: BoundedRows;
   readonly #stiffness: GeometricStiffness;
   readonly #budget: EnergyBudget;
+  readonly #closing: JointClosing;
+  readonly #taut = new Taut();
   /** What pulls at bodies by more than a force. */
   readonly pulls = new Set<Pull>();
   /** Those of this step that an edit had torn, or that met a stop. */
@@ -70,6 +71,14 @@ export class ComponentSolve {
     this.#rows = new LockedRows(this.#system, this.bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.bodies, this.#rows);
     this.#stiffness = new GeometricStiffness(this.#system, this.bodies);
+    this.#closing = new JointClosing({
+      system: this.#system,
+      bodies: this.bodies,
+      stabilization: this.#stabilization,
+      pins: this.#pins,
+      rows: this.#rows,
+      bounded: this.#bounded,
+    });
     this.#budget = new EnergyBudget(this.#system, this.bodies);
     this.targets = new BulletTargets(this.#system, this.bodies, this.#ends);
   }
@@ -94,6 +103,7 @@ export class ComponentSolve {
     this.#bounded.take(joints);
     this.#stiffness.take(before, joints);
     this.#budget.forget();
+    this.#taut.forget();
   }
 
   /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */
@@ -112,6 +122,7 @@ export class ComponentSolve {
   /** Hands the velocities found to Bullet. False: there are none that make sense. */
   solve(component: Component, dt: number): boolean {
     const torn = this.#fill(component, dt) > TORN;
+    this.#system.firm = this.#taut.goesOn(component);
     const free = this.#isFree(component);
     if (free) this.#budget.begin(component);
     else this.#budget.forget(component);
@@ -158,35 +169,15 @@ export class ComponentSolve {
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. True: contacts did. */
   settle(component: Component, dt: number): boolean {
     const disturbed = this.#stabilization.disturbed(component, dt);
-    if (this.#open.has(component)) this.#close(component, dt, LEFT_OPEN);
-    else if (disturbed) this.#close(component, dt, TORN);
+    this.#system.firm = this.#taut.has(component);
+    if (this.#open.has(component)) this.#closing.close(component, dt, LEFT_OPEN);
+    else if (disturbed) this.#closing.close(component, dt, TORN);
     return disturbed;
   }
 
   /** What was moved together again shall not go on moving. */
   takeBack(): void {
     for (const component of this.#repaired) this.#stabilization.takeBack(component);
-  }
-
-  /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
-  #close(component: Component, dt: number, least: number): void {
-    for (let round = 0; round < CLOSING_ROUNDS; round++) {
-      let worst = 0;
-      this.#read(component, dt);
-      for (const k of component.pins) {
-        worst = Math.max(worst, this.#pins.fill(k));
-        this.#pins.setWholeTargets(k);
-      }
-      for (const k of component.rows) {
-        worst = Math.max(worst, this.#rows.fill(k, dt), this.#bounded.fill(k, dt));
-        this.#rows.setWholeTargets(k);
-        this.#bounded.setWholeTargets(k);
-      }
-      if (worst < least) return;
-      this.#stabilization.clearMomentum(component);
-      if (!this.#system.solve(component) || !this.bodies.sane(component)) return;
-      this.#stabilization.move(component);
-    }
   }
 
   // ---- the solution -------------------------------------------------------------------------------------------------
@@ -230,6 +221,13 @@ export class ComponentSolve {
   #find(component: Component, dt: number, repair: 0 | 1): boolean {
     if (!this.#system.solve(component)) return false;
     this.#correctNonlinearly(component, dt, repair);
+    if (this.#open.has(component) && !this.#system.firm && component.loops.length > 0) {
+      this.#taut.begin(component);
+      this.#system.firm = true;
+      this.#forgetCorrections(component, dt, repair);
+      if (!this.#system.solve(component)) return false;
+      this.#correctNonlinearly(component, dt, repair);
+    }
     // The repair of a torn joint is no pull.
     if (!this.#repaired.includes(component)) {
       for (const k of component.pins) this.#stiffness.notePin(k);

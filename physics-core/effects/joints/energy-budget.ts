@@ -84,15 +84,12 @@ export class EnergyBudget {
       const along = u[at]! * v[at]! + u[at + 1]! * v[at + 1]! + u[at + 2]! * v[at + 2]!;
       sum += this.#bodies.mass(i) * along;
       for (let k = 0; k < 3; k++)
-        sum += this.#bodies.moment(i, k) * this.#spin(u, at, o + k) * this.#spin(v, at, o + k);
+        sum +=
+          this.#bodies.moment(i, k) *
+          this.#bodies.along(u, at, o + k) *
+          this.#bodies.along(v, at, o + k);
     }
     return sum / 2;
-  }
-
-  /** About a principal axis. */
-  #spin(v: Float64Array, at: number, axis: number): number {
-    const m = this.#bodies.turn;
-    return v[at + 3]! * m[axis]! + v[at + 4]! * m[axis + 3]! + v[at + 5]! * m[axis + 6]!;
   }
 
   /** What forces and damping do in the step: the momentum they bring, at the mean of the velocities before and after. */

@@ -12,6 +12,9 @@ import type { RowSystem } from './row-system.js';
  */
 const COMPLIANCE = 1e-6;
 
+/** The same of what is taut: what hangs on a chain that is nearly straight pulls it a thousand times as hard. */
+const FIRM = 1e-9;
+
 /** The same of all other rows, as a share of their response: a motor and a stop on one axis are the same row twice. */
 const LEAST_COMPLIANCE = 1e-12;
 
@@ -152,10 +155,17 @@ export class LoopRows {
   #fill({ joints }: Component, { matrix, couplings, closing }: Loops): void {
     const { rowCount } = this.#system;
     const seen = this.#seen;
-    const extra = COMPLIANCE * this.#largest(closing);
+    const largest = this.#largest(closing);
+    const give = this.#system.give * largest;
+    const extra = Math.max(give, (this.#system.firm ? FIRM : COMPLIANCE) * largest);
     for (let i = 0; i < joints.length; i++) {
       const joint = joints[i]!;
-      this.#fillDiagonal(joint, matrix.numbers, matrix.diagonal(i), closing.has(joint) ? extra : 0);
+      this.#fillDiagonal(
+        joint,
+        matrix.numbers,
+        matrix.diagonal(i),
+        closing.has(joint) ? extra : give,
+      );
     }
     for (const { a, b, first, second, at } of couplings) {
       let to = at;

@@ -20,6 +20,8 @@ export class PostStabilization {
   readonly #jointed: JointedBodies;
   /** Of velocities given to Bullet, what is motion: the rest closes what an edit tore. Then that rest. */
   #kept = new Float64Array(0);
+  /** Poses before joints are brought together by another round. */
+  #saved = new Float64Array(0);
   readonly #pose = new Float64Array(POSE);
   readonly #now = new Float64Array(SIDE);
   readonly #displacement = new Float64Array(3);
@@ -34,6 +36,7 @@ export class PostStabilization {
   take(bodies: number): void {
     if (this.#kept.length >= bodies * SIDE) return;
     this.#kept = new Float64Array(bodies * 2 * SIDE);
+    this.#saved = new Float64Array(bodies * 2 * POSE);
   }
 
   /** Notes the velocities found: what is found beyond them is taken back after the step. */
@@ -96,6 +99,28 @@ export class PostStabilization {
       size += Math.abs(now);
     }
     return off > SAME * size;
+  }
+
+  /** Where bodies are, to go back to. */
+  save({ bodies }: Component): void {
+    for (const i of bodies) this.#readPose(i, this.#saved, i * POSE);
+  }
+
+  restore({ bodies }: Component): void {
+    const { scratch } = this.#simulation.engine;
+    for (const i of bodies) {
+      const saved = this.#saved;
+      for (let x = 0; x < POSE; x++) this.#pose[x] = saved[i * POSE + x]!;
+      for (let x = 0; x < 4; x++) this.#turn[x] = this.#pose[3 + x]!;
+      this.#jointed.bodies[i]!.body.setCenterOfMassTransform(
+        scratch.transform(this.#pose, this.#turn),
+      );
+    }
+  }
+
+  #readPose(i: number, out: Float64Array, at: number): void {
+    const { body, pointer } = this.#jointed.bodies[i]!;
+    this.#simulation.engine.reader.pose(body, pointer, out, at);
   }
 
   clearMomentum({ bodies }: Component): void {

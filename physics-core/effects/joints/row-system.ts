@@ -38,6 +38,10 @@ export class RowSystem {
   least = new Float64Array(0);
   most = new Float64Array(0);
   impulse = new Float64Array(0);
+  /** In loops: how far each row gives way besides, as a share of what it would do to its bodies by themselves. */
+  give = 0;
+  /** In loops: rows that close them are to give way as little as can be. */
+  firm = false;
   #state = new Uint8Array(0);
   /** Rows of each joint that hold. */
   held = new Int32Array(0);
