@@ -1,4 +1,5 @@
 import type { Pose } from '../base/math.js';
+import type { Outline } from '../shapes/outline.js';
 import type { Geometry } from '../shapes/geometry.js';
 import type { SimulationNode } from './node.js';
 
@@ -12,4 +13,6 @@ export interface CollidablePart {
   collidable: Collidable;
   /** Made as triangles; Bullet numbers those, not the part. */
   mesh?: boolean;
+  /** What it is exactly; undefined where it has no shape in Bullet. */
+  outline?: Outline;
 }

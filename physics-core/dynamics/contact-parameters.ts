@@ -40,6 +40,10 @@ export const isDirected = ({ friction, speed, slip }: ContactParameters): boolea
 export const isSoft = ({ softness, errorCorrection }: ContactParameters): boolean =>
   softness > 0 || errorCorrection !== undefined;
 
+/** It gives way to forces, or each direction of friction has its own limit: iterations of Bullet's solver see to that. */
+export const isSpecial = ({ friction, slip, softness }: ContactParameters): boolean =>
+  softness > 0 || slip[0] !== 0 || slip[1] !== 0 || friction[0] !== friction[1];
+
 /** Nothing that Bullet would not do by itself. */
 export const isPlain = (parameters: ContactParameters): boolean =>
   parameters.bounce === 0 &&

@@ -3,6 +3,7 @@ import { contactSurface } from './contacts/contact-surface.js';
 import { givenContacts } from './contacts/given-contacts.js';
 import { meshShapes } from './contacts/mesh-shapes.js';
 import { pairFilter } from './contacts/pair-filter.js';
+import { contactSolve } from './contact-solve/contact-solve.js';
 import { frameCosts } from './costs/frame-costs.js';
 import { userTiming } from './costs/user-timing.js';
 import { debugging } from './debug/debugging.js';
@@ -19,11 +20,13 @@ import { jointSolve } from './joints/joint-solve.js';
 import { motors } from './joints/motors.js';
 import { stops } from './joints/stops.js';
 import { suspension } from './joints/suspension.js';
+import { contactShapes } from './manifolds/contact-shapes.js';
 import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
 
 /** Every effect there is, in the order in which a step calls them. */
 export const allEffects: readonly EffectDescriptor[] = inOrder([
+  contactShapes,
   forces,
   axisDamping,
   flight,
@@ -38,6 +41,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   jointSolve,
   contactSurface,
   givenContacts,
+  contactSolve,
   carrying,
   contactReader,
   meshShapes,

@@ -1,5 +1,5 @@
 import type { Ammo } from './ammo.js';
-import { BODY } from './offsets.js';
+import { ACTIVATION, BODY } from './offsets.js';
 
 // Bodies by their heap pointers, for what happens between Bullet's contact search and its solver: only where the heap is
 // trusted. World frame. The views of the heap are asked for at every read, since it may have grown.
@@ -10,6 +10,11 @@ const VELOCITY = 6;
 /** One number of the centre of mass, metres. */
 export const originOf = ({ HEAPF32 }: Ammo, body: number, i: number): number =>
   HEAPF32[((body + BODY.origin) >> 2) + i]!;
+
+/** Whether Bullet moves it: it is neither immovable nor asleep. */
+export const isAwake = ({ HEAP32, HEAPF32 }: Ammo, body: number): boolean =>
+  HEAP32[(body + BODY.activationState) >> 2] !== ACTIVATION.sleeping &&
+  HEAPF32[(body + BODY.inverseMass) >> 2] !== 0;
 
 /** How fast the centres of mass of two bodies move against each other, m/s. */
 export function speedBetween({ HEAPF32 }: Ammo, a: number, b: number): number {
@@ -43,5 +48,19 @@ export function writeInverseMass({ HEAPF32 }: Ammo, body: number, out: Float64Ar
       for (let k = 0; k < 3; k++)
         out[(3 + i) * VELOCITY + 3 + j]! +=
           HEAPF32[basis + 4 * i + k]! * HEAPF32[inertia + k]! * HEAPF32[basis + 4 * j + k]!;
+  }
+}
+
+/** Where its centre of mass is, and the rows of its rotation. */
+export function writeFrame(
+  { HEAPF32 }: Ammo,
+  body: number,
+  origin: Float64Array,
+  rows: Float64Array,
+): void {
+  const basis = (body + BODY.basis) >> 2;
+  for (let i = 0; i < 3; i++) {
+    origin[i] = HEAPF32[((body + BODY.origin) >> 2) + i]!;
+    for (let j = 0; j < 3; j++) rows[3 * i + j] = HEAPF32[basis + 4 * i + j]!;
   }
 }

@@ -3,7 +3,8 @@ import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
 import type { Manifold } from './manifold.js';
-import { SIX_DOF, SOLVER, SOLVER_MODE } from './offsets.js';
+import { isAwake } from './body-heap.js';
+import { DISPATCHER, MANIFOLD, SIX_DOF, SOLVER, SOLVER_MODE } from './offsets.js';
 import { Owner } from './owner.js';
 
 export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
@@ -21,6 +22,8 @@ export interface SolverSettings {
   contactErrorReduction: number;
   /** Depth that resting contacts keep, metres. */
   linearSlop: number;
+  /** Whether contacts may be solved directly. */
+  direct: boolean;
 }
 
 const modeOf = ({ givenFrictionDirections, twoFrictionDirections }: SolverSettings): number =>
@@ -56,6 +59,7 @@ export class BulletWorld {
     this.ground = this.#makeGround();
     // Every body carries its own collection's gravity.
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
+    if (engine.heapTrusted) engine.solverHook.attach(ammo.getPointer(solver));
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
     this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
   }
@@ -104,6 +108,20 @@ export class BulletWorld {
     for (let i = 0, count = this.#dispatcher.getNumManifolds(); i < count; i++) {
       const manifold = this.#dispatcher.getManifoldByIndexInternal(i);
       visit(manifold, ammo.getPointer(manifold.getBody0()), ammo.getPointer(manifold.getBody1()));
+    }
+  }
+
+  /** The same of pairs that Bullet's solver looks at, by pointers alone; only where the heap is trusted. */
+  eachAwakeManifold(visit: (manifold: number, a: number, b: number) => void): void {
+    const { ammo } = this.engine;
+    const dispatcher = ammo.getPointer(this.#dispatcher);
+    const count = ammo.HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
+    for (let i = 0; i < count; i++) {
+      const { HEAP32 } = ammo;
+      const manifold = HEAP32[(HEAP32[(dispatcher + DISPATCHER.manifolds) >> 2]! >> 2) + i]!;
+      const a = HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!;
+      const b = HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!;
+      if (isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
     }
   }
 

@@ -1,10 +1,10 @@
 import { loadAmmo, type Ammo } from './ammo.js';
-import { ContactHook } from './contact-hook.js';
 import { HeapExhausted } from './exhausted.js';
 import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
+import { SolverHook } from './solver-hook.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 import { Sweep } from './sweep.js';
 import { compileAmmo, type LoadOptions } from './wasm.js';
@@ -20,7 +20,7 @@ export class Engine {
   readonly scratch: Scratch;
   readonly reader: BodyReader;
   readonly velocities: VelocityWriter;
-  readonly contacts: ContactHook;
+  readonly solverHook: SolverHook;
   #pairTest: PairTest | undefined;
   #sweep: Sweep | undefined;
   /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
@@ -30,8 +30,8 @@ export class Engine {
     this.ammo = ammo;
     this.source = source;
     this.scratch = new Scratch(ammo);
-    this.contacts = new ContactHook(ammo);
-    this.heapTrusted = bodyOffsetsHold(ammo) && manifoldOffsetsHold(ammo);
+    this.solverHook = new SolverHook(ammo);
+    this.heapTrusted = bodyOffsetsHold(ammo) && manifoldOffsetsHold(ammo, this.solverHook);
     this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
     this.velocities = this.heapTrusted
       ? new HeapVelocityWriter(ammo)

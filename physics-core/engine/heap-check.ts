@@ -1,7 +1,17 @@
 import type { Ammo } from './ammo.js';
 import { HeapReader, ApiReader } from './heap.js';
 import { Owner } from './owner.js';
-import { BODY, MANIFOLD, MANIFOLD_POINT, SHAPE, SHAPE_TYPE, SIX_DOF, SOLVER } from './offsets.js';
+import type { SolverHook } from './solver-hook.js';
+import {
+  BODY,
+  DISPATCHER,
+  MANIFOLD,
+  MANIFOLD_POINT,
+  SHAPE,
+  SHAPE_TYPE,
+  SIX_DOF,
+  SOLVER,
+} from './offsets.js';
 
 /** Bytes of a btMatrix3x3, which a btTransform's origin follows. */
 const MATRIX = 48;
@@ -130,8 +140,11 @@ export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
   );
 }
 
-/** Of two cubes of 2 m, one of which has sunk 0.1 m into the other: where their contact points are, and how they live. */
-export function manifoldOffsetsHold(ammo: Ammo): boolean {
+/**
+ * Of two cubes of 2 m, one of which has sunk 0.1 m into the other: where their contact points are, how they live, and
+ * whether the hook is called when they are found and when they are solved.
+ */
+export function manifoldOffsetsHold(ammo: Ammo, hook: SolverHook): boolean {
   const owner = new Owner(ammo);
   try {
     const vector = owner.own(new ammo.btVector3(1, 1, 1));
@@ -156,8 +169,15 @@ export function manifoldOffsetsHold(ammo: Ammo): boolean {
       world.addRigidBody(body);
       return body;
     });
+    const called: string[] = [];
+    hook.attach(ammo.getPointer(solver));
+    hook.listen({
+      found: () => called.push(`found ${dispatcher.getNumManifolds()}`),
+      solved: () => called.push('solved'),
+    });
     world.stepSimulation(1e-3, 0);
-    const holds = dispatcher.getNumManifolds() === 1 && layoutHolds(ammo, dispatcher);
+    hook.listen(null);
+    const holds = called.join() === 'found 1,solved' && layoutHolds(ammo, dispatcher);
     for (const body of bodies) world.removeRigidBody(body);
     return holds;
   } finally {
@@ -173,6 +193,8 @@ function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prot
   const { HEAP32, HEAPF32 } = ammo;
   return (
     count > 1 &&
+    HEAP32[(ammo.getPointer(dispatcher) + DISPATCHER.manifoldCount) >> 2] === 1 &&
+    HEAP32[HEAP32[(ammo.getPointer(dispatcher) + DISPATCHER.manifolds) >> 2]! >> 2] === at &&
     HEAP32[(at + MANIFOLD.bodyA) >> 2] === ammo.getPointer(manifold.getBody0()) &&
     HEAP32[(at + MANIFOLD.bodyB) >> 2] === ammo.getPointer(manifold.getBody1()) &&
     HEAP32[(at + MANIFOLD.pointCount) >> 2] === count &&
@@ -180,6 +202,13 @@ function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prot
     close(HEAPF32[(at + MANIFOLD.breaking) >> 2]!, 0.02 * Math.sqrt(3)) &&
     ammo.getPointer(manifold.getContactPoint(0)) === first &&
     ammo.getPointer(manifold.getContactPoint(1)) === first + MANIFOLD_POINT.size &&
-    HEAPF32[(first + MANIFOLD_POINT.distance) >> 2] === manifold.getContactPoint(0).getDistance()
+    HEAPF32[(first + MANIFOLD_POINT.distance) >> 2] === manifold.getContactPoint(0).getDistance() &&
+    localsHold(ammo, first)
   );
+}
+
+/** The top of the lower box, the bottom of the upper one. */
+function localsHold({ HEAPF32 }: Ammo, point: number): boolean {
+  const y = (local: number): number => HEAPF32[(point + local + 4) >> 2]!;
+  return close(y(MANIFOLD_POINT.localA), 1) && close(y(MANIFOLD_POINT.localB), -1);
 }

@@ -6,6 +6,7 @@ export const BODY = {
   /** Rows of the rotation matrix, 16 bytes apart; the origin follows. */
   basis: 4,
   origin: 52,
+  collisionFlags: 204,
   islandTag: 208,
   activationState: 216,
   linearVelocity: 312,
@@ -56,6 +57,9 @@ export const SOLVER = {
   mode: 64,
 } as const;
 
+/** Of btSequentialImpulseConstraintSolver: entries before and after where its pointer leads, and two of them. */
+export const SOLVER_VTABLE = { before: 2, after: 14, prepareSolve: 2, allSolved: 4 } as const;
+
 /** btContactSolverInfo::m_solverMode bits. */
 export const SOLVER_MODE = {
   warmstart: 4,
@@ -66,6 +70,9 @@ export const SOLVER_MODE = {
 } as const;
 
 export const MANIFOLD_POINT = {
+  /** Of both positions, each in the frame of its own body. */
+  localA: 0,
+  localB: 16,
   positionB: 32,
   positionA: 48,
   normalB: 64,
@@ -86,6 +93,12 @@ export const MANIFOLD_POINT = {
   direction2: 168,
   size: 184,
 } as const;
+
+/** Bytes of btCollisionDispatcher: the array of its manifolds. */
+export const DISPATCHER = { manifoldCount: 12, manifolds: 20 } as const;
+
+/** Points that a manifold holds. */
+export const MOST_POINTS = 4;
 
 /** Bytes of btPersistentManifold: the points are its first member. */
 export const MANIFOLD = {

@@ -5,6 +5,7 @@ import type { Vec3 } from '../fields/types.js';
 import { guards } from '../base/guards.js';
 import type { Pose } from '../base/math.js';
 import { isConvex } from './convex.js';
+import type { Outline } from './outline.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { hullOf, type Hull } from './hull.js';
 import { boundsOf } from './mass.js';
@@ -16,6 +17,12 @@ type BtMesh = Ammo['btTriangleMesh']['prototype'];
 
 /** What the body should know of its shape: what came out different from the markup, and whether it took a mesh. */
 export type ShapeNote = 'concave-dynamic' | 'zero-volume' | 'mesh';
+
+/** A shape of Bullet's, and what it is exactly. */
+interface Shaped {
+  shape: BtShape;
+  outline: Outline;
+}
 
 /** What shapes are made with. The owner is the body's: they live and die with its shape. */
 export interface Workshop {
@@ -41,7 +48,7 @@ const MOVING_MESH_MARGIN = 0.001;
 /** Parts thinner than this (metres) are made this thick: Bullet's contact search needs a volume. */
 const THINNEST = 1e-4;
 
-function primitive(g: Geometry, scale: Vec3, workshop: Workshop): BtShape | undefined {
+function primitive(g: Geometry, scale: Vec3, workshop: Workshop): Shaped | undefined {
   const { ammo, scratch, owner } = workshop;
   const [x, y, z] = scale;
   /** A half extent or radius with a volume to collide with; reported where the author's has none. */
@@ -55,24 +62,27 @@ function primitive(g: Geometry, scale: Vec3, workshop: Workshop): BtShape | unde
       const [hx, hy, hz] = [extent((w * x) / 2), extent((h * y) / 2), extent((d * z) / 2)];
       const shape = owner.own(new ammo.btBoxShape(scratch.vector(hx, hy, hz)));
       shape.setMargin(marginFor(Math.min(hx, hy, hz)));
-      return shape;
+      return { shape, outline: { kind: 'box', half: [hx, hy, hz] } };
     }
-    case 'Sphere':
+    case 'Sphere': {
       if (x !== y || y !== z) return undefined;
-      return owner.own(new ammo.btSphereShape(extent((g.radius ?? 1) * x)));
+      const radius = extent((g.radius ?? 1) * x);
+      const shape = owner.own(new ammo.btSphereShape(radius));
+      return { shape, outline: { kind: 'ball', radius } };
+    }
     case 'Cylinder': {
       if (x !== z || g.side === false || g.top === false || g.bottom === false) return undefined;
       const [r, h] = [extent((g.radius ?? 1) * x), extent(((g.height ?? 2) * y) / 2)];
       const shape = owner.own(new ammo.btCylinderShape(scratch.vector(r, h, r)));
       shape.setMargin(marginFor(Math.min(r, h)));
-      return shape;
+      return { shape, outline: { kind: 'frustum', bottom: r, top: r, half: h } };
     }
     case 'Cone': {
       if (x !== z || g.topRadius || g.side === false || g.bottom === false) return undefined;
       const [r, h] = [extent((g.bottomRadius ?? 1) * x), extent((g.height ?? 2) * y)];
       const shape = owner.own(new ammo.btConeShape(r, h));
       shape.setMargin(hullMarginFor(Math.min(r, h / 2)));
-      return shape;
+      return { shape, outline: { kind: 'frustum', bottom: r, top: 0, half: h / 2 } };
     }
     default:
       return undefined;
@@ -85,7 +95,7 @@ function smallestHalfExtent(points: number[]): number {
 }
 
 /** Bullet looks at every point in each of its searches: those inside, on edges or within faces would only cost. */
-function hull(mesh: Mesh, outline: Hull | undefined, { ammo, scratch, owner }: Workshop): BtShape {
+function hull(mesh: Mesh, outline: Hull | undefined, { ammo, scratch, owner }: Workshop): Shaped {
   const { points } = mesh;
   const shape = owner.own(new ammo.btConvexHullShape());
   const corners = outline?.corners ?? [...Array(points.length / 3).keys()];
@@ -94,7 +104,7 @@ function hull(mesh: Mesh, outline: Hull | undefined, { ammo, scratch, owner }: W
     shape.addPoint(scratch.vector(x!, y!, z!), i === corners.length - 1);
   });
   shape.setMargin(Math.max(hullMarginFor(smallestHalfExtent(points)), THINNEST));
-  return shape;
+  return { shape, outline: { kind: 'hull', points, hull: outline } };
 }
 
 function triangleMesh(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtMesh {
@@ -112,27 +122,27 @@ function triangleMesh(mesh: Mesh, { ammo, scratch, owner }: Workshop): BtMesh {
   return made;
 }
 
-function triangles(mesh: Mesh, workshop: Workshop): BtShape {
+function triangles(mesh: Mesh, workshop: Workshop): Shaped {
   const { ammo, owner } = workshop;
   const shape = owner.own(
     new ammo.btBvhTriangleMeshShape(triangleMesh(mesh, workshop), true, true),
   );
   (shape as unknown as { setMargin(margin: number): void }).setMargin(0);
-  return shape;
+  return { shape, outline: { kind: 'triangles', mesh } };
 }
 
 /** Triangles that may move: hollow, and slower by far than a hull. */
-function movingTriangles(mesh: Mesh, workshop: Workshop): BtShape {
+function movingTriangles(mesh: Mesh, workshop: Workshop): Shaped {
   const { ammo, owner } = workshop;
   workshop.allowMovingMeshes();
   const shape = owner.own(new ammo.btGImpactMeshShape(triangleMesh(mesh, workshop)));
   shape.setMargin(MOVING_MESH_MARGIN);
   shape.updateBound();
-  return shape;
+  return { shape, outline: { kind: 'triangles', mesh } };
 }
 
 /** One geometry as a Bullet shape; undefined where nothing is there that could collide. */
-function shapeOf(g: Geometry, exact: boolean, workshop: Workshop): BtShape | undefined {
+function shapeOf(g: Geometry, exact: boolean, workshop: Workshop): Shaped | undefined {
   const scale = axisScale(g.linear);
   const simple = scale && primitive(g, scale, workshop);
   if (simple) return simple;
@@ -160,21 +170,19 @@ export interface PlacedGeometry {
 
 const isIdentity = ({ p, q }: Pose): boolean => p.every((value) => value === 0) && q[3] === 1;
 
-/** A shape and, for each of its children in Bullet's order, the part it stands for and whether it is triangles. */
+/** A shape and, for each of its children in Bullet's order, the part it stands for and what it is exactly. */
 export interface Built {
   shape: BtShape;
-  made: { at: number; mesh: boolean }[];
+  made: { at: number; outline: Outline }[];
 }
 
 /** The whole shape of a body: one shape where it sits at the centre of mass, else a compound. */
 export function buildShape(parts: PlacedGeometry[], workshop: Workshop): Built {
   const { ammo, owner, scratch } = workshop;
-  const shapes: { at: number; shape: BtShape; pose: Pose; mesh: boolean }[] = [];
+  const shapes: (Shaped & { at: number; pose: Pose })[] = [];
   parts.forEach(({ geometry, pose, exact }, at) => {
-    const shape = shapeOf(geometry, exact, workshop);
-    const mesh =
-      shape instanceof ammo.btBvhTriangleMeshShape || shape instanceof ammo.btGImpactMeshShape;
-    if (shape) shapes.push({ at, shape, pose, mesh });
+    const shaped = shapeOf(geometry, exact, workshop);
+    if (shaped) shapes.push({ at, pose, ...shaped });
   });
   if (shapes.length === 1 && isIdentity(shapes[0]!.pose))
     return { shape: shapes[0]!.shape, made: shapes };

@@ -25,6 +25,8 @@ export interface Hull {
   corners: number[];
   /** From each point of the hull along its sides to others; also from those within a face or on an edge. */
   neighbours: Map<number, number[]>;
+  /** Its triangles, against the clock as seen from outside. */
+  triangles: [number, number, number][];
 }
 
 const face = (a: number, b: number, c: number): Face => ({
@@ -137,7 +139,9 @@ function hullFrom(faces: Face[], height: Height): Hull {
       if (height(corners, tip) !== 0) edges.set(from, (edges.get(from) ?? 0) + 1);
     });
   const corners = [...neighbours.keys()].filter((point) => (edges.get(point) ?? 0) >= 3);
-  return { corners: corners.sort((a, b) => a - b), neighbours };
+  // A face's own corners go with the clock.
+  const triangles = faces.map(({ corners: [a, b, c] }): Hull['triangles'][0] => [a, c, b]);
+  return { corners: corners.sort((a, b) => a - b), neighbours, triangles };
 }
 
 /**

@@ -5,6 +5,7 @@ import type { Collidable } from '../../dynamics/collidable.js';
 import {
   isPlain,
   isSoft,
+  isSpecial,
   PLAIN,
   type ContactParameters,
 } from '../../dynamics/contact-parameters.js';
@@ -43,6 +44,9 @@ export class ContactSurface extends Effect {
   /** What is said of single points for the step that runs, and what that demands. */
   #overrides: ContactOverrides | undefined;
   #given: SolverDemands | undefined;
+  /** Points whose distance was written for the solver in this step; and those that only Bullet's solver can do. */
+  readonly written = new Set<number>();
+  readonly special = new Set<number>();
   /** Of all that need it. */
   demands = NO_DEMANDS;
   #limiting: Cause | undefined;
@@ -140,6 +144,8 @@ export class ContactSurface extends Effect {
   // ---- around a step ----------------------------------------------------------------------------------------------
 
   override beforeStep(dt: number): void {
+    this.written.clear();
+    this.special.clear();
     this.#step.dt = dt;
     this.#step.slop = this.#simulation.bullet.settings.linearSlop;
     if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
@@ -218,8 +224,11 @@ export class ContactSurface extends Effect {
     this.listener?.note(point, pair, parameters);
     if (point.solverDistance >= FAR) return;
     const gently = parameters.bounce > 0 && isJointedPair(pair);
-    if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently)
+    if (said !== undefined || isSpecial(parameters)) this.special.add(pointer);
+    if (this.#step.maxCorrectionSpeed < Infinity || isSoft(parameters) || gently) {
+      this.written.add(pointer);
       writeDepth(point, pair, parameters, this.#step);
+    }
   }
 
   #at(pointer: number, a: number, b: number): ContactPoint {

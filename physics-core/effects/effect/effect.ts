@@ -34,12 +34,14 @@ export interface EffectDescriptor<E extends Effect = Effect> {
   };
   /** The joints that cause it: looked at again whenever one changes. */
   readonly joint?: (joint: Joint) => string | undefined;
+  /** Looked at in each step in which Bullet finds bodies near each other. */
+  readonly found?: (simulation: Simulation, effects: Effects) => void;
   /** Makes it for one world, when it is needed first. */
   readonly load: (simulation: Simulation, effects: Effects) => E;
 }
 
 /** Stages of a step in which effects act. */
-export const STAGES = ['beforeStep', 'settle', 'afterStep'] as const;
+export const STAGES = ['beforeStep', 'found', 'solve', 'solved', 'settle', 'afterStep'] as const;
 export type Stage = (typeof STAGES)[number];
 
 /** Something a plain scene of falling bodies can do without. It is called while at least one node causes it, and only then. */
@@ -93,6 +95,12 @@ export abstract class Effect {
 
   /** Before each step of Bullet, `dt` seconds. */
   beforeStep?(dt: number): void;
+  /** When Bullet has found what touches, before its contacts are seen one by one. */
+  found?(dt: number): void;
+  /** When all contacts of the step are seen, before Bullet's solver. */
+  solve?(dt: number): void;
+  /** When Bullet's solver has given every body its velocity, before they move. */
+  solved?(dt: number): void;
   /** Right after each step of Bullet, before anybody reads where it took the bodies. */
   settle?(dt: number): void;
   /** After each step of Bullet, when poses and velocities are read. */

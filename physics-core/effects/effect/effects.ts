@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import type { ContactProcessor } from '../../engine/contact-hook.js';
+import { eachPoint } from '../../engine/manifold.js';
 import {
   STAGES,
   type BodyChange,
@@ -31,12 +31,14 @@ export class Effects {
   /** Those that bodies or joints cause. */
   readonly #byBodies: readonly EffectDescriptor[];
   readonly #byJoints: readonly EffectDescriptor[];
+  /** And those that what is found near each other causes. */
+  readonly #byFound: readonly EffectDescriptor[];
   readonly #made = new Map<EffectDescriptor, Effect>();
   /** Those of them that a node causes. */
   readonly #caused = new Map<EffectDescriptor, Effect>();
   #stale = false;
   #on: readonly Effect[] = [];
-  #stages: Record<Stage, readonly Effect[]> = { beforeStep: [], settle: [], afterStep: [] };
+  readonly #stages: Record<Stage, readonly Effect[]>;
   #contacts: readonly Effect[] = [];
   /** Those that a step's contacts go to. */
   readonly #seeing: Effect[] = [];
@@ -45,8 +47,10 @@ export class Effects {
   constructor(simulation: Simulation, ordered: readonly EffectDescriptor[]) {
     this.#simulation = simulation;
     this.#ordered = ordered;
+    this.#stages = Object.fromEntries(STAGES.map((stage) => [stage, []])) as never;
     this.#byBodies = ordered.filter((each) => each.body);
     this.#byJoints = ordered.filter((each) => each.joint);
+    this.#byFound = ordered.filter((each) => each.found);
   }
 
   /** The effect of this world, made if it was not needed before. */
@@ -98,6 +102,12 @@ export class Effects {
       this.#review(descriptor, joint, descriptor.joint!(joint));
   }
 
+  /** Bullet's contact search is over. */
+  found(): void {
+    if (this.#simulation.bullet.manifoldCount === 0) return;
+    for (const descriptor of this.#byFound) descriptor.found!(this.#simulation, this);
+  }
+
   #review(descriptor: EffectDescriptor, node: Cause, reason: string | undefined): void {
     if (reason !== undefined) this.get(descriptor).need(node, reason);
     else this.find(descriptor)?.release(node);
@@ -140,20 +150,21 @@ export class Effects {
     for (const effect of this.#on) effect.noteCost();
   }
 
-  /** What sees every contact point of the step that begins; null: nothing does. */
-  contacts(): ContactProcessor | null {
-    this.#refresh();
-    this.#seeing.length = 0;
-    for (const effect of this.#contacts)
-      if (effect.seesContacts?.() ?? true) this.#seeing.push(effect);
-    return this.#seeing.length > 0 ? this.#processor : null;
+  /** Shows every contact point of the step to those that see contacts; between Bullet's search and its solver. */
+  seeContacts(): void {
+    const seeing = this.#seeing;
+    seeing.length = 0;
+    for (const effect of this.#contacts) if (effect.seesContacts?.() ?? true) seeing.push(effect);
+    if (seeing.length > 0) this.#simulation.bullet.eachAwakeManifold(this.#see);
   }
 
-  readonly #processor: ContactProcessor = {
-    process: (point, a, b) => {
-      for (const effect of this.#seeing) if (!effect.contact!(point, a, b)) return;
-    },
+  readonly #see = (manifold: number, a: number, b: number): void => {
+    eachPoint(this.#simulation.engine.ammo, manifold, (point) => this.#seePoint(point, a, b));
   };
+
+  #seePoint(point: number, a: number, b: number): void {
+    for (const effect of this.#seeing) if (!effect.contact!(point, a, b)) return;
+  }
 
   // ---- looking in -------------------------------------------------------------------------------------------------
 

@@ -13,6 +13,16 @@ const LEAST_BOUNCE = 0.01;
 export const isBounded = ({ stops, motors }: Joint): boolean =>
   stops.length > 0 || motors.length > 0;
 
+/** A stop or a motor in a step: its row, as the 6-DoF numbers them, and the impulse it has, between two bounds. */
+export interface Bound {
+  row: number;
+  least: number;
+  most: number;
+  impulse: number;
+  /** The rate it holds to. */
+  target: number;
+}
+
 /** Told which stops are in the way of a joint. */
 export interface StopListener {
   note(joint: Joint, stop: Stop, value: number, side: -1 | 0 | 1): void;
@@ -33,6 +43,7 @@ export class BoundedRows {
   #bounced = new Float64Array(0);
   #landings = new Float64Array(0);
   readonly #meeting = new StopBounce();
+  readonly #bound: Bound = { row: 0, least: 0, most: 0, impulse: 0, target: 0 };
 
   constructor(system: RowSystem, bodies: JointedBodies, rows: LockedRows) {
     this.#system = system;
@@ -186,6 +197,27 @@ export class BoundedRows {
     const rate = this.#system.holds(i) ? this.#system.rate(k, r) : 0;
     compliance[i] = 0;
     threshold[i] = targetVelocity[i] = rate - this.#sides[i]! * back;
+  }
+
+  /** Visits those of one joint, as one object that is written anew. */
+  each(k: number, visit: (bound: Bound) => void): void {
+    const { stops, motors } = this.#joints[k]!;
+    let i = k * ROWS + this.#rows.count(k);
+    for (const { row } of stops) this.#visit(i++, row, visit);
+    for (const { row } of motors) this.#visit(i++, row, visit);
+  }
+
+  #visit(i: number, row: number, visit: (bound: Bound) => void): void {
+    const { least, most, impulse, targetVelocity, threshold } = this.#system;
+    const bound = this.#bound;
+    bound.row = row;
+    bound.least = least[i]!;
+    bound.most = most[i]!;
+    const holds = this.#system.holds(i);
+    const edge = Number.isFinite(bound.least) && Number.isFinite(bound.most);
+    bound.impulse = holds || edge ? impulse[i]! : 0;
+    bound.target = holds ? targetVelocity[i]! : threshold[i]!;
+    visit(bound);
   }
 
   /** Tells which stops held in this step. */

@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { BoundedRows, type StopListener } from './bounded-rows.js';
+import { BoundedRows, type Bound, type StopListener } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
 import { Taut } from './closing.js';
 import { EnergyBudget } from './energy-budget.js';
@@ -159,6 +159,11 @@ export class ComponentSolve {
       if (!this.#system.again(component)) return;
       this.#correctNonlinearly(component, dt, 1);
     }
+  }
+
+  /** Visits the stops and motors of joint `k`. */
+  eachBound(k: number, visit: (bound: Bound) => void): void {
+    this.#bounded.each(k, visit);
   }
 
   /** Tells which stops of joint `k` held in this step. */

@@ -4,7 +4,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { stops } from './stops.js';
-import { isBounded } from './bounded-rows.js';
+import { isBounded, type Bound } from './bounded-rows.js';
 import { ComponentSolve, type Pull } from './component-solve.js';
 import { Forest, type Component, type Edge } from './forest.js';
 import { holds } from '../../dynamics/jointed.js';
@@ -12,6 +12,12 @@ import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
+
+/** Bodies that joints hold together, and those joints. */
+export interface Jointed {
+  readonly bodies: readonly Body[];
+  readonly joints: readonly Joint[];
+}
 
 /**
  * Solves all joints directly, before each step of Bullet: the velocities it hands over carry the bodies, along their
@@ -30,6 +36,8 @@ export class JointSolve extends Effect {
   /** Those of this step. */
   readonly #solved: Component[] = [];
   readonly #alone = new Set<Body>();
+  readonly #componentOf = new Map<Body, Component>();
+  readonly #jointed = new Map<Component, Jointed>();
   #stale = true;
 
   constructor(simulation: Simulation, effects: Effects) {
@@ -114,6 +122,27 @@ export class JointSolve extends Effect {
     return this.active && this.#alone.has(body);
   }
 
+  /** What hangs together with a body, where this step has found its motion without contacts. */
+  solvedWith(body: Body): Jointed | undefined {
+    const component = this.#componentOf.get(body);
+    if (!component || !this.#solved.includes(component)) return undefined;
+    let jointed = this.#jointed.get(component);
+    if (!jointed) {
+      const { bodies } = this.#bodies;
+      jointed = {
+        bodies: Array.from(component.bodies, (i) => bodies[i]!),
+        joints: Array.from(component.joints, (k) => this.#joints[k]!),
+      };
+      this.#jointed.set(component, jointed);
+    }
+    return jointed;
+  }
+
+  /** Visits the stops and motors of a joint as this step has found them. */
+  eachBound(joint: Joint, visit: (bound: Bound) => void): void {
+    if (isBounded(joint)) this.#solver.eachBound(this.#joints.indexOf(joint), visit);
+  }
+
   /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
   on = true;
 
@@ -192,6 +221,11 @@ export class JointSolve extends Effect {
     this.#forest.build(numbers.size, edges);
     this.#solver.take([...numbers.keys()], joints, this.#joints, edges, this.#forest);
     this.#sleepingRows.take(joints, this.#forest);
+    this.#componentOf.clear();
+    this.#jointed.clear();
+    const bodies = [...numbers.keys()];
+    for (const component of this.#forest.components)
+      for (const i of component.bodies) this.#componentOf.set(bodies[i]!, component);
     this.#joints = joints;
   }
 }

@@ -46,7 +46,14 @@ export function shapeOf(body: BodyNode, owner: Owner): { shape: BtShape; parts: 
   else effects.find(meshShapes)?.release(body);
   tell(body, notes);
   const parts = body.parts;
-  return { shape, parts: made.map(({ at, mesh }) => ({ ...parts[at]!, mesh })) };
+  return {
+    shape,
+    parts: made.map(({ at, outline }) => ({
+      ...parts[at]!,
+      outline,
+      mesh: outline.kind === 'triangles',
+    })),
+  };
 }
 
 function tell(body: BodyNode, notes: Set<ShapeNote>): void {

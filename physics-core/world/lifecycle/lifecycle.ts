@@ -112,7 +112,7 @@ export class Lifecycle {
       for (const node of nodes) if (node.type.rank === rank) node.unmake();
     }
     world.rays.dispose();
-    world.engine.contacts.listen(world.bullet.bullet, null);
+    world.engine.solverHook.listen(null);
     world.bullet.dispose();
     world.started = false;
   }

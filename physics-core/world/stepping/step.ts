@@ -1,3 +1,4 @@
+import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
 import { reportOverlaps } from '../pairs/overlaps.js';
@@ -78,13 +79,25 @@ export class Step {
 
   /** What is told of the step is told with the time at its end. */
   #stepBullet(timeStep: number): void {
-    const { engine, bullet, registry: effects } = this.#world;
+    const { engine, bullet } = this.#world;
     engine.forgetFound(bullet.bullet);
-    // What sees contacts writes into the heap, which only a known layout allows.
-    engine.contacts.listen(bullet.bullet, engine.heapTrusted ? effects.contacts() : null);
+    engine.solverHook.listen(this.#between);
     bullet.step(timeStep);
+    engine.solverHook.listen(null);
     this.#time.count(timeStep);
   }
+
+  /** In the middle of Bullet's step. */
+  readonly #between: SolverListener = {
+    found: () => {
+      const { registry: effects, timeStep } = this.#world;
+      effects.found();
+      effects.run('found', timeStep);
+      effects.seeContacts();
+      effects.run('solve', timeStep);
+    },
+    solved: () => this.#world.registry.run('solved', this.#world.timeStep),
+  };
 
   #reportOverlaps(): void {
     this.#world.rays.moved();

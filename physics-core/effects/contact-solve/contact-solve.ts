@@ -1,0 +1,253 @@
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { isAwake } from '../../engine/body-heap.js';
+import { BODY, MANIFOLD, MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import { contactSurface } from '../contacts/contact-surface.js';
+import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
+import { jointSolve } from '../joints/joint-solve.js';
+import { BoundRows } from './bound-rows.js';
+import { ConeContacts } from './cone-contacts.js';
+import { CoupledJoints } from './coupled-joints.js';
+import { Newton } from './newton.js';
+import { Parts, type Part } from './part.js';
+import { ContactPort, type ContactStep } from './read-contact.js';
+import { SolveBodies } from './solve-bodies.js';
+import { SIZE } from './sparse-cholesky.js';
+
+/** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
+const ASIDE = 1e24;
+
+const NONE: ReadonlySet<number> = new Set();
+
+/**
+ * Solves what is in touch directly, joints included: between Bullet's contact search and its solver it finds the
+ * velocities at which every contact holds, slides or lets go as Coulomb's law says, and puts them in the place of those
+ * that Bullet's iterations lead to.
+ */
+export class ContactSolve extends Effect {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #contacts = new ConeContacts();
+  readonly #rows = new BoundRows();
+  readonly #bodies: SolveBodies;
+  readonly #parts = new Parts();
+  readonly #newton: Newton;
+  readonly #port: ContactPort;
+  readonly #joints: CoupledJoints;
+  readonly #step: ContactStep & { written: ReadonlySet<number> } = {
+    dt: 0,
+    slop: 0,
+    written: NONE,
+  };
+  /** Points that are left to Bullet. */
+  #special: ReadonlySet<number> = NONE;
+  /** Manifolds of the step, and which bodies they are of. */
+  readonly #manifolds: number[] = [];
+  readonly #solved: Part[] = [];
+  /** What Bullet is to find again, by contact. */
+  readonly #distances: number[] = [];
+  /** The body that is named as its cause. */
+  #cause: Body | undefined;
+
+  constructor(simulation: Simulation, effects: Effects) {
+    super();
+    this.#simulation = simulation;
+    this.#effects = effects;
+    const { ammo } = simulation.engine;
+    this.#bodies = new SolveBodies(ammo);
+    this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
+    this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
+    this.#joints = new CoupledJoints(simulation, this.#rows, this.#bodies);
+  }
+
+  // ---- who needs it -------------------------------------------------------------------------------------------------
+
+  /** Something is in touch in this step. */
+  touch(body: Body): void {
+    if (this.#cause) return;
+    this.#cause = body;
+    this.need(body, 'touches another');
+  }
+
+  override release(node: Cause): void {
+    if (node === this.#cause) this.#cause = undefined;
+    super.release(node);
+  }
+
+  override unmade(node: Cause): void {
+    this.#joints.forget(node as Joint);
+    this.release(node);
+  }
+
+  #letGo(): void {
+    if (this.#cause) this.release(this.#cause);
+  }
+
+  // ---- a step -------------------------------------------------------------------------------------------------------
+
+  override solve(dt: number): void {
+    const { settings } = this.#simulation.bullet;
+    this.#step.dt = dt;
+    this.#step.slop = settings.linearSlop;
+    const surface = this.#effects.caused(contactSurface);
+    this.#step.written = surface?.written ?? NONE;
+    this.#special = surface?.special ?? NONE;
+    this.#contacts.count = this.#rows.count = this.#solved.length = 0;
+    this.#gather();
+    for (let i = 0; i < this.#parts.count; i++) {
+      const part = this.#parts.at(i);
+      if (part.manifolds.length > 0 && this.#fill(part) && this.#newton.solve(part))
+        this.#take(part);
+    }
+    if (this.#manifolds.length === 0) this.#letGo();
+  }
+
+  /** What is in touch, and what hangs together. */
+  #gather(): void {
+    this.#manifolds.length = 0;
+    this.#bodies.begin();
+    this.#parts.begin();
+    this.#simulation.bullet.eachAwakeManifold(this.#see);
+    const { heap } = this;
+    for (const manifold of this.#manifolds) {
+      const a = this.#numberOf(heap[(manifold + MANIFOLD.bodyA) >> 2]!);
+      const b = this.#numberOf(heap[(manifold + MANIFOLD.bodyB) >> 2]!);
+      if (a >= 0 && b >= 0) this.#parts.join(a, b);
+    }
+    this.#joinJointed();
+    this.#parts.sort(this.#bodies.count);
+    for (const manifold of this.#manifolds) {
+      const a = this.#numberOf(heap[(manifold + MANIFOLD.bodyA) >> 2]!);
+      const b = this.#numberOf(heap[(manifold + MANIFOLD.bodyB) >> 2]!);
+      this.#parts.of(a >= 0 ? a : b).manifolds.push(manifold);
+    }
+  }
+
+  get heap(): Int32Array {
+    return this.#simulation.engine.ammo.HEAP32;
+  }
+
+  readonly #see = (manifold: number): void => {
+    if (this.heap[(manifold + MANIFOLD.pointCount) >> 2]! > 0) this.#manifolds.push(manifold);
+  };
+
+  #numberOf(pointer: number): number {
+    const before = this.#bodies.count;
+    const i = this.#bodies.numberOf(pointer);
+    if (i === before) this.#parts.add(i);
+    return i;
+  }
+
+  /** Who hangs on what touches belongs to it. */
+  #joinJointed(): void {
+    const joints = this.#effects.caused(jointSolve);
+    if (!joints) return;
+    for (let i = 0; i < this.#bodies.count; i++) {
+      const body = this.#bodyOf(i);
+      const jointed = body && body.joints.size > 0 && joints.solvedWith(body);
+      if (!jointed) continue;
+      for (const { pointer } of jointed.bodies) {
+        const other = this.#numberOf(pointer);
+        if (other >= 0) this.#parts.join(i, other);
+      }
+    }
+  }
+
+  #bodyOf(i: number): Body | undefined {
+    return this.#simulation.bodyAt(this.#bodies.pointers[i]!);
+  }
+
+  /** Reads bodies, contacts and joints. False: there is something that only Bullet can do. */
+  #fill(part: Part): boolean {
+    const { ammo } = this.#simulation.engine;
+    for (const body of part.bodies)
+      // What is woken by the first touch has contacts that nobody looked at in this step.
+      if (!isAwake(ammo, this.#bodies.pointers[body]!) || !this.#bodies.read(body, this.#step.dt))
+        return false;
+    if (!this.#fillJoints(part)) return false;
+    for (const manifold of part.manifolds)
+      if (!this.#fillContacts(manifold, part.contacts)) return false;
+    return part.contacts.length > 0;
+  }
+
+  #fillContacts(manifold: number, into: number[]): boolean {
+    const { heap } = this;
+    const a = heap[(manifold + MANIFOLD.bodyA) >> 2]!;
+    const b = heap[(manifold + MANIFOLD.bodyB) >> 2]!;
+    const count = heap[(manifold + MANIFOLD.pointCount) >> 2]!;
+    const [p, q] = [this.#bodies.numberOf(a), this.#bodies.numberOf(b)];
+    for (let i = 0; i < count; i++) {
+      const point = manifold + MANIFOLD.points + i * POINT.size;
+      if (this.#special.has(point)) return false;
+      const contact = this.#port.read(point, a, b, p, q, this.#step);
+      if (contact >= 0) into.push(contact);
+    }
+    return true;
+  }
+
+  #fillJoints(part: Part): boolean {
+    const joints = this.#effects.caused(jointSolve);
+    if (!joints) return true;
+    for (const i of part.bodies) {
+      const body = this.#bodyOf(i)!;
+      for (const joint of body.joints) {
+        // Each once, by the first of its bodies that moves.
+        if (!joint.attached || (joint.body1?.movable ? joint.body1 !== body : false)) continue;
+        if (joint.lockedRows.length === 0) continue;
+        if (!joints.solvedWith(body)) return false;
+        if (!this.#joints.add(joint, joints, this.#step.dt, part.rows)) return false;
+      }
+    }
+    return true;
+  }
+
+  /** Bullet's solver is to leave it alone. */
+  #take(part: Part): void {
+    if (!this.#newton.pushApart())
+      for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
+    this.#solved.push(part);
+    const f = this.#simulation.engine.ammo.HEAPF32;
+    for (const i of part.contacts) {
+      const at = (this.#contacts.pointers[i]! + POINT.distance) >> 2;
+      this.#distances[i] = f[at]!;
+      f[at] = ASIDE;
+    }
+  }
+
+  override solved(): void {
+    const f = this.#simulation.engine.ammo.HEAPF32;
+    for (const part of this.#solved) {
+      for (const body of part.bodies) this.#bodies.write(body);
+      for (const i of part.contacts) {
+        f[(this.#contacts.pointers[i]! + POINT.distance) >> 2] = this.#distances[i]!;
+        this.#port.write(i);
+      }
+      for (const i of part.rows) this.#joints.keep(i);
+    }
+  }
+}
+
+/** Looked at in every step in which Bullet has found what may be in touch. */
+function touching(simulation: Simulation, effects: Effects): void {
+  if (!simulation.bullet.settings.direct || effects.caused(contactSolve)) return;
+  const { ammo } = simulation.engine;
+  simulation.bullet.eachAwakeManifold((manifold, a, b) => {
+    if (ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0) return;
+    const body = simulation.bodyAt(ammo.HEAPF32[(a + BODY.inverseMass) >> 2] === 0 ? b : a);
+    if (body) effects.get(contactSolve).touch(body);
+  });
+}
+
+export const contactSolve: EffectDescriptor<ContactSolve> = {
+  name: 'contact solve',
+  causes: 'bodies in touch',
+  after: {
+    'joint solve': 'its rows keep to what that has found',
+    'contact surface': 'what contacts are like is written by then',
+    'impact propagation': 'what hits is turned back by then',
+  },
+  found: touching,
+  load: (simulation, effects) => new ContactSolve(simulation, effects),
+};

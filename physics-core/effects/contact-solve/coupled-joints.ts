@@ -1,0 +1,101 @@
+import type { Joint } from '../../dynamics/joint.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { JointRows } from '../joints/joint-rows.js';
+import type { JointSolve } from '../joints/joint-solve.js';
+import type { Bound } from '../joints/bounded-rows.js';
+import { R, rate, type BoundRows } from './bound-rows.js';
+import type { SolveBodies } from './solve-bodies.js';
+
+/** What a miss costs, in effective masses of the row. */
+const STIFFNESS = 1e4;
+
+/** Rows of a joint: six that may be locked, and as many bounds. */
+const ROWS = 12;
+
+/** Numbers of one row in `JointRows`. */
+const WIDTH = 12;
+
+/**
+ * The joints of what is in touch. The joint solve has found velocities at which they are whole after the step; contacts
+ * change them, and the rows see to it that the rates found stay.
+ */
+export class CoupledJoints {
+  readonly #joints: JointRows;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  /** Impulses of the last step, by joint. */
+  readonly #impulses = new Map<Joint, Float64Array>();
+  /** By row: its joint, and which of its rows. */
+  readonly #owners: Joint[] = [];
+  readonly #places: number[] = [];
+
+  constructor(simulation: Simulation, rows: BoundRows, bodies: SolveBodies) {
+    this.#joints = new JointRows(simulation);
+    this.#rows = rows;
+    this.#bodies = bodies;
+  }
+
+  begin(): void {
+    this.#owners.length = this.#places.length = 0;
+  }
+
+  /** The rows of a joint, into `into`. False: it gives way, and no row here does. */
+  add(joint: Joint, solve: JointSolve, dt: number, into: number[]): boolean {
+    const { lockedRows, corrections, body1, body2 } = joint;
+    const a = body1?.movable ? this.#bodies.numberOf(body1.pointer) : -1;
+    const b = body2?.movable ? this.#bodies.numberOf(body2.pointer) : -1;
+    this.#joints.fill(joint, dt);
+    let place = 0;
+    for (const row of lockedRows) {
+      if (corrections[row]!.softness > 0) return false;
+      this.#add(joint, row, place++, a, b, into);
+    }
+    solve.eachBound(joint, (bound) => this.#addBound(joint, place++, a, b, bound, into));
+    return true;
+  }
+
+  #addBound(
+    joint: Joint,
+    place: number,
+    a: number,
+    b: number,
+    { row, least, most, impulse, target }: Bound,
+    into: number[],
+  ): void {
+    const at = this.#add(joint, row, place, a, b, into);
+    const r = this.#rows.values;
+    r[at + R.least] = Math.min(0, least - impulse);
+    r[at + R.most] = Math.max(0, most - impulse);
+    r[at + R.target] = target;
+  }
+
+  #add(joint: Joint, row: number, place: number, a: number, b: number, into: number[]): number {
+    const rows = this.#rows;
+    const at = rows.add(a, b);
+    const r = rows.values;
+    const from = row * WIDTH;
+    for (let k = 0; k < WIDTH; k++) r[at + k] = this.#joints.jacobian[from + k]!;
+    r[at + R.target] = rate(r, at, this.#bodies.free, a, b);
+    r[at + R.penalty] = STIFFNESS / (this.#joints.between(row, row) || 1);
+    r[at + R.impulse] = this.#impulses.get(joint)?.[place] ?? 0;
+    r[at + R.least] = -Infinity;
+    r[at + R.most] = Infinity;
+    into.push(rows.count - 1);
+    this.#owners[rows.count - 1] = joint;
+    this.#places[rows.count - 1] = place;
+    return at;
+  }
+
+  /** For the next step. */
+  keep(row: number): void {
+    const joint = this.#owners[row]!;
+    let kept = this.#impulses.get(joint);
+    if (!kept) this.#impulses.set(joint, (kept = new Float64Array(ROWS)));
+    kept[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
+  }
+
+  /** A joint that is made anew begins anew. */
+  forget(joint: Joint): void {
+    this.#impulses.delete(joint);
+  }
+}

@@ -1,0 +1,353 @@
+import {
+  C,
+  OPEN,
+  project,
+  SLIDES,
+  speeds,
+  STICKS,
+  stiffnessOf,
+  takePush,
+  type ConeContacts,
+} from './cone-contacts.js';
+import { addContact } from './contact-blocks.js';
+import { addOuter, clamp, gives, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
+import type { Part } from './part.js';
+import type { SolveBodies } from './solve-bodies.js';
+import { SIZE, SparseCholesky } from './sparse-cholesky.js';
+
+/** Steps of Newton for one set of impulses, and sets of impulses, at most. */
+const STEPS = 30;
+const ROUNDS = 12;
+
+/** A change of velocities that is none any more, m/s and rad/s. */
+const STILL = 1e-7;
+
+/** What a contact or a joint may miss by, m/s. */
+const MISS = 1e-5;
+
+/** Tries to find how far a step should go. */
+const TRIES = 10;
+
+/** Share of the slope that a step may leave. */
+const FLAT = 0.1;
+
+/** Overlaps that are let stand: single precision has 1e-6 m at ten metres from the origin. */
+const SHALLOW = 1e-6;
+
+/** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
+const SLOW = 0.7;
+
+/**
+ * Of the impulses of the last step, where something moves. What stands on more points than it needs may share its load
+ * among them in any way; so it comes to the most even one, as things that give way a little have it.
+ */
+const KEPT = 0.9;
+
+/** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
+const PRODUCTS = 400;
+
+/**
+ * Finds the velocities and impulses of bodies in touch at once. Velocities minimise their distance from free ones, by
+ * mass, and half the square of what contacts push over their penalty; impulses are then what they push. Each round of
+ * that (the method of multipliers) brings the speeds nearer to what Coulomb's law asks for: what lies still begins with
+ * the impulses of the last step, and is done before the first matrix.
+ */
+export class Newton {
+  readonly #matrix = new SparseCholesky();
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  #x = new Float64Array(SIZE);
+  readonly #w = new Float64Array(9);
+  /** By body: its number in the part. */
+  #number = new Int32Array(16);
+  #part!: Part;
+  #analysed = false;
+  /** Matrices factored so far. */
+  factored = 0;
+
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
+  }
+
+  /** False: Bullet's iterations are cheaper, or this finds no end. */
+  solve(part: Part): boolean {
+    this.#begin(part);
+    if (this.#readSlope() < STILL) return true;
+    this.#relax();
+    let before = Infinity;
+    let share = 1;
+    for (let round = 0; round < ROUNDS; round++) {
+      if (!this.#minimise()) return false;
+      const miss = this.#raise(share);
+      if (miss < MISS) return true;
+      share = miss > SLOW * before ? 0.5 : 1;
+      before = miss;
+    }
+    return Number.isFinite(before);
+  }
+
+  #begin(part: Part): void {
+    this.#part = part;
+    this.#analysed = false;
+    const { count } = this.#bodies;
+    if (this.#number.length < count) this.#number = new Int32Array(2 * count);
+    if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
+    this.#readMisses();
+    const c = this.#contacts.values;
+    for (const i of part.contacts) c[i * C.size + C.lift] = liftOf(c, i * C.size);
+  }
+
+  #relax(): void {
+    const c = this.#contacts.values;
+    const r = this.#rows.values;
+    for (const i of this.#part.contacts)
+      for (let k = i * C.size; k < i * C.size + 3; k++) c[k + C.impulse]! *= KEPT;
+    for (const i of this.#part.rows) r[i * R.size + R.impulse]! *= KEPT;
+  }
+
+  /** The structure of the matrix: only once it is needed. */
+  #analyse(): boolean {
+    if (this.#analysed) return true;
+    const { bodies, contacts, rows } = this.#part;
+    this.#matrix.begin(bodies.length);
+    for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
+    for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!);
+    for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!);
+    this.#analysed = this.#matrix.analyse(PRODUCTS * bodies.length);
+    return this.#analysed;
+  }
+
+  #connect(a: number, b: number): void {
+    if (a >= 0 && b >= 0) this.#matrix.connect(this.#number[a]!, this.#number[b]!);
+  }
+
+  // ---- rounds -------------------------------------------------------------------------------------------------------
+
+  /** What is pushed becomes the impulse. Returns by how much speeds still missed, m/s. */
+  #raise(share: number): number {
+    const c = this.#contacts.values;
+    let worst = 0;
+    for (const i of this.#part.contacts) {
+      const at = i * C.size;
+      const penalty = c[at + C.penalty]!;
+      for (let k = 0; k < 3; k++) {
+        const pushed = c[at + C.pushed + k]!;
+        worst = Math.max(worst, Math.abs(pushed - c[at + C.impulse + k]!) / penalty);
+        c[at + C.impulse + k] = pushed;
+      }
+      const rise = liftOf(c, at) - c[at + C.lift]!;
+      if (c[at + C.state] !== OPEN) worst = Math.max(worst, Math.abs(rise));
+      c[at + C.lift]! += share * rise;
+    }
+    const r = this.#rows.values;
+    for (const i of this.#part.rows) {
+      const at = i * R.size;
+      worst = Math.max(
+        worst,
+        Math.abs(r[at + R.pushed]! - r[at + R.impulse]!) / r[at + R.penalty]!,
+      );
+      r[at + R.impulse] = r[at + R.pushed]!;
+    }
+    return worst;
+  }
+
+  // ---- one round ----------------------------------------------------------------------------------------------------
+
+  #minimise(): boolean {
+    this.#readMisses();
+    for (let step = 0; step < STEPS; step++) {
+      if (this.#readSlope() < STILL) return true;
+      if (!this.#assemble()) return false;
+      if (this.#findDirection() < STILL) return true;
+      this.#go();
+    }
+    return true;
+  }
+
+  #readMisses(): void {
+    const { values: c, a, b } = this.#contacts;
+    const { velocities } = this.#bodies;
+    for (const i of this.#part.contacts) {
+      const at = i * C.size;
+      speeds(c, at, velocities, a[i]!, b[i]!, C.miss);
+      for (let k = 0; k < 3; k++) c[at + C.miss + k]! -= c[at + C.target + k]!;
+      project(c, at, 0);
+    }
+    const r = this.#rows;
+    for (const i of this.#part.rows) {
+      const at = i * R.size;
+      r.values[at + R.miss] =
+        rate(r.values, at, velocities, r.a[i]!, r.b[i]!) - r.values[at + R.target]!;
+      clamp(r.values, at, 0);
+    }
+  }
+
+  /** The gradient goes to `momentum`. Returns the greatest speed that it would take from a body by itself. */
+  #readSlope(): number {
+    const { values: c, a, b } = this.#contacts;
+    const { momentum } = this.#bodies;
+    const { bodies } = this.#part;
+    this.#bodies.gradient(bodies);
+    for (const i of this.#part.contacts)
+      takePush(c, i * C.size, momentum, a[i]!, b[i]!, C.pushed, 1);
+    const r = this.#rows;
+    for (const i of this.#part.rows) {
+      const at = i * R.size;
+      takeAlong(r.values, at, momentum, r.a[i]!, r.b[i]!, r.values[at + R.pushed]!);
+    }
+    return this.#bodies.fastest(bodies);
+  }
+
+  #assemble(): boolean {
+    if (!this.#analyse()) return false;
+    const { values: c, a, b } = this.#contacts;
+    const matrix = this.#matrix;
+    const { bodies, contacts, rows } = this.#part;
+    matrix.clear();
+    for (let i = 0; i < bodies.length; i++)
+      this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
+    for (const i of contacts)
+      if (stiffnessOf(c, i * C.size, this.#w))
+        addContact(matrix, this.#w, c, i * C.size, this.#numberOf(a[i]!), this.#numberOf(b[i]!));
+    for (const i of rows) if (gives(this.#rows.values, i * R.size)) this.#addRow(i);
+    this.factored++;
+    return matrix.factor();
+  }
+
+  #numberOf(body: number): number {
+    return body < 0 ? -1 : this.#number[body]!;
+  }
+
+  #addRow(i: number): void {
+    const { values: r, a, b } = this.#rows;
+    const matrix = this.#matrix;
+    const at = i * R.size;
+    const penalty = r[at + R.penalty]!;
+    const [p, q] = [this.#numberOf(a[i]!), this.#numberOf(b[i]!)];
+    if (p >= 0) addOuter(matrix.values, matrix.diagonal(p), r, at, at, penalty);
+    if (q >= 0) addOuter(matrix.values, matrix.diagonal(q), r, at + R.b, at + R.b, penalty);
+    if (p < 0 || q < 0) return;
+    const between = matrix.between(p, q);
+    if (between >= 0) addOuter(matrix.values, between, r, at, at + R.b, penalty);
+    else addOuter(matrix.values, -1 - between, r, at + R.b, at, penalty);
+  }
+
+  /** Newton's direction goes to `change`; returns its greatest speed. */
+  #findDirection(): number {
+    const { momentum, change } = this.#bodies;
+    const { bodies } = this.#part;
+    const x = this.#x;
+    for (let i = 0; i < bodies.length; i++)
+      for (let k = 0; k < SIZE; k++) x[i * SIZE + k] = -momentum[bodies[i]! * SIZE + k]!;
+    this.#matrix.solve(x);
+    let size = 0;
+    for (let i = 0; i < bodies.length; i++)
+      for (let k = 0; k < SIZE; k++) {
+        const value = x[i * SIZE + k]!;
+        change[bodies[i]! * SIZE + k] = value;
+        size = Math.max(size, Math.abs(value));
+      }
+    return size;
+  }
+
+  /** Along the direction found, as far as that goes down. */
+  #go(): void {
+    const { velocities, change } = this.#bodies;
+    const { bodies, contacts, rows } = this.#part;
+    const { values: c, a, b } = this.#contacts;
+    const r = this.#rows;
+    for (const i of contacts) speeds(c, i * C.size, change, a[i]!, b[i]!, C.change);
+    for (const i of rows)
+      r.values[i * R.size + R.change] = rate(r.values, i * R.size, change, r.a[i]!, r.b[i]!);
+    const s = this.#findBottom();
+    for (const body of bodies)
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! += s * change[k]!;
+    for (const i of contacts)
+      for (let k = i * C.size; k < i * C.size + 3; k++) c[k + C.miss]! += s * c[k + C.change]!;
+    for (const i of rows) r.values[i * R.size + R.miss]! += s * r.values[i * R.size + R.change]!;
+  }
+
+  /** How far along the direction the slope ends: by false position, after Illinois. */
+  #findBottom(): number {
+    const { bodies } = this.#part;
+    const begin = this.#bodies.along(bodies);
+    const curve = this.#bodies.square(bodies);
+    const constant = begin + this.#power();
+    let [low, atLow, high, atHigh] = [0, begin, 1, NaN];
+    let s = 1;
+    for (let i = 0; i < TRIES; i++) {
+      this.#pushAt(s);
+      const slope = constant + s * curve - this.#power();
+      if (slope <= FLAT * -begin && (s === 1 || slope >= FLAT * begin)) break;
+      if (slope > 0) {
+        [high, atHigh] = [s, slope];
+        if (i > 0) atLow /= 2;
+      } else {
+        [low, atLow] = [s, slope];
+        atHigh /= 2;
+      }
+      s = low - ((high - low) * atLow) / (atHigh - atLow);
+    }
+    return s;
+  }
+
+  #pushAt(s: number): void {
+    for (const i of this.#part.contacts) project(this.#contacts.values, i * C.size, s);
+    for (const i of this.#part.rows) clamp(this.#rows.values, i * R.size, s);
+  }
+
+  /** What the pushes do along the direction. */
+  #power(): number {
+    const c = this.#contacts.values;
+    const r = this.#rows.values;
+    let sum = 0;
+    for (const i of this.#part.contacts)
+      for (let k = i * C.size; k < i * C.size + 3; k++) sum += c[k + C.pushed]! * c[k + C.change]!;
+    for (const i of this.#part.rows) sum += r[i * R.size + R.pushed]! * r[i * R.size + R.change]!;
+    return sum;
+  }
+
+  // ---- overlaps -----------------------------------------------------------------------------------------------------
+
+  /**
+   * How bodies move apart that overlap, metres and radians, goes to `change`. What touches holds on to each other
+   * meanwhile. False: nothing overlaps.
+   */
+  pushApart(): boolean {
+    if (!this.#anyOverlap() || !this.#hold()) return false;
+    const { values: c, a, b } = this.#contacts;
+    const { momentum } = this.#bodies;
+    for (const body of this.#part.bodies) momentum.fill(0, body * SIZE, (body + 1) * SIZE);
+    for (const i of this.#part.contacts) {
+      const at = i * C.size;
+      if (c[at + C.state] === OPEN) continue;
+      c[at + C.change] = c[at + C.penalty]! * c[at + C.overlap]!;
+      c[at + C.change + 1] = c[at + C.change + 2] = 0;
+      takePush(c, at, momentum, a[i]!, b[i]!, C.change, 1);
+    }
+    this.#findDirection();
+    return true;
+  }
+
+  #anyOverlap(): boolean {
+    const c = this.#contacts.values;
+    for (const i of this.#part.contacts) if (c[i * C.size + C.overlap]! > SHALLOW) return true;
+    return false;
+  }
+
+  #hold(): boolean {
+    const c = this.#contacts.values;
+    for (const i of this.#part.contacts) {
+      const at = i * C.size;
+      if (c[at + C.state] === SLIDES || c[at + C.overlap]! > SHALLOW) c[at + C.state] = STICKS;
+    }
+    return this.#assemble();
+  }
+}
+
+/** What Coulomb's law has more than its associated form: sliding does not lift. */
+const liftOf = (c: Float64Array, at: number): number =>
+  c[at + C.friction]! * Math.hypot(c[at + C.miss + 1]!, c[at + C.miss + 2]!);

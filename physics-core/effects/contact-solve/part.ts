@@ -1,0 +1,80 @@
+import { grownInt } from '../../base/grown.js';
+
+/** Bodies that hang together by contacts and joints, and what holds them: numbers of a step's bodies, contacts and rows. */
+export interface Part {
+  readonly bodies: number[];
+  /** Pointers of Bullet's manifolds. */
+  readonly manifolds: number[];
+  readonly contacts: number[];
+  /** Of joints. */
+  readonly rows: number[];
+  /** Whether all of it can be solved here. */
+  whole: boolean;
+}
+
+/** The parts of a step. Their arrays are kept from step to step. */
+export class Parts {
+  readonly #pool: Part[] = [];
+  #count = 0;
+  #parents = new Int32Array(16);
+  #partOf = new Int32Array(16);
+
+  begin(): void {
+    this.#count = 0;
+  }
+
+  /** One more body, which hangs together with nobody so far. */
+  add(body: number): void {
+    if (body >= this.#parents.length) {
+      this.#parents = grownInt(this.#parents, 2 * body);
+      this.#partOf = new Int32Array(2 * body);
+    }
+    this.#parents[body] = body;
+  }
+
+  #root(body: number): number {
+    const parents = this.#parents;
+    while (parents[body]! !== body) body = parents[body] = parents[parents[body]!]!;
+    return body;
+  }
+
+  join(a: number, b: number): void {
+    this.#parents[this.#root(a)] = this.#root(b);
+  }
+
+  /** All are joined: each body goes to its part. */
+  sort(bodies: number): void {
+    this.#partOf.fill(-1, 0, bodies);
+    for (let i = 0; i < bodies; i++) {
+      const root = this.#root(i);
+      if (this.#partOf[root]! < 0) this.#partOf[root] = this.#begin();
+      const part = this.#partOf[root]!;
+      this.#pool[part]!.bodies.push(i);
+    }
+  }
+
+  #begin(): number {
+    const part = (this.#pool[this.#count] ??= {
+      bodies: [],
+      manifolds: [],
+      contacts: [],
+      rows: [],
+      whole: true,
+    });
+    part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
+    part.whole = true;
+    return this.#count++;
+  }
+
+  of(body: number): Part {
+    return this.#pool[this.#partOf[this.#root(body)]!]!;
+  }
+
+  get count(): number {
+    return this.#count;
+  }
+
+  at(i: number): Part {
+    return this.#pool[i]!;
+  }
+}

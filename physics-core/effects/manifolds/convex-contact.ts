@@ -1,0 +1,141 @@
+import type { Flat } from '../../shapes/forms/form.js';
+import { clip, MOST_CLIPPED } from './clip.js';
+import type { FoundPoints } from './found-points.js';
+import { LineContact } from './line-contact.js';
+import { NearestPoints } from './nearest-points.js';
+import type { PlacedForm } from './placed-form.js';
+
+/** So much farther than the nearest corner a face may begin and still bear the contact: the depth that resting contacts keep, metres. */
+const FLUSH = 1e-4;
+
+/** Of what is small, this share of its reach. */
+const FLUSH_SHARE = 1e-3;
+
+/** The second face bears the contact where it lies so much farther out than the first, metres. */
+const FARTHER = 1e-5;
+
+/**
+ * The contact points of two convex forms as they stand. Where a flat face of one bears the other, the normal is exactly
+ * that of the face, and the points are those of what lies over it; else the nearest points say the normal.
+ */
+export class ConvexContact {
+  readonly #nearest = new NearestPoints();
+  readonly #lines = new LineContact();
+  readonly #normalA = new Float64Array(3);
+  readonly #normalB = new Float64Array(3);
+  readonly #face = new Float64Array(3 * MOST_CLIPPED);
+  readonly #lying = new Float64Array(3 * MOST_CLIPPED);
+  #points!: FoundPoints;
+  /** Farther apart than this nothing is a contact, metres. */
+  #limit = 0;
+  #triangle = -1;
+  /** How far apart they are along the guess: a face that says less is not what separates them most. */
+  #least = 0;
+
+  /** `normal`: a guess, from B into A, and what is found. */
+  find(
+    a: PlacedForm,
+    b: PlacedForm,
+    normal: Flat,
+    limit: number,
+    points: FoundPoints,
+    triangle = -1,
+  ): void {
+    this.#points = points;
+    this.#limit = limit;
+    this.#triangle = triangle;
+    if (this.#byFaces(a, b, normal)) return;
+    const nearest = this.#nearest;
+    nearest.normal.set(normal);
+    if (!nearest.find(a, b)) return;
+    normal.set(nearest.normal);
+    if (nearest.distance > limit || this.#byFaces(a, b, normal)) return;
+    if (!this.#lines.find(a, b, normal, limit, points, triangle)) this.#addNearest(b);
+  }
+
+  #addNearest(b: PlacedForm): void {
+    const { normal, onB, distance } = this.#nearest;
+    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    const { round } = b.form;
+    this.#points.add(
+      onB[0]! + x * round,
+      onB[1]! + y * round,
+      onB[2]! + z * round,
+      x,
+      y,
+      z,
+      distance,
+      this.#triangle,
+    );
+  }
+
+  /** Whether the face of A or of B that looks most along the normal bears the contact. */
+  #byFaces(a: PlacedForm, b: PlacedForm, normal: Flat): boolean {
+    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    const ofA = a.facing(-x, -y, -z, this.#normalA);
+    const ofB = b.facing(x, y, z, this.#normalB);
+    const gapA = ofA < 0 ? -Infinity : gapAlong(a, b, this.#normalA);
+    const gapB = ofB < 0 ? -Infinity : gapAlong(b, a, this.#normalB);
+    // It separates them.
+    if (gapA > this.#limit || gapB > this.#limit) return true;
+    this.#least = -b.height(x, y, z) - a.height(-x, -y, -z) - FARTHER;
+    const aFirst = gapA > gapB + FARTHER;
+    return aFirst
+      ? this.#onFace(a, b, ofA, this.#normalA, gapA, -1, normal) ||
+          this.#onFace(b, a, ofB, this.#normalB, gapB, 1, normal)
+      : this.#onFace(b, a, ofB, this.#normalB, gapB, 1, normal) ||
+          this.#onFace(a, b, ofA, this.#normalA, gapA, -1, normal);
+  }
+
+  /** What lies over a face of `bearer`; `sign` 1: that is B. */
+  #onFace(
+    bearer: PlacedForm,
+    borne: PlacedForm,
+    number: number,
+    out: Flat,
+    gap: number,
+    sign: 1 | -1,
+    normal: Flat,
+  ): boolean {
+    if (number < 0 || gap < this.#least) return false;
+    const [x, y, z] = [out[0]!, out[1]!, out[2]!];
+    const face = this.#face;
+    const corners = bearer.face(number, face);
+    const lying = this.#lying;
+    const count = clip(lying, borne.lying(-x, -y, -z, lying), face, corners, x, y, z);
+    const height = x * face[0]! + y * face[1]! + z * face[2]!;
+    const flush = Math.min(FLUSH, FLUSH_SHARE * borne.form.reach);
+    if (leastHeight(lying, count, x, y, z) - height > gap + flush) return false;
+    for (let at = 0; at < 3 * count; at += 3) {
+      const [px, py, pz] = [lying[at]!, lying[at + 1]!, lying[at + 2]!];
+      const distance = x * px + y * py + z * pz - height;
+      if (distance > this.#limit) continue;
+      const down = sign > 0 ? distance : 0;
+      this.#points.add(
+        px - x * down,
+        py - y * down,
+        pz - z * down,
+        sign * x,
+        sign * y,
+        sign * z,
+        distance,
+        this.#triangle,
+      );
+    }
+    for (let i = 0; i < 3; i++) normal[i] = sign * out[i]!;
+    return true;
+  }
+}
+
+/** How far `borne` lies from `bearer` along the bearer's outward normal. */
+function gapAlong(bearer: PlacedForm, borne: PlacedForm, out: Flat): number {
+  const [x, y, z] = [out[0]!, out[1]!, out[2]!];
+  return -borne.height(-x, -y, -z) - bearer.height(x, y, z);
+}
+
+function leastHeight(points: Flat, count: number, x: number, y: number, z: number): number {
+  let least = Infinity;
+  for (let at = 0; at < 3 * count; at += 3)
+    least = Math.min(least, x * points[at]! + y * points[at + 1]! + z * points[at + 2]!);
+  return least;
+}

@@ -1,0 +1,100 @@
+import type { PlacedForm } from './placed-form.js';
+import { Simplex } from './simplex.js';
+
+/** Of the squared distance: nearer than so the search does not look. */
+const NEAR_ENOUGH = 1e-12;
+const MOST_ROUNDS = 48;
+
+/** Share of their reach by which two forms are drawn apart to be searched, so that they do not overlap. */
+const APART = 1e-2;
+
+/** How often the direction is found anew: each time its error shrinks by some APART. */
+const MOST_TURNS = 3;
+
+/** A direction that turns less is found, radians. */
+const STEADY = 1e-7;
+
+/**
+ * Gilbert, Johnson and Keerthi 1988: the points of two forms nearest to each other, in double precision. Forms that
+ * overlap are drawn apart first, along a direction that is made better by what is found.
+ */
+export class NearestPoints {
+  readonly #simplex = new Simplex();
+  /** From B to A, a unit vector, and the points, A's still drawn apart. */
+  readonly normal = new Float64Array(3);
+  readonly onA = new Float64Array(3);
+  readonly onB = new Float64Array(3);
+  /** Along the normal, metres; below 0 they overlap. */
+  distance = 0;
+  readonly #shift = new Float64Array(3);
+
+  /** `normal` holds a guess. False: nothing was found. */
+  find(a: PlacedForm, b: PlacedForm): boolean {
+    const { normal } = this;
+    const size = Math.min(a.form.reach, b.form.reach);
+    for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < 6; tries++) {
+      const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+      const height = b.height(x, y, z) + a.height(-x, -y, -z) - a.form.round - b.form.round;
+      const apart = height + APART * size * (1 + tries);
+      for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
+      if (!this.#search(a, b)) continue;
+      turn++;
+      const change = Math.abs(normal[0]! - x) + Math.abs(normal[1]! - y) + Math.abs(normal[2]! - z);
+      if (change < STEADY || apart <= 0) break;
+    }
+    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    this.distance = -b.height(x, y, z) - a.height(-x, -y, -z);
+    return this.#simplex.count > 0;
+  }
+
+  #search(a: PlacedForm, b: PlacedForm): boolean {
+    const simplex = this.#simplex;
+    const { nearest } = simplex;
+    nearest.set(this.normal);
+    simplex.count = 0;
+    for (let round = 0; round < MOST_ROUNDS; round++) {
+      const square = nearest[0]! ** 2 + nearest[1]! ** 2 + nearest[2]! ** 2;
+      const at = 3 * simplex.count;
+      this.#support(a, b, at);
+      const { w } = simplex;
+      const along = nearest[0]! * w[at]! + nearest[1]! * w[at + 1]! + nearest[2]! * w[at + 2]!;
+      if (round > 0 && square - along <= NEAR_ENOUGH * square) break;
+      if (this.#known(at)) break;
+      simplex.count++;
+      if (!simplex.reduce()) return false;
+      if (nearest[0]! ** 2 + nearest[1]! ** 2 + nearest[2]! ** 2 < 1e-24) return false;
+    }
+    return this.#take();
+  }
+
+  /** A corner that is there already says that no other is nearer. */
+  #known(at: number): boolean {
+    const { w } = this.#simplex;
+    for (let i = 0; i < at; i += 3)
+      if (w[i] === w[at] && w[i + 1] === w[at + 1] && w[i + 2] === w[at + 2]) return true;
+    return false;
+  }
+
+  #support(a: PlacedForm, b: PlacedForm, at: number): void {
+    const { nearest, w, a: onA, b: onB } = this.#simplex;
+    const [x, y, z] = [nearest[0]!, nearest[1]!, nearest[2]!];
+    a.support(-x, -y, -z, onA, at);
+    b.support(x, y, z, onB, at);
+    for (let i = 0; i < 3; i++) w[at + i] = onA[at + i]! + this.#shift[i]! - onB[at + i]!;
+  }
+
+  #take(): boolean {
+    const { nearest, share, count, a, b } = this.#simplex;
+    const size = Math.hypot(nearest[0]!, nearest[1]!, nearest[2]!);
+    if (!(size > 0)) return false;
+    for (let k = 0; k < 3; k++) {
+      this.normal[k] = nearest[k]! / size;
+      this.onA[k] = this.onB[k] = 0;
+      for (let i = 0; i < count; i++) {
+        this.onA[k]! += share[i]! * a[3 * i + k]!;
+        this.onB[k]! += share[i]! * b[3 * i + k]!;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,115 @@
+import { MATRIX } from '../../base/matrix.js';
+import type { Flat, Form } from '../../shapes/forms/form.js';
+
+const local = new Float64Array(3);
+
+/** A form where it stands in the world, in double precision. One object goes from part to part. */
+export class PlacedForm {
+  form!: Form;
+  /** Rows of the rotation, and where the form's origin is. */
+  readonly turn = new Float64Array(MATRIX);
+  readonly origin = new Float64Array(3);
+
+  /** Where its part stands in a body: `turn` and `origin` in the frame of the body, whose own are `rows` and `at`. */
+  put(form: Form, rows: Flat, at: Flat, turn: Flat, origin: Flat): void {
+    this.form = form;
+    for (let i = 0; i < 3; i++) {
+      const [a, b, c] = [rows[3 * i]!, rows[3 * i + 1]!, rows[3 * i + 2]!];
+      for (let j = 0; j < 3; j++)
+        this.turn[3 * i + j] = a * turn[j]! + b * turn[3 + j]! + c * turn[6 + j]!;
+      this.origin[i] = at[i]! + a * origin[0]! + b * origin[1]! + c * origin[2]!;
+    }
+  }
+
+  #in(x: number, y: number, z: number, axis: number): number {
+    const { turn } = this;
+    return turn[axis]! * x + turn[3 + axis]! * y + turn[6 + axis]! * z;
+  }
+
+  /** Directions of the form's frame become those of the world. */
+  #outDirection(out: Flat, at: number): void {
+    const { turn } = this;
+    const [x, y, z] = [out[at]!, out[at + 1]!, out[at + 2]!];
+    for (let i = 0; i < 3; i++)
+      out[at + i] = turn[3 * i]! * x + turn[3 * i + 1]! * y + turn[3 * i + 2]! * z;
+  }
+
+  /** The same of points. */
+  #out(out: Flat, count: number): number {
+    for (let at = 0; at < 3 * count; at += 3) {
+      this.#outDirection(out, at);
+      for (let i = 0; i < 3; i++) out[at + i]! += this.origin[i]!;
+    }
+    return count;
+  }
+
+  /** Into `out[at]`: the point farthest along a direction, without what is round about it. */
+  support(x: number, y: number, z: number, out: Flat, at: number): void {
+    this.form.support(this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2), local);
+    const { turn, origin } = this;
+    const [u, v, w] = [local[0]!, local[1]!, local[2]!];
+    for (let i = 0; i < 3; i++)
+      out[at + i] = turn[3 * i]! * u + turn[3 * i + 1]! * v + turn[3 * i + 2]! * w + origin[i]!;
+  }
+
+  /** How far it reaches along a unit vector, with what is round about it. */
+  height(x: number, y: number, z: number): number {
+    this.form.support(this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2), local);
+    const { origin } = this;
+    return (
+      x * origin[0]! +
+      y * origin[1]! +
+      z * origin[2]! +
+      local[0]! * this.#in(x, y, z, 0) +
+      local[1]! * this.#in(x, y, z, 1) +
+      local[2]! * this.#in(x, y, z, 2) +
+      this.form.round
+    );
+  }
+
+  facing(x: number, y: number, z: number, out: Flat): number {
+    const number = this.form.facing(
+      this.#in(x, y, z, 0),
+      this.#in(x, y, z, 1),
+      this.#in(x, y, z, 2),
+      out,
+    );
+    if (number >= 0) this.#outDirection(out, 0);
+    return number;
+  }
+
+  face(number: number, out: Flat): number {
+    return this.#out(out, this.form.face(number, out));
+  }
+
+  /** What lies on a plane along a unit vector. Level discs begin along the world's x axis, or z where that is the normal. */
+  lying(x: number, y: number, z: number, out: Flat): number {
+    const { turn } = this;
+    const first = Math.abs(x) > 0.9 ? 6 : 0;
+    const count = this.form.lying(
+      this.#in(x, y, z, 0),
+      this.#in(x, y, z, 1),
+      this.#in(x, y, z, 2),
+      turn[first]!,
+      turn[first + 1]!,
+      turn[first + 2]!,
+      out,
+    );
+    return this.#rounded(x, y, z, out, this.#out(out, count));
+  }
+
+  line(x: number, y: number, z: number, out: Flat): number {
+    const [u, v, w] = [this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2)];
+    return this.#rounded(x, y, z, out, this.#out(out, this.form.line(u, v, w, out)));
+  }
+
+  #rounded(x: number, y: number, z: number, out: Flat, count: number): number {
+    const { round } = this.form;
+    for (let at = 0; at < 3 * count && round > 0; at += 3) {
+      out[at]! += x * round;
+      out[at + 1]! += y * round;
+      out[at + 2]! += z * round;
+    }
+    return count;
+  }
+}

@@ -1,0 +1,99 @@
+import type { Ammo } from './ammo.js';
+import { MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
+
+/** Words of a point, and of a manifold's four. */
+const WORDS = POINT.size / 4;
+const BLOCK = WORDS * MOST_POINTS;
+
+/** A normal that has turned farther, by its cosine, is of another contact. */
+const SAME_SIDE = 0.7;
+
+/**
+ * The points of manifolds as the last step left them, with the impulses that its solver found: Bullet's search drops some of
+ * them. What is found anew takes over the impulses of the nearest.
+ */
+export class OldPoints {
+  readonly #ammo: Ammo;
+  /** Where the points of a manifold begin, by its pointer. */
+  readonly #at = new Map<number, number>();
+  #words = new Int32Array(16 * BLOCK);
+  #floats = new Float32Array(this.#words.buffer);
+  /** Of each block: how many points, and of whom. */
+  #counts: number[] = [];
+  #a: number[] = [];
+  #b: number[] = [];
+  /** Points of the block that is looked at which were taken over. */
+  readonly #taken = [false, false, false, false];
+  #block = -1;
+
+  constructor(ammo: Ammo) {
+    this.#ammo = ammo;
+  }
+
+  clear(): void {
+    this.#at.clear();
+  }
+
+  keep(manifold: number, a: number, b: number): void {
+    const block = this.#at.size;
+    if ((block + 1) * BLOCK > this.#words.length) this.#grow();
+    const { HEAP32 } = this.#ammo;
+    const count = HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
+    const from = (manifold + MANIFOLD.points) >> 2;
+    const to = block * BLOCK;
+    for (let i = 0; i < count * WORDS; i++) this.#words[to + i] = HEAP32[from + i]!;
+    this.#counts[block] = count;
+    this.#a[block] = a;
+    this.#b[block] = b;
+    this.#at.set(manifold, block);
+  }
+
+  #grow(): void {
+    const words = new Int32Array(2 * this.#words.length);
+    words.set(this.#words);
+    this.#words = words;
+    this.#floats = new Float32Array(words.buffer);
+  }
+
+  /** Those of this manifold are asked for from now on; where it was not kept, they are what stands in it. */
+  look(manifold: number, a: number, b: number): void {
+    let block = this.#at.get(manifold);
+    if (block === undefined || this.#a[block] !== a || this.#b[block] !== b) {
+      this.#at.delete(manifold);
+      this.keep(manifold, a, b);
+      block = this.#at.get(manifold)!;
+    }
+    this.#block = block;
+    this.#taken.fill(false);
+  }
+
+  /** Writes the nearest of them to `to`, the index of a point's first word on the heap. False: there is none. */
+  take(to: number, x: number, y: number, z: number, nx: number, ny: number, nz: number): boolean {
+    const found = this.#nearest(x, y, z, nx, ny, nz);
+    const { HEAP32 } = this.#ammo;
+    if (found < 0) {
+      for (let i = 0; i < WORDS; i++) HEAP32[to + i] = 0;
+      return false;
+    }
+    this.#taken[found] = true;
+    const from = this.#block * BLOCK + found * WORDS;
+    for (let i = 0; i < WORDS; i++) HEAP32[to + i] = this.#words[from + i]!;
+    return true;
+  }
+
+  #nearest(x: number, y: number, z: number, nx: number, ny: number, nz: number): number {
+    const f = this.#floats;
+    let least = Infinity;
+    let found = -1;
+    for (let i = 0; i < this.#counts[this.#block]!; i++) {
+      if (this.#taken[i]) continue;
+      const at = this.#block * BLOCK + i * WORDS;
+      const n = at + POINT.normalB / 4;
+      if (f[n]! * nx + f[n + 1]! * ny + f[n + 2]! * nz < SAME_SIDE) continue;
+      const p = at + POINT.positionB / 4;
+      const apart = (f[p]! - x) ** 2 + (f[p + 1]! - y) ** 2 + (f[p + 2]! - z) ** 2;
+      if (apart < least) [least, found] = [apart, i];
+    }
+    return found;
+  }
+}

@@ -1,0 +1,22 @@
+import type { Vec3 } from '../../fields/types.js';
+import { PolytopeForm } from './polytope.js';
+
+/** The faces of a cube whose corner `i` has the sign of x in bit 0, of y in bit 1, of z in bit 2. */
+const FACES = [
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+];
+
+const NORMALS = Float64Array.of(-1, 0, 0, 1, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, -1, 0, 0, 1);
+
+export function boxForm(half: Vec3): PolytopeForm {
+  const points = new Float64Array(24);
+  for (let i = 0; i < 8; i++)
+    for (let axis = 0; axis < 3; axis++)
+      points[3 * i + axis] = i & (1 << axis) ? half[axis]! : -half[axis]!;
+  return new PolytopeForm(points, FACES, NORMALS);
+}

@@ -1,0 +1,130 @@
+import { PolytopeForm } from './polytope.js';
+import { MOST_CORNERS } from './form.js';
+
+/** Share of its size by which a corner may stand out of a face that it belongs to: what single precision leaves of a plane. */
+const FLAT = 1e-5;
+
+type Triangle = readonly [number, number, number];
+
+/**
+ * The form of a convex hull: triangles in one plane become one face. Triangles go against the clock as seen from outside;
+ * `points` are flat, three numbers each.
+ */
+export function hullForm(points: ArrayLike<number>, triangles: readonly Triangle[]): PolytopeForm {
+  const size = sizeOf(points, triangles);
+  const planes = triangles.map((triangle) => planeOf(points, triangle));
+  const faces: number[][] = [];
+  const normals: number[] = [];
+  const open = new Set(triangles.keys());
+  const largest = [...triangles.keys()].sort((i, j) => planes[j]!.area - planes[i]!.area);
+  const across = neighbours(triangles);
+  for (const first of largest) {
+    if (!open.delete(first)) continue;
+    const { normal, height } = planes[first]!;
+    const lies = (corner: number): boolean =>
+      Math.abs(along(points, corner, normal) - height) <= FLAT * size;
+    const group = [first];
+    for (const one of group)
+      for (const next of across[one]!)
+        if (open.has(next) && triangles[next]!.every(lies)) {
+          open.delete(next);
+          group.push(next);
+        }
+    faces.push(outlineOf(points, new Set(group.flatMap((one) => [...triangles[one]!])), normal));
+    normals.push(...normal);
+  }
+  return compact(points, faces, Float64Array.from(normals));
+}
+
+type Vector = [number, number, number];
+
+const along = (points: ArrayLike<number>, corner: number, [x, y, z]: Vector): number =>
+  points[3 * corner]! * x + points[3 * corner + 1]! * y + points[3 * corner + 2]! * z;
+
+function sizeOf(points: ArrayLike<number>, triangles: readonly Triangle[]): number {
+  let size = 0;
+  for (const corner of triangles.flat())
+    for (let i = 0; i < 3; i++) size = Math.max(size, Math.abs(points[3 * corner + i]!));
+  return size;
+}
+
+function planeOf(points: ArrayLike<number>, [a, b, c]: Triangle) {
+  const side = (from: number, to: number, i: number) => points[3 * to + i]! - points[3 * from + i]!;
+  const [ux, uy, uz] = [side(a, b, 0), side(a, b, 1), side(a, b, 2)];
+  const [vx, vy, vz] = [side(a, c, 0), side(a, c, 1), side(a, c, 2)];
+  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+  const area = Math.hypot(x, y, z);
+  const normal: Vector = area > 0 ? [x / area, y / area, z / area] : [0, 0, 0];
+  return { area, normal, height: along(points, a, normal) };
+}
+
+/** Of each triangle those that share a side with it. */
+function neighbours(triangles: readonly Triangle[]): number[][] {
+  const sides = new Map<string, number>();
+  const each = (act: (one: number, from: number, to: number) => void): void =>
+    triangles.forEach((corners, one) =>
+      corners.forEach((from, i) => act(one, from, corners[(i + 1) % 3]!)),
+    );
+  each((one, from, to) => sides.set(`${from} ${to}`, one));
+  const found: number[][] = triangles.map(() => []);
+  each((one, from, to) => {
+    const next = sides.get(`${to} ${from}`);
+    if (next !== undefined) found[one]!.push(next);
+  });
+  return found;
+}
+
+/** Corners of a flat convex face in order around it, without those on its edges. */
+function outlineOf(points: ArrayLike<number>, corners: Set<number>, normal: Vector): number[] {
+  const [x, y, z] = normal;
+  // Two directions in the plane, the normal being the third.
+  const u: Vector = Math.abs(x) > 0.7 ? [-y, x, 0] : [0, -z, y];
+  const v: Vector = [y * u[2] - z * u[1], z * u[0] - x * u[2], x * u[1] - y * u[0]];
+  const flat = [...corners].map((corner) => ({
+    corner,
+    x: along(points, corner, u),
+    y: along(points, corner, v),
+  }));
+  flat.sort((a, b) => a.x - b.x || a.y - b.y);
+  const chain = (all: typeof flat): typeof flat => {
+    const kept: typeof flat = [];
+    for (const next of all) {
+      while (kept.length > 1 && !turnsLeft(kept.at(-2)!, kept.at(-1)!, next)) kept.pop();
+      kept.push(next);
+    }
+    kept.pop();
+    return kept;
+  };
+  const around = [...chain(flat), ...chain(flat.reverse())].map(({ corner }) => corner);
+  const step = Math.ceil(around.length / MOST_CORNERS);
+  return around.filter((_, i) => i % step === 0);
+}
+
+interface Flat2 {
+  x: number;
+  y: number;
+}
+
+/** Whether the way from a over b to c bends to the left, by more than rounding. */
+function turnsLeft(a: Flat2, b: Flat2, c: Flat2): boolean {
+  const [ux, uy, vx, vy] = [b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y];
+  return ux * vy - uy * vx > 1e-7 * Math.hypot(ux, uy) * Math.hypot(vx, vy);
+}
+
+/** Only the corners that faces have. */
+function compact(
+  points: ArrayLike<number>,
+  faces: number[][],
+  normals: Float64Array,
+): PolytopeForm {
+  const corners = [...new Set(faces.flat())].sort((a, b) => a - b);
+  const number = new Map(corners.map((corner, i) => [corner, i]));
+  const kept = Float64Array.from(
+    corners.flatMap((corner) => [0, 1, 2].map((i) => points[3 * corner + i]!)),
+  );
+  return new PolytopeForm(
+    kept,
+    faces.map((face) => face.map((corner) => number.get(corner)!)),
+    normals,
+  );
+}

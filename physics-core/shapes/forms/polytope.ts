@@ -1,0 +1,103 @@
+import type { Flat, Form } from './form.js';
+
+/** Within this angle from it, in radians, an edge lies along a plane. */
+const ALONG = 0.02;
+
+/** What is bounded by flat faces: a box, a convex hull, a triangle. */
+export class PolytopeForm implements Form {
+  readonly round = 0;
+  readonly reach: number;
+  readonly points: Flat;
+  /** Corners of each face in order, against the clock as seen from outside. */
+  readonly #faces: readonly (readonly number[])[];
+  /** Their outward normals. */
+  readonly #normals: Flat;
+  /** From each corner along the edges to others. */
+  readonly #neighbours: readonly (readonly number[])[];
+
+  constructor(points: Flat, faces: readonly (readonly number[])[], normals: Flat) {
+    this.points = points;
+    this.#faces = faces;
+    this.#normals = normals;
+    this.#neighbours = neighboursOf(points.length / 3, faces);
+    let reach = 0;
+    for (let i = 0; i < points.length; i += 3)
+      reach = Math.max(reach, Math.hypot(points[i]!, points[i + 1]!, points[i + 2]!));
+    this.reach = reach;
+  }
+
+  #farthest(x: number, y: number, z: number): number {
+    const { points } = this;
+    let most = -Infinity;
+    let found = 0;
+    for (let i = 0; i < points.length; i += 3) {
+      const along = points[i]! * x + points[i + 1]! * y + points[i + 2]! * z;
+      if (along > most) [most, found] = [along, i];
+    }
+    return found / 3;
+  }
+
+  #copy(corner: number, out: Flat, at: number): void {
+    for (let i = 0; i < 3; i++) out[at + i] = this.points[3 * corner + i]!;
+  }
+
+  support(x: number, y: number, z: number, out: Flat): void {
+    this.#copy(this.#farthest(x, y, z), out, 0);
+  }
+
+  #facing(x: number, y: number, z: number): number {
+    const normals = this.#normals;
+    let most = -Infinity;
+    let found = -1;
+    for (let i = 0; i < normals.length; i += 3) {
+      const along = normals[i]! * x + normals[i + 1]! * y + normals[i + 2]! * z;
+      if (along > most) [most, found] = [along, i];
+    }
+    return found / 3;
+  }
+
+  facing(x: number, y: number, z: number, out: Flat): number {
+    const number = this.#facing(x, y, z);
+    for (let i = 0; i < 3; i++) out[i] = this.#normals[3 * number + i]!;
+    return number;
+  }
+
+  face(number: number, out: Flat): number {
+    const corners = this.#faces[number]!;
+    for (let i = 0; i < corners.length; i++) this.#copy(corners[i]!, out, 3 * i);
+    return corners.length;
+  }
+
+  lying(x: number, y: number, z: number, _u: number, _v: number, _w: number, out: Flat): number {
+    return this.face(this.#facing(x, y, z), out);
+  }
+
+  line(x: number, y: number, z: number, out: Flat): number {
+    const { points } = this;
+    const corner = this.#farthest(x, y, z);
+    this.#copy(corner, out, 0);
+    let least = ALONG;
+    let found = -1;
+    for (const next of this.#neighbours[corner]!) {
+      const dx = points[3 * next]! - out[0]!;
+      const dy = points[3 * next + 1]! - out[1]!;
+      const dz = points[3 * next + 2]! - out[2]!;
+      const sine = Math.abs(x * dx + y * dy + z * dz) / Math.sqrt(dx * dx + dy * dy + dz * dz);
+      if (sine < least) [least, found] = [sine, next];
+    }
+    if (found < 0) return 1;
+    this.#copy(found, out, 3);
+    return 2;
+  }
+}
+
+function neighboursOf(count: number, faces: readonly (readonly number[])[]): number[][] {
+  const found = Array.from({ length: count }, () => new Set<number>());
+  for (const corners of faces)
+    corners.forEach((corner, i) => {
+      const next = corners[(i + 1) % corners.length]!;
+      found[corner]!.add(next);
+      found[next]!.add(corner);
+    });
+  return found.map((each) => [...each]);
+}

@@ -1,0 +1,32 @@
+import type { Vec3 } from '../fields/types.js';
+import type { Mesh } from './geometry.js';
+import { hullForm } from './forms/hull-form.js';
+import type { Hull } from './hull.js';
+import { BallForm } from './forms/ball.js';
+import { boxForm } from './forms/box.js';
+import type { Form } from './forms/form.js';
+import { FrustumForm } from './forms/frustum.js';
+
+/** What a shape of Bullet's stands for, exactly: without the margins that Bullet keeps inside or outside of it. */
+export type Outline =
+  | { kind: 'box'; half: Vec3 }
+  | { kind: 'ball'; radius: number }
+  | { kind: 'frustum'; bottom: number; top: number; half: number }
+  | { kind: 'hull'; points: number[]; hull: Hull | undefined }
+  | { kind: 'triangles'; mesh: Mesh };
+
+/** Of what is convex and has a volume. */
+export function formOf(outline: Outline): Form | undefined {
+  switch (outline.kind) {
+    case 'box':
+      return boxForm(outline.half);
+    case 'ball':
+      return new BallForm(outline.radius);
+    case 'frustum':
+      return new FrustumForm(outline.bottom, outline.top, outline.half);
+    case 'hull':
+      return outline.hull && hullForm(outline.points, outline.hull.triangles);
+    default:
+      return undefined;
+  }
+}
