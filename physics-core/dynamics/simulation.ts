@@ -21,6 +21,10 @@ export interface Simulation {
   readonly timeStep: number;
   /** Steps of Bullet so far, whatever became of time. */
   readonly stepsTaken: number;
+  readonly stepping: {
+    /** Seconds that pass before an author has the next word: one step, or where frames drive the world one of them. */
+    readonly turn: number;
+  };
   /** The body behind a heap pointer that Bullet hands us. */
   bodyAt(pointer: number): Body | undefined;
   /** Bullet's solver is to work with what contacts demand now. */

@@ -4,6 +4,7 @@ import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { carrying } from '../drag/carrying.js';
 import { dragging } from '../drag/dragging.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
@@ -149,7 +150,7 @@ export class Flight extends Effect {
 
   /**
    * What slides or rolls is pushed evenly over the step, and goes on with the mean of the speeds at its ends. A hit is
-   * more than what acts by itself could be; its speed Bullet takes at once. What page code or a hand pulls may hang on a spring.
+   * more than what acts by itself could be; its speed Bullet takes at once. What stands on a lift is where that is. What page code or a hand pulls may hang on a spring.
    */
   #glide(body: Body, acceleration: Float64Array, dt: number): boolean {
     const v = this.#simulation.bodies.velocities;
@@ -167,6 +168,7 @@ export class Flight extends Effect {
     if (speed < RESTING ** 2 || change > most * EVEN) return false;
     return (
       !this.#effects.find(impactPropagation)?.struck(body) &&
+      !this.#effects.find(carrying)?.carries(body) &&
       !this.#effects.find(forces)?.pending(body) &&
       !this.#effects.find(dragging)?.isNeededBy(body)
     );
@@ -231,6 +233,7 @@ const other = (a: Vec3, b: Vec3): boolean =>
 
 export const flight: EffectDescriptor<Flight> = {
   name: 'free flight',
+  after: { carrying: 'what stands on a carried body goes where that goes' },
   causes: 'a body that gravity, its author’s forces or damping move',
   body: {
     on: ['mass', 'gravity', 'load', 'damping'],

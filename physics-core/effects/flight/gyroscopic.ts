@@ -183,11 +183,29 @@ export class Gyroscopic extends Effect {
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
     if (alone) this.#takeMomentum(body, state);
     else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
+    if (!free && !state.slow) this.#bound(body, state);
     for (let i = 0; i < 3; i++) spin[i] = Math.fround(spin[i]!);
     if (free || alone) left.set(spin);
     else left.fill(NaN);
     this.#give(body, spin);
     this.#simulation.bodies.readVelocity(body);
+  }
+
+  /**
+   * What turns far in a step ends it with its axes elsewhere: what joints or contacts took of the spin at its start, taken
+   * from the spin at its end, may leave more than there was. No more energy is left than they left.
+   */
+  #bound(body: Body, { axes, momentum, given, left }: Spin): void {
+    const { moments } = body.mass;
+    applyInverseInertia(left, 0, axes, moments, momentum, 0);
+    const before = energyOf(axes, moments, left, 0);
+    const change = energyOf(axes, moments, this.#velocity, 3) - energyOf(axes, moments, given, 0);
+    this.#simulation.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+    writeAxes(this.#axes, this.#pose, 3);
+    const after = energyOf(this.#axes, moments, this.#spin, 0);
+    const most = Math.max(0, before + change);
+    if (!(after > most)) return;
+    for (let i = 0; i < 3; i++) this.#spin[i]! *= Math.sqrt(most / after);
   }
 
   /** What only joints changed in the step is momentum: it stays as it is while the body turns. */
@@ -220,6 +238,18 @@ function topOf(moments: readonly number[]): Top {
     uneven: 1 / moments[other]! - 1 / across,
     thinness: Math.max(...moments) / Math.min(...moments),
   };
+}
+
+/** Twice the energy of a spin. */
+function energyOf(
+  axes: Float64Array,
+  moments: readonly number[],
+  spin: Float64Array,
+  at: number,
+): number {
+  let sum = 0;
+  for (let i = 0; i < 3; i++) sum += moments[i]! * dot3(axes, i * 3, spin, at) ** 2;
+  return sum;
 }
 
 const newSpin = (): Spin => ({

@@ -71,6 +71,11 @@ export class BoundedRows {
     });
   }
 
+  /** Whether a joint has stops or motors. */
+  any(k: number): boolean {
+    return this.#joints[k]!.stops.length + this.#joints[k]!.motors.length > 0;
+  }
+
   /** Rows of one joint, after its locked ones; returns the worst overshoot past a stop. */
   fill(k: number, dt: number): number {
     const { stops, motors } = this.#joints[k]!;
@@ -83,7 +88,7 @@ export class BoundedRows {
 
   #fillStop(k: number, r: number, stop: Stop, dt: number): number {
     const i = k * ROWS + r;
-    const value = (this.#values[i] = this.#rows.fillRow(k, r, stop.row));
+    const value = (this.#values[i] = this.#rows.fillRow(k, r, stop.row, dt));
     const side = stop.high - value < value - stop.low ? 1 : -1;
     this.#sides[i] = side;
     this.#noteChange(k, r);
@@ -99,7 +104,7 @@ export class BoundedRows {
   #fillMotor(k: number, r: number, { row, target, most }: Motor, dt: number): void {
     const i = k * ROWS + r;
     const strength = most * dt * this.#rows.launchShare(k);
-    this.#rows.fillRow(k, r, row);
+    this.#rows.fillRow(k, r, row, dt);
     this.#system.compliance[i] = 0;
     this.#system.targetVelocity[i] = this.#system.threshold[i] = target;
     this.#system.bounded(i, -strength, strength);

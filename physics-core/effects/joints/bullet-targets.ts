@@ -34,7 +34,7 @@ export class BulletTargets {
     const { constraint } = joint;
     const { one, two } = this.#ends.geometry;
     this.#ends.read(k, place, turn);
-    this.#readMotion(k, constraint!.atOnePoint ? two : one);
+    this.#readMotion(k, constraint!.atOnePoint ? two : one, dt);
     const swapped = constraint!.swapped;
     const a = swapped ? two : one;
     const b = swapped ? one : two;
@@ -57,20 +57,32 @@ export class BulletTargets {
     }
   }
 
-  #readMotion(k: number, { origin }: End): void {
+  #readMotion(k: number, { origin }: End, dt: number): void {
     const { a, b } = this.#ends.edges[k]!;
     this.#speed.fill(0);
     this.#spin.fill(0);
     this.#addMotion(a, origin, 1);
     this.#addMotion(b, this.#ends.geometry.two.origin, -1);
+    if (!this.#ends.moves(k)) return;
+    const { one, two } = this.#ends.geometry;
+    if (a < 0) this.#add(this.#ends.rates(k, 0, dt), 0, one.origin, 0, origin, 1);
+    if (b < 0) this.#add(this.#ends.rates(k, 1, dt), 0, two.origin, 0, two.origin, -1);
   }
 
   #addMotion(body: number, point: Float64Array, sign: 1 | -1): void {
     if (body < 0) return;
-    const { velocity } = this.#system;
-    const { place } = this.#bodies;
-    const v = body * SIDE;
-    const p = body * 3;
+    this.#add(this.#system.velocity, body * SIDE, this.#bodies.place, body * 3, point, sign);
+  }
+
+  /** A velocity, of what is at `place[p]`, at a point. */
+  #add(
+    velocity: Float64Array,
+    v: number,
+    place: Float64Array,
+    p: number,
+    point: Float64Array,
+    sign: 1 | -1,
+  ): void {
     const wx = velocity[v + 3]!;
     const wy = velocity[v + 4]!;
     const wz = velocity[v + 5]!;

@@ -3,10 +3,13 @@ import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { BoundedRows, type Bound, type StopListener } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
+import { Taut } from './closing.js';
+import { EnergyBudget } from './energy-budget.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { GeometricStiffness } from './geometric-stiffness.js';
 import { JointedBodies } from './jointed-bodies.js';
-import { JointEnds } from './joint-ends.js';
+import { JointClosing } from './joint-closing.js';
+import { JointEnds, type Ways } from './joint-ends.js';
 import { LockedRows } from './locked-rows.js';
 import { NextPoses } from './next-poses.js';
 import { PointConstraints } from './point-constraints.js';
@@ -18,6 +21,9 @@ import { RowSystem } from './row-system.js';
  * usual speeds, less where a body turns by half a radian in a step.
  */
 const ROUNDS = 8;
+
+/** Rounds, at most, in which what has too much energy is slowed. */
+const SLOWING_ROUNDS = 3;
 
 /** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
 const NO_MISS = 1e-6;
@@ -47,6 +53,9 @@ export class ComponentSolve {
   readonly #rows: LockedRows;
   readonly #bounded: BoundedRows;
   readonly #stiffness: GeometricStiffness;
+  readonly #budget: EnergyBudget;
+  readonly #closing: JointClosing;
+  readonly #taut = new Taut();
   /** What pulls at bodies by more than a force. */
   readonly pulls = new Set<Pull>();
   /** Those of this step that an edit had torn, or that met a stop. */
@@ -62,6 +71,15 @@ export class ComponentSolve {
     this.#rows = new LockedRows(this.#system, this.bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.bodies, this.#rows);
     this.#stiffness = new GeometricStiffness(this.#system, this.bodies);
+    this.#closing = new JointClosing({
+      system: this.#system,
+      bodies: this.bodies,
+      stabilization: this.#stabilization,
+      pins: this.#pins,
+      rows: this.#rows,
+      bounded: this.#bounded,
+    });
+    this.#budget = new EnergyBudget(this.#system, this.bodies);
     this.targets = new BulletTargets(this.#system, this.bodies, this.#ends);
   }
 
@@ -84,12 +102,14 @@ export class ComponentSolve {
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#stiffness.take(before, joints);
+    this.#budget.forget();
+    this.#taut.forget();
   }
 
-  /** Where joint `k` holds on to an immovable body is elsewhere. */
-  takeEnds(k: number, joint: Joint): void {
-    this.#ends.takeFrames(k, joint);
-    if (this.#system.isPin[k]) this.#pins.takePoints(k, joint, this.#ends.edges[k]!);
+  /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */
+  takeEnds(k: number, joint: Joint, ways?: Ways): void {
+    this.#ends.takeFrames(k, joint, ways);
+    if (this.#system.isPin[k]) this.#pins.takePoints(k, joint, this.#ends.edges[k]!, ways);
   }
 
   // ---- around a step ------------------------------------------------------------------------------------------------
@@ -102,6 +122,10 @@ export class ComponentSolve {
   /** Hands the velocities found to Bullet. False: there are none that make sense. */
   solve(component: Component, dt: number): boolean {
     const torn = this.#fill(component, dt) > TORN;
+    this.#system.firm = this.#taut.goesOn(component);
+    const free = this.#isFree(component);
+    if (free) this.#budget.begin(component);
+    else this.#budget.forget(component);
     this.bodies.noteStep(component, dt);
     this.#setTargets(component, dt, torn ? 0 : 1);
     const found = this.#find(component, dt, torn ? 0 : 1);
@@ -111,9 +135,30 @@ export class ComponentSolve {
       if (at >= 0) this.#repaired.splice(at, 1);
       return false;
     }
+    if (free && at < 0) this.#slow(component, dt);
+    if (free) this.#budget.end(component);
     this.bodies.write(component, dt);
     if (at >= 0) this.#stabilization.note(component);
     return true;
+  }
+
+  /** Whether it has loops, and nothing but forces does work on it: no motor, nothing soft, nobody who drags or carries. */
+  #isFree({ joints, loops }: Component): boolean {
+    if (loops.length === 0 || this.#system.resisting.size > 0) return false;
+    for (const k of joints)
+      if (this.#ends.moves(k) || this.#bounded.any(k) || this.#rows.anySoft(k)) return false;
+    return true;
+  }
+
+  /** What has more energy than joints could leave it is slowed, and led on anew. */
+  #slow(component: Component, dt: number): void {
+    for (let round = 0; round < SLOWING_ROUNDS; round++) {
+      const share = this.#budget.share(component);
+      if (share === 1) return;
+      this.#budget.slow(component, share);
+      if (!this.#system.again(component)) return;
+      this.#correctNonlinearly(component, dt, 1);
+    }
   }
 
   /** Visits the stops and motors of joint `k`. */
@@ -129,8 +174,9 @@ export class ComponentSolve {
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. True: contacts did. */
   settle(component: Component, dt: number): boolean {
     const disturbed = this.#stabilization.disturbed(component, dt);
-    if (this.#open.has(component)) this.#close(component, dt, LEFT_OPEN);
-    else if (disturbed) this.#close(component, dt, TORN);
+    this.#system.firm = this.#taut.has(component);
+    if (this.#open.has(component)) this.#closing.close(component, dt, LEFT_OPEN);
+    else if (disturbed) this.#closing.close(component, dt, TORN);
     return disturbed;
   }
 
@@ -139,27 +185,6 @@ export class ComponentSolve {
     for (const component of this.#repaired) {
       const speed = this.#stabilization.takeBack(component);
       if (speed > 0) tell(component, speed);
-    }
-  }
-
-  /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
-  #close(component: Component, dt: number, least: number): void {
-    for (let round = 0; round < ROUNDS; round++) {
-      let worst = 0;
-      this.#read(component, dt);
-      for (const k of component.pins) {
-        worst = Math.max(worst, this.#pins.fill(k));
-        this.#pins.setWholeTargets(k);
-      }
-      for (const k of component.rows) {
-        worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
-        this.#rows.setWholeTargets(k);
-        this.#bounded.setWholeTargets(k);
-      }
-      if (worst < least) return;
-      this.#stabilization.clearMomentum(component);
-      if (!this.#system.solve(component) || !this.bodies.sane(component)) return;
-      this.#stabilization.move(component);
     }
   }
 
@@ -174,7 +199,7 @@ export class ComponentSolve {
       this.#stiffness.stiffenPin(k, dt);
     }
     for (const k of component.rows) {
-      worst = Math.max(worst, this.#rows.fill(k), this.#bounded.fill(k, dt));
+      worst = Math.max(worst, this.#rows.fill(k, dt), this.#bounded.fill(k, dt));
       if (!this.#system.isPin[k]) this.#stiffness.stiffen(k, this.#ends.geometry.two.origin, dt);
     }
     this.#drag(component, dt);
@@ -204,6 +229,13 @@ export class ComponentSolve {
   #find(component: Component, dt: number, repair: 0 | 1): boolean {
     if (!this.#system.solve(component)) return false;
     this.#correctNonlinearly(component, dt, repair);
+    if (this.#open.has(component) && !this.#system.firm && component.loops.length > 0) {
+      this.#taut.begin(component);
+      this.#system.firm = true;
+      this.#forgetCorrections(component, dt, repair);
+      if (!this.#system.solve(component)) return false;
+      this.#correctNonlinearly(component, dt, repair);
+    }
     // The repair of a torn joint is no pull.
     if (!this.#repaired.includes(component)) {
       for (const k of component.pins) this.#stiffness.notePin(k);

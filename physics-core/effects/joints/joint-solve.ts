@@ -8,6 +8,7 @@ import { isBounded, type Bound } from './bounded-rows.js';
 import { ComponentSolve, type Pull } from './component-solve.js';
 import { Forest, type Component, type Edge } from './forest.js';
 import { holds } from '../../dynamics/jointed.js';
+import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
@@ -27,6 +28,8 @@ export class JointSolve extends Effect {
   readonly #effects: Effects;
   readonly #forest = new Forest();
   readonly #solver: ComponentSolve;
+  /** Of carried bodies. */
+  readonly #ways = new Map<Body, Way>();
   /** Bullet's own rows. */
   readonly #sleepingRows: SleepingRows;
   #joints: (Joint | undefined)[] = [];
@@ -73,12 +76,31 @@ export class JointSolve extends Effect {
     this.release(node);
   }
 
-  /** An immovable body was moved: its ends of joints go along. */
+  /** An immovable body was put elsewhere: its ends of joints go along. */
   carried(body: Body): void {
-    if (this.#stale) return;
+    if (!this.#stale) this.#takeEnds(body);
+  }
+
+  /** The step that begins takes an immovable body along a way. */
+  carry(body: Body, way: Way): void {
+    this.#ways.set(body, way);
+  }
+
+  /** It is carried no more. */
+  stands(body: Body): void {
+    if (this.#ways.delete(body)) this.carried(body);
+  }
+
+  #takeEnds(body: Body): void {
     this.#joints.forEach((joint, k) => {
-      if (joint && (joint.body1 === body || joint.body2 === body)) this.#solver.takeEnds(k, joint);
+      if (!joint || (joint.body1 !== body && joint.body2 !== body)) return;
+      const [one, two] = [this.#wayOf(joint.body1), this.#wayOf(joint.body2)];
+      this.#solver.takeEnds(k, joint, one || two ? { one, two } : undefined);
     });
+  }
+
+  #wayOf(body: Body | undefined): Way | undefined {
+    return body && this.#ways.get(body);
   }
 
   /** Seconds of a body's last step, to the middle of which its velocity belongs; 0: to this moment. */
@@ -126,6 +148,7 @@ export class JointSolve extends Effect {
 
   override beforeStep(dt: number): void {
     if (this.#stale) this.#rebuild();
+    for (const body of this.#ways.keys()) this.#takeEnds(body);
     this.#solver.begin();
     this.#solved.length = 0;
     for (const component of this.#forest.components)
@@ -134,6 +157,7 @@ export class JointSolve extends Effect {
   }
 
   override settle(dt: number): void {
+    for (const body of this.#ways.keys()) this.#takeEnds(body);
     this.#alone.clear();
     for (const component of this.#solved)
       if (!this.#solver.settle(component, dt))
@@ -224,6 +248,7 @@ export const jointSolve: EffectDescriptor<JointSolve> = {
     forces: 'it reads what pushes its bodies in the step',
     suspension: 'the same',
     dragging: 'the same',
+    carrying: 'what is carried takes its ends of joints along',
     motors: 'the same',
     'gyroscopic torque': 'it begins with the spin of free motion',
     'impact propagation': 'what was hit is where its hits take it before joints are closed',

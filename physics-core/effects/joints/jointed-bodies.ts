@@ -66,6 +66,16 @@ export class JointedBodies {
     return this.#traits[i * TRAITS]!;
   }
 
+  moment(i: number, axis: number): number {
+    return this.#traits[i * TRAITS + MOMENTS + axis]!;
+  }
+
+  /** The spin of a velocity about a principal axis, a column of `turn`. */
+  along(v: Float64Array, at: number, axis: number): number {
+    const m = this.turn;
+    return v[at + 3]! * m[axis]! + v[at + 4]! * m[axis + 3]! + v[at + 5]! * m[axis + 6]!;
+  }
+
   leastMoment(i: number): number {
     const t = i * TRAITS + MOMENTS;
     return Math.min(this.#traits[t]!, this.#traits[t + 1]!, this.#traits[t + 2]!);

@@ -1,3 +1,4 @@
+import { dot3 } from '../../base/flat-math.js';
 import type { Joint } from '../../dynamics/joint.js';
 import { ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { JointEnds } from './joint-ends.js';
@@ -69,26 +70,36 @@ export class LockedRows {
     return this.#counts[k]!;
   }
 
+  /** Whether a locked row of a joint gives way. */
+  anySoft(k: number): boolean {
+    for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++)
+      if (this.#system.compliance[i] !== 0) return true;
+    return false;
+  }
+
   // ---- a step -------------------------------------------------------------------------------------------------------
 
   /** Rows of one joint at the poses the step begins with; returns the worst error, metres or radians. */
-  fill(k: number): number {
+  fill(k: number, dt: number): number {
     const { place, turn } = this.#bodies;
     this.#ends.read(k, place, turn);
     const { compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {
       const i = k * ROWS + r;
-      this.#errors[i] = this.fillRow(k, r, this.#numbers[i]!) - this.#targets[i]!;
+      this.#errors[i] = this.fillRow(k, r, this.#numbers[i]!, dt) - this.#targets[i]!;
       if (compliance[i] === 0) worst = Math.max(worst, Math.abs(this.#errors[i]!));
     }
     return worst;
   }
 
   /** One row of the joint that was filled last; returns where it stands, metres or radians. */
-  fillRow(k: number, r: number, number: number): number {
+  fillRow(k: number, r: number, number: number, dt: number): number {
     if (number < LINEAR) this.#fillLinear(k, r, number);
     else this.#fillAngular(k, r, number);
+    this.#system.carriedRate[k * ROWS + r] = this.#ends.moves(k)
+      ? this.#carriedRate(k, r, number, dt)
+      : 0;
     return this.#ends.geometry.value(number);
   }
 
@@ -128,7 +139,7 @@ export class LockedRows {
    */
   correct(k: number, dt: number, repair: 0 | 1): number {
     const { place, turn } = this.#next;
-    this.#ends.read(k, place, turn);
+    this.#ends.read(k, place, turn, 1);
     const { targetVelocity, compliance } = this.#system;
     let worst = 0;
     for (let r = 0; r < this.#counts[k]!; r++) {
@@ -161,4 +172,34 @@ export class LockedRows {
     const one = k * 2 * ROW_BLOCK + r * SIDE;
     this.#ends.geometry.writeAngular(this.#system.jacobian, one, one + ROW_BLOCK, number);
   }
+
+  /** The rate of a row that carried bodies give it. */
+  #carriedRate(k: number, r: number, number: number, dt: number): number {
+    const { a, b } = this.#ends.edges[k]!;
+    const at = k * 2 * ROW_BLOCK + r * SIDE;
+    let rate = 0;
+    if (a < 0) rate += this.#rateOfEnd(k, 0, at, number, dt);
+    if (b < 0) rate += this.#rateOfEnd(k, 1, at + ROW_BLOCK, number, dt);
+    return rate;
+  }
+
+  /** Rows along axes are measured at the point that body 2 carries. */
+  #rateOfEnd(k: number, which: 0 | 1, at: number, number: number, dt: number): number {
+    const { jacobian } = this.#system;
+    const { one, two } = this.#ends.geometry;
+    const rates = this.#ends.rates(k, which, dt);
+    if (number >= LINEAR) return dot3(jacobian, at + 3, rates, 3);
+    if (which === 0) addTurning(rates, one.origin, two.origin);
+    return dot3(jacobian, at, rates, 0);
+  }
+}
+
+/** The velocity of an origin becomes that of another point of the same body. */
+function addTurning(rates: Float64Array, origin: Float64Array, point: Float64Array): void {
+  const x = point[0]! - origin[0]!;
+  const y = point[1]! - origin[1]!;
+  const z = point[2]! - origin[2]!;
+  rates[0]! += rates[4]! * z - rates[5]! * y;
+  rates[1]! += rates[5]! * x - rates[3]! * z;
+  rates[2]! += rates[3]! * y - rates[4]! * x;
 }

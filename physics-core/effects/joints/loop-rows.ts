@@ -1,86 +1,218 @@
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
-import { INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { SparseCholesky } from '../../base/sparse-cholesky.js';
+import { SparsePattern } from '../../base/sparse-pattern.js';
+import { BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
-import type { TreeSolver } from './tree-solver.js';
-
-/** The dense system of a component's loops costs the cube of this many rows. */
-const MOST_ROWS = 96;
 
 /**
- * Added to each row's response, as a share of what the row would do to its bodies by themselves: loops that are closed
- * more than once would be singular. Where they are, the rounding of poses makes them all but rigid, and less than this
- * brakes them (measured: at 1e-9 a cardan shaft on two hinges loses 2 % of its energy in 4 s at 1/960 s).
+ * Added to the response of each row that closes a loop, as a share of what the row would do to its bodies by themselves:
+ * loops that are closed more than once would be singular. Where they are, the rounding of poses makes them all but rigid,
+ * and less than this brakes them (measured: at 1e-9 a cardan shaft on two hinges loses 2 % of its energy in 4 s at 1/960 s).
  */
 const COMPLIANCE = 1e-6;
 
-/** The rows of joints that close loops: a small dense system on top of the trees. */
+/** The same of what is taut: what hangs on a chain that is nearly straight pulls it a thousand times as hard. */
+const FIRM = 1e-9;
+
+/** The same of all other rows, as a share of their response: a motor and a stop on one axis are the same row twice. */
+const LEAST_COMPLIANCE = 1e-12;
+
+/** Two joints of a body, where their block lies, and from which sides they see the body. */
+interface Coupling {
+  /** In numbers of a block of rows. */
+  a: number;
+  b: number;
+  first: number;
+  second: number;
+  at: number;
+}
+
+/** A component with loops: its matrix, and what of each body goes where in it. */
+interface Loops {
+  matrix: SparseCholesky;
+  couplings: Coupling[];
+  closing: Set<number>;
+}
+
+/**
+ * All joints of a part with loops: the responses of their rows to impulses on all of them, J M⁻¹ Jᵀ, are a sparse matrix,
+ * since only joints of the same body act on each other.
+ */
 export class LoopRows {
   readonly #system: RowSystem;
-  readonly #trees: TreeSolver;
-  /** Whose rows these are, how many, and their factors. */
+  readonly #known = new Map<Component, Loops>();
+  /** Whose factors these are. */
   #component: Component | undefined;
-  #count = 0;
-  #rows = new Int32Array(0);
-  #matrix = new Float64Array(0);
-  #impulse = new Float64Array(0);
-  #load = new Float64Array(0);
+  /** Cholesky factors of the inertia of bodies, and rows as they see them: L⁻¹ Jᵀ, as `jacobian`. */
+  #bodies = new Float64Array(0);
+  #seen = new Float64Array(0);
 
-  constructor(system: RowSystem, trees: TreeSolver) {
+  constructor(system: RowSystem) {
     this.#system = system;
-    this.#trees = trees;
   }
 
-  /** Once the trees are factored. False: singular, or too many. */
+  forget(): void {
+    this.#known.clear();
+    this.#component = undefined;
+  }
+
+  growBodies(room: number): void {
+    this.#bodies = new Float64Array(room * BODY_BLOCK);
+  }
+
+  growJoints(room: number): void {
+    this.#seen = new Float64Array(room * 2 * ROW_BLOCK);
+  }
+
+  // ---- which joints act on each other -----------------------------------------------------------------------------------
+
+  #loopsOf(component: Component): Loops {
+    let loops = this.#known.get(component);
+    if (!loops) this.#known.set(component, (loops = this.#look(component)));
+    return loops;
+  }
+
+  #look({ bodies, joints, loops }: Component): Loops {
+    const { edges, rowCount } = this.#system;
+    const numbers = new Map([...joints].map((joint, i) => [joint, i]));
+    const meetings = new Map([...bodies].map((body) => [body, [] as number[]]));
+    for (const joint of joints) {
+      const { a, b } = edges[joint]!;
+      meetings.get(a)?.push(joint);
+      if (b !== a) meetings.get(b)?.push(joint);
+    }
+    const neighbours = [...joints].map(() => new Set<number>());
+    for (const meeting of meetings.values())
+      for (const one of meeting)
+        for (const other of meeting)
+          if (one !== other) neighbours[numbers.get(one)!]!.add(numbers.get(other)!);
+    const sizes = [...joints].map((joint) => rowCount[joint]!);
+    const matrix = new SparseCholesky(new SparsePattern(neighbours), sizes);
+    const couplings: Coupling[] = [];
+    for (const [body, meeting] of meetings)
+      meeting.forEach((one, i) => {
+        for (const other of meeting.slice(0, i))
+          couplings.push(this.#couple(body, one, other, numbers, matrix));
+      });
+    return { matrix, couplings, closing: new Set(loops) };
+  }
+
+  #couple(
+    body: number,
+    one: number,
+    other: number,
+    numbers: ReadonlyMap<number, number>,
+    matrix: SparseCholesky,
+  ): Coupling {
+    const { block, straight } = matrix.pattern.between(numbers.get(one)!, numbers.get(other)!);
+    const [a, b] = straight ? [one, other] : [other, one];
+    const [first, second] = [this.#side(a, body), this.#side(b, body)];
+    return { a, b, first, second, at: matrix.block(block) };
+  }
+
+  /** Where the rows of a joint begin, as one of its bodies sees them. */
+  #side(joint: number, body: number): number {
+    return (joint * 2 + +(this.#system.edges[joint]!.a !== body)) * ROW_BLOCK;
+  }
+
+  // ---- factors ------------------------------------------------------------------------------------------------------
+
+  /** False: singular. */
   factor(component: Component): boolean {
     this.#component = component;
-    if (!this.#collect(component)) return false;
-    if (this.#count === 0) return true;
-    this.#fill(component);
-    return factor(this.#matrix, 0, this.#count);
+    const loops = this.#loopsOf(component);
+    for (const body of component.bodies) if (!this.#factorBody(body)) return false;
+    loops.matrix.numbers.fill(0);
+    for (const joint of component.joints) this.#see(joint);
+    this.#fill(component, loops);
+    return loops.matrix.factor();
   }
 
-  /** Velocities of trees and loops under `load`, which is used up. False: singular, or too many. */
-  solve(component: Component, load: Float64Array): boolean {
-    if (component !== this.#component && !this.factor(component)) return false;
-    const n = this.#count;
-    if (n > 0) {
-      this.#copy(component, load, this.#load);
-      this.#trees.solve(component, this.#load, 1);
-      const { targetVelocity } = this.#system;
-      for (let i = 0; i < n; i++)
-        this.#impulse[i] = targetVelocity[this.#rows[i]!]! - this.#rate(i);
-      forward(this.#matrix, 0, n, this.#impulse, 0);
-      backward(this.#matrix, 0, n, this.#impulse, 0);
-      for (let i = 0; i < n; i++) this.#push(i, this.#impulse[i]!, load);
+  #factorBody(body: number): boolean {
+    this.#system.writeInertia(body, this.#bodies, body * BODY_BLOCK);
+    return factor(this.#bodies, body * BODY_BLOCK, SIDE);
+  }
+
+  /** Rows that give way are left out. */
+  #see(joint: number): void {
+    const { edges, held, heldCount } = this.#system;
+    const { a, b } = edges[joint]!;
+    const at = joint * 2 * ROW_BLOCK;
+    this.#seen.fill(0, at, at + 2 * ROW_BLOCK);
+    for (let h = 0; h < heldCount[joint]!; h++) {
+      const row = at + held[joint * ROWS + h]! * SIDE;
+      if (a >= 0) this.#seeRow(a, row);
+      if (b >= 0) this.#seeRow(b, row + ROW_BLOCK);
     }
-    this.#trees.solve(component, load, 1);
-    return true;
   }
 
-  /** How an impulse on each row moves all of them. */
-  #fill(component: Component): void {
-    const { compliance } = this.#system;
-    const n = this.#count;
+  #seeRow(body: number, row: number): void {
+    copy6(this.#seen, row, this.#system.jacobian, row);
+    forward(this.#bodies, body * BODY_BLOCK, SIDE, this.#seen, row);
+  }
+
+  #fill({ joints }: Component, { matrix, couplings, closing }: Loops): void {
+    const { rowCount } = this.#system;
+    const seen = this.#seen;
+    const largest = this.#largest(closing);
+    const give = this.#system.give * largest;
+    const extra = Math.max(give, (this.#system.firm ? FIRM : COMPLIANCE) * largest);
+    for (let i = 0; i < joints.length; i++) {
+      const joint = joints[i]!;
+      this.#fillDiagonal(
+        joint,
+        matrix.numbers,
+        matrix.diagonal(i),
+        closing.has(joint) ? extra : give,
+      );
+    }
+    for (const { a, b, first, second, at } of couplings) {
+      let to = at;
+      const end = first + rowCount[a]! * SIDE;
+      const last = second + rowCount[b]! * SIDE;
+      for (let r = first; r < end; r += SIDE)
+        for (let c = second; c < last; c += SIDE) matrix.numbers[to++]! += dot6(seen, r, seen, c);
+    }
+  }
+
+  /** The largest response of a row that closes a loop. */
+  #largest(closing: Iterable<number>): number {
+    const { held, heldCount } = this.#system;
     let largest = 0;
-    for (let j = 0; j < n; j++) {
-      this.#copy(component, undefined, this.#load);
-      this.#push(j, 1, this.#load);
-      this.#trees.solve(component, this.#load, 0);
-      for (let i = j; i < n; i++) this.#matrix[rowOf(i) + j] = this.#rate(i);
-      largest = Math.max(largest, this.#alone(j));
+    for (const joint of closing)
+      for (let h = joint * ROWS; h < joint * ROWS + heldCount[joint]!; h++)
+        largest = Math.max(largest, this.#alone(joint, held[h]!));
+    return largest;
+  }
+
+  #fillDiagonal(joint: number, out: Float64Array, to: number, extra: number): void {
+    const { rowCount } = this.#system;
+    const seen = this.#seen;
+    const at = joint * 2 * ROW_BLOCK;
+    for (let r = 0; r < rowCount[joint]!; r++) {
+      const row = at + r * SIDE;
+      const into = to + rowOf(r);
+      // What a row sees of no body is zero.
+      for (let c = 0; c <= r; c++) {
+        const column = at + c * SIDE;
+        out[into + c] =
+          dot6(seen, row, seen, column) + dot6(seen, row + ROW_BLOCK, seen, column + ROW_BLOCK);
+      }
+      out[into + r] = this.#softened(joint * ROWS + r, out[into + r]!, extra);
     }
-    for (let i = 0; i < n; i++)
-      this.#matrix[rowOf(i) + i]! += compliance[this.#rows[i]!]! + COMPLIANCE * largest;
+  }
+
+  /** A row that is left out stands for itself. */
+  #softened(row: number, response: number, extra: number): number {
+    if (!this.#system.holds(row)) return 1;
+    return response * (1 + LEAST_COMPLIANCE) + this.#system.compliance[row]! + extra;
   }
 
   /** What an impulse on a row would do to it if no joint held its bodies, by the diagonals of their inertia. */
-  #alone(i: number): number {
-    const { edges } = this.#system;
-    const row = this.#rows[i]!;
-    const joint = Math.floor(row / ROWS);
-    const { a, b } = edges[joint]!;
-    const at = joint * 2 * ROW_BLOCK + (row % ROWS) * SIDE;
+  #alone(joint: number, r: number): number {
+    const { a, b } = this.#system.edges[joint]!;
+    const at = joint * 2 * ROW_BLOCK + r * SIDE;
     return this.#aloneOn(a, at) + this.#aloneOn(b, at + ROW_BLOCK);
   }
 
@@ -96,43 +228,49 @@ export class LoopRows {
     return sum;
   }
 
-  #copy({ bodies }: Component, from: Float64Array | undefined, to: Float64Array): void {
-    for (const body of bodies) {
-      const p = body * SIDE;
-      for (let x = p; x < p + SIDE; x++) to[x] = from ? from[x]! : 0;
-    }
-  }
+  // ---- solving --------------------------------------------------------------------------------------------------------
 
-  #rate(i: number): number {
-    const row = this.#rows[i]!;
-    return this.#system.rate(Math.floor(row / ROWS), row % ROWS);
-  }
-
-  #push(i: number, impulse: number, load: Float64Array): void {
-    const row = this.#rows[i]!;
-    this.#system.impulse[row] = impulse;
-    this.#system.push(Math.floor(row / ROWS), row % ROWS, impulse, load);
-  }
-
-  /** The rows that hold. False: too many. */
-  #collect({ loops }: Component): boolean {
-    const { held, heldCount, momentum } = this.#system;
-    let count = 0;
-    for (const joint of loops) count += heldCount[joint]!;
-    if (count > MOST_ROWS) return false;
-    if (this.#rows.length < count) this.#grow(2 * count);
-    if (this.#load.length < momentum.length) this.#load = new Float64Array(momentum.length);
-    this.#count = 0;
-    for (const joint of loops) {
-      for (let r = 0; r < heldCount[joint]!; r++)
-        this.#rows[this.#count++] = joint * ROWS + held[joint * ROWS + r]!;
-    }
+  /** Velocities and impulses under `load`, which is used up. False: singular. */
+  solve(component: Component, load: Float64Array): boolean {
+    if (component !== this.#component && !this.factor(component)) return false;
+    const { matrix } = this.#loopsOf(component);
+    const { joints } = component;
+    this.#move(component, load);
+    matrix.vector.fill(0);
+    for (let i = 0; i < joints.length; i++) this.#ask(joints[i]!, matrix.vector, matrix.at(i));
+    matrix.solve();
+    for (let i = 0; i < joints.length; i++)
+      this.#push(joints[i]!, matrix.vector, matrix.at(i), load);
+    this.#move(component, load);
     return true;
   }
 
-  #grow(room: number): void {
-    this.#rows = new Int32Array(room);
-    this.#impulse = new Float64Array(room);
-    this.#matrix = new Float64Array(rowOf(room));
+  /** What the rows of a joint lack of the velocities that they are to have. */
+  #ask(joint: number, vector: Float64Array, at: number): void {
+    const { held, heldCount, targetVelocity } = this.#system;
+    for (let h = joint * ROWS; h < joint * ROWS + heldCount[joint]!; h++) {
+      const r = held[h]!;
+      vector[at + r] = targetVelocity[joint * ROWS + r]! - this.#system.rate(joint, r);
+    }
+  }
+
+  #push(joint: number, vector: Float64Array, at: number, load: Float64Array): void {
+    const { held, heldCount, impulse } = this.#system;
+    for (let h = joint * ROWS; h < joint * ROWS + heldCount[joint]!; h++) {
+      const r = held[h]!;
+      impulse[joint * ROWS + r] = vector[at + r]!;
+      this.#system.push(joint, r, vector[at + r]!, load);
+    }
+  }
+
+  /** Velocities as the load alone makes them. */
+  #move({ bodies }: Component, load: Float64Array): void {
+    const { velocity } = this.#system;
+    for (const body of bodies) {
+      const v = body * SIDE;
+      copy6(velocity, v, load, v);
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+    }
   }
 }

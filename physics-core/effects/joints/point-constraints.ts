@@ -1,5 +1,7 @@
 import type { Joint } from '../../dynamics/joint.js';
+import { compose, subtract } from '../../base/math.js';
 import type { Edge, Forest } from './forest.js';
+import type { Ways } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { NextPoses } from './next-poses.js';
 import type { PointSolver } from './point-solver.js';
@@ -26,6 +28,8 @@ export class PointConstraints {
   #forest!: Forest;
   /** Both points from the centres of mass of child and parent, in their bodies; in the world if that holds it. */
   #points = new Float64Array(0);
+  /** On what way the step takes the parent's point, where a carried body holds it. */
+  #ways = new Float64Array(0);
   /** Share of an error repaired per step. */
   #erps = new Float64Array(0);
   /** From the parent's point to the child's at the start of the step. */
@@ -48,17 +52,25 @@ export class PointConstraints {
       for (const pin of pins) this.takePoints(pin, joints[pin]!, edges[pin]!);
   }
 
-  takePoints(pin: number, joint: Joint, { a, b }: Edge): void {
+  takePoints(pin: number, joint: Joint, { a, b }: Edge, ways?: Ways): void {
     const one = a < 0 ? joint.worldFrame(1) : joint.centred1;
     const two = b < 0 ? joint.worldFrame(2) : joint.centred2;
     const childIsFirst = this.#forest.childOf[pin] === a;
     this.#points.set((childIsFirst ? one : two).p, pin * POINTS);
     this.#points.set((childIsFirst ? two : one).p, pin * POINTS + PARENT);
     this.#erps[pin] = joint.corrections[0]!.erp;
+    this.#ways.fill(0, pin * 3, pin * 3 + 3);
+    const way = childIsFirst ? ways?.two : ways?.one;
+    if (!way) return;
+    const frame = childIsFirst ? joint.centred2 : joint.centred1;
+    const [from, to] = [compose(way.now, frame).p, compose(way.next, frame).p];
+    this.#points.set(from, pin * POINTS + PARENT);
+    this.#ways.set(subtract(to, from), pin * 3);
   }
 
   #grow(room: number): void {
     this.#points = new Float64Array(room * POINTS);
+    this.#ways = new Float64Array(room * 3);
     this.#erps = new Float64Array(room);
     this.#errors = new Float64Array(room * 3);
     this.#nonlinearCorrections = new Float64Array(room * 3);
@@ -102,7 +114,8 @@ export class PointConstraints {
     const rate = (-repair * this.#erps[pin]!) / dt;
     if (repair === 0) this.forgetCorrections(pin);
     for (let i = pin * 3; i < pin * 3 + 3; i++)
-      targetVelocity[i] = rate * this.#errors[i]! + this.#nonlinearCorrections[i]!;
+      targetVelocity[i] =
+        rate * this.#errors[i]! + this.#nonlinearCorrections[i]! + this.#ways[i]! / dt;
   }
 
   /** Forgets what round ways asked for. */
@@ -126,7 +139,7 @@ export class PointConstraints {
     const erp = repair * this.#erps[pin]!;
     const e = pin * 3;
     // What is left of the error now, less what shall be left.
-    for (let x = 0; x < 3; x++) apart[x] = erp * this.#errors[e + x]!;
+    for (let x = 0; x < 3; x++) apart[x] = erp * this.#errors[e + x]! - this.#ways[e + x]!;
     this.#next.addDisplacement(child, arms, pin * POINTS, dt, 1, apart);
     if (parent >= 0) this.#next.addDisplacement(parent, arms, pin * POINTS + PARENT, dt, -1, apart);
     for (let x = 0; x < 3; x++) {

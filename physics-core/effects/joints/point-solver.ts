@@ -81,8 +81,8 @@ export class PointSolver {
 
   // ---- from the leaves: momenta ---------------------------------------------------------------------------------------
 
-  /** What of the child's load the parent feels. `share` 0 leaves the wanted velocities out. */
-  gather(pin: number, load: Float64Array, child: number, parent: number, share: 0 | 1): void {
+  /** What of the child's load the parent feels. */
+  gather(pin: number, load: Float64Array, child: number, parent: number): void {
     const { targetVelocity } = this;
     const { arms, numbers: f } = this.factors;
     const s = this.#loads;
@@ -106,9 +106,9 @@ export class PointSolver {
     s[to] = f[g + INVERSE_INERTIA]! * x + t10 * y + t20 * z;
     s[to + 1] = t10 * x + f[g + INVERSE_INERTIA + 2]! * y + t21 * z;
     s[to + 2] = t20 * x + t21 * y + f[g + INVERSE_INERTIA + 5]! * z;
-    const wx = share * targetVelocity[pin * 3]!;
-    const wy = share * targetVelocity[pin * 3 + 1]!;
-    const wz = share * targetVelocity[pin * 3 + 2]!;
+    const wx = targetVelocity[pin * 3]!;
+    const wy = targetVelocity[pin * 3 + 1]!;
+    const wz = targetVelocity[pin * 3 + 2]!;
     const m10 = f[g + MASS + 1]!;
     const m20 = f[g + MASS + 3]!;
     const m21 = f[g + MASS + 4]!;
@@ -149,14 +149,14 @@ export class PointSolver {
   // ---- from the root: velocities --------------------------------------------------------------------------------------
 
   /** The child's velocity: that of the parent is known. */
-  release(pin: number, velocity: Float64Array, child: number, parent: number, share: 0 | 1): void {
+  release(pin: number, velocity: Float64Array, child: number, parent: number): void {
     const { targetVelocity } = this;
     const { arms, numbers: f } = this.factors;
     const a = pin * ARMS;
     const g = pin * FACTORS;
-    let x = share * targetVelocity[pin * 3]!;
-    let y = share * targetVelocity[pin * 3 + 1]!;
-    let z = share * targetVelocity[pin * 3 + 2]!;
+    let x = targetVelocity[pin * 3]!;
+    let y = targetVelocity[pin * 3 + 1]!;
+    let z = targetVelocity[pin * 3 + 2]!;
     if (parent >= 0) {
       const o = parent * SIDE;
       const qx = arms[a + PARENT]!;

@@ -14,6 +14,8 @@ const SAME = 1e-5;
 const GENTLE = 2;
 
 const speedIn = (v: Float64Array, at: number): number => Math.hypot(v[at]!, v[at + 1]!, v[at + 2]!);
+/** Radians that joints are brought together by at once: beyond, straight ways lead away from where they are whole. */
+const FARTHEST = 0.5;
 
 /** What Bullet's step made of the velocities it was given, and what is put right of it. */
 export class PostStabilization {
@@ -24,6 +26,8 @@ export class PostStabilization {
   #kept = new Float64Array(0);
   /** What of them is motion. */
   #motion = new Float64Array(0);
+  /** Poses before joints are brought together by another round. */
+  #saved = new Float64Array(0);
   readonly #pose = new Float64Array(POSE);
   readonly #now = new Float64Array(SIDE);
   readonly #displacement = new Float64Array(3);
@@ -39,6 +43,7 @@ export class PostStabilization {
     if (this.#kept.length >= bodies * SIDE) return;
     this.#kept = new Float64Array(bodies * 2 * SIDE);
     this.#motion = new Float64Array(bodies * 2 * SIDE);
+    this.#saved = new Float64Array(bodies * 2 * POSE);
   }
 
   /** Notes the velocities found: what is found beyond them is taken back after the step. */
@@ -121,24 +126,52 @@ export class PostStabilization {
     return off > SAME * size;
   }
 
+  /** Where bodies are, to go back to. */
+  save({ bodies }: Component): void {
+    for (const i of bodies) this.#readPose(i, this.#saved, i * POSE);
+  }
+
+  restore({ bodies }: Component): void {
+    const { scratch } = this.#simulation.engine;
+    for (const i of bodies) {
+      const saved = this.#saved;
+      for (let x = 0; x < POSE; x++) this.#pose[x] = saved[i * POSE + x]!;
+      for (let x = 0; x < 4; x++) this.#turn[x] = this.#pose[3 + x]!;
+      this.#jointed.bodies[i]!.body.setCenterOfMassTransform(
+        scratch.transform(this.#pose, this.#turn),
+      );
+    }
+  }
+
+  #readPose(i: number, out: Float64Array, at: number): void {
+    const { body, pointer } = this.#jointed.bodies[i]!;
+    this.#simulation.engine.reader.pose(body, pointer, out, at);
+  }
+
   clearMomentum({ bodies }: Component): void {
     const { momentum } = this.#system;
     for (const i of bodies) momentum.fill(0, i * SIDE, (i + 1) * SIDE);
   }
 
-  /** By the velocities found, taken as ways. */
+  /** By the velocities found, taken as ways; where they turn a body far, by a share of them only: they are straight. */
   move({ bodies }: Component): void {
-    for (const i of bodies) this.#moveBody(i, this.#jointed.bodies[i]!);
+    const { velocity } = this.#system;
+    let most = 0;
+    for (const i of bodies)
+      for (let x = i * SIDE + 3; x < (i + 1) * SIDE; x++)
+        most = Math.max(most, Math.abs(velocity[x]!));
+    const share = Math.min(1, FARTHEST / most);
+    for (const i of bodies) this.#moveBody(i, this.#jointed.bodies[i]!, share);
   }
 
-  #moveBody(i: number, { body, pointer }: Body): void {
+  #moveBody(i: number, { body, pointer }: Body, share: number): void {
     const { reader, scratch } = this.#simulation.engine;
     const { velocity } = this.#system;
     const v = i * SIDE;
     reader.pose(body, pointer, this.#pose, 0);
     for (let x = 0; x < 3; x++) {
-      this.#pose[x]! += velocity[v + x]!;
-      this.#displacement[x] = velocity[v + 3 + x]!;
+      this.#pose[x]! += share * velocity[v + x]!;
+      this.#displacement[x] = share * velocity[v + 3 + x]!;
     }
     writeTurn(this.#turn, this.#displacement, 1);
     multiply4(this.#turn, this.#turn, 0, this.#pose, 3);

@@ -1,4 +1,4 @@
-import { add6, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { add6, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import { LoopRows } from './loop-rows.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { PointSolver } from './point-solver.js';
@@ -13,7 +13,7 @@ const AT_LEAST = 1;
 const AT_MOST = 2;
 
 /**
- * All joints of a world as rows J v + γ λ = targetVelocity whose impulses λ lie between two bounds, solved directly: of all
+ * All joints of a world as rows J v + carriedRate + γ λ = targetVelocity whose impulses λ lie between two bounds, solved directly: of all
  * velocities at which the rows hold it finds those nearest, in kinetic energy, to the ones predicted. Which bounded
  * rows (stops, motors) hold is searched for in a few rounds that start from how they stood last.
  */
@@ -32,10 +32,16 @@ export class RowSystem {
   /** Per row. `threshold`: velocity past which a bounded row that gives way begins to hold. */
   targetVelocity = new Float64Array(0);
   threshold = new Float64Array(0);
+  /** What ends of joints that carried bodies take along add to the rate. */
+  carriedRate = new Float64Array(0);
   compliance = new Float64Array(0);
   least = new Float64Array(0);
   most = new Float64Array(0);
   impulse = new Float64Array(0);
+  /** In loops: how far each row gives way besides, as a share of what it would do to its bodies by themselves. */
+  give = 0;
+  /** In loops: rows that close them are to give way as little as can be. */
+  firm = false;
   #state = new Uint8Array(0);
   /** Rows of each joint that hold. */
   held = new Int32Array(0);
@@ -46,7 +52,7 @@ export class RowSystem {
   isPin = new Uint8Array(0);
 
   readonly #trees = new TreeSolver(this, this.pins);
-  readonly #loops = new LoopRows(this, this.#trees);
+  readonly #loops = new LoopRows(this);
   #load = new Float64Array(0);
   #changed = false;
 
@@ -56,6 +62,7 @@ export class RowSystem {
     if (this.#load.length < bodies * SIDE) this.#growBodies(2 * bodies);
     if (this.heldCount.length < edges.length) this.#growJoints(2 * edges.length);
     this.#state.fill(HOLDS);
+    this.#loops.forget();
     this.isPin.fill(0);
     for (const { pins } of forest.components)
       for (const pin of pins) {
@@ -70,6 +77,7 @@ export class RowSystem {
     this.velocity = new Float64Array(room * SIDE);
     this.#load = new Float64Array(room * SIDE);
     this.#trees.growBodies(room);
+    this.#loops.growBodies(room);
   }
 
   #growJoints(room: number): void {
@@ -77,6 +85,7 @@ export class RowSystem {
     this.rowCount = new Int32Array(room);
     this.targetVelocity = new Float64Array(room * ROWS);
     this.threshold = new Float64Array(room * ROWS);
+    this.carriedRate = new Float64Array(room * ROWS);
     this.compliance = new Float64Array(room * ROWS);
     this.least = new Float64Array(room * ROWS);
     this.most = new Float64Array(room * ROWS);
@@ -87,6 +96,7 @@ export class RowSystem {
     this.isPin = new Uint8Array(room);
     this.pins.grow(room);
     this.#trees.growJoints(room);
+    this.#loops.growJoints(room);
   }
 
   /** Before rows are filled: this row holds whatever impulse it takes. */
@@ -109,11 +119,12 @@ export class RowSystem {
     if (!before) this.#state[row] = least === 0 ? AT_LEAST : most === 0 ? AT_MOST : HOLDS;
   }
 
-  /** False: singular, or too many loops; the velocities then mean nothing. */
+  /** False: singular; the velocities then mean nothing. */
   solve(component: Component): boolean {
     for (let round = 0; round < ROUNDS; round++) {
       for (const joint of component.rows) this.#hold(joint);
-      if (!this.#trees.factor(component) || !this.#loops.factor(component)) return false;
+      const solver = component.loops.length > 0 ? this.#loops : this.#trees;
+      if (!solver.factor(component)) return false;
       if (!this.again(component)) return false;
       this.#changed = false;
       for (const joint of component.rows) this.#search(joint);
@@ -126,7 +137,9 @@ export class RowSystem {
   again(component: Component): boolean {
     for (const body of component.bodies) copy6(this.#load, body * SIDE, this.momentum, body * SIDE);
     for (const joint of component.rows) this.#pushBounded(joint);
-    return this.#loops.solve(component, this.#load);
+    if (component.loops.length > 0) return this.#loops.solve(component, this.#load);
+    this.#trees.solve(component, this.#load);
+    return true;
   }
 
   #hold(joint: number): void {
@@ -176,6 +189,25 @@ export class RowSystem {
     return this.#state[row] === HOLDS;
   }
 
+  /** The block of a body by itself, for a factor: what resists its velocity. */
+  writeInertia(body: number, m: Float64Array, b: number): void {
+    const { inertia } = this;
+    const from = body * INERTIA;
+    m[b] = m[b + 2] = m[b + 5] = inertia[from]!;
+    m[b + 1] = m[b + 3] = m[b + 4] = 0;
+    m[b + 6] = m[b + 7] = m[b + 8] = 0;
+    m[b + 10] = m[b + 11] = m[b + 12] = 0;
+    m[b + 15] = m[b + 16] = m[b + 17] = 0;
+    m[b + 9] = inertia[from + 1]!;
+    m[b + 13] = inertia[from + 2]!;
+    m[b + 14] = inertia[from + 3]!;
+    m[b + 18] = inertia[from + 4]!;
+    m[b + 19] = inertia[from + 5]!;
+    m[b + 20] = inertia[from + 6]!;
+    const resisting = this.resisting.get(body);
+    if (resisting) for (let i = 0; i < BODY_BLOCK; i++) m[b + i]! += resisting[i]!;
+  }
+
   /** Adds the impulse of a row to the momenta of its bodies. */
   push(joint: number, row: number, impulse: number, momentum: Float64Array): void {
     const { a, b } = this.edges[joint]!;
@@ -184,12 +216,17 @@ export class RowSystem {
     if (b >= 0) add6(momentum, b * SIDE, this.jacobian, at + ROW_BLOCK, impulse);
   }
 
-  /** J v of a row, by the velocities found. */
+  /** The rate of a row by the velocities found. */
   rate(joint: number, row: number): number {
     return this.rateBy(this.velocity, joint, row);
   }
 
   rateBy(velocity: Float64Array, joint: number, row: number): number {
+    return this.product(velocity, joint, row) + this.carriedRate[joint * ROWS + row]!;
+  }
+
+  /** J v of a row. */
+  product(velocity: Float64Array, joint: number, row: number): number {
     const { a, b } = this.edges[joint]!;
     const at = joint * 2 * ROW_BLOCK + row * SIDE;
     return (

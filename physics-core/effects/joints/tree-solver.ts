@@ -1,15 +1,5 @@
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
-import {
-  add6,
-  BODY_BLOCK,
-  copy6,
-  dot6,
-  INERTIA,
-  JOINT_BLOCK,
-  ROW_BLOCK,
-  ROWS,
-  SIDE,
-} from './blocks.js';
+import { add6, BODY_BLOCK, copy6, dot6, JOINT_BLOCK, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { PointSolver } from './point-solver.js';
 import type { RowSystem } from './row-system.js';
@@ -59,7 +49,7 @@ export class TreeSolver {
   /** False: some block is not positive definite. */
   factor({ bodies }: Component): boolean {
     const { jointOf } = this.#system.forest;
-    for (const body of bodies) this.#begin(body);
+    for (const body of bodies) this.#system.writeInertia(body, this.#bodies, body * BODY_BLOCK);
     for (const body of bodies) if (!this.#factor(jointOf[body]!, body)) return false;
     return true;
   }
@@ -79,27 +69,6 @@ export class TreeSolver {
 
   #isPin(joint: number): boolean {
     return joint >= 0 && this.#system.isPin[joint] === 1;
-  }
-
-  /** A body without its subtree. */
-  #begin(body: number): void {
-    const { inertia } = this.#system;
-    const m = this.#bodies;
-    const from = body * INERTIA;
-    const b = body * BODY_BLOCK;
-    m[b] = m[b + 2] = m[b + 5] = inertia[from]!;
-    m[b + 1] = m[b + 3] = m[b + 4] = 0;
-    m[b + 6] = m[b + 7] = m[b + 8] = 0;
-    m[b + 10] = m[b + 11] = m[b + 12] = 0;
-    m[b + 15] = m[b + 16] = m[b + 17] = 0;
-    m[b + 9] = inertia[from + 1]!;
-    m[b + 13] = inertia[from + 2]!;
-    m[b + 14] = inertia[from + 3]!;
-    m[b + 18] = inertia[from + 4]!;
-    m[b + 19] = inertia[from + 5]!;
-    m[b + 20] = inertia[from + 6]!;
-    const resisting = this.#system.resisting.get(body);
-    if (resisting) for (let i = 0; i < BODY_BLOCK; i++) m[b + i]! += resisting[i]!;
   }
 
   /** How the child answers to the rows, and what they do to each other. */
@@ -185,47 +154,38 @@ export class TreeSolver {
     }
   }
 
-  /**
-   * Velocities and impulses under the momenta of `load`, which are used up. `share` 0 leaves the wanted velocities out:
-   * what the load alone does.
-   */
-  solve({ bodies }: Component, load: Float64Array, share: 0 | 1): void {
+  /** Velocities and impulses under the momenta of `load`, which are used up. */
+  solve({ bodies }: Component, load: Float64Array): void {
     const { jointOf } = this.#system.forest;
     for (const body of bodies) {
       const joint = jointOf[body]!;
-      if (joint >= 0) this.#gather(joint, body, load, share);
+      if (joint >= 0) this.#gather(joint, body, load);
     }
     for (let i = bodies.length - 1; i >= 0; i--)
-      this.#release(jointOf[bodies[i]!]!, bodies[i]!, load, share);
+      this.#release(jointOf[bodies[i]!]!, bodies[i]!, load);
   }
 
   /** From the leaves: what the joint has to do, handed on to the parent. */
-  #gather(joint: number, body: number, load: Float64Array, share: 0 | 1): void {
+  #gather(joint: number, body: number, load: Float64Array): void {
     const { heldCount, forest } = this.#system;
     const parent = forest.parentOf[body]!;
     const pin = this.#isPin(joint);
-    if (pin) this.#pins.gather(joint, load, body, parent, share);
-    if (heldCount[joint]! > 0) this.#gatherRows(joint, body, parent, load, share, pin);
+    if (pin) this.#pins.gather(joint, load, body, parent);
+    if (heldCount[joint]! > 0) this.#gatherRows(joint, body, parent, load, pin);
   }
 
-  #gatherRows(
-    joint: number,
-    body: number,
-    parent: number,
-    load: Float64Array,
-    share: 0 | 1,
-    pin: boolean,
-  ): void {
-    const { targetVelocity, held, heldCount } = this.#system;
+  #gatherRows(joint: number, body: number, parent: number, load: Float64Array, pin: boolean): void {
+    const { targetVelocity, carriedRate, held, heldCount } = this.#system;
     const n = heldCount[joint]!;
     const at = joint * JOINT_BLOCK;
     const s = this.#rows;
     for (let r = 0; r < n; r++) {
       const i = joint * ROWS + r;
       const row = joint * ROW_BLOCK + r * SIDE;
-      let wants = targetVelocity[joint * ROWS + held[i]!]!;
+      const at0 = joint * ROWS + held[i]!;
+      let wants = targetVelocity[at0]! - carriedRate[at0]!;
       if (pin) wants -= this.#pins.wants(joint, this.#seen, row);
-      s[r] = this.#rest[i] = share * wants - dot6(this.#response, row, load, body * SIDE);
+      s[r] = this.#rest[i] = wants - dot6(this.#response, row, load, body * SIDE);
     }
     if (parent < 0) return;
     forward(this.#joints, at, n, s, 0);
@@ -235,11 +195,11 @@ export class TreeSolver {
   }
 
   /** From the root: the parent's velocity is known, then the joint's impulses, then the child's velocity. */
-  #release(joint: number, body: number, load: Float64Array, share: 0 | 1): void {
+  #release(joint: number, body: number, load: Float64Array): void {
     const { velocity, heldCount, forest } = this.#system;
     const parent = forest.parentOf[body]!;
     const pin = this.#isPin(joint);
-    if (pin) this.#pins.release(joint, velocity, body, parent, share);
+    if (pin) this.#pins.release(joint, velocity, body, parent);
     else {
       const v = body * SIDE;
       copy6(velocity, v, load, v);

@@ -91,6 +91,7 @@ export class BodyMotion {
       return;
     }
     this.#wakeTouching();
+    if (this.kinematic) this.#letGo();
     const velocity = this.velocityAtOrigin();
     this.place(pose);
     node.world.registry.find(gyroscopic)?.forget(node);
@@ -116,6 +117,12 @@ export class BodyMotion {
     this.place(pose);
     keepAwake(node.body);
     node.world.registry.get(carrying).carry(node, from, compose(pose, node.centerOfMass));
+  }
+
+  /** It goes no further on its way. */
+  #letGo(): void {
+    this.#node.world.registry.find(carrying)?.release(this.#node);
+    this.standStill();
   }
 
   #wakeTouching(): void {

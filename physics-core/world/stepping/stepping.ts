@@ -1,5 +1,6 @@
 import { Clock } from '../../base/clock.js';
 import { show } from '../../base/show.js';
+import { FRAME } from '../../dynamics/levels.js';
 import { frameCosts } from '../../effects/costs/frame-costs.js';
 import type { LevelControl } from '../accuracy/level-control.js';
 import type { Editing } from '../store/editing.js';
@@ -35,6 +36,8 @@ export class Stepping {
   #timeScale = 1;
   /** Seconds of the clock dropped so far. */
   #lost = 0;
+  /** Whether somebody takes one step after the other, and may speak before each. */
+  #singly = true;
 
   constructor(world: TimedWorld) {
     this.#world = world;
@@ -91,6 +94,11 @@ export class Stepping {
     return this.#time.taken;
   }
 
+  /** Seconds that pass before an author has the next word. */
+  get turn(): number {
+    return this.#singly || this.#step.running ? this.#world.timeStep : FRAME;
+  }
+
   /** Steps are about to change their length, seconds. */
   lengthen(from: number, to: number): void {
     this.setTime(this.time);
@@ -110,6 +118,7 @@ export class Stepping {
   /** A Bullet world was made. */
   restart(): void {
     this.#step.begin(true);
+    this.#singly = true;
     this.#time.last = undefined;
     this.#clock.reset();
   }
@@ -123,6 +132,7 @@ export class Stepping {
     if (n === Infinity) this.#refuse('step', n, steps, 'step takes a finite number of steps');
     this.#costs.clear();
     world.flush();
+    if (steps > 0) this.#singly = steps === 1;
     return this.#stepTimes(steps);
   }
 
@@ -150,6 +160,7 @@ export class Stepping {
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#costs.clear();
     world.flush();
+    this.#singly = false;
     if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.running) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);

@@ -218,9 +218,25 @@ void test('inertia that is none has no solution', () => {
   }
 });
 
-void test('more rows that close loops than a dense system should have are refused', () => {
+void test('a net of 8 by 8: velocities and impulses are those of the dense system', () => {
+  const edges: Edge[] = [{ a: 0, b: -1 }];
+  for (let i = 0; i < 8; i++)
+    for (let k = 0; k < 8; k++) {
+      if (k < 7) edges.push({ a: 8 * i + k, b: 8 * i + k + 1 });
+      if (i < 7) edges.push({ a: 8 * i + k, b: 8 * i + k + 8 });
+    }
+  const system = made(64, edges);
+  // 226 rows of 384 speeds.
+  const dense = filled(system, 64, () => 2);
+  solveAll(system);
+  // Fifty loops give way together.
+  below(difference(system, dense), 5 * GIVE, 'of the value');
+});
+
+void test('forty joints that hold one body are solved as far as they agree', () => {
   const edges = Array.from({ length: 40 }, () => ({ a: -1, b: 0 }));
   const system = made(1, edges);
   filled(system, 1, () => 3);
-  assert.equal(system.solve(system.forest.components[0]!), false);
+  assert.equal(system.solve(system.forest.components[0]!), true);
+  assert.ok(system.velocity.subarray(0, SIDE).every(Number.isFinite));
 });

@@ -314,6 +314,27 @@ export const rows: Row[] = [
     },
   },
   {
+    field: 'orientation',
+    effect: 'carrying',
+    fact: 'a fixed table that is turned in each step takes what lies on it round',
+    run: async () => {
+      const w = await world();
+      const table = addBody(w, { fixed: true, position: [0, -0.5, 0], geometry: [box(4, 1, 4)] });
+      const stone = addBody(w, {
+        position: [1, 0.1, 0],
+        geometry: [box(0.2)],
+        linearVelocity: [0, 0, -1],
+        angularVelocity: [0, 1, 0],
+      });
+      w.step(0);
+      for (let i = 1; i <= 240; i++) {
+        table.set('orientation', [0, 1, 0, i * w.timeStep]);
+        w.step();
+      }
+      close(position(stone), [Math.cos(2), 0.1, -Math.sin(2)], 3e-4, 'm');
+    },
+  },
+  {
     field: 'linearVelocity',
     fact: 'a velocity that is set carries the body from where it is: x = x₀ + v t',
     run: async () => {

@@ -1,0 +1,81 @@
+/**
+ * Where the Cholesky factor of a sparse symmetric matrix of blocks has blocks, found once for all matrices with such a
+ * pattern: unknowns are eliminated in order of least degree (Tinney's second scheme), which fills in little.
+ */
+export class SparsePattern {
+  readonly size: number;
+  /** By elimination: which unknown it is; and by unknown: when it is eliminated. */
+  readonly order: Int32Array;
+  readonly place: Int32Array;
+  /** Per column of the factor, its blocks below the diagonal: where they begin, and the row of each, all by elimination. */
+  readonly starts: Int32Array;
+  readonly rows: Int32Array;
+  /** From what the product of each pair of blocks of a column is taken, column by column: a block, or -1 - i for diagonal i. */
+  readonly targets: Int32Array;
+
+  /** `neighbours`: of each unknown, those it shares a block with; used up. */
+  constructor(neighbours: Set<number>[]) {
+    this.size = neighbours.length;
+    this.order = new Int32Array(this.size);
+    this.place = new Int32Array(this.size);
+    const columns = this.#eliminate(neighbours);
+    this.starts = new Int32Array(this.size + 1);
+    columns.forEach((column, i) => (this.starts[i + 1] = this.starts[i]! + column.length));
+    this.rows = Int32Array.from(columns.flatMap((column) => column));
+    this.targets = this.#pairs();
+  }
+
+  /** Returns the rows of each column of the factor. */
+  #eliminate(neighbours: Set<number>[]): number[][] {
+    const left = new Set(neighbours.keys());
+    const columns: number[][] = [];
+    while (left.size > 0) {
+      let next = -1;
+      for (const i of left) if (next < 0 || neighbours[i]!.size < neighbours[next]!.size) next = i;
+      this.place[next] = columns.length;
+      this.order[columns.length] = next;
+      left.delete(next);
+      const column = [...neighbours[next]!];
+      columns.push(column);
+      for (const i of column) {
+        const set = neighbours[i]!;
+        set.delete(next);
+        for (const k of column) if (k !== i) set.add(k);
+      }
+    }
+    return columns.map((column) => column.map((i) => this.place[i]!).sort((a, b) => a - b));
+  }
+
+  #pairs(): Int32Array {
+    const { starts, rows } = this;
+    const targets: number[] = [];
+    for (let j = 0; j < this.size; j++)
+      for (let b = starts[j]!; b < starts[j + 1]!; b++)
+        for (let a = b; a < starts[j + 1]!; a++) targets.push(this.#blockAt(rows[a]!, rows[b]!));
+    return Int32Array.from(targets);
+  }
+
+  /** The block in a row and a column, by elimination: -1 - i for diagonal i. */
+  #blockAt(row: number, column: number): number {
+    return row === column ? -1 - row : this.#search(row, column);
+  }
+
+  #search(row: number, column: number): number {
+    let low = this.starts[column]!;
+    let high = this.starts[column + 1]!;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.rows[middle]! <= row) low = middle;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** The block that two unknowns share, and whether its rows are those of the first. */
+  between(a: number, b: number): { block: number; straight: boolean } {
+    const [i, j] = [this.place[a]!, this.place[b]!];
+    return i >= j
+      ? { block: this.#blockAt(i, j), straight: true }
+      : { block: this.#blockAt(j, i), straight: false };
+  }
+}
