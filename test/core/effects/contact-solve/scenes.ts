@@ -1,3 +1,5 @@
+import { eachContactPoint } from '../../../../physics-core/effects/contacts/contact-points.js';
+import { MANIFOLD_POINT } from '../../../../physics-core/engine/offsets.js';
 import type { World } from '../../../../physics-core/inside.js';
 import { addBody, addFloor, box, distance, position, world, type Body } from '../../helpers.js';
 
@@ -106,8 +108,8 @@ export function arch(wedges: number): Fields[] {
         ]),
       ),
     );
-    const faces = [0, 1, 3, 2, -1, 4, 6, 7, 5, -1, 0, 4, 5, 1, -1, 2, 3, 7, 6, -1, 0, 2, 6, 4, -1];
-    const coordIndex = [...faces, 1, 5, 7, 3, -1];
+    const faces = [0, 2, 3, 1, -1, 4, 5, 7, 6, -1, 0, 1, 5, 4, -1, 2, 6, 7, 3, -1, 0, 4, 6, 2, -1];
+    const coordIndex = [...faces, 1, 3, 7, 5, -1];
     return {
       position: [...centre, 0],
       geometry: [{ type: 'IndexedFaceSet', coord, coordIndex }],
@@ -117,6 +119,7 @@ export function arch(wedges: number): Fields[] {
 
 export interface Standing {
   w: World;
+  floor: Body;
   bodies: Body[];
   /** How far the one that moved most is from where it was put, metres. */
   moved(): number;
@@ -125,11 +128,11 @@ export interface Standing {
 /** Puts them on a floor. */
 export async function standing(all: Fields[], fields: Fields = {}): Promise<Standing> {
   const w = await world(fields);
-  addFloor(w);
+  const floor = addFloor(w);
   const bodies = all.map((one) => addBody(w, one));
   const before = all.map((one) => one.position as number[]);
   const moved = () => Math.max(...bodies.map((body, i) => distance(position(body), before[i]!)));
-  return { w, bodies, moved };
+  return { w, floor, bodies, moved };
 }
 
 /** The farthest that any of them was from its place, looked at ten times a second, metres. */
@@ -140,4 +143,16 @@ export function farthest({ w, moved }: Standing, seconds: number): number {
     most = Math.max(most, moved());
   }
   return most;
+}
+
+/** What points of contact push a body with, N; those with one other body, where it is named. */
+export function borne(w: World, body: Body, by?: Body): number {
+  const f = w.engine.ammo.HEAPF32;
+  let sum = 0;
+  eachContactPoint(w, (pointer, a, b) => {
+    const pair = [a, b] as unknown[];
+    if (!pair.includes(body) || (by && !pair.includes(by))) return;
+    sum += f[(pointer + MANIFOLD_POINT.impulse) >> 2]!;
+  });
+  return sum / w.timeStep;
 }
