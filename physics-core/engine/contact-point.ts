@@ -77,6 +77,10 @@ export class ContactPoint {
     this.#put(POINT.positionB, value, i);
   }
 
+  positionOnA(i: number): number {
+    return this.#get(POINT.positionA, i);
+  }
+
   /** On the surface of A. */
   setPositionOnA(i: number, value: number): void {
     this.#put(POINT.positionA, value, i);
@@ -161,6 +165,10 @@ export class ContactPoint {
     this.#put(POINT.friction, coefficient);
   }
 
+  get restitution(): number {
+    return this.#get(POINT.restitution);
+  }
+
   /** Share of the approach that comes back. */
   set restitution(share: number) {
     this.#put(POINT.restitution, share);
@@ -181,6 +189,14 @@ export class ContactPoint {
     this.#put(POINT.lateralImpulse2, second);
   }
 
+  lateralImpulse(which: 0 | 1): number {
+    return this.#get(which === 0 ? POINT.lateralImpulse1 : POINT.lateralImpulse2);
+  }
+
+  get directionsGiven(): boolean {
+    return this.#int(POINT.directionsGiven) !== 0;
+  }
+
   /** Whether friction acts along the directions that stand in the point. */
   set directionsGiven(given: boolean) {
     this.#putInt(POINT.directionsGiven, given ? 1 : 0);
@@ -191,6 +207,14 @@ export class ContactPoint {
     this.#put(at, x, 0);
     this.#put(at, y, 1);
     this.#put(at, z, 2);
+  }
+
+  direction(which: 0 | 1, i: number): number {
+    return this.#get(which === 0 ? POINT.direction1 : POINT.direction2, i);
+  }
+
+  motion(which: 0 | 1): number {
+    return this.#get(which === 0 ? POINT.motion1 : POINT.motion2);
   }
 
   /** The speed that friction aims at along a direction, m/s. */

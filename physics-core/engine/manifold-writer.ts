@@ -68,9 +68,12 @@ export class ManifoldWriter {
     const [x, y, z] = [at[from]!, at[from + 1]!, at[from + 2]!];
     const [nx, ny, nz] = [normal[from]!, normal[from + 1]!, normal[from + 2]!];
     const distance = points.distance[number]!;
-    const known = this.#old.take(point >> 2, x, y, z, nx, ny, nz);
-    const { HEAPF32 } = this.#ammo;
-    if (!known) HEAPF32[(point + POINT.friction) >> 2] = this.#friction;
+    this.#old.take(point >> 2, x, y, z, nx, ny, nz);
+    const { HEAPF32, HEAP32 } = this.#ammo;
+    // What an author says of the surfaces is written anew by who knows of it.
+    HEAPF32[(point + POINT.friction) >> 2] = this.#friction;
+    HEAPF32[(point + POINT.restitution) >> 2] = 0;
+    HEAP32[(point + POINT.directionsGiven) >> 2] = 0;
     this.#put(point + POINT.positionB, x, y, z);
     this.#put(point + POINT.positionA, x + nx * distance, y + ny * distance, z + nz * distance);
     this.#put(point + POINT.normalB, nx, ny, nz);

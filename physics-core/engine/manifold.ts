@@ -12,6 +12,23 @@ export const firstPoint = (ammo: Ammo, manifold: Manifold): number =>
 /** Pointer of the contact point `i` after another one of the same manifold. */
 export const pointAfter = (first: number, i: number): number => first + i * POINT.size;
 
+/** How many contact points it has; its bodies. */
+export const pointCountAt = ({ HEAP32 }: Ammo, manifold: number): number =>
+  HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
+export const bodyAAt = ({ HEAP32 }: Ammo, manifold: number): number =>
+  HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!;
+export const bodyBAt = ({ HEAP32 }: Ammo, manifold: number): number =>
+  HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!;
+
+/** The pointer of its contact point `i`. */
+export const pointAt = (manifold: number, i: number): number =>
+  pointAfter(manifold + MANIFOLD.points, i);
+
+/** The solver finds the point so far away, metres. */
+export function setSolverDistanceAt({ HEAPF32 }: Ammo, point: number, metres: number): void {
+  HEAPF32[(point + POINT.distance) >> 2] = metres;
+}
+
 /** Visits the pointers of its contact points. */
 export function eachPoint(ammo: Ammo, manifold: number, visit: (point: number) => void): void {
   const count = ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;

@@ -30,9 +30,7 @@ export const C = {
   turning: 36,
   /** Overlap to be taken out in this step, metres. */
   overlap: 37,
-  /** How deep it lies beyond what contacts keep, metres. */
-  depth: 38,
-  size: 39,
+  size: 38,
 } as const;
 
 export const OPEN = 0;

@@ -2,8 +2,17 @@ import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { isAwake } from '../../engine/body-heap.js';
-import { BODY, MANIFOLD, MANIFOLD_POINT as POINT } from '../../engine/offsets.js';
+import {
+  bodyAAt,
+  bodyBAt,
+  pointAt,
+  pointCountAt,
+  setSolverDistanceAt,
+  solverDistanceAt,
+} from '../../engine/manifold.js';
+import { inverseMassOf, speedSquared } from '../../engine/solver-body.js';
 import { contactSurface } from '../contacts/contact-surface.js';
+import { contactShapes } from '../manifolds/contact-shapes.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/joint-solve.js';
@@ -23,6 +32,9 @@ const ASIDE = 1e24;
 const FEW = 24;
 const MOST = 600;
 const SLOW = 0.25;
+
+/** Pairs in touch in a world that is so busy that only what is slow, or alone, is solved directly. */
+const BUSY = 400;
 
 /** Steps before what found no end is tried again. */
 const PAUSE = 8;
@@ -60,11 +72,19 @@ export class ContactSolve extends Effect {
   readonly #distances: number[] = [];
   /** The body that is named as its cause. */
   #cause: Body | undefined;
+  /** The cause of what it needs itself. */
+  readonly #own: Cause;
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
     this.#simulation = simulation;
     this.#effects = effects;
+    const host = (): unknown => this.#cause?.host;
+    this.#own = {
+      get host() {
+        return host();
+      },
+    };
     const { ammo } = simulation.engine;
     this.#bodies = new SolveBodies(ammo);
     this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
@@ -79,11 +99,18 @@ export class ContactSolve extends Effect {
     if (this.#cause) return;
     this.#cause = body;
     this.need(body, 'touches another');
+    const shapes = this.#effects.get(contactShapes);
+    shapes.ofBoxes = true;
+    shapes.need(this.#own, 'boxes in touch');
   }
 
   override release(node: Cause): void {
-    if (node === this.#cause) this.#cause = undefined;
     super.release(node);
+    if (node !== this.#cause) return;
+    this.#cause = undefined;
+    const shapes = this.#effects.get(contactShapes);
+    shapes.ofBoxes = false;
+    shapes.release(this.#own);
   }
 
   override unmade(node: Cause): void {
@@ -109,7 +136,7 @@ export class ContactSolve extends Effect {
     for (let i = 0; i < this.#parts.count; i++) {
       const part = this.#parts.at(i);
       if (part.manifolds.length === 0) continue;
-      if (this.#fill(part) && this.#isDirect(part)) this.#try(part);
+      if (this.#isDirect(part) && this.#fill(part)) this.#try(part);
     }
     if (this.#manifolds.length === 0) this.#letGo();
   }
@@ -120,27 +147,23 @@ export class ContactSolve extends Effect {
     this.#bodies.begin();
     this.#parts.begin();
     this.#simulation.bullet.eachAwakeManifold(this.#see);
-    const { heap } = this;
+    const { ammo } = this.#simulation.engine;
     for (const manifold of this.#manifolds) {
-      const a = this.#numberOf(heap[(manifold + MANIFOLD.bodyA) >> 2]!);
-      const b = this.#numberOf(heap[(manifold + MANIFOLD.bodyB) >> 2]!);
+      const a = this.#numberOf(bodyAAt(ammo, manifold));
+      const b = this.#numberOf(bodyBAt(ammo, manifold));
       if (a >= 0 && b >= 0) this.#parts.join(a, b);
     }
     this.#joinJointed();
     this.#parts.sort(this.#bodies.count);
     for (const manifold of this.#manifolds) {
-      const a = this.#numberOf(heap[(manifold + MANIFOLD.bodyA) >> 2]!);
-      const b = this.#numberOf(heap[(manifold + MANIFOLD.bodyB) >> 2]!);
+      const a = this.#numberOf(bodyAAt(ammo, manifold));
+      const b = this.#numberOf(bodyBAt(ammo, manifold));
       this.#parts.of(a >= 0 ? a : b).manifolds.push(manifold);
     }
   }
 
-  get heap(): Int32Array {
-    return this.#simulation.engine.ammo.HEAP32;
-  }
-
   readonly #see = (manifold: number): void => {
-    if (this.heap[(manifold + MANIFOLD.pointCount) >> 2]! > 0) this.#manifolds.push(manifold);
+    if (pointCountAt(this.#simulation.engine.ammo, manifold) > 0) this.#manifolds.push(manifold);
   };
 
   #numberOf(pointer: number): number {
@@ -183,13 +206,14 @@ export class ContactSolve extends Effect {
   }
 
   #fillContacts(manifold: number, into: number[]): boolean {
-    const { heap } = this;
-    const a = heap[(manifold + MANIFOLD.bodyA) >> 2]!;
-    const b = heap[(manifold + MANIFOLD.bodyB) >> 2]!;
-    const count = heap[(manifold + MANIFOLD.pointCount) >> 2]!;
-    const [p, q] = [this.#bodies.numberOf(a), this.#bodies.numberOf(b)];
+    const { ammo } = this.#simulation.engine;
+    const a = bodyAAt(ammo, manifold);
+    const b = bodyBAt(ammo, manifold);
+    const count = pointCountAt(ammo, manifold);
+    const p = this.#bodies.numberOf(a);
+    const q = this.#bodies.numberOf(b);
     for (let i = 0; i < count; i++) {
-      const point = manifold + MANIFOLD.points + i * POINT.size;
+      const point = pointAt(manifold, i);
       if (this.#special.has(point)) return false;
       const contact = this.#port.read(point, a, b, p, q, this.#step);
       if (contact >= 0) into.push(contact);
@@ -229,29 +253,37 @@ export class ContactSolve extends Effect {
     if (!this.#newton.pushApart())
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
     this.#solved.push(part);
-    const f = this.#simulation.engine.ammo.HEAPF32;
+    const { ammo } = this.#simulation.engine;
     for (const i of part.contacts) {
-      const at = (this.#contacts.pointers[i]! + POINT.distance) >> 2;
-      this.#distances[i] = f[at]!;
-      f[at] = ASIDE;
+      const point = this.#contacts.pointers[i]!;
+      this.#distances[i] = solverDistanceAt(ammo, point);
+      setSolverDistanceAt(ammo, point, ASIDE);
     }
   }
 
   /** Whether a matrix is cheaper than the iterations that it saves: of many that tumble, contacts change too fast. */
   #isDirect({ bodies }: Part): boolean {
-    if (bodies.length <= FEW) return true;
-    return bodies.length <= MOST && this.#bodies.fastestOf(bodies) < SLOW;
+    if (bodies.length > MOST) return false;
+    const few = this.#manifolds.length > BUSY ? 1 : FEW;
+    return bodies.length <= few || this.#areSlow(bodies);
+  }
+
+  #areSlow(bodies: readonly number[]): boolean {
+    const { ammo } = this.#simulation.engine;
+    for (const body of bodies)
+      if (speedSquared(ammo, this.#bodies.pointers[body]!) > SLOW ** 2) return false;
+    return true;
   }
 
   override solved(): void {
-    const f = this.#simulation.engine.ammo.HEAPF32;
+    const { ammo } = this.#simulation.engine;
     for (const part of this.#solved) {
       for (const body of part.bodies) {
         this.#bodies.writeVelocity(body);
         this.#bodies.writePlace(body);
       }
       for (const i of part.contacts) {
-        f[(this.#contacts.pointers[i]! + POINT.distance) >> 2] = this.#distances[i]!;
+        setSolverDistanceAt(ammo, this.#contacts.pointers[i]!, this.#distances[i]!);
         this.#port.write(i);
       }
       for (const i of part.rows) this.#joints.keep(i);
@@ -264,8 +296,8 @@ function touching(simulation: Simulation, effects: Effects): void {
   if (!simulation.bullet.settings.direct || effects.caused(contactSolve)) return;
   const { ammo } = simulation.engine;
   simulation.bullet.eachAwakeManifold((manifold, a, b) => {
-    if (ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0) return;
-    const body = simulation.bodyAt(ammo.HEAPF32[(a + BODY.inverseMass) >> 2] === 0 ? b : a);
+    if (pointCountAt(ammo, manifold) === 0) return;
+    const body = simulation.bodyAt(inverseMassOf(ammo, a) === 0 ? b : a);
     if (body) effects.get(contactSolve).touch(body);
   });
 }

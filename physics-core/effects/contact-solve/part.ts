@@ -8,8 +8,6 @@ export interface Part {
   readonly contacts: number[];
   /** Of joints. */
   readonly rows: number[];
-  /** Whether all of it can be solved here. */
-  whole: boolean;
 }
 
 /** The parts of a step. Their arrays are kept from step to step. */
@@ -59,10 +57,8 @@ export class Parts {
       manifolds: [],
       contacts: [],
       rows: [],
-      whole: true,
     });
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
-    part.whole = true;
     return this.#count++;
   }
 

@@ -1,10 +1,14 @@
 import { grown, grownInt } from '../../base/grown.js';
 import type { Ammo } from '../../engine/ammo.js';
-import { BODY } from '../../engine/offsets.js';
+import {
+  displace,
+  inverseMassOf,
+  readInertia,
+  readLoad,
+  readVelocity,
+  writeVelocity,
+} from '../../engine/solver-body.js';
 import { SIZE } from './sparse-cholesky.js';
-
-/** Moment of what can't be turned, kg m². */
-const UNTURNABLE = 1e12;
 
 /** The bodies of a step that contacts move, six numbers each: linear, then angular. */
 export class SolveBodies {
@@ -20,6 +24,7 @@ export class SolveBodies {
   change = new Float64Array(16 * SIZE);
   momentum = new Float64Array(16 * SIZE);
   readonly #ammo: Ammo;
+  readonly #load = new Float64Array(SIZE);
   readonly #numbers = new Map<number, number>();
 
   constructor(ammo: Ammo) {
@@ -33,7 +38,7 @@ export class SolveBodies {
 
   /** The number of a body, by its pointer; -1: it does not move. A new one is read later. */
   numberOf(pointer: number): number {
-    if (this.#ammo.HEAPF32[(pointer + BODY.inverseMass) >> 2] === 0) return -1;
+    if (inverseMassOf(this.#ammo, pointer) === 0) return -1;
     const known = this.#numbers.get(pointer);
     if (known !== undefined) return known;
     const i = this.count++;
@@ -57,57 +62,23 @@ export class SolveBodies {
 
   /** What a step of `dt` seconds begins with. False: numbers that are none. */
   read(i: number, dt: number): boolean {
-    const f = this.#ammo.HEAPF32;
+    const ammo = this.#ammo;
     const pointer = this.pointers[i]!;
-    const inverseMass = f[(pointer + BODY.inverseMass) >> 2]!;
-    this.masses[i] = 1 / inverseMass;
-    this.#readInertia(i, pointer);
-    const v = (pointer + BODY.linearVelocity) >> 2;
-    const w = (pointer + BODY.angularVelocity) >> 2;
-    const force = (pointer + BODY.totalForce) >> 2;
-    const torque = (pointer + BODY.totalTorque) >> 2;
     const at = i * SIZE;
-    const turn = this.inverseInertias;
-    for (let k = 0; k < 3; k++) {
-      this.free[at + k] = f[v + k]! + dt * inverseMass * f[force + k]!;
-      let spin = f[w + k]!;
-      for (let l = 0; l < 3; l++) spin += dt * turn[i * 9 + 3 * k + l]! * f[torque + l]!;
-      this.free[at + 3 + k] = spin;
-    }
-    for (let k = 0; k < 3; k++) {
-      this.velocities[at + k] = f[v + k]!;
-      this.velocities[at + 3 + k] = f[w + k]!;
-    }
+    this.masses[i] = 1 / inverseMassOf(ammo, pointer);
+    readInertia(ammo, pointer, this.inertias, this.inverseInertias, 9 * i);
+    readVelocity(ammo, pointer, this.velocities, at);
+    readLoad(ammo, pointer, this.#load, 0);
     let sum = this.masses[i]!;
-    for (let k = 0; k < SIZE; k++) sum += this.free[at + k]!;
+    for (let k = 0; k < 3; k++) {
+      this.free[at + k] = this.velocities[at + k]! + (dt / this.masses[i]!) * this.#load[k]!;
+      let spin = 0;
+      for (let l = 0; l < 3; l++)
+        spin += this.inverseInertias[i * 9 + 3 * k + l]! * this.#load[3 + l]!;
+      this.free[at + 3 + k] = this.velocities[at + 3 + k]! + dt * spin;
+      sum += this.free[at + k]! + this.free[at + 3 + k]!;
+    }
     return Number.isFinite(sum);
-  }
-
-  #readInertia(i: number, pointer: number): void {
-    const f = this.#ammo.HEAPF32;
-    const basis = (pointer + BODY.basis) >> 2;
-    const local = (pointer + BODY.inverseInertiaLocal) >> 2;
-    for (let p = 0; p < 3; p++)
-      for (let q = 0; q < 3; q++) {
-        let inertia = 0;
-        let inverse = 0;
-        for (let k = 0; k < 3; k++) {
-          const square = f[basis + 4 * p + k]! * f[basis + 4 * q + k]!;
-          const share = f[local + k]!;
-          inverse += square * share;
-          inertia += square * (share > 0 ? 1 / share : UNTURNABLE);
-        }
-        this.inertias[i * 9 + 3 * p + q] = inertia;
-        this.inverseInertias[i * 9 + 3 * p + q] = inverse;
-      }
-  }
-
-  /** I⁻¹ v */
-  applyInverseInertia(body: number, v: Float64Array, out: Float64Array): void {
-    const m = this.inverseInertias;
-    const at = 9 * body;
-    for (let k = 0; k < 3; k++)
-      out[k] = m[at + 3 * k]! * v[0]! + m[at + 3 * k + 1]! * v[1]! + m[at + 3 * k + 2]! * v[2]!;
   }
 
   /** M (v - free), into `momentum`. */
@@ -194,36 +165,11 @@ export class SolveBodies {
 
   /** Its velocity goes to Bullet. */
   writeVelocity(body: number): void {
-    const f = this.#ammo.HEAPF32;
-    const pointer = this.pointers[body]!;
-    const v = (pointer + BODY.linearVelocity) >> 2;
-    const w = (pointer + BODY.angularVelocity) >> 2;
-    for (let k = 0; k < 3; k++) {
-      f[v + k] = this.velocities[body * SIZE + k]!;
-      f[w + k] = this.velocities[body * SIZE + 3 + k]!;
-    }
+    writeVelocity(this.#ammo, this.pointers[body]!, this.velocities, body * SIZE);
   }
 
   /** By how much it was pushed apart (`change`), before the step moves it on. */
   writePlace(body: number): void {
-    const f = this.#ammo.HEAPF32;
-    const pointer = this.pointers[body]!;
-    const { change } = this;
-    const at = body * SIZE;
-    const o = (pointer + BODY.origin) >> 2;
-    for (let k = 0; k < 3; k++) f[o + k]! += change[at + k]!;
-    this.#turn(pointer, change[at + 3]!, change[at + 4]!, change[at + 5]!);
-  }
-
-  /** By a small angle, radians; Bullet makes a rotation of it again when the body moves on. */
-  #turn(pointer: number, x: number, y: number, z: number): void {
-    const f = this.#ammo.HEAPF32;
-    const basis = (pointer + BODY.basis) >> 2;
-    for (let k = basis; k < basis + 3; k++) {
-      const [p, q, r] = [f[k]!, f[k + 4]!, f[k + 8]!];
-      f[k] = p + y * r - z * q;
-      f[k + 4] = q + z * p - x * r;
-      f[k + 8] = r + x * q - y * p;
-    }
+    displace(this.#ammo, this.pointers[body]!, this.change, body * SIZE);
   }
 }

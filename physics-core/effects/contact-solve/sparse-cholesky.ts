@@ -18,7 +18,6 @@ export class SparseCholesky {
   /** The diagonal blocks by row, then the others in the order of `#rows`. */
   values = new Float64Array(BLOCK);
   readonly #neighbours: Set<number>[] = [];
-  readonly #scratch = new Float64Array(BLOCK);
   #permuted = new Float64Array(SIZE);
   /** Products of two blocks that factoring takes: its cost. */
   products = 0;

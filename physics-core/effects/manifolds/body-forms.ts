@@ -23,9 +23,11 @@ export interface BodyForms {
   forms: readonly PartForm[];
   /** Whether Bullet's own search leaves something to be wished for. */
   wanted: boolean;
+  /** Whether it is boxes alone, whose points Bullet finds nearly as they are. */
+  boxes: boolean;
 }
 
-const WANTED: readonly Outline['kind'][] = ['box', 'frustum', 'hull', 'triangles'];
+const WANTED: readonly Outline['kind'][] = ['frustum', 'hull', 'triangles'];
 
 /** A part whose contact points Bullet's own search does not find as they are. */
 export const wanted = ({ solidParts }: Body): CollidablePart | undefined =>
@@ -42,5 +44,6 @@ export function formsOf(body: Body): BodyForms {
     const surface = outline?.kind === 'triangles' ? new Surface(outline.mesh) : undefined;
     return { form, surface, turn, origin: Float64Array.from(p) };
   });
-  return { body, parts, forms, wanted: wanted(body) !== undefined };
+  const boxes = parts.every(({ outline }) => outline?.kind === 'box');
+  return { body, parts, forms, wanted: wanted(body) !== undefined, boxes };
 }

@@ -3,7 +3,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { MATRIX } from '../../base/matrix.js';
 import { ContactPoint } from '../../engine/contact-point.js';
-import { writeFrame } from '../../engine/body-heap.js';
+import { speedBetween, writeFrame } from '../../engine/body-heap.js';
 import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold.js';
 import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
@@ -19,6 +19,15 @@ import { PlacedForm } from './placed-form.js';
 /** What Bullet finds so deep in a mesh must not be missed, metres: twice the margin that it has around hulls. */
 const MISSED = 0.01;
 
+/** Boxes that move faster against each other hit, or tumble, and have the points that Bullet has found, m/s. */
+const SLOW = 0.25;
+
+/** Boxes farther from each other do not touch yet, metres: Bullet sees them only once they overlap. */
+const NEAR = 1e-4;
+
+/** Pairs near each other: 500 boxes in a heap have 4000, 1000 have 8000. */
+const MANY = 5000;
+
 /**
  * Bullet adds one point to a manifold in each step and keeps those of earlier poses: of what rolls or turns they are wrong,
  * push from behind and gain energy. Here the points of all pairs with a cylinder, a cone, a hull or a mesh are worked out from the
@@ -33,6 +42,8 @@ export class ContactShapes extends Effect {
   readonly #forms: BodyForms[] = [];
   readonly #points = new FoundPoints();
   readonly #convex = new ConvexContact();
+  /** Whether pairs of boxes have points of their own: the contact solve wants them. */
+  ofBoxes = false;
   readonly #mesh = new MeshContact();
   readonly #a = new PlacedForm();
   readonly #b = new PlacedForm();
@@ -60,6 +71,14 @@ export class ContactShapes extends Effect {
     this.#simulation.bullet.eachAwakeManifold(this.#renew);
   }
 
+  /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
+  #isWanted(first: BodyForms, second: BodyForms): boolean {
+    if (first.wanted || second.wanted) return true;
+    return (
+      first.boxes && second.boxes && this.ofBoxes && this.#simulation.bullet.manifoldCount <= MANY
+    );
+  }
+
   #formsAt(pointer: number): BodyForms | undefined {
     const body = this.#simulation.bodyAt(pointer);
     if (!body) return undefined;
@@ -70,12 +89,14 @@ export class ContactShapes extends Effect {
 
   readonly #keep = (manifold: number, a: number, b: number): void => {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
-    if (first && second && (first.wanted || second.wanted)) this.#old.keep(manifold, a, b);
+    if (first && second && this.#isWanted(first, second)) this.#old.keep(manifold, a, b);
   };
 
   readonly #renew = (manifold: number, a: number, b: number): void => {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
-    if (!first || !second || !(first.wanted || second.wanted)) return;
+    if (!first || !second || !this.#isWanted(first, second)) return;
+    const boxes = first.boxes && second.boxes;
+    if (boxes && speedBetween(this.#ammo, a, b) > SLOW) return;
     const partA = this.#partNumber(manifold, first.body, 0);
     const partB = this.#partNumber(manifold, second.body, 1);
     const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
@@ -83,7 +104,8 @@ export class ContactShapes extends Effect {
     this.#place(this.#a, a, ofA);
     this.#place(this.#b, b, ofB);
     const theirs = this.#guess(manifold);
-    if (!this.#find(ofA, ofB, theirs < Infinity, breakingAt(this.#ammo, manifold))) return;
+    const limit = boxes ? NEAR : breakingAt(this.#ammo, manifold);
+    if (!this.#find(ofA, ofB, theirs < Infinity, limit)) return;
     if ((ofA.surface ?? ofB.surface) && this.#points.least > 0 && theirs < -MISSED) return;
     this.#points.reduce();
     this.#old.look(manifold, a, b);
@@ -138,7 +160,7 @@ const reasonOf = (body: Body): string | undefined => wanted(body) && 'geometry';
 
 export const contactShapes: EffectDescriptor<ContactShapes> = {
   name: 'contact shapes',
-  causes: 'a body with a cylinder, a cone, a hull or triangles',
+  causes: 'a body with a cylinder, a cone, a hull or triangles, or boxes in touch',
   body: { on: ['mass'], reason: reasonOf },
   load: (simulation) => new ContactShapes(simulation),
 };

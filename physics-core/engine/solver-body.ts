@@ -1,0 +1,89 @@
+import type { Ammo } from './ammo.js';
+import { BODY, COLLISION_FLAG } from './offsets.js';
+
+// What a solver reads of a body between Bullet's contact search and its own, and what it writes after. By heap pointers,
+// world frame; the views of the heap are asked for at every call, since it may have grown.
+
+/** Moment of what can't be turned, kg m². */
+const UNTURNABLE = 1e12;
+
+/** 1/kg; 0: it does not move. */
+export const inverseMassOf = ({ HEAPF32 }: Ammo, body: number): number =>
+  HEAPF32[(body + BODY.inverseMass) >> 2]!;
+
+/** Whether its author moves it. */
+export const isCarried = ({ HEAP32 }: Ammo, body: number): boolean =>
+  (HEAP32[(body + BODY.collisionFlags) >> 2]! & COLLISION_FLAG.kinematic) !== 0;
+
+/** Linear and angular velocity to `out[at]` on. */
+export function readVelocity({ HEAPF32 }: Ammo, body: number, out: Float64Array, at: number): void {
+  readTwo(HEAPF32, body + BODY.linearVelocity, body + BODY.angularVelocity, out, at);
+}
+
+/** Force and torque of this step, N and N m. */
+export function readLoad({ HEAPF32 }: Ammo, body: number, out: Float64Array, at: number): void {
+  readTwo(HEAPF32, body + BODY.totalForce, body + BODY.totalTorque, out, at);
+}
+
+function readTwo(f: Float32Array, first: number, second: number, out: Float64Array, at: number) {
+  for (let k = 0; k < 3; k++) {
+    out[at + k] = f[(first >> 2) + k]!;
+    out[at + 3 + k] = f[(second >> 2) + k]!;
+  }
+}
+
+/** The square of its linear speed. */
+export function speedSquared({ HEAPF32 }: Ammo, body: number): number {
+  const v = (body + BODY.linearVelocity) >> 2;
+  return HEAPF32[v]! ** 2 + HEAPF32[v + 1]! ** 2 + HEAPF32[v + 2]! ** 2;
+}
+
+/** Inertia and its inverse, 3 × 3, from their `at` on. */
+export function readInertia(
+  { HEAPF32 }: Ammo,
+  body: number,
+  inertia: Float64Array,
+  inverse: Float64Array,
+  at: number,
+): void {
+  const basis = (body + BODY.basis) >> 2;
+  const local = (body + BODY.inverseInertiaLocal) >> 2;
+  for (let p = 0; p < 3; p++)
+    for (let q = 0; q < 3; q++) {
+      let sum = 0;
+      let inverseSum = 0;
+      for (let k = 0; k < 3; k++) {
+        const square = HEAPF32[basis + 4 * p + k]! * HEAPF32[basis + 4 * q + k]!;
+        const share = HEAPF32[local + k]!;
+        inverseSum += square * share;
+        sum += square * (share > 0 ? 1 / share : UNTURNABLE);
+      }
+      inertia[at + 3 * p + q] = sum;
+      inverse[at + 3 * p + q] = inverseSum;
+    }
+}
+
+/** Linear and angular velocity from `v[at]` on. */
+export function writeVelocity({ HEAPF32 }: Ammo, body: number, v: Float64Array, at: number): void {
+  for (let k = 0; k < 3; k++) {
+    HEAPF32[((body + BODY.linearVelocity) >> 2) + k] = v[at + k]!;
+    HEAPF32[((body + BODY.angularVelocity) >> 2) + k] = v[at + 3 + k]!;
+  }
+}
+
+/** Moves it by `d[at]` on, metres, and turns it by a small angle, radians: Bullet makes a rotation of it again in the step. */
+export function displace({ HEAPF32: f }: Ammo, body: number, d: Float64Array, at: number): void {
+  for (let k = 0; k < 3; k++) f[((body + BODY.origin) >> 2) + k]! += d[at + k]!;
+  const x = d[at + 3]!;
+  const y = d[at + 4]!;
+  const z = d[at + 5]!;
+  const basis = (body + BODY.basis) >> 2;
+  for (let k = basis; k < basis + 3; k++) {
+    const p = f[k]!;
+    const q = f[k + 4]!;
+    const r = f[k + 8]!;
+    f[k] = p + y * r - z * q;
+    f[k + 4] = q + z * p - x * r;
+    f[k + 8] = r + x * q - y * p;
+  }
+}
