@@ -1,3 +1,4 @@
+import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { below, fact } from '../../helpers.js';
 import { farthest, hullCube, pyramid, stack, standing, wall, type Fields } from './scenes.js';
@@ -25,5 +26,24 @@ describe('in ten seconds', () => {
   for (const [says, all, accuracy, bound] of SCENES)
     fact(`${says} move by less than ${1000 * bound} mm at ${accuracy}`, async () => {
       below(farthest(await standing(all, { accuracy }), 10), bound, 'm');
+    });
+});
+
+const ASLEEP: [says: string, all: Fields[]][] = [
+  ['five boxes', stack(5)],
+  ['ten boxes', stack(10)],
+  ['twenty boxes', stack(20)],
+  ['five cylinders on end', stack(5, 1, () => ({ geometry: [cylinder] }))],
+  ['ten cubes of faces', stack(10, 1, () => ({ geometry: [hullCube] }))],
+  ['100 kg on 1 kg', stack(2, 1, (i) => ({ mass: 100 ** i }))],
+  ['a pyramid of ten rows', pyramid(10)],
+];
+
+describe('where bodies may rest', () => {
+  for (const [says, all] of ASLEEP)
+    fact(`${says} sleep within three seconds`, async () => {
+      const { w, bodies } = await standing(all, { rest: 'auto' });
+      w.advance(3);
+      for (const body of bodies) assert.ok(body.sleeping);
     });
 });
