@@ -22,7 +22,10 @@ const ROUNDS = 12;
 /** A change of velocities that is none any more, m/s and rad/s. */
 const STILL = 1e-7;
 
-/** What a contact or a joint may miss by, m/s, and as a share of the greatest speed of the part. */
+/**
+ * What a contact or a joint may miss by, m/s; of many bodies as a share of the greatest speed, too. What few drive or
+ * brake in a step is less than that share of their speed.
+ */
 const MISS = 1e-5;
 const MISS_SHARE = 1e-3;
 const STILL_SHARE = 1e-5;
@@ -99,8 +102,9 @@ export class Newton {
     this.#part = part;
     this.#analysed = false;
     this.factored = 0;
-    this.#creeping = part.bodies.length > MANY ? CREEPING_OF_MANY : CREEPING;
-    const speed = this.#bodies.fastestOf(part.bodies);
+    const many = part.bodies.length > MANY;
+    this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
+    const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = MISS + MISS_SHARE * speed;
     this.#still = STILL + STILL_SHARE * speed;
     const { count } = this.#bodies;

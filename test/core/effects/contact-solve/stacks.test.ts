@@ -12,6 +12,7 @@ const SCENES: [says: string, all: Fields[], accuracy: string, bound: number][] =
   ['twenty boxes', stack(20), 'standard', 1e-2],
   ['six boxes', stack(6), 'game', 1e-2],
   ['ten boxes of 5 cm', stack(10, 0.05), 'standard', 5e-4],
+  ['thirty boxes of 5 cm', stack(30, 0.05), 'standard', 5e-4],
   ['five cylinders on end', stack(5, 1, () => ({ geometry: [cylinder] })), 'standard', 1e-2],
   ['ten cubes of faces', stack(10, 1, () => ({ geometry: [hullCube] })), 'standard', 1e-3],
   ['100 kg on 1 kg', stack(2, 1, (i) => ({ mass: 100 ** i })), 'standard', 1e-3],
@@ -20,6 +21,7 @@ const SCENES: [says: string, all: Fields[], accuracy: string, bound: number][] =
   ['ten boxes, each twice as heavy', stack(10, 1, (i) => ({ mass: 2 ** i })), 'standard', 1e-3],
   ['a pyramid of ten rows', pyramid(10), 'standard', 1e-3],
   ['five rows of bricks with joints of 1 mm', wall(5, 6, 1e-3), 'standard', 1e-3],
+  ['ten rows of bricks without joints', wall(10, 10, 0), 'standard', 1e-3],
 ];
 
 describe('in ten seconds', () => {
