@@ -22,8 +22,12 @@ const ROUNDS = 12;
 /** A change of velocities that is none any more, m/s and rad/s. */
 const STILL = 1e-7;
 
-/** What a contact or a joint may miss by, m/s, and as a share of the greatest speed of the part. */
-const MISS = 1e-5;
+/**
+ * What a contact or a joint may miss by, m/s; of many bodies more, and a share of the greatest speed, too. What few drive
+ * or brake in a step is less than that share of their speed.
+ */
+const MISS = 2e-6;
+const MISS_OF_MANY = 1e-5;
 const MISS_SHARE = 1e-3;
 const STILL_SHARE = 1e-5;
 
@@ -106,9 +110,10 @@ export class Newton {
     this.#part = part;
     this.#analysed = false;
     this.factored = 0;
-    this.#creeping = part.bodies.length > MANY ? CREEPING_OF_MANY : CREEPING;
-    const speed = this.#bodies.fastestOf(part.bodies);
-    this.#miss = MISS + MISS_SHARE * speed;
+    const many = part.bodies.length > MANY;
+    this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
+    const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
+    this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
     this.#still = STILL + STILL_SHARE * speed;
     const { count } = this.#bodies;
     if (this.#number.length < count) this.#number = new Int32Array(2 * count);
@@ -179,8 +184,10 @@ export class Newton {
     for (let step = 0; step < STEPS; step++) {
       if (this.#readSlope() < this.#still) return true;
       if (!this.#assemble()) return false;
-      if (this.#findDirection() < this.#still) return true;
+      const size = this.#findDirection();
+      // However small it is: contacts are stiff, and what it changes in what they push is not.
       this.#go();
+      if (size < this.#still) return true;
     }
     return true;
   }

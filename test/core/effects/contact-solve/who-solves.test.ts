@@ -133,6 +133,9 @@ fact('many are solved while they are slow, and left to Bullet while they rush ab
   assert.deepEqual(solvedIn(w, 3), [28, 28, 28]);
   for (const body of bodies) body.event('linearVelocity', [1, 0, 0]);
   below(Math.max(...solvedIn(w, 3, true)), 25, 'bodies that hang together and are solved');
+  w.advance(1.5);
+  assert.deepEqual(solvedIn(w, 3), [28, 28, 28]);
+  below(Math.max(...bodies.map((body) => Math.hypot(...velocity(body)))), 1e-6, 'm/s');
 });
 
 // ---- the same each time ----------------------------------------------------------------------------------------------
