@@ -58,7 +58,7 @@ const ASIDE = 0.5;
 
 /** Equal balls of 1 kg, bounce 1: what they have along the normal is swapped, and friction turns both. */
 function oblique(id: string, friction: number): Case {
-  const [speed, seconds, start] = [5, 1.2, -2.03];
+  const [speed, seconds, start] = [5, 1.2, -2];
   const across = Math.sqrt(4 * RADIUS ** 2 - ASIDE ** 2);
   const hit = (-across - start) / speed;
   const normal: Vec3 = [-across, ASIDE, 0];

@@ -79,15 +79,15 @@ interface Course {
 }
 
 function cylinders(): Case {
-  const [speed, seconds] = [2, 4];
+  const [speed, seconds] = [2, 3];
   const courses: Course[] = [0, 30, 77].map((degrees, i) => ({
     name: `at ${degrees}°`,
     heading: (degrees * Math.PI) / 180,
-    z: 4 * i - 8,
+    z: 1.5 * i - 4.5,
   }));
   const path =
     ({ heading, z }: Course): Path =>
-    (time) => [speed * time * Math.cos(heading), RADIUS, z + speed * time * Math.sin(heading)];
+    (time) => [speed * time * Math.cos(heading) - 3, RADIUS, z + speed * time * Math.sin(heading)];
   const cylinder = (course: Course): CaseBody => {
     const along: Vec3 = [Math.cos(course.heading), 0, Math.sin(course.heading)];
     return {
@@ -111,7 +111,7 @@ function cylinders(): Case {
     seconds,
     unit: 'm',
     size: speed * seconds,
-    singlePrecision: roundingOf(8, seconds),
+    singlePrecision: roundingOf(4, seconds),
     watch: offPathsOnFloor(
       Object.fromEntries(courses.map((course) => [course.name, path(course)])),
     ),

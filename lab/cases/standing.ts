@@ -32,8 +32,8 @@ const standing = ({ bodies, friction, reach, ...words }: Standing): Case => ({
   seconds: SECONDS,
   unit: 'm',
   size: 1,
-  // What is at rest is rounded once.
-  singlePrecision: 2 ** -23 * reach,
+  // Each place is rounded once, and what lies on it goes by that.
+  singlePrecision: 2 ** -23 * reach * bodies.length,
   watch: ({ position }) =>
     worst(() => Math.max(...bodies.map((body) => apart(position(body.name), body.position!)))),
 });
