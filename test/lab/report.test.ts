@@ -29,6 +29,17 @@ test('a case measured anew takes its place in the report, with its own machine a
   });
 });
 
+test('what one machine measures on one day is one run', () => {
+  const one = (id: string): Results => ({
+    runs: [{ machine: 'a', date: '1', cases: [id] }],
+    rows: [],
+    notOffered: [],
+  });
+  assert.deepEqual(withCases(one('bounce-1'), one('cradle')).runs, [
+    { machine: 'a', date: '1', cases: ['bounce-1', 'cradle'] },
+  ]);
+});
+
 test("the README's picture is drawn from the numbers", () => {
   assert.equal(readFileSync('docs/pictures/accuracy.svg', 'utf8'), pictureOf(readReport()));
 });
