@@ -3,6 +3,7 @@
 //   --only <word>   only mutants whose name contains it
 //   --facts         judged by the conformance facts alone
 import { allEffects } from '../physics-core/effects/all.js';
+import { STAGES } from '../physics-core/effects/effect/effect.js';
 import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../physics-core/base/guards.js';
@@ -74,20 +75,25 @@ const rebuildMutants = (): Mutant[] =>
       })),
   );
 
-/** An effect that does nothing before a step, right after it, at its end, at a contact, or when it looks ahead. */
+/** An effect that does nothing in one stage of a step, at a contact, or when it looks ahead; or that nothing causes. */
 async function effectMutants(): Promise<Mutant[]> {
   const { registry } = await world();
   closeWorlds(false);
   return allEffects.flatMap((descriptor) => {
+    const { name } = descriptor;
+    const rows = allRows.filter((row) => row.effect === name);
     const prototype = Object.getPrototypeOf(registry.get(descriptor)) as object;
-    return ['beforeStep', 'settle', 'afterStep', 'contact', 'look']
+    const hooks = [...STAGES, 'contact', 'look']
       .filter((method) => Object.hasOwn(prototype, method))
       .map((method) => ({
-        name: `effect "${descriptor.name}" without ${method}`,
-        rows: allRows.filter((row) => row.effect === descriptor.name),
+        name: `effect "${name}" without ${method}`,
+        rows,
         // A contact that an effect does not look at goes on to the others.
         apply: replacing(prototype, method, () => true),
       }));
+    if (!descriptor.found) return hooks;
+    const apply = replacing(descriptor, 'found', () => {});
+    return [...hooks, { name: `effect "${name}" is caused by no contact search`, rows, apply }];
   });
 }
 

@@ -81,16 +81,24 @@ export function speeds(
   let z = 0;
   if (a >= 0) {
     const i = 6 * a;
-    const [rx, ry, rz] = [c[at + C.armA]!, c[at + C.armA + 1]!, c[at + C.armA + 2]!];
-    const [p, q, r] = [v[i + 3]!, v[i + 4]!, v[i + 5]!];
+    const rx = c[at + C.armA]!;
+    const ry = c[at + C.armA + 1]!;
+    const rz = c[at + C.armA + 2]!;
+    const p = v[i + 3]!;
+    const q = v[i + 4]!;
+    const r = v[i + 5]!;
     x += v[i]! + q * rz - r * ry;
     y += v[i + 1]! + r * rx - p * rz;
     z += v[i + 2]! + p * ry - q * rx;
   }
   if (b >= 0) {
     const i = 6 * b;
-    const [rx, ry, rz] = [c[at + C.armB]!, c[at + C.armB + 1]!, c[at + C.armB + 2]!];
-    const [p, q, r] = [v[i + 3]!, v[i + 4]!, v[i + 5]!];
+    const rx = c[at + C.armB]!;
+    const ry = c[at + C.armB + 1]!;
+    const rz = c[at + C.armB + 2]!;
+    const p = v[i + 3]!;
+    const q = v[i + 4]!;
+    const r = v[i + 5]!;
     x -= v[i]! + q * rz - r * ry;
     y -= v[i + 1]! + r * rx - p * rz;
     z -= v[i + 2]! + p * ry - q * rx;
@@ -130,7 +138,9 @@ function takeWrench(
   y: number,
   z: number,
 ): void {
-  const [rx, ry, rz] = [c[arm]!, c[arm + 1]!, c[arm + 2]!];
+  const rx = c[arm]!;
+  const ry = c[arm + 1]!;
+  const rz = c[arm + 2]!;
   g[i]! -= x;
   g[i + 1]! -= y;
   g[i + 2]! -= z;
@@ -185,7 +195,8 @@ export function stiffnessOf(c: Float64Array, at: number, w: Float64Array): boole
     return true;
   }
   const friction = c[at + C.friction]!;
-  const [t, u] = [c[at + C.along1]!, c[at + C.along2]!];
+  const t = c[at + C.along1]!;
+  const u = c[at + C.along2]!;
   const share = penalty / (1 + friction * friction);
   addSquare(w, c, at, 1, friction * t, friction * u, share, true);
   addSquare(w, c, at, 0, -u, t, penalty * c[at + C.turning]!, false);

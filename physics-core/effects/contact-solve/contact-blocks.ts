@@ -10,7 +10,8 @@ export function addContact(
   p: number,
   q: number,
 ): void {
-  const [armA, armB] = [at + C.armA, at + C.armB];
+  const armA = at + C.armA;
+  const armB = at + C.armB;
   if (p >= 0) addBlock(matrix.values, matrix.diagonal(p), w, c, armA, armA, 1);
   if (q >= 0) addBlock(matrix.values, matrix.diagonal(q), w, c, armB, armB, 1);
   if (p < 0 || q < 0) return;

@@ -20,9 +20,9 @@ import { SIZE } from './sparse-cholesky.js';
 const ASIDE = 1e24;
 
 /** Bodies of one part that are always solved directly; and those that are once all are slower than this, m/s. */
-const FEW = +(process.env.FEW ?? 24);
-const MOST = +(process.env.MOST ?? 400);
-const SLOW = +(process.env.SLOW ?? 0.25);
+const FEW = 24;
+const MOST = 600;
+const SLOW = 0.25;
 
 /** Steps before what found no end is tried again. */
 const PAUSE = 8;

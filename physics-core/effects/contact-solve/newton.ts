@@ -22,8 +22,18 @@ const ROUNDS = 12;
 /** A change of velocities that is none any more, m/s and rad/s. */
 const STILL = 1e-7;
 
-/** What a contact or a joint may miss by, m/s. */
+/** What a contact or a joint may miss by, m/s, and as a share of the greatest speed of the part. */
 const MISS = 1e-5;
+const MISS_SHARE = 1e-3;
+const STILL_SHARE = 1e-5;
+
+/**
+ * Slower sliding than this may lift, m/s: by less than a micrometre in a step. Of many bodies faster ones may, too: there
+ * some contacts would go to and fro for ever (300 boxes rest after 7 s instead of never, measured).
+ */
+const CREEPING = 1e-4;
+const CREEPING_OF_MANY = 1e-2;
+const MANY = 24;
 
 /** Tries to find how far a step should go. */
 const TRIES = 10;
@@ -37,21 +47,8 @@ const SHALLOW = 1e-6;
 /** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
 const SLOW = 0.7;
 
-/**
- * Of the impulses of the last step, where something moves. What stands on more points than it needs may share its load
- * among them in any way; so it comes to the most even one, as things that give way a little have it.
- */
-const KEPT = 0.9;
-
 /** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
 const PRODUCTS = 400;
-
-/** Products of blocks in a step, after which Bullet's iterations are the cheaper way; and matrices at least. */
-const WORK = +(process.env.WORK ?? 20000);
-const LEAST = 8;
-
-/** What may be missed where that is reached, m/s: the next step goes on from there. */
-const MISSED = 1e-3;
 
 /**
  * Finds the velocities and impulses of bodies in touch at once. Velocities minimise their distance from free ones, by
@@ -70,6 +67,9 @@ export class Newton {
   #number = new Int32Array(16);
   #part!: Part;
   #analysed = false;
+  #creeping = CREEPING;
+  #miss = MISS;
+  #still = STILL;
   /** Matrices factored for this part. */
   factored = 0;
 
@@ -82,15 +82,13 @@ export class Newton {
   /** False: Bullet's iterations are cheaper, or this finds no end. */
   solve(part: Part): boolean {
     this.#begin(part);
-    if (this.#readSlope() < STILL) return true;
-    this.#relax();
+    if (this.#readSlope() < this.#still) return true;
     let before = Infinity;
     let share = 1;
     for (let round = 0; round < ROUNDS; round++) {
       if (!this.#minimise()) return false;
       const miss = this.#raise(share);
-      if (miss < MISS) return true;
-      if (this.#exhausted) return miss < MISSED;
+      if (miss < this.#miss) return true;
       share = miss > SLOW * before ? 0.5 : 1;
       before = miss;
     }
@@ -101,25 +99,16 @@ export class Newton {
     this.#part = part;
     this.#analysed = false;
     this.factored = 0;
+    this.#creeping = part.bodies.length > MANY ? CREEPING_OF_MANY : CREEPING;
+    const speed = this.#bodies.fastestOf(part.bodies);
+    this.#miss = MISS + MISS_SHARE * speed;
+    this.#still = STILL + STILL_SHARE * speed;
     const { count } = this.#bodies;
     if (this.#number.length < count) this.#number = new Int32Array(2 * count);
     if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
     this.#readMisses();
     const c = this.#contacts.values;
-    for (const i of part.contacts) c[i * C.size + C.lift] = liftOf(c, i * C.size);
-  }
-
-  #relax(): void {
-    const c = this.#contacts.values;
-    const r = this.#rows.values;
-    for (const i of this.#part.contacts)
-      for (let k = i * C.size; k < i * C.size + 3; k++) c[k + C.impulse]! *= KEPT;
-    for (const i of this.#part.rows) r[i * R.size + R.impulse]! *= KEPT;
-  }
-
-  /** What costs too much is cut short: the next step goes on from there. */
-  get #exhausted(): boolean {
-    return this.factored > LEAST && this.factored * this.#matrix.products > WORK;
+    for (const i of part.contacts) c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
   }
 
   /** The structure of the matrix: only once it is needed. */
@@ -152,7 +141,7 @@ export class Newton {
         worst = Math.max(worst, Math.abs(pushed - c[at + C.impulse + k]!) / penalty);
         c[at + C.impulse + k] = pushed;
       }
-      const rise = liftOf(c, at) - c[at + C.lift]!;
+      const rise = liftOf(c, at, this.#creeping) - c[at + C.lift]!;
       if (c[at + C.state] !== OPEN) worst = Math.max(worst, Math.abs(rise));
       c[at + C.lift]! += share * rise;
     }
@@ -173,11 +162,10 @@ export class Newton {
   #minimise(): boolean {
     this.#readMisses();
     for (let step = 0; step < STEPS; step++) {
-      if (this.#readSlope() < STILL) return true;
+      if (this.#readSlope() < this.#still) return true;
       if (!this.#assemble()) return false;
-      if (this.#findDirection() < STILL) return true;
+      if (this.#findDirection() < this.#still) return true;
       this.#go();
-      if (this.#exhausted) return this.#readSlope() < MISSED;
     }
     return true;
   }
@@ -241,7 +229,8 @@ export class Newton {
     const matrix = this.#matrix;
     const at = i * R.size;
     const penalty = r[at + R.penalty]!;
-    const [p, q] = [this.#numberOf(a[i]!), this.#numberOf(b[i]!)];
+    const p = this.#numberOf(a[i]!);
+    const q = this.#numberOf(b[i]!);
     if (p >= 0) addOuter(matrix.values, matrix.diagonal(p), r, at, at, penalty);
     if (q >= 0) addOuter(matrix.values, matrix.diagonal(q), r, at + R.b, at + R.b, penalty);
     if (p < 0 || q < 0) return;
@@ -291,7 +280,10 @@ export class Newton {
     const begin = this.#bodies.along(bodies);
     const curve = this.#bodies.square(bodies);
     const constant = begin + this.#power();
-    let [low, atLow, high, atHigh] = [0, begin, 1, NaN];
+    let low = 0;
+    let atLow = begin;
+    let high = 1;
+    let atHigh = NaN;
     let s = 1;
     for (let i = 0; i < TRIES; i++) {
       this.#pushAt(s);
@@ -363,6 +355,10 @@ export class Newton {
   }
 }
 
-/** What Coulomb's law has more than its associated form: sliding does not lift. */
-const liftOf = (c: Float64Array, at: number): number =>
-  c[at + C.friction]! * Math.hypot(c[at + C.miss + 1]!, c[at + C.miss + 2]!);
+/**
+ * What Coulomb's law has more than its associated form: sliding does not lift. Next to rest that form itself is taken,
+ * which always finds its end.
+ */
+const liftOf = (c: Float64Array, at: number, creeping: number): number =>
+  c[at + C.friction]! *
+  Math.max(0, Math.hypot(c[at + C.miss + 1]!, c[at + C.miss + 2]!) - creeping);

@@ -13,6 +13,8 @@ export class SparseCholesky {
   /** Where the column of a row begins in `#rows`; its blocks off the diagonal follow those on it in `values`. */
   #starts = new Int32Array(17);
   #rows = new Int32Array(16);
+  /** Where the products of a column's blocks go, in the order in which they are taken. */
+  #targets = new Int32Array(16);
   /** The diagonal blocks by row, then the others in the order of `#rows`. */
   values = new Float64Array(BLOCK);
   readonly #neighbours: Set<number>[] = [];
@@ -87,6 +89,19 @@ export class SparseCholesky {
       for (const row of rows) this.#rows[at++] = row;
     });
     this.#starts[this.count] = at;
+    this.#aim();
+  }
+
+  #aim(): void {
+    if (this.#targets.length < this.products) this.#targets = new Int32Array(2 * this.products);
+    const rows = this.#rows;
+    let next = 0;
+    for (let k = 0; k < this.count; k++)
+      for (let p = this.#starts[k]!; p < this.#starts[k + 1]!; p++) {
+        const i = rows[p]!;
+        for (let q = this.#starts[k]!; q < p; q++) this.#targets[next++] = this.#find(i, rows[q]!);
+        this.#targets[next++] = i * BLOCK;
+      }
   }
 
   // ---- values -------------------------------------------------------------------------------------------------------
@@ -102,7 +117,8 @@ export class SparseCholesky {
 
   /** Where the block between two bodies begins; negative, less one: it is that of (b, a). */
   between(a: number, b: number): number {
-    const [p, q] = [this.#place[a]!, this.#place[b]!];
+    const p = this.#place[a]!;
+    const q = this.#place[b]!;
     return p > q ? this.#find(p, q) : -1 - this.#find(q, p);
   }
 
@@ -123,25 +139,19 @@ export class SparseCholesky {
   /** In place. False: not positive definite. */
   factor(): boolean {
     const { values, count } = this;
+    const targets = this.#targets;
+    let next = 0;
     for (let k = 0; k < count; k++) {
       const diagonal = k * BLOCK;
       if (!factorBlock(values, diagonal)) return false;
       const from = this.#starts[k]!;
       const to = this.#starts[k + 1]!;
       for (let p = from; p < to; p++) divideBlock(values, (count + p) * BLOCK, diagonal);
-      for (let p = from; p < to; p++) this.#update(from, p);
+      for (let p = from; p < to; p++)
+        for (let q = from; q <= p; q++)
+          takeProduct(values, targets[next++]!, (count + p) * BLOCK, (count + q) * BLOCK);
     }
     return true;
-  }
-
-  /** Takes the products of a column's block `p` and those above it from what is left. */
-  #update(from: number, p: number): void {
-    const { values, count } = this;
-    const i = this.#rows[p]!;
-    const left = (count + p) * BLOCK;
-    for (let q = from; q < p; q++)
-      takeProduct(values, this.#find(i, this.#rows[q]!), left, (count + q) * BLOCK);
-    takeProduct(values, i * BLOCK, left, left);
   }
 
   /** L Lᵀ x = b, in place; six numbers a body. */
@@ -199,22 +209,26 @@ function divideBlock(a: Float64Array, at: number, l: number): void {
   }
 }
 
-/** A ← A - B Cᵀ */
+/** A ← A - B Cᵀ. All that factoring costs is here: no loop inside, no array made. */
 function takeProduct(v: Float64Array, a: number, b: number, c: number): void {
   for (let i = 0; i < SIZE; i++) {
     const p = b + i * SIZE;
-    const [p0, p1, p2] = [v[p]!, v[p + 1]!, v[p + 2]!];
-    const [p3, p4, p5] = [v[p + 3]!, v[p + 4]!, v[p + 5]!];
-    for (let j = 0; j < SIZE; j++) {
-      const q = c + j * SIZE;
-      v[a + i * SIZE + j]! -=
+    const p0 = v[p]!;
+    const p1 = v[p + 1]!;
+    const p2 = v[p + 2]!;
+    const p3 = v[p + 3]!;
+    const p4 = v[p + 4]!;
+    const p5 = v[p + 5]!;
+    const row = a + i * SIZE;
+    let q = c;
+    for (let j = 0; j < SIZE; j++, q += SIZE)
+      v[row + j]! -=
         p0 * v[q]! +
         p1 * v[q + 1]! +
         p2 * v[q + 2]! +
         p3 * v[q + 3]! +
         p4 * v[q + 4]! +
         p5 * v[q + 5]!;
-    }
   }
 }
 

@@ -25,7 +25,7 @@ export interface BodyForms {
   wanted: boolean;
 }
 
-const WANTED: readonly Outline['kind'][] = ['frustum', 'hull', 'triangles'];
+const WANTED: readonly Outline['kind'][] = ['box', 'frustum', 'hull', 'triangles'];
 
 /** A part whose contact points Bullet's own search does not find as they are. */
 export const wanted = ({ solidParts }: Body): CollidablePart | undefined =>

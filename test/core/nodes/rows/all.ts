@@ -3,6 +3,7 @@ import { chainRows } from './collision/chains.js';
 import { collectionRows, sensorRows } from './collision/collisions.js';
 import { contactRows } from './collision/contacts.js';
 import { contactShapeRows } from './body/contact-shapes.js';
+import { contactSolveRows } from './body/contact-solve.js';
 import { bodyDragRows, collectionDragRows } from './body/dragging.js';
 import { setContactsRows } from './collision/set-contacts.js';
 import { commonRows } from './common.js';
@@ -19,7 +20,7 @@ import { spaceRows } from './collision/spaces.js';
 
 const ownRows: Record<string, Row[]> = {
   RigidBodyCollection: [...rigidBodyCollectionRows, ...setContactsRows, ...collectionDragRows],
-  RigidBody: [...rigidBodyRows, ...bodyDragRows, ...contactShapeRows],
+  RigidBody: [...rigidBodyRows, ...bodyDragRows, ...contactShapeRows, ...contactSolveRows],
   CollidableShape: shapeRows,
   CollidableOffset: offsetRows,
   CollisionCollection: [...collectionRows, ...chainRows],
