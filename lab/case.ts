@@ -19,6 +19,8 @@ export interface CaseBody {
   /** Axis and angle. */
   orientation?: [number, number, number, number];
   fixed?: boolean;
+  /** Of a fixed body that its author moves: where it is after so many seconds, first at `position`. */
+  path?: (time: number) => Vec3;
   /** Kilograms, 1 by default. */
   mass?: number;
   /** Principal moments about the body's axes, kg m²; by default those of the shape. */

@@ -10,9 +10,8 @@
 import { parseArgs } from 'node:util';
 import { cases, casesNamed } from './cases/index.js';
 import { engines } from './engines/index.js';
-import { drawPages, drawPicture } from './draw/report.js';
+import { drawPages, drawPicture, readBeside } from './draw/report.js';
 import { printed } from './draw/print.js';
-import { readJoints } from './joints/numbers.js';
 import { measureCases, THOROUGH, type Entry } from './run/measure.js';
 import { progress } from './run/progress.js';
 import { compareWith } from './run/quick.js';
@@ -42,7 +41,7 @@ const inPart = Boolean(only ?? level);
 if (options.keep && inPart) throw new Error('a report has all engines and levels of a case');
 
 function draw(results: Results): void {
-  drawPages(results, readJoints());
+  drawPages(results, readBeside());
   drawPicture(results);
 }
 

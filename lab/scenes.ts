@@ -69,7 +69,7 @@ function motor(world: World): void {
 }
 
 /** Scene 3 of the paper without its motor: boxes heaped up in a room. */
-const pile =
+export const pile =
   (count: number) =>
   (world: World): void => {
     const wall = (position: number[], size: number[]) =>

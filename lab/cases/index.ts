@@ -1,5 +1,6 @@
 import type { Case } from '../case.js';
 import { cases as bounce } from './bounce.js';
+import { cases as carried } from './carried.js';
 import { cases as chains } from './chains.js';
 import { cases as cradle } from './cradle.js';
 import { cases as flight } from './flight.js';
@@ -10,14 +11,17 @@ import { cases as pendulums } from './pendulums.js';
 import { cases as rolling } from './rolling.js';
 import { cases as sliding } from './sliding.js';
 import { cases as springs } from './springs.js';
+import { cases as standing } from './standing.js';
 
-/** Every case of the lab: what flies, what touches, what hangs together. */
+/** Every case of the lab: what flies, what touches, what stands, what hangs together. */
 export const cases: readonly Case[] = [
   ...flight,
   ...bounce,
   ...sliding,
   ...rolling,
   ...hits,
+  ...standing,
+  ...carried,
   ...pendulums,
   ...chains,
   ...cradle,

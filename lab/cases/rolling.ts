@@ -1,3 +1,4 @@
+import { scale } from '../../physics-core/base/math.js';
 import type { Case, CaseBody, Vec3 } from '../case.js';
 import { offPathsOnFloor, roundingOf, type Path } from './paths.js';
 
@@ -70,8 +71,56 @@ function launched(): Case {
   };
 }
 
+/** Heading along the floor, radians, and where it starts across it. */
+interface Course {
+  name: string;
+  heading: number;
+  z: number;
+}
+
+function cylinders(): Case {
+  const [speed, seconds] = [2, 3];
+  const courses: Course[] = [0, 30, 77].map((degrees, i) => ({
+    name: `at ${degrees}°`,
+    heading: (degrees * Math.PI) / 180,
+    z: 1.5 * i - 4.5,
+  }));
+  const path =
+    ({ heading, z }: Course): Path =>
+    (time) => [speed * time * Math.cos(heading) - 3, RADIUS, z + speed * time * Math.sin(heading)];
+  const cylinder = (course: Course): CaseBody => {
+    const along: Vec3 = [Math.cos(course.heading), 0, Math.sin(course.heading)];
+    return {
+      name: course.name,
+      shape: { type: 'Cylinder', radius: RADIUS, height: 0.4 },
+      position: path(course)(0),
+      orientation: [...along, Math.PI / 2],
+      linearVelocity: scale(along, speed),
+      angularVelocity: scale([along[2], 0, -along[0]], speed / RADIUS),
+    };
+  };
+  return {
+    id: 'roll-cylinders',
+    name: 'Rolling cylinders',
+    says: `Cylinders roll over a floor at ${speed} m/s, in three directions, friction 0.5; their places against v t.`,
+    scene: {
+      gravity: [0, -GRAVITY, 0],
+      bodies: [floor, ...courses.map(cylinder)],
+      contact: { bounce: 0, friction: 0.5 },
+    },
+    seconds,
+    unit: 'm',
+    size: speed * seconds,
+    singlePrecision: roundingOf(4, seconds),
+    watch: offPathsOnFloor(
+      Object.fromEntries(courses.map((course) => [course.name, path(course)])),
+    ),
+  };
+}
+
 export const cases: Case[] = [
   down('slope-ball-rolls', 0.5),
   down('slope-ball-slips', 0.05),
   launched(),
+  cylinders(),
 ];

@@ -26,20 +26,19 @@ const speedingUp =
 
 // ---- an incline ------------------------------------------------------------------------------------------------------
 
-const ANGLE = Math.PI / 6;
 /** The floor lies flat and gravity leans instead. */
-const leaning: Vec3 = [GRAVITY * Math.sin(ANGLE), -GRAVITY * Math.cos(ANGLE), 0];
-
-function incline(id: string, friction: number): Case {
-  const seconds = 1;
-  const slides = Math.tan(ANGLE) > friction;
-  const acceleration = slides ? GRAVITY * (Math.sin(ANGLE) - friction * Math.cos(ANGLE)) : 0;
+function incline(id: string, name: string, friction: number, degrees = 30, seconds = 1): Case {
+  const angle = (degrees * Math.PI) / 180;
+  const leaning: Vec3 = [GRAVITY * Math.sin(angle), -GRAVITY * Math.cos(angle), 0];
+  const longer = seconds > 1 ? `, for ${seconds} s` : '';
+  const slides = Math.tan(angle) > friction;
+  const acceleration = slides ? GRAVITY * (Math.sin(angle) - friction * Math.cos(angle)) : 0;
   return {
     id,
-    name: slides ? 'Block slides down an incline' : 'Block sticks to an incline',
+    name,
     says: slides
-      ? `A block on a slope of 30°, friction ${friction}; its place against g (sin θ - μ cos θ) t²/2.`
-      : `A block on a slope of 30°, friction ${friction} > tan 30°; how far it moves.`,
+      ? `A block on a slope of ${degrees}°, friction ${friction}; its place against g (sin θ - μ cos θ) t²/2.`
+      : `A block on a slope of ${degrees}°, friction ${friction} > tan ${degrees}°${longer}; how far it moves.`,
     scene: {
       gravity: leaning,
       bodies: [floor, block()],
@@ -112,8 +111,9 @@ function thrown(id: string, name: string, degrees: number): Case {
 }
 
 export const cases: Case[] = [
-  incline('slope-block-slides', 0.3),
-  incline('slope-block-sticks', 0.6),
+  incline('slope-block-slides', 'Block slides down an incline', 0.3),
+  incline('slope-block-sticks', 'Block sticks to an incline', 0.6),
+  incline('slope-block-stays', 'Block stays on an incline', 0.5, 25, 10),
   threshold(),
   thrown('slide-along-axis', 'Block thrown along an axis', 0),
   thrown('slide-across-axes', 'Block thrown across the axes', 45),

@@ -96,10 +96,20 @@ function ourSweep(frame: Frame) {
   ];
 }
 
-const levelName = (row: Row) => ({
+/** Levels of a ladder that errs alike at all of them stand side by side: their names lean, so as not to hide each other. */
+const FLAT = 3;
+
+function isFlat(ladder: readonly Row[]): boolean {
+  const errors = ladder.map(errorOf);
+  return Math.max(...errors) < FLAT * Math.min(...errors);
+}
+
+const leaning = { position: 'bottom', align: 'right', rotate: 50, offset: [4, 2] } as const;
+const beside = { position: 'left', offset: [0, 9] } as const;
+
+const levelName = (row: Row, flat: boolean) => ({
   show: true,
-  position: 'left' as const,
-  offset: [0, 9],
+  ...(flat ? leaning : beside),
   color: ink('ink'),
   fontSize: 12,
   formatter: row.level!,
@@ -107,7 +117,7 @@ const levelName = (row: Row) => ({
   textBorderWidth: 3,
 });
 
-const ourLevels = (frame: Frame) => ({
+const ourLevels = (frame: Frame, ladder = drawn(ladderOf(frame.which, frame.rows))) => ({
   name: OUR_LEVELS,
   type: 'line' as const,
   symbol: 'circle',
@@ -115,9 +125,9 @@ const ourLevels = (frame: Frame) => ({
   z: 5,
   lineStyle: { color: inkOfOurs, width: 2.5 },
   itemStyle: { color: inkOfOurs },
-  data: drawn(ladderOf(frame.which, frame.rows)).map((row) => ({
+  data: ladder.map((row) => ({
     value: dot(frame, row),
-    label: levelName(row),
+    label: levelName(row, isFlat(ladder)),
   })),
 });
 

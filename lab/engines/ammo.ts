@@ -120,6 +120,7 @@ async function make(scene: CaseScene, { step, iterations }: Setting) {
   const { world } = made;
   world.getSolverInfo().set_m_numIterations(iterations);
   return made.running(step, () => {
+    made.moveOn(step);
     made.applyForces();
     world.stepSimulation(step, 0);
   });

@@ -30,6 +30,9 @@ function turnOf(body: BtBody): Quaternion {
   return [q.x(), q.y(), q.z(), q.w()];
 }
 
+/** Collision flag of a body that its author moves. */
+const KINEMATIC = 2;
+
 /** Activation state of a body that never sleeps. */
 const ALWAYS_AWAKE = 4;
 
@@ -45,6 +48,8 @@ export class BulletScene {
   readonly #scene: CaseScene;
   readonly #ways: Ways;
   readonly #forced: (() => void)[] = [];
+  readonly #moved: ((time: number) => void)[] = [];
+  #steps = 0;
 
   static async make(scene: CaseScene, ways: Ways, plans: Plans): Promise<BulletScene> {
     const { ammo } = await loadEngine();
@@ -142,11 +147,28 @@ export class BulletScene {
       const { linear, angular } = this.#ways.damping(body);
       made.setDamping(linear, angular);
     }
+    if (body.path) this.#carry(made, body.path);
     // Without contacts: in group 1, colliding with group 0.
     if (contact && body.shape) this.world.addRigidBody(made);
     else this.world.addRigidBody(made, 1, 0);
     if (body.useGlobalGravity === false) made.setGravity(this.vector([0, 0, 0]));
     this.#push(made, forceOn(body), torqueOn(body));
+  }
+
+  /** Bullet takes the place of what is kinematic from its motion state, and its speed from how far that went. */
+  #carry(body: BtBody, path: (time: number) => Vec3): void {
+    body.setCollisionFlags(KINEMATIC);
+    const to = this.transform({ p: path(0), q: [0, 0, 0, 1] });
+    this.#moved.push((time) => {
+      to.getOrigin().setValue(...path(time));
+      body.getMotionState().setWorldTransform(to);
+    });
+  }
+
+  /** What is moved goes to where it is to be after a step of `dt` seconds. */
+  moveOn(dt: number): void {
+    this.#steps++;
+    for (const move of this.#moved) move(this.#steps * dt);
   }
 
   #push(body: BtBody, force: Vec3, torque: Vec3): void {

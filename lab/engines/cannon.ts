@@ -26,6 +26,7 @@ function bodyOf(body: CaseBody, collides: boolean): CANNON.Body {
   const { p, q } = poseOf(body);
   const made = new CANNON.Body({
     mass: body.fixed ? 0 : massOf(body),
+    ...(body.path && { type: CANNON.Body.KINEMATIC }),
     position: vec(p),
     quaternion: new CANNON.Quaternion(...q),
     velocity: vec(body.linearVelocity ?? [0, 0, 0]),
@@ -61,6 +62,15 @@ function forcesOf(body: CaseBody, made: CANNON.Body, gravity: Vec3): (() => void
     ...(force.isZero() ? [] : [() => made.applyForce(force)]),
     ...(torque.isZero() ? [] : [() => made.applyTorque(torque)]),
   ];
+}
+
+/** Moved by its velocity: to where it is to be at the end of the step. */
+function moverOf(made: CANNON.Body, path: (time: number) => Vec3, dt: number): () => void {
+  let steps = 0;
+  return () => {
+    vec(path(++steps * dt)).vsub(made.position, made.velocity);
+    made.velocity.scale(1 / dt, made.velocity);
+  };
 }
 
 interface Place {
@@ -123,6 +133,7 @@ async function make(scene: CaseScene, { step, iterations }: Setting): Promise<Ru
     const made = bodyOf(body, Boolean(contact));
     world.addBody(made);
     bodies.set(body.name, made);
+    if (body.path) forces.push(moverOf(made, body.path, step));
     if (!body.fixed) forces.push(...forcesOf(body, made, gravity));
   }
   const at = ({ body }: End) => (body === undefined ? ground : bodies.get(body)!);

@@ -41,6 +41,7 @@ export class JoltScene {
   readonly interface: InstanceType<Jolt['JoltInterface']>;
   readonly system: System;
   readonly forces: (() => void)[] = [];
+  readonly moves: ((dt: number) => void)[] = [];
   readonly #scene: CaseScene;
   readonly #made: object[] = [];
   /** Which bodies are joined, and so don't collide. */
@@ -106,7 +107,13 @@ export class JoltScene {
 
   #layer(body: CaseBody): number {
     if (!this.#scene.contact || !body.shape) return LOOSE;
-    return body.fixed ? STILL : MOVING;
+    return body.fixed && !body.path ? STILL : MOVING;
+  }
+
+  #motion({ fixed, path }: CaseBody) {
+    const { jolt } = this;
+    if (path) return jolt.EMotionType_Kinematic;
+    return fixed ? jolt.EMotionType_Static : jolt.EMotionType_Dynamic;
   }
 
   add(body: CaseBody): void {
@@ -117,7 +124,7 @@ export class JoltScene {
         this.#shape(body.shape),
         this.place(p),
         this.own(new jolt.Quat(...q)),
-        body.fixed ? jolt.EMotionType_Static : jolt.EMotionType_Dynamic,
+        this.#motion(body),
         this.#layer(body),
       ),
     );
@@ -125,9 +132,11 @@ export class JoltScene {
     settings.mRestitution = this.#scene.contact?.bounce ?? 0;
     settings.mCollisionGroup = this.own(new jolt.CollisionGroup(this.#joined, 0, this.bodies.size));
     if (!body.fixed) this.#move(settings, body);
+    if (body.path) settings.mAllowSleeping = false;
     const made = this.system.GetBodyInterface().CreateBody(settings);
     this.system.GetBodyInterface().AddBody(made.GetID(), jolt.EActivation_Activate);
     this.bodies.set(body.name, made);
+    if (body.path) this.#carry(made, body.path);
     if (!body.fixed) this.#push(made, this.vec(forceOn(body)), this.vec(torqueOn(body)));
   }
 
@@ -147,6 +156,17 @@ export class JoltScene {
     settings.mAngularDamping = body.autoDamp ? (body.angularDampingFactor ?? 0) / moments[0] : 0;
     if (settings.mAngularDamping > 0 && !isRound(body))
       throw new NotOffered('angular drag of a body that is not round');
+  }
+
+  /** Along with its author's path: to where that ends after the step. */
+  #carry(body: Body, path: (time: number) => Vec3): void {
+    const bodies = this.system.GetBodyInterface();
+    const [to, turn] = [this.place([0, 0, 0]), this.own(new this.jolt.Quat(0, 0, 0, 1))];
+    let steps = 0;
+    this.moves.push((dt) => {
+      to.Set(...path(++steps * dt));
+      bodies.MoveKinematic(body.GetID(), to, turn, dt);
+    });
   }
 
   /** Jolt forgets forces after each step. */
@@ -204,6 +224,7 @@ export class JoltScene {
     return {
       timeStep: step,
       step: () => {
+        for (const move of this.moves) move(step);
         for (const apply of this.forces) apply();
         this.interface.Step(step, 1);
       },

@@ -4,7 +4,13 @@ import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
 import { sweep, type Engine, type Running, type Setting } from './engine.js';
 
-function fieldsOf({ name: _, shape, inertia, ...fields }: CaseBody): Record<string, unknown> {
+function fieldsOf({
+  name: _,
+  shape,
+  inertia,
+  path: __,
+  ...fields
+}: CaseBody): Record<string, unknown> {
   return {
     ...fields,
     ...(shape && { geometry: [shape] }),
@@ -44,6 +50,16 @@ const levelOf = ({ level, step, iterations }: Setting): Level =>
     iterations,
   };
 
+/** As page code does: what is moved is put where it is to be at the end of the step that comes. */
+function mover(nodes: Map<string, BodyNode>, { bodies }: CaseScene, timeStep: number): () => void {
+  const moved = bodies.flatMap(({ name, path }) => (path ? { node: nodes.get(name)!, path } : []));
+  let steps = 0;
+  return () => {
+    steps++;
+    for (const { node, path } of moved) node.set('position', path(steps * timeStep));
+  };
+}
+
 /** What a case may be about; any other problem means that the case was told wrongly. */
 const HARD = ['mass-ratio', 'initial-overlap'];
 
@@ -59,10 +75,14 @@ async function make(scene: CaseScene, setting: Setting, solve: boolean): Promise
   world.start(await loadEngine());
   const wrong = world.problems.filter(({ code }) => !HARD.includes(code));
   if (wrong.length > 0) throw new Error(wrong.map(({ message }) => message).join('; '));
+  const move = mover(nodes, scene, world.timeStep);
   const vector = (field: string) => (body: string) => nodes.get(body)!.get(field) as Vec3;
   return {
     timeStep: world.timeStep,
-    step: () => void world.step(),
+    step: () => {
+      move();
+      world.step();
+    },
     position: vector('position'),
     orientation: (body) => nodes.get(body)!.pose().q,
     linearVelocity: vector('linearVelocity'),

@@ -25,7 +25,11 @@ function colliderOf(shape: Shape): RAPIER.ColliderDesc {
 
 function bodyDescOf(body: CaseBody): RAPIER.RigidBodyDesc {
   const { p, q } = poseOf(body);
-  const desc = body.fixed ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic();
+  const desc = body.path
+    ? RAPIER.RigidBodyDesc.kinematicPositionBased()
+    : body.fixed
+      ? RAPIER.RigidBodyDesc.fixed()
+      : RAPIER.RigidBodyDesc.dynamic();
   desc
     .setTranslation(...p)
     .setRotation(turn(q))
@@ -136,10 +140,15 @@ async function make(scene: CaseScene, { step, iterations }: Setting): Promise<Ru
     for (const body of scene.bodies) force(bodies.get(body.name)!, body);
     for (const one of pushes) push(one, bodies.get(one.body1)!, bodies.get(one.body2 ?? ''));
   };
+  const moved = scene.bodies.filter(({ path }) => path);
+  let steps = 0;
   forceAll();
   return {
     timeStep: step,
     step: () => {
+      steps++;
+      for (const { name, path } of moved)
+        bodies.get(name)!.setNextKinematicTranslation(vec(path!(steps * step)));
       // What turns with a body is given anew.
       if (pushes.length > 0) forceAll();
       world.step();

@@ -45,6 +45,10 @@ const ways: Ways = {
 function check({ bodies }: CaseScene): void {
   if (bodies.some(({ inertia }) => inertia))
     throw new NotOffered('inertia, which X_ITE does not read');
+  if (bodies.some(({ path }) => path))
+    throw new NotOffered(
+      'fixed bodies that are moved: X_ITE teleports them, which moves nothing along',
+    );
 }
 
 async function make(scene: CaseScene, { step, iterations }: Setting) {

@@ -2,7 +2,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import type { Case } from '../case.js';
 import { cases } from '../cases/index.js';
 import { MACHINE, today } from './machine.js';
-import type { Results } from './row.js';
+import type { Results, Run } from './row.js';
 
 // The numbers of the report: all that is kept of it. Pages and pictures are drawn from them.
 
@@ -26,6 +26,16 @@ export const runOf = (measured: readonly Case[]): Results['runs'][number] => ({
   cases: measured.map(({ id }) => id),
 });
 
+/** What the same machine measured on the same day is one run. */
+function joined(runs: readonly Run[]): Run[] {
+  const all = new Map<string, Run>();
+  for (const { machine, date, cases: ids } of runs) {
+    const same = all.get(machine + date)?.cases ?? [];
+    all.set(machine + date, { machine, date, cases: [...same, ...ids] });
+  }
+  return [...all.values()];
+}
+
 /** A report with cases measured anew: their rows in place of those of before. */
 export function withCases(before: Results, fresh: Results): Results {
   const anew = new Set(fresh.runs.flatMap((run) => run.cases));
@@ -38,7 +48,7 @@ export function withCases(before: Results, fresh: Results): Results {
     .map((run) => ({ ...run, cases: run.cases.filter((id) => !anew.has(id)) }))
     .filter((run) => run.cases.length > 0);
   return {
-    runs: [...kept, ...fresh.runs],
+    runs: joined([...kept, ...fresh.runs]),
     rows: together(before.rows, fresh.rows),
     notOffered: together(before.notOffered, fresh.notOffered),
   };

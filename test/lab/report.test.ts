@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { readContacts } from '../../lab/contacts/numbers.js';
+import { withContacts } from '../../lab/contacts/text.js';
 import { pictureOf } from '../../lab/draw/report.js';
 import { readJoints } from '../../lab/joints/numbers.js';
 import { withErrors } from '../../lab/joints/text.js';
@@ -27,6 +29,17 @@ test('a case measured anew takes its place in the report, with its own machine a
   });
 });
 
+test('what one machine measures on one day is one run', () => {
+  const one = (id: string): Results => ({
+    runs: [{ machine: 'a', date: '1', cases: [id] }],
+    rows: [],
+    notOffered: [],
+  });
+  assert.deepEqual(withCases(one('bounce-1'), one('cradle')).runs, [
+    { machine: 'a', date: '1', cases: ['bounce-1', 'cradle'] },
+  ]);
+});
+
 test("the README's picture is drawn from the numbers", () => {
   assert.equal(readFileSync('docs/pictures/accuracy.svg', 'utf8'), pictureOf(readReport()));
 });
@@ -34,4 +47,9 @@ test("the README's picture is drawn from the numbers", () => {
 test('the errors in docs/joints.md are those of the numbers', () => {
   const text = readFileSync('docs/joints.md', 'utf8');
   assert.equal(withErrors(text, readJoints()), text);
+});
+
+test('the tables in docs/contacts.md are those of the numbers', () => {
+  const text = readFileSync('docs/contacts.md', 'utf8');
+  assert.equal(withContacts(text, readReport().rows, readContacts()), text);
 });

@@ -51,13 +51,6 @@ const SHALLOW = 1e-6;
 /** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
 const SLOW = 0.7;
 
-/**
- * Of the impulses of the last step, where something moves. What stands on more points than it needs may share its load
- * among them in any way; so it comes to the most even one, as things have it that give way a little. Of many bodies some
- * would go to and fro for ever then.
- */
-const KEPT = 0.9;
-
 /** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
 const PRODUCTS = 400;
 
@@ -121,14 +114,6 @@ export class Newton {
     this.#readMisses();
     const c = this.#contacts.values;
     for (const i of part.contacts) c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
-  }
-
-  #relax(): void {
-    const c = this.#contacts.values;
-    const r = this.#rows.values;
-    for (const i of this.#part.contacts)
-      for (let k = i * C.size; k < i * C.size + 3; k++) c[k + C.impulse]! *= KEPT;
-    for (const i of this.#part.rows) r[i * R.size + R.impulse]! *= KEPT;
   }
 
   /** The structure of the matrix: only once it is needed. */

@@ -2,9 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cases } from '../../../lab/cases/index.js';
 import { brokenRungs } from '../../../lab/draw/judge.js';
-import { pagesOf } from '../../../lab/draw/report.js';
+import { pagesOf, readBeside } from '../../../lab/draw/report.js';
 import { engines } from '../../../lab/engines/index.js';
-import { readJoints } from '../../../lab/joints/numbers.js';
 import { readReport } from '../../../lab/run/report.js';
 import type { Row } from '../../../lab/run/row.js';
 import { level, run, thrown, row } from '../../lab/runs.js';
@@ -16,9 +15,9 @@ test('a case comes to the same bits every time, in each engine', async () => {
 
 test('the report has every case, and what it draws of one does not hang on the others', () => {
   const report = readReport();
-  const pages = pagesOf(report, readJoints());
+  const pages = pagesOf(report, readBeside());
   for (const { id } of cases) assert.ok(pages.has(`${id}.html`), id);
-  const drawn = pagesOf(report, readJoints());
+  const drawn = pagesOf(report, readBeside());
   for (const [name, text] of pages) assert.equal(drawn.get(name), text, name);
 });
 
