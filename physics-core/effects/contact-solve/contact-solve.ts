@@ -115,7 +115,14 @@ export class ContactSolve extends Effect {
 
   override unmade(node: Cause): void {
     this.#joints.forget(node as Joint);
+    this.#failed.clear();
     this.release(node);
+  }
+
+  /** The world begins anew. */
+  reset(): void {
+    this.#failed.clear();
+    this.#letGo();
   }
 
   #letGo(): void {

@@ -9,7 +9,9 @@ import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import { partNumberAt } from '../contacts/contact-part.js';
+import { contactSurface } from '../contacts/contact-surface.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
 import { formsOf, wanted, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
@@ -19,11 +21,13 @@ import { PlacedForm } from './placed-form.js';
 /** What Bullet finds so deep in a mesh must not be missed, metres: twice the margin that it has around hulls. */
 const MISSED = 0.01;
 
-/** Boxes that move faster against each other hit, or tumble, and have the points that Bullet has found, m/s. */
+/**
+ * Where boxes bounce, or very many tumble, those that move faster against each other have the points that Bullet has
+ * found, m/s; and those farther from each other do not touch yet, metres: what bounces is left alone until it overlaps.
+ */
 const SLOW = 0.25;
-
-/** Boxes farther from each other do not touch yet, metres: Bullet sees them only once they overlap. */
 const NEAR = 1e-4;
+const BUSY = 1000;
 
 /** Pairs near each other: 500 boxes in a heap have 4000, 1000 have 8000. */
 const MANY = 5000;
@@ -35,6 +39,9 @@ const MANY = 5000;
  */
 export class ContactShapes extends Effect {
   readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  /** Boxes bounce, or there are very many. */
+  #careful = false;
   readonly #ammo: Ammo;
   readonly #old: OldPoints;
   readonly #writer: ManifoldWriter;
@@ -52,9 +59,10 @@ export class ContactShapes extends Effect {
   readonly #rows = new Float64Array(MATRIX);
   readonly #origin = new Float64Array(3);
 
-  constructor(simulation: Simulation) {
+  constructor(simulation: Simulation, effects: Effects) {
     super();
     this.#simulation = simulation;
+    this.#effects = effects;
     this.#ammo = simulation.engine.ammo;
     this.#old = new OldPoints(this.#ammo);
     this.#point = new ContactPoint(this.#ammo);
@@ -68,7 +76,10 @@ export class ContactShapes extends Effect {
   }
 
   override found(): void {
-    this.#simulation.bullet.eachAwakeManifold(this.#renew);
+    const { bullet } = this.#simulation;
+    const bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
+    this.#careful = bouncing || bullet.manifoldCount > BUSY;
+    bullet.eachAwakeManifold(this.#renew);
   }
 
   /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
@@ -96,7 +107,8 @@ export class ContactShapes extends Effect {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
     if (!first || !second || !this.#isWanted(first, second)) return;
     const boxes = first.boxes && second.boxes;
-    if (boxes && speedBetween(this.#ammo, a, b) > SLOW) return;
+    const careful = boxes && this.#careful;
+    if (careful && speedBetween(this.#ammo, a, b) > SLOW) return;
     const partA = this.#partNumber(manifold, first.body, 0);
     const partB = this.#partNumber(manifold, second.body, 1);
     const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
@@ -104,7 +116,7 @@ export class ContactShapes extends Effect {
     this.#place(this.#a, a, ofA);
     this.#place(this.#b, b, ofB);
     const theirs = this.#guess(manifold);
-    const limit = boxes ? NEAR : breakingAt(this.#ammo, manifold);
+    const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
     if (!this.#find(ofA, ofB, theirs < Infinity, limit)) return;
     if ((ofA.surface ?? ofB.surface) && this.#points.least > 0 && theirs < -MISSED) return;
     this.#points.reduce();
@@ -162,5 +174,5 @@ export const contactShapes: EffectDescriptor<ContactShapes> = {
   name: 'contact shapes',
   causes: 'a body with a cylinder, a cone, a hull or triangles, or boxes in touch',
   body: { on: ['mass'], reason: reasonOf },
-  load: (simulation) => new ContactShapes(simulation),
+  load: (simulation, effects) => new ContactShapes(simulation, effects),
 };

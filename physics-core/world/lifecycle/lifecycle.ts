@@ -1,3 +1,4 @@
+import { contactSolve } from '../../effects/contact-solve/contact-solve.js';
 import { contactReader } from '../../effects/contacts/contact-reader.js';
 import { givenContacts } from '../../effects/contacts/given-contacts.js';
 import { dragging } from '../../effects/drag/dragging.js';
@@ -122,6 +123,7 @@ export class Lifecycle {
     const { registry } = this.#world;
     registry.find(contactReader)?.reset(reason);
     registry.find(givenContacts)?.reset();
+    registry.find(contactSolve)?.reset();
     registry.find(dragging)?.reset(reason);
   }
 
