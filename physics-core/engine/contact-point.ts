@@ -189,12 +189,19 @@ export class ContactPoint {
     this.#put(POINT.lateralImpulse2, second);
   }
 
-  lateralImpulse(which: 0 | 1): number {
-    return this.#get(which === 0 ? POINT.lateralImpulse1 : POINT.lateralImpulse2);
+  /** One number of the impulse along the surface. A fresh point has directions that nobody wrote. */
+  lateralPush(i: number): number {
+    const first = this.#get(POINT.lateralImpulse1);
+    const second = this.#get(POINT.lateralImpulse2);
+    return (
+      (first === 0 ? 0 : first * this.#get(POINT.direction1, i)) +
+      (second === 0 ? 0 : second * this.#get(POINT.direction2, i))
+    );
   }
 
   get directionsGiven(): boolean {
-    return this.#int(POINT.directionsGiven) !== 0;
+    // One byte: what lies behind it nobody wrote.
+    return this.#ammo.HEAPU8[this.#point + POINT.directionsGiven] !== 0;
   }
 
   /** Whether friction acts along the directions that stand in the point. */

@@ -25,6 +25,7 @@ export class OldPoints {
   /** Points of the block that is looked at which were taken over. */
   readonly #taken = [false, false, false, false];
   #block = -1;
+  #blocks = 0;
 
   constructor(ammo: Ammo) {
     this.#ammo = ammo;
@@ -32,10 +33,11 @@ export class OldPoints {
 
   clear(): void {
     this.#at.clear();
+    this.#blocks = 0;
   }
 
   keep(manifold: number, a: number, b: number): void {
-    const block = this.#at.size;
+    const block = this.#blocks++;
     if ((block + 1) * BLOCK > this.#words.length) this.#grow();
     const { HEAP32 } = this.#ammo;
     const count = HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
@@ -59,7 +61,6 @@ export class OldPoints {
   look(manifold: number, a: number, b: number): void {
     let block = this.#at.get(manifold);
     if (block === undefined || this.#a[block] !== a || this.#b[block] !== b) {
-      this.#at.delete(manifold);
       this.keep(manifold, a, b);
       block = this.#at.get(manifold)!;
     }

@@ -63,20 +63,25 @@ export function readInertia(
     }
 }
 
+/** Speeds and ways that are nothing but rounding, m/s and m, rad/s and rad. */
+const ROUNDING = 1e-12;
+
+const rounded = (value: number): number => (Math.abs(value) < ROUNDING ? 0 : value);
+
 /** Linear and angular velocity from `v[at]` on. */
 export function writeVelocity({ HEAPF32 }: Ammo, body: number, v: Float64Array, at: number): void {
   for (let k = 0; k < 3; k++) {
-    HEAPF32[((body + BODY.linearVelocity) >> 2) + k] = v[at + k]!;
-    HEAPF32[((body + BODY.angularVelocity) >> 2) + k] = v[at + 3 + k]!;
+    HEAPF32[((body + BODY.linearVelocity) >> 2) + k] = rounded(v[at + k]!);
+    HEAPF32[((body + BODY.angularVelocity) >> 2) + k] = rounded(v[at + 3 + k]!);
   }
 }
 
 /** Moves it by `d[at]` on, metres, and turns it by a small angle, radians: Bullet makes a rotation of it again in the step. */
 export function displace({ HEAPF32: f }: Ammo, body: number, d: Float64Array, at: number): void {
-  for (let k = 0; k < 3; k++) f[((body + BODY.origin) >> 2) + k]! += d[at + k]!;
-  const x = d[at + 3]!;
-  const y = d[at + 4]!;
-  const z = d[at + 5]!;
+  for (let k = 0; k < 3; k++) f[((body + BODY.origin) >> 2) + k]! += rounded(d[at + k]!);
+  const x = rounded(d[at + 3]!);
+  const y = rounded(d[at + 4]!);
+  const z = rounded(d[at + 5]!);
   const basis = (body + BODY.basis) >> 2;
   for (let k = basis; k < basis + 3; k++) {
     const p = f[k]!;

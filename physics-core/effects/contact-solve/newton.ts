@@ -113,7 +113,10 @@ export class Newton {
     if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
     this.#readMisses();
     const c = this.#contacts.values;
-    for (const i of part.contacts) c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
+    for (const i of part.contacts) {
+      c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
+      project(c, i * C.size, 0);
+    }
   }
 
   /** The structure of the matrix: only once it is needed. */

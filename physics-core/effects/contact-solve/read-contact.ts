@@ -88,9 +88,7 @@ export class ContactPort {
       const across = c[at + next]! * d[last]! - c[at + last]! * d[next]!;
       c[at + C.direction1 + k] = given ? point.direction(0, k) : d[k]!;
       c[at + C.direction2 + k] = given ? point.direction(1, k) : across;
-      const rub =
-        point.lateralImpulse(0) * point.direction(0, k) +
-        point.lateralImpulse(1) * point.direction(1, k);
+      const rub = point.lateralPush(k);
       along1 += rub * c[at + C.direction1 + k]!;
       along2 += rub * c[at + C.direction2 + k]!;
     }

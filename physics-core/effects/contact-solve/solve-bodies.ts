@@ -1,3 +1,4 @@
+import { dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
 import type { Ammo } from '../../engine/ammo.js';
 import {
@@ -123,7 +124,7 @@ export class SolveBodies {
     let most = 0;
     for (const body of bodies) {
       const i = body * SIZE;
-      most = Math.max(most, v[i]! ** 2 + v[i + 1]! ** 2 + v[i + 2]! ** 2);
+      most = Math.max(most, dot3(v, i, v, i));
     }
     return Math.sqrt(most);
   }
@@ -143,7 +144,7 @@ export class SolveBodies {
     for (const body of bodies) {
       const at = body * SIZE;
       for (let k = 0; k < 3; k++) {
-        sum += this.masses[body]! * this.change[at + k]! ** 2;
+        sum += this.masses[body]! * this.change[at + k]! * this.change[at + k]!;
         for (let l = 0; l < 3; l++)
           sum +=
             this.change[at + 3 + k]! *

@@ -31,6 +31,9 @@ const NO_MISS = 1e-6;
 /** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
 const TORN = 1e-4;
 
+/** And what is brought together again after contacts had their part in a step. */
+const DISTURBED = 5e-5;
+
 /** Misses (m, rad) that a step may leave where its rounds do not find together. */
 const LEFT_OPEN = 1e-5;
 
@@ -176,7 +179,7 @@ export class ComponentSolve {
     const disturbed = this.#stabilization.disturbed(component, dt);
     this.#system.firm = this.#taut.has(component);
     if (this.#open.has(component)) this.#closing.close(component, dt, LEFT_OPEN);
-    else if (disturbed) this.#closing.close(component, dt, TORN);
+    else if (disturbed) this.#closing.close(component, dt, DISTURBED);
     return disturbed;
   }
 

@@ -80,6 +80,8 @@ export class ContactShapes extends Effect {
     const bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
     this.#careful = bouncing || bullet.manifoldCount > BUSY;
     bullet.eachAwakeManifold(this.#renew);
+    // Who comes on in the middle of a step finds nothing of an earlier one.
+    this.#old.clear();
   }
 
   /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
@@ -116,6 +118,8 @@ export class ContactShapes extends Effect {
     this.#place(this.#a, a, ofA);
     this.#place(this.#b, b, ofB);
     const theirs = this.#guess(manifold);
+    // One that lies deep in another is Bullet's: from there a nearest face is no longer where it came in.
+    if (boxes && theirs < -MISSED) return;
     const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
     if (!this.#find(ofA, ofB, theirs < Infinity, limit)) return;
     if ((ofA.surface ?? ofB.surface) && this.#points.least > 0 && theirs < -MISSED) return;

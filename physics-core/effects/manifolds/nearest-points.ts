@@ -1,3 +1,4 @@
+import { dot3 } from '../../base/flat-math.js';
 import type { PlacedForm } from './placed-form.js';
 import { Simplex } from './simplex.js';
 
@@ -53,7 +54,7 @@ export class NearestPoints {
     nearest.set(this.normal);
     simplex.count = 0;
     for (let round = 0; round < MOST_ROUNDS; round++) {
-      const square = nearest[0]! ** 2 + nearest[1]! ** 2 + nearest[2]! ** 2;
+      const square = dot3(nearest, 0, nearest, 0);
       const at = 3 * simplex.count;
       this.#support(a, b, at);
       const { w } = simplex;
@@ -62,7 +63,7 @@ export class NearestPoints {
       if (this.#known(at)) break;
       simplex.count++;
       if (!simplex.reduce()) return false;
-      if (nearest[0]! ** 2 + nearest[1]! ** 2 + nearest[2]! ** 2 < 1e-24) return false;
+      if (dot3(nearest, 0, nearest, 0) < 1e-24) return false;
     }
     return this.#take();
   }
