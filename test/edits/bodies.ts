@@ -13,7 +13,8 @@ export const bodyEdits: Record<string, Edit> = {
   fixed: {
     values: ON,
     changes: [
-      ...['.linearVelocity', '.angularVelocity', '~mass', '~shape', '~flags', '~effects'],
+      // What slides straight on its face does not spin.
+      ...['.linearVelocity', '?.angularVelocity', '~mass', '~shape', '~flags', '~effects'],
       ...['~groups', '@meeting', '@touching', 'hitch~object'],
     ],
     // Let go it starts from rest.

@@ -32,7 +32,7 @@ const NO_MISS = 1e-6;
 const TORN = 1e-4;
 
 /** And what is brought together again after contacts had their part in a step. */
-const DISTURBED = 5e-5;
+const DISTURBED = 2e-5;
 
 /** Misses (m, rad) that a step may leave where its rounds do not find together. */
 const LEFT_OPEN = 1e-5;
