@@ -56,11 +56,7 @@ export class ContactSolve extends Effect {
   readonly #newton: Newton;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
-  readonly #step: ContactStep & { written: ReadonlySet<number> } = {
-    dt: 0,
-    slop: 0,
-    written: NONE,
-  };
+  readonly #step: ContactStep = { dt: 0, slop: 0, written: NONE };
   /** Points that are left to Bullet. */
   #special: ReadonlySet<number> = NONE;
   /** Manifolds of the step, and which bodies they are of. */
@@ -133,12 +129,16 @@ export class ContactSolve extends Effect {
 
   override solve(dt: number): void {
     const { settings } = this.#simulation.bullet;
+    this.#solved.length = 0;
+    // Iterations were asked for since.
+    if (!settings.direct) return this.#letGo();
     this.#step.dt = dt;
     this.#step.slop = settings.linearSlop;
     const surface = this.#effects.caused(contactSurface);
     this.#step.written = surface?.written ?? NONE;
     this.#special = surface?.special ?? NONE;
-    this.#contacts.count = this.#rows.count = this.#solved.length = 0;
+    this.#contacts.count = this.#rows.count = 0;
+    this.#joints.begin();
     this.#gather();
     for (let i = 0; i < this.#parts.count; i++) {
       const part = this.#parts.at(i);

@@ -23,8 +23,9 @@ export class CoupledJoints {
   readonly #joints: JointRows;
   readonly #rows: BoundRows;
   readonly #bodies: SolveBodies;
-  /** Impulses of the last step, by joint. */
-  readonly #impulses = new Map<Joint, Float64Array>();
+  /** Impulses by joint, and the step that found them. */
+  readonly #impulses = new Map<Joint, { step: number; values: Float64Array }>();
+  #step = 0;
   /** By row: its joint, and which of its rows. */
   readonly #owners: Joint[] = [];
   readonly #places: number[] = [];
@@ -35,8 +36,9 @@ export class CoupledJoints {
     this.#bodies = bodies;
   }
 
+  /** A new step: only impulses of the one before it are begun with. */
   begin(): void {
-    this.#owners.length = this.#places.length = 0;
+    this.#step++;
   }
 
   /** The rows of a joint, into `into`. False: it gives way, and no row here does. */
@@ -77,7 +79,7 @@ export class CoupledJoints {
     for (let k = 0; k < WIDTH; k++) r[at + k] = this.#joints.jacobian[from + k]!;
     r[at + R.target] = rate(r, at, this.#bodies.free, a, b);
     r[at + R.penalty] = STIFFNESS / (this.#joints.between(row, row) || 1);
-    r[at + R.impulse] = this.#impulses.get(joint)?.[place] ?? 0;
+    r[at + R.impulse] = this.#impulseOf(joint, place);
     r[at + R.least] = -Infinity;
     r[at + R.most] = Infinity;
     into.push(rows.count - 1);
@@ -86,12 +88,18 @@ export class CoupledJoints {
     return at;
   }
 
+  #impulseOf(joint: Joint, place: number): number {
+    const kept = this.#impulses.get(joint);
+    return kept && kept.step === this.#step - 1 ? kept.values[place]! : 0;
+  }
+
   /** For the next step. */
   keep(row: number): void {
     const joint = this.#owners[row]!;
     let kept = this.#impulses.get(joint);
-    if (!kept) this.#impulses.set(joint, (kept = new Float64Array(ROWS)));
-    kept[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
+    if (!kept) this.#impulses.set(joint, (kept = { step: 0, values: new Float64Array(ROWS) }));
+    kept.step = this.#step;
+    kept.values[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
   }
 
   /** A joint that is made anew begins anew. */

@@ -89,6 +89,9 @@ fact(
     w.advance(2);
     assert.ok(isOn(w));
     assert.deepEqual([...new Set(solvedIn(w, 60))], [10]);
+    w.settings.set('iterations', 10);
+    assert.deepEqual([...new Set(solvedIn(w, 60))], [0]);
+    assert.ok(!isOn(w));
   },
 );
 
