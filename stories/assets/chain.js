@@ -11,7 +11,8 @@ const SPEED = 0.3;
 /** Where a chain of `n` links lies on Archimedes' spiral: its radius there. */
 const radius = (n) => Math.sqrt((n * PITCH * ROUND) / Math.PI + 1);
 
-const text = (...numbers) => numbers.map((number) => number.toFixed(4)).join(' ');
+// In micrometres: what a link is placed off by, its hinge then pulls at.
+const text = (...numbers) => numbers.map((number) => number.toFixed(6)).join(' ');
 
 export function growChain(x3d) {
   const scene = x3d.querySelector('scene, Scene');
