@@ -42,7 +42,8 @@ describe('dragging with the mouse', () => {
       // The others follow the pointer itself; a spring needs its time, and lets the body turn about its front.
       const tolerance = mode === 'spring' ? 0.05 : 0.02;
       const front = (): number[] => ahead(element as X3DRigidBodyElement, 0.5);
-      if (mode === 'spring') await until(() => far(front(), goal) < tolerance, 6000);
+      // On a busy machine the last move of the pointer comes with a later step.
+      await until(() => far(front(), goal) < tolerance, 6000);
       expect(far(front(), goal)).to.be.below(tolerance);
       expect(far(events.at(-1)!.detail.point, goal)).to.be.below(0.02);
       expect(element.matches(':state(dragging)')).to.be.true;
