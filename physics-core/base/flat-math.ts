@@ -7,6 +7,9 @@ type Numbers = Float64Array;
 export const dot3 = (a: Numbers, i: number, b: Numbers, j: number): number =>
   a[i]! * b[j]! + a[i + 1]! * b[j + 1]! + a[i + 2]! * b[j + 2]!;
 
+export const dot4 = (a: Numbers, i: number, b: Numbers, j: number): number =>
+  dot3(a, i, b, j) + a[i + 3]! * b[j + 3]!;
+
 /** out = a × b. `out` may be neither of them. */
 export function cross3(
   out: Numbers,

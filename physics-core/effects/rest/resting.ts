@@ -1,3 +1,4 @@
+import { dot4 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -113,8 +114,12 @@ export class Resting extends Effect {
   #drifted(slot: number): boolean {
     if (this.#quiet[slot] === 0) return false;
     const { current } = this.#simulation.poses;
-    for (let i = slot * POSE; i < (slot + 1) * POSE; i++) {
-      if (Math.abs(current[i]! - this.#anchor[i]!) > LIBRARY.drift) return true;
+    const at = slot * POSE;
+    // A quaternion and its opposite are the same orientation; Bullet's goes over where its matrix has no trace, at 120°.
+    const sign = dot4(current, at + 3, this.#anchor, at + 3) < 0 ? -1 : 1;
+    for (let i = at; i < at + POSE; i++) {
+      const now = i < at + 3 ? current[i]! : sign * current[i]!;
+      if (Math.abs(now - this.#anchor[i]!) > LIBRARY.drift) return true;
     }
     return false;
   }

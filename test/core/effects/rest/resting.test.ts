@@ -44,6 +44,24 @@ fact(
   },
 );
 
+fact('a body that stands turned by 120° falls asleep as early as any other', async () => {
+  const w = await world({ rest: 'auto', gravity: [0, 0, 0] });
+  // At that angle Bullet's quaternion changes its sign; two of them turn through it in half a second and in one and a half.
+  const bodies = [0.1, 1e-5, 3e-5].map((before, i) =>
+    addBody(w, {
+      position: [3 * i, 0, 0],
+      orientation: [0, -1, 0, (2 * Math.PI) / 3 - before],
+      angularVelocity: [0, -2e-5, 0],
+      geometry: [box(1)],
+    }),
+  );
+  w.advance(2.3);
+  assert.deepEqual(
+    bodies.map(({ sleeping }) => sleeping),
+    [true, true, true],
+  );
+});
+
 for (const [name, turn] of [
   ['straight', 0],
   ['each turned a little', 0.3],
