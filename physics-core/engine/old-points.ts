@@ -57,15 +57,19 @@ export class OldPoints {
     this.#floats = new Float32Array(words.buffer);
   }
 
-  /** Those of this manifold are asked for from now on; where it was not kept, they are what stands in it. */
-  look(manifold: number, a: number, b: number): void {
-    let block = this.#at.get(manifold);
-    if (block === undefined || this.#a[block] !== a || this.#b[block] !== b) {
-      this.keep(manifold, a, b);
-      block = this.#at.get(manifold)!;
-    }
-    this.#block = block;
+  /** Those of this manifold are asked for from now on; where it was not kept (false), they are what stands in it. */
+  look(manifold: number, a: number, b: number): boolean {
+    const block = this.#at.get(manifold);
+    const kept = block !== undefined && this.#a[block] === a && this.#b[block] === b;
+    if (!kept) this.keep(manifold, a, b);
+    this.#block = this.#at.get(manifold)!;
     this.#taken.fill(false);
+    return kept && this.#counts[this.#block]! > 0;
+  }
+
+  /** Where the first of them lay on B. */
+  first(k: 0 | 1 | 2): number {
+    return this.#floats[this.#block * BLOCK + POINT.positionB / 4 + k]!;
   }
 
   /** Writes the nearest of them to `to`, the index of a point's first word on the heap. False: there is none. */

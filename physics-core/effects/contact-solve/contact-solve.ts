@@ -33,10 +33,17 @@ const FEW = 24;
 const MOST = 600;
 const SLOW = 0.25;
 
-/** Pairs in touch in a world that is so busy that only what is slow, or alone, is solved directly. */
+/**
+ * Pairs in touch in a world that is so busy that nothing is solved directly but parts whose bodies are all slower than
+ * this, m/s.
+ */
 const BUSY = 400;
+const CALM = 0.05;
 
-/** Steps before what found no end is tried again. */
+/** Share of the bodies that such parts have to have at least, in a busy world. */
+const WORTH = 0.1;
+
+/** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
 
 const NONE: ReadonlySet<number> = new Set();
@@ -61,9 +68,15 @@ export class ContactSolve extends Effect {
   #special: ReadonlySet<number> = NONE;
   /** Manifolds of the step, and which bodies they are of. */
   readonly #manifolds: number[] = [];
+  /** Those that are solved directly, and those that were. */
+  readonly #chosen: Part[] = [];
   readonly #solved: Part[] = [];
+  /** Pointers of the bodies of parts that are solved directly. */
+  readonly #direct = new Set<number>();
   /** The step from which on a part may be tried again, by pointer of its first body. */
   readonly #failed = new Map<number, number>();
+  /** The step from which on contacts are looked at again. */
+  #again = 0;
   /** What Bullet is to find again, by contact. */
   readonly #distances: number[] = [];
   /** The body that is named as its cause. */
@@ -95,18 +108,28 @@ export class ContactSolve extends Effect {
     if (this.#cause) return;
     this.#cause = body;
     this.need(body, 'touches another');
+    this.#needPoints(true);
+  }
+
+  /** Boxes have points of this very step for what is solved here, and only for that. */
+  #needPoints(needed: boolean): void {
     const shapes = this.#effects.get(contactShapes);
-    shapes.ofBoxes = true;
-    shapes.need(this.#own, 'boxes in touch');
+    if ((shapes.solver === this) === needed) return;
+    shapes.solver = needed ? this : undefined;
+    if (needed) shapes.need(this.#own, 'boxes in touch');
+    else shapes.release(this.#own);
+  }
+
+  /** Whether the last step solved directly what touches one of these bodies, by pointer. */
+  solves(a: number, b: number): boolean {
+    return this.#direct.has(a) || this.#direct.has(b);
   }
 
   override release(node: Cause): void {
     super.release(node);
     if (node !== this.#cause) return;
     this.#cause = undefined;
-    const shapes = this.#effects.get(contactShapes);
-    shapes.ofBoxes = false;
-    shapes.release(this.#own);
+    this.#needPoints(false);
   }
 
   override unmade(node: Cause): void {
@@ -118,6 +141,7 @@ export class ContactSolve extends Effect {
   /** The world begins anew. */
   reset(): void {
     this.#failed.clear();
+    this.#again = 0;
     this.#letGo();
   }
 
@@ -132,20 +156,42 @@ export class ContactSolve extends Effect {
     this.#solved.length = 0;
     // Iterations were asked for since.
     if (!settings.direct) return this.#letGo();
-    this.#step.dt = dt;
-    this.#step.slop = settings.linearSlop;
+    if (this.#simulation.stepsTaken < this.#again) return;
+    this.#gather();
+    if (this.#manifolds.length === 0) return this.#letGo();
+    const worth = this.#choose();
+    this.#needPoints(worth);
+    if (!worth) {
+      this.#again = this.#simulation.stepsTaken + PAUSE;
+      return;
+    }
+    this.#begin(dt, settings.linearSlop);
+    for (const part of this.#chosen) if (this.#fill(part)) this.#try(part);
+  }
+
+  /** Which parts are solved directly. False: too few of what a busy world has. */
+  #choose(): boolean {
+    const [chosen, direct] = [this.#chosen, this.#direct];
+    const { pointers, count } = this.#bodies;
+    chosen.length = 0;
+    direct.clear();
+    for (let i = 0; i < this.#parts.count; i++) {
+      const part = this.#parts.at(i);
+      if (part.manifolds.length === 0 || !this.#isDirect(part)) continue;
+      chosen.push(part);
+      for (const body of part.bodies) direct.add(pointers[body]!);
+    }
+    return !this.#isBusy() || direct.size > WORTH * count;
+  }
+
+  #begin(dt: number, slop: number): void {
     const surface = this.#effects.caused(contactSurface);
+    this.#step.dt = dt;
+    this.#step.slop = slop;
     this.#step.written = surface?.written ?? NONE;
     this.#special = surface?.special ?? NONE;
     this.#contacts.count = this.#rows.count = 0;
     this.#joints.begin();
-    this.#gather();
-    for (let i = 0; i < this.#parts.count; i++) {
-      const part = this.#parts.at(i);
-      if (part.manifolds.length === 0) continue;
-      if (this.#isDirect(part) && this.#fill(part)) this.#try(part);
-    }
-    if (this.#manifolds.length === 0) this.#letGo();
   }
 
   /** What is in touch, and what hangs together. */
@@ -271,14 +317,18 @@ export class ContactSolve extends Effect {
   /** Whether a matrix is cheaper than the iterations that it saves: of many that tumble, contacts change too fast. */
   #isDirect({ bodies }: Part): boolean {
     if (bodies.length > MOST) return false;
-    const few = this.#manifolds.length > BUSY ? 1 : FEW;
-    return bodies.length <= few || this.#areSlow(bodies);
+    if (this.#isBusy()) return this.#areSlow(bodies, CALM);
+    return bodies.length <= FEW || this.#areSlow(bodies, SLOW);
   }
 
-  #areSlow(bodies: readonly number[]): boolean {
+  #isBusy(): boolean {
+    return this.#manifolds.length > BUSY;
+  }
+
+  #areSlow(bodies: readonly number[], speed: number): boolean {
     const { ammo } = this.#simulation.engine;
     for (const body of bodies)
-      if (speedSquared(ammo, this.#bodies.pointers[body]!) > SLOW ** 2) return false;
+      if (speedSquared(ammo, this.#bodies.pointers[body]!) > speed ** 2) return false;
     return true;
   }
 

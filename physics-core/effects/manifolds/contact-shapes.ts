@@ -13,24 +13,26 @@ import { contactSurface } from '../contacts/contact-surface.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { formsOf, wanted, type BodyForms, type PartForm } from './body-forms.js';
-import { ConvexContact } from './convex-contact.js';
+import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
 import { PlacedForm } from './placed-form.js';
 
-/** What Bullet finds so deep in a mesh must not be missed, metres: twice the margin that it has around hulls. */
-const MISSED = 0.01;
-
 /**
- * Where boxes bounce, or very many tumble, those that move faster against each other have the points that Bullet has
- * found, m/s; and those farther from each other do not touch yet, metres: what bounces is left alone until it overlaps.
+ * Where boxes bounce, those that move faster against each other have the points that Bullet has found, m/s; and those
+ * farther from each other do not touch yet, metres: what bounces is left alone until it overlaps.
  */
 const SLOW = 0.25;
 const NEAR = 1e-4;
+
+/** Pairs near each other in a world that is so busy that Bullet's points of boxes are left to its own solver. */
 const BUSY = 1000;
 
-/** Pairs near each other: 500 boxes in a heap have 4000, 1000 have 8000. */
-const MANY = 5000;
+/** Who needs points of boxes that are those of this very step. */
+export interface BoxSolver {
+  /** Whether it took what touches these bodies, by pointer, in the last step. */
+  solves(a: number, b: number): boolean;
+}
 
 /**
  * Bullet adds one point to a manifold in each step and keeps those of earlier poses: of what rolls or turns they are wrong,
@@ -40,8 +42,8 @@ const MANY = 5000;
 export class ContactShapes extends Effect {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
-  /** Boxes bounce, or there are very many. */
-  #careful = false;
+  #bouncing = false;
+  #busy = false;
   readonly #ammo: Ammo;
   readonly #old: OldPoints;
   readonly #writer: ManifoldWriter;
@@ -49,8 +51,8 @@ export class ContactShapes extends Effect {
   readonly #forms: BodyForms[] = [];
   readonly #points = new FoundPoints();
   readonly #convex = new ConvexContact();
-  /** Whether pairs of boxes have points of their own: the contact solve wants them. */
-  ofBoxes = false;
+  /** Undefined: pairs of boxes have no points of their own. */
+  solver: BoxSolver | undefined;
   readonly #mesh = new MeshContact();
   readonly #a = new PlacedForm();
   readonly #b = new PlacedForm();
@@ -72,24 +74,24 @@ export class ContactShapes extends Effect {
   override beforeStep(): void {
     if (!this.#simulation.engine.heapTrusted) return;
     this.#old.clear();
-    this.#simulation.bullet.eachAwakeManifold(this.#keep);
+    const { bullet } = this.#simulation;
+    this.#busy = bullet.manifoldCount > BUSY;
+    bullet.eachAwakeManifold(this.#keep);
   }
 
   override found(): void {
     const { bullet } = this.#simulation;
-    const bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
-    this.#careful = bouncing || bullet.manifoldCount > BUSY;
+    this.#bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
     bullet.eachAwakeManifold(this.#renew);
     // Who comes on in the middle of a step finds nothing of an earlier one.
     this.#old.clear();
   }
 
   /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
-  #isWanted(first: BodyForms, second: BodyForms): boolean {
+  #isWanted(first: BodyForms, second: BodyForms, a: number, b: number): boolean {
     if (first.wanted || second.wanted) return true;
-    return (
-      first.boxes && second.boxes && this.ofBoxes && this.#simulation.bullet.manifoldCount <= MANY
-    );
+    if (!this.solver || !first.boxes || !second.boxes) return false;
+    return !this.#busy || this.solver.solves(a, b);
   }
 
   #formsAt(pointer: number): BodyForms | undefined {
@@ -102,14 +104,14 @@ export class ContactShapes extends Effect {
 
   readonly #keep = (manifold: number, a: number, b: number): void => {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
-    if (first && second && this.#isWanted(first, second)) this.#old.keep(manifold, a, b);
+    if (first && second && this.#isWanted(first, second, a, b)) this.#old.keep(manifold, a, b);
   };
 
   readonly #renew = (manifold: number, a: number, b: number): void => {
     const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
-    if (!first || !second || !this.#isWanted(first, second)) return;
+    if (!first || !second || !this.#isWanted(first, second, a, b)) return;
     const boxes = first.boxes && second.boxes;
-    const careful = boxes && this.#careful;
+    const careful = boxes && this.#bouncing;
     if (careful && speedBetween(this.#ammo, a, b) > SLOW) return;
     const partA = this.#partNumber(manifold, first.body, 0);
     const partB = this.#partNumber(manifold, second.body, 1);
@@ -119,18 +121,24 @@ export class ContactShapes extends Effect {
     this.#place(this.#b, b, ofB);
     const theirs = this.#guess(manifold);
     // One that lies deep in another is Bullet's: from there a nearest face is no longer where it came in.
-    if (boxes && theirs < -MISSED) return;
+    if (boxes && theirs < -OFF) return;
     const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
-    if (!this.#find(ofA, ofB, theirs < Infinity, limit)) return;
-    if ((ofA.surface ?? ofB.surface) && this.#points.least > 0 && theirs < -MISSED) return;
+    if (!this.#find(ofA, ofB, theirs, limit)) return;
+    const { least } = this.#points;
+    // What Bullet finds deep in a mesh must not be missed; of what it has hardly in touch nothing is deep.
+    if (ofA.surface ?? ofB.surface) {
+      if (least > 0 && theirs < -OFF) return;
+    } else if (least < Math.min(theirs, 0) - OFF) return;
+    const old = this.#old;
+    if (old.look(manifold, a, b)) this.#points.setBefore(old.first(0), old.first(1), old.first(2));
     this.#points.reduce();
-    this.#old.look(manifold, a, b);
     this.#writer.write(manifold, a, b, this.#points, partA, partB, ofA.surface ? 0 : 1);
   };
 
   /** False: Bullet's points are to stay. */
-  #find(ofA: PartForm, ofB: PartForm, known: boolean, limit: number): boolean {
+  #find(ofA: PartForm, ofB: PartForm, theirs: number, limit: number): boolean {
     const [points, normal] = [this.#points, this.#normal];
+    const known = theirs < Infinity;
     points.clear();
     if (ofB.surface)
       return this.#mesh.find(this.#a, this.#b, ofB.surface, normal, known, limit, points);
@@ -140,7 +148,7 @@ export class ContactShapes extends Effect {
       points.swap();
       return sure;
     }
-    this.#convex.find(this.#a, this.#b, normal, limit, points);
+    this.#convex.find(this.#a, this.#b, normal, limit, points, -1, theirs);
     return true;
   }
 

@@ -11,6 +11,9 @@ export const FLUSH = 1e-4;
 /** Of what is small, this share of its reach. */
 const FLUSH_SHARE = 1e-3;
 
+/** By so much Bullet may be off where it says how far apart two forms are, metres: twice the margin that it has around hulls. */
+export const OFF = 0.01;
+
 /** The second face bears the contact where it lies so much farther out than the first, metres. */
 const FARTHER = 1e-5;
 
@@ -29,10 +32,11 @@ export class ConvexContact {
   /** Farther apart than this nothing is a contact, metres. */
   #limit = 0;
   #triangle = -1;
-  /** How far apart they are along the guess: a face that says less is not what separates them most. */
+  /** How far apart they are at least: a face that says less is not what separates them most. */
   #least = 0;
+  #theirs = -Infinity;
 
-  /** `normal`: a guess, from B into A, and what is found. */
+  /** `normal`: a guess, from B into A, and what is found; `theirs`: how far apart Bullet has them, metres. */
   find(
     a: PlacedForm,
     b: PlacedForm,
@@ -40,15 +44,18 @@ export class ConvexContact {
     limit: number,
     points: FoundPoints,
     triangle = -1,
+    theirs = -Infinity,
   ): void {
     this.#points = points;
     this.#limit = limit;
+    this.#theirs = theirs;
     this.#triangle = triangle;
     if (this.#byFaces(a, b, normal)) return;
     const nearest = this.#nearest;
     nearest.normal.set(normal);
     if (!nearest.find(a, b)) return;
     normal.set(nearest.normal);
+    this.#theirs = -Infinity;
     if (nearest.distance > limit || this.#byFaces(a, b, normal)) return;
     if (!this.#lines.find(a, b, normal, limit, points, triangle)) this.#addNearest(b);
   }
@@ -78,7 +85,8 @@ export class ConvexContact {
     const gapB = ofB < 0 ? -Infinity : gapAlong(b, a, this.#normalB);
     // It separates them.
     if (gapA > this.#limit || gapB > this.#limit) return true;
-    this.#least = -b.height(x, y, z) - a.height(-x, -y, -z) - FARTHER;
+    const along = -b.height(x, y, z) - a.height(-x, -y, -z);
+    this.#least = Math.max(along - FARTHER, this.#theirs - OFF);
     const aFirst = gapA > gapB + FARTHER;
     return aFirst
       ? this.#onFace(a, b, ofA, this.#normalA, gapA, -1, normal) ||

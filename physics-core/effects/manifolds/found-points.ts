@@ -12,6 +12,9 @@ const SAME = 1e-5;
 /** Points so much less deep than the deepest are as deep, metres: which comes first is not to change from step to step. */
 const AS_DEEP = 1e-5;
 
+/** So much less deep the one that came first in the last step still does, metres. */
+const STILL_FIRST = 1e-4;
+
 /** The next of equals is taken only where it measures more than rounding, as a factor. */
 const CLEARLY = 1.001;
 
@@ -29,9 +32,21 @@ export class FoundPoints implements NewPoints {
   /** Those to be kept. */
   readonly kept = new Int32Array(MOST_POINTS);
   keptCount = 0;
+  /** Where the first one lay in the last step. */
+  readonly #before = new Float64Array(3);
+  #hasBefore = false;
 
   clear(): void {
     this.count = this.keptCount = 0;
+    this.#hasBefore = false;
+  }
+
+  /** The first point of the last step lay here: others take its place only where they are clearly deeper. */
+  setBefore(x: number, y: number, z: number): void {
+    this.#before[0] = x;
+    this.#before[1] = y;
+    this.#before[2] = z;
+    this.#hasBefore = true;
   }
 
   add(
@@ -137,8 +152,21 @@ export class FoundPoints implements NewPoints {
 
   #deepest(): number {
     const { least } = this;
+    const before = this.#hasBefore ? this.#nearest(this.#before) : -1;
+    if (before >= 0 && this.distance[before]! <= least + STILL_FIRST) return before;
     for (let i = 0; i < this.count; i++) if (this.distance[i]! <= least + AS_DEEP) return i;
     return 0;
+  }
+
+  #nearest(to: Float64Array): number {
+    let least = Infinity;
+    let found = -1;
+    for (let i = 0; i < this.count; i++) {
+      let apart = 0;
+      for (let k = 0; k < 3; k++) apart += (this.at[3 * i + k]! - to[k]!) ** 2;
+      if (apart < least) [least, found] = [apart, i];
+    }
+    return found;
   }
 
   #farthest(from: number): number {

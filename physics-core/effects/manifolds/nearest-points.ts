@@ -10,7 +10,8 @@ const MOST_ROUNDS = 48;
 const APART = 1e-2;
 
 /** How often the direction is found anew: each time its error shrinks by some APART. */
-const MOST_TURNS = 3;
+const MOST_TURNS = 8;
+const MOST_TRIES = 12;
 
 /** A direction that turns less is found, radians. */
 const STEADY = 1e-7;
@@ -33,7 +34,7 @@ export class NearestPoints {
   find(a: PlacedForm, b: PlacedForm): boolean {
     const { normal } = this;
     const size = Math.min(a.form.reach, b.form.reach);
-    for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < 6; tries++) {
+    for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < MOST_TRIES; tries++) {
       const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
       const height = b.height(x, y, z) + a.height(-x, -y, -z) - a.form.round - b.form.round;
       const apart = height + APART * size * (1 + tries);
