@@ -1,0 +1,34 @@
+import fc from 'fast-check';
+import { loadEngine } from '../../physics-core/inside.js';
+import { OwnedObjects } from './heap.js';
+import { plan } from './plan.js';
+import { play } from './play.js';
+
+// Some runs in one process; `run.ts` watches over it. Each run has a seed of its own.
+
+/** Shrinking a failed run ends after so many milliseconds. */
+const SHRINKING = 20_000;
+
+const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
+
+async function main(): Promise<void> {
+  const owned = new OwnedObjects(await loadEngine());
+  for (let seed = first; seed < first + runs; seed++) {
+    process.stdout.write(`run ${seed}\n`);
+    const failure = await failureOf(seed, owned);
+    if (failure) process.stdout.write(`${failure}\n`);
+  }
+  process.stdout.write('end\n');
+}
+
+async function failureOf(seed: number, owned: OwnedObjects): Promise<string | undefined> {
+  const found = await fc.check(
+    fc.asyncProperty(plan, (one) => play(one, owned)),
+    { seed, numRuns: 1, interruptAfterTimeLimit: SHRINKING },
+  );
+  if (!found.failed) return undefined;
+  const why = found.errorInstance instanceof Error ? found.errorInstance.stack : 'interrupted';
+  return `✗ seed ${seed}: ${why}\n${fc.stringify(found.counterexample?.[0])}`;
+}
+
+await main();

@@ -1,0 +1,169 @@
+import type { World } from '../../physics-core/inside.js';
+import { applyInertia } from '../../physics-core/dynamics/inertia.js';
+import type { BodyNode } from '../../physics-core/nodes/body/body.js';
+import { add, cross, dot, length, subtract } from '../../physics-core/base/math.js';
+import type { Vec3 } from '../../physics-core/fields/types.js';
+
+/** Speed at which an overlap or a gap that edits left may be repaired, m/s: bodies are a metre large, more or less. */
+const REPAIR = 3;
+
+/** More than what the author put in by this factor is a fault. */
+const FACTOR = 4;
+
+interface Moment {
+  centre: Vec3;
+  spin: number;
+}
+
+const centreOf = (body: BodyNode): Vec3 => body.centerOfMassWorld();
+
+const velocities = (world: World, body: BodyNode): [Vec3, Vec3] => {
+  const v = world.bodies.velocityOf(body);
+  return [
+    [v[0]!, v[1]!, v[2]!],
+    [v[3]!, v[4]!, v[5]!],
+  ];
+};
+
+/**
+ * The energy that a scene's author puts in, joules: speeds, falls, forces, motors, what carried bodies push. Bodies that
+ * have more motion than that times four have it of nobody.
+ */
+export class Ledger {
+  readonly #world: World;
+  /** Speeds, forces, motors and blows. */
+  #given = 0;
+  /** What gravity has done since the start, and the most of it so far. */
+  #fallen = 0;
+  #mostFallen = 0;
+  #before = new Map<BodyNode, Moment>();
+  /** One-off forces of the next step. */
+  #pushes: [body: BodyNode, force: Vec3, torque: Vec3][] = [];
+
+  constructor(world: World) {
+    this.#world = world;
+  }
+
+  #dynamic(): BodyNode[] {
+    return [...this.#world.bodies].filter((body) => body.active && body.isDynamic);
+  }
+
+  motionOf(body: BodyNode): number {
+    const [v, spin] = velocities(this.#world, body);
+    return (body.mass.mass * dot(v, v) + dot(spin, applyInertia(body, spin))) / 2;
+  }
+
+  #motion(): number {
+    return this.#dynamic().reduce((sum, body) => sum + this.motionOf(body), 0);
+  }
+
+  /** What an edit changes at once is given. */
+  editing(edit: () => void): void {
+    this.#world.flush();
+    const before = this.#motion();
+    edit();
+    this.#world.flush();
+    this.#given += Math.max(0, this.#motion() - before);
+  }
+
+  /** A force and a torque for one step. */
+  push(body: BodyNode, force: Vec3, torque: Vec3, at: Vec3 | undefined): void {
+    if (!body.active || !body.isDynamic) return;
+    const arm: Vec3 = at ? subtract(at, centreOf(body)) : [0, 0, 0];
+    this.#pushes.push([body, force, add(torque, cross(arm, force))]);
+  }
+
+  beforeStep(): void {
+    this.#before = new Map();
+    for (const body of this.#world.bodies)
+      this.#before.set(body, {
+        centre: centreOf(body),
+        spin: length(velocities(this.#world, body)[1]),
+      });
+  }
+
+  afterStep(): void {
+    const { timeStep } = this.#world;
+    const dynamic = this.#dynamic();
+    for (const body of dynamic) this.#forces(body, timeStep);
+    this.#mostFallen = Math.max(this.#mostFallen, this.#fallen);
+    for (const node of this.#world.nodes) this.#motors(node, timeStep);
+    for (const [body, force, torque] of this.#pushes) this.#push(body, force, torque, timeStep);
+    this.#pushes = [];
+    this.#given += this.#carried(timeStep, dynamic);
+  }
+
+  #way(body: BodyNode): number {
+    const before = this.#before.get(body);
+    return before && body.active ? length(subtract(before.centre, centreOf(body))) : 0;
+  }
+
+  #turn(body: BodyNode, timeStep: number): number {
+    const spin = body.active ? length(velocities(this.#world, body)[1]) : 0;
+    return Math.max(spin, this.#before.get(body)?.spin ?? 0) * timeStep;
+  }
+
+  #forces(body: BodyNode, timeStep: number): void {
+    const before = this.#before.get(body);
+    if (!before) return;
+    const way = subtract(centreOf(body), before.centre);
+    this.#fallen += body.mass.mass * dot(body.gravity, way);
+    const { force, torque } = body.constantLoad;
+    this.#given += length(force) * length(way) + length(torque) * this.#turn(body, timeStep);
+  }
+
+  /** Every motor at its strongest. */
+  #motors(node: World['settings'], timeStep: number): void {
+    const names = MOTORS[node.type.name];
+    if (!names) return;
+    const strength = names.reduce((sum, name) => sum + Math.abs(node.asked<number>(name)), 0);
+    if (strength === 0) return;
+    for (const name of ['body1', 'body2']) {
+      const body = node.asked<BodyNode | null>(name);
+      if (!body?.built) continue;
+      const moved =
+        node.type.name === 'SliderJoint' ? this.#way(body) : this.#turn(body, timeStep);
+      this.#given += strength * moved;
+    }
+  }
+
+  #push(body: BodyNode, force: Vec3, torque: Vec3, timeStep: number): void {
+    if (!body.built) return;
+    const [v, spin] = velocities(this.#world, body);
+    const { mass, moments } = body.mass;
+    const kick = length(force) * timeStep;
+    const twist = length(torque) * timeStep;
+    this.#given += kick * length(v) + kick ** 2 / (2 * mass);
+    this.#given += twist * length(spin) + twist ** 2 / (2 * Math.min(...moments));
+  }
+
+  /** Fixed bodies that are carried strike others at their own speed, which may throw these at twice that. */
+  #carried(timeStep: number, dynamic: readonly BodyNode[]): number {
+    let fastest = 0;
+    for (const body of this.#world.bodies)
+      if (body.kinematic) {
+        const [v, spin] = velocities(this.#world, body);
+        const speed = Math.max(length(v), this.#way(body) / timeStep);
+        fastest = Math.max(fastest, speed + REACH * length(spin));
+      }
+    return dynamic.reduce((sum, body) => sum + (body.mass.mass * (2 * fastest) ** 2) / 2, 0);
+  }
+
+  /** What is wrong now; undefined: nothing. */
+  fault(): string | undefined {
+    const motion = this.#motion();
+    const repaired = this.#dynamic().reduce((sum, { mass }) => sum + mass.mass, 0) * REPAIR ** 2;
+    const most = FACTOR * (this.#given + this.#mostFallen) + repaired / 2;
+    if (!(motion > most)) return undefined;
+    return `${motion.toPrecision(3)} J of motion, of ${this.#given.toPrecision(3)} J given and ${this.#mostFallen.toPrecision(3)} J fallen`;
+  }
+}
+
+/** Metres from the middle of a body to its rim. */
+const REACH = 3;
+
+const MOTORS: Record<string, readonly string[]> = {
+  MotorJoint: ['axis1Torque', 'axis2Torque', 'axis3Torque'],
+  DoubleAxisHingeJoint: ['maxTorque1', 'maxTorque2'],
+  SliderJoint: ['sliderForce'],
+};

@@ -1,0 +1,259 @@
+import fc from 'fast-check';
+import { levelNames } from '../../physics-core/dynamics/levels.js';
+import { nodeTypes } from '../../physics-core/inside.js';
+import type { Field } from '../../physics-core/nodes/node/table.js';
+import { geometry } from './geometry.js';
+import { nastyNumber, scale, turn, vector } from './numbers.js';
+import { valueOf } from './values.js';
+
+// What happens in one run, as plain data, so that fast-check can shrink it and print what is left.
+
+type Fields = Record<string, unknown>;
+
+export interface NodePlan {
+  type: string;
+  fields: Fields;
+}
+
+/** Edits pick nodes by number: of those of a type that are there when the edit is made. */
+export type Act =
+  | { act: 'set' | 'unset'; of: string; pick: number; field: string; value: unknown }
+  | { act: 'add'; node: NodePlan }
+  | { act: 'remove'; of: string; pick: number }
+  | { act: 'world'; field: string; value: unknown }
+  | {
+      act: 'applyForce' | 'applyTorque' | 'applyImpulse';
+      pick: number;
+      value: unknown;
+      at: unknown;
+    }
+  | { act: 'teleport'; pick: number; position: unknown; orientation: unknown; velocities: Fields }
+  | { act: 'drag'; pick: number; value: unknown }
+  | { act: 'wake' | 'sleep'; pick: number }
+  | { act: 'snapshot' | 'restore' | 'reset' }
+  | { act: 'step' | 'raycast'; value: unknown };
+
+/** After so many steps, or each of the first times that a node hears an event. */
+export type When = { step: number } | Heard;
+
+export interface Heard {
+  event: string;
+  of: string;
+  pick: number;
+  times: number;
+}
+
+export interface Plan {
+  /** With values that no author can mean: energy is not judged. */
+  wild: boolean;
+  level: string;
+  gravity: unknown;
+  nodes: NodePlan[];
+  steps: number;
+  edits: { when: When; act: Act }[];
+}
+
+/** Fields whose work nobody can reckon: belts, springs and softness. */
+const UNRECKONED = /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant)/;
+
+/** Of worlds, not of bodies: edited by their own acts. */
+const ELSEWHERE = ['metadata', 'accuracy', 'heapLimit', 'timeBudget', 'bodies', 'joints'];
+
+function fieldsOf(type: string, wild: boolean): [string, Field][] {
+  return Object.entries(nodeTypes[type]!.fields).filter(
+    ([name, field]) =>
+      !ELSEWHERE.includes(name) &&
+      (wild || (field.access !== 'outputOnly' && !UNRECKONED.test(name))),
+  );
+}
+
+const someFields = (type: string, wild: boolean, most: number): fc.Arbitrary<Fields> =>
+  fc
+    .array(
+      fc.oneof(
+        ...fieldsOf(type, wild).map(([name, field]) =>
+          fc.tuple(fc.constant(name), valueOf(field, wild)),
+        ),
+      ),
+      { maxLength: most },
+    )
+    .map((entries) => Object.fromEntries(entries) as Fields);
+
+const body = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        position: vector(3),
+        mass: scale(0.05, 50),
+        geometry: fc.array(geometry(wild), { minLength: 1, maxLength: 2 }),
+        linearVelocity: vector(5),
+        angularVelocity: vector(5),
+        fixed: fc.option(fc.constant(true), { freq: 4, nil: false }),
+      }),
+      fc.option(someFields('RigidBody', wild, 4), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'RigidBody', fields: { ...base, ...more } }));
+
+const JOINTS = Object.keys(nodeTypes).filter((type) => type.endsWith('Joint'));
+
+const bodyRef = fc.record({ ref: fc.nat(9), of: fc.constant(['RigidBody']) });
+
+const joint = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc.constantFrom(...JOINTS).chain((type) =>
+    fc
+      .tuple(
+        fc.record({ body1: bodyRef, body2: fc.option(bodyRef, { freq: 4, nil: null }) }),
+        someFields(type, wild, 5),
+      )
+      .map(([bodies, more]) => ({ type, fields: { ...bodies, ...more } })),
+  );
+
+const OTHERS = [
+  ...['CollidableShape', 'CollidableOffset', 'CollisionCollection', 'CollisionSpace'],
+  ...['CollisionSensor', 'Contact', 'RigidBodyCollection'],
+];
+
+const other = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .constantFrom(...OTHERS)
+    .chain((type) => someFields(type, wild, 5).map((fields) => ({ type, fields })));
+
+const node = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc.oneof(
+    { weight: 5, arbitrary: body(wild) },
+    { weight: 3, arbitrary: joint(wild) },
+    { weight: 3, arbitrary: other(wild) },
+  );
+
+// ---- edits -----------------------------------------------------------------------------------------------------------
+
+const EDITED = Object.keys(nodeTypes);
+const pick = fc.nat(9);
+
+const set = (wild: boolean): fc.Arbitrary<Act> =>
+  fc
+    .oneof(
+      { weight: 2, arbitrary: fc.constant('RigidBody') },
+      { weight: 2, arbitrary: fc.constantFrom(...EDITED) },
+    )
+    .chain((of) =>
+      fc
+        .constantFrom(...fieldsOf(of, wild))
+        .chain(([field, table]) =>
+          fc.record({
+            act: fc.constantFrom<('set' | 'unset')[]>('set', 'set', 'set', 'unset'),
+            of: fc.constant(of),
+            pick,
+            field: fc.constant(field),
+            value: valueOf(table, wild),
+          }),
+        ),
+    );
+
+/** A vector, and in wild runs what is none. */
+const arrow = (most: number, wild: boolean): fc.Arbitrary<unknown> =>
+  wild
+    ? fc.oneof(vector(most), fc.array(nastyNumber, { maxLength: 4 }), fc.constant(undefined))
+    : vector(most);
+
+const word = <T extends Act['act']>(...acts: T[]): fc.Arbitrary<T> => fc.constantFrom(...acts);
+
+const act = (wild: boolean): fc.Arbitrary<Act> =>
+  fc.oneof(
+    { weight: 8, arbitrary: set(wild) },
+    { weight: 2, arbitrary: fc.record({ act: word('add'), node: node(wild) }) },
+    {
+      weight: 2,
+      arbitrary: fc.record({ act: word('remove'), of: fc.constantFrom(...EDITED), pick }),
+    },
+    {
+      weight: 1,
+      arbitrary: fc.record({
+        act: word('world'),
+        field: fc.constant('gravity'),
+        value: arrow(20, wild),
+      }),
+    },
+    {
+      weight: 1,
+      arbitrary: fc.record({
+        act: word('world'),
+        field: fc.constant('accuracy'),
+        value: fc.constantFrom(...levelNames),
+      }),
+    },
+    {
+      weight: 2,
+      arbitrary: fc.record({
+        act: word('applyForce', 'applyTorque', 'applyImpulse'),
+        pick,
+        value: arrow(20, wild),
+        at: fc.option(arrow(3, wild)).map((at) => at ?? undefined),
+      }),
+    },
+    {
+      weight: 2,
+      arbitrary: fc.record({
+        act: word('teleport'),
+        pick,
+        position: arrow(3, wild),
+        orientation: fc.option(turn).map((value) => value ?? undefined),
+        velocities: fc.record(
+          { linearVelocity: arrow(5, wild), angularVelocity: arrow(5, wild) },
+          { requiredKeys: [] },
+        ),
+      }),
+    },
+    { weight: 1, arbitrary: fc.record({ act: word('wake', 'sleep'), pick }) },
+    { weight: 2, arbitrary: fc.record({ act: word('snapshot', 'restore', 'reset') }) },
+    ...(wild
+      ? [
+          { weight: 1, arbitrary: fc.record({ act: word('drag'), pick, value: arrow(3, true) }) },
+          {
+            weight: 1,
+            arbitrary: fc.record({ act: word('step', 'raycast'), value: fc.oneof(nastyStep) }),
+          },
+        ]
+      : []),
+  );
+
+const nastyStep = fc.constantFrom<unknown>(-1, 0, 0.5, NaN, -Infinity, Infinity, 'x', undefined);
+
+const EVENTS: Record<string, readonly string[]> = {
+  RigidBodyCollection: ['beforestep', 'afterstep', 'problem', 'reset', 'restore', 'accuracy'],
+  RigidBody: ['collisionstart', 'collisionend', 'sleep', 'wake'],
+  CollidableShape: ['collisionstart', 'collisionend'],
+  CollisionSensor: ['contacts', 'intersections'],
+  SingleAxisHingeJoint: ['jointlimit'],
+  DoubleAxisHingeJoint: ['jointlimit'],
+  SliderJoint: ['jointlimit'],
+};
+
+const heard: fc.Arbitrary<Heard> = fc.constantFrom(...Object.keys(EVENTS)).chain((of) =>
+  fc.record({
+    event: fc.constantFrom(...EVENTS[of]!),
+    of: fc.constant(of),
+    pick,
+    times: fc.integer({ min: 1, max: 3 }),
+  }),
+);
+
+const when = (steps: number): fc.Arbitrary<When> =>
+  fc.oneof(fc.record({ step: fc.nat(steps) }), heard);
+
+const planOf = (wild: boolean): fc.Arbitrary<Plan> =>
+  fc.integer({ min: 1, max: 60 }).chain((steps) =>
+    fc.record({
+      wild: fc.constant(wild),
+      level: fc.constantFrom(...levelNames),
+      gravity: fc.oneof(
+        { weight: 3, arbitrary: fc.constant<unknown>([0, -9.8, 0]) },
+        { weight: 1, arbitrary: arrow(20, wild) },
+      ),
+      nodes: fc.array(node(wild), { minLength: 1, maxLength: 9 }),
+      steps: fc.constant(steps),
+      edits: fc.array(fc.record({ when: when(steps), act: act(wild) }), { maxLength: 12 }),
+    }),
+  );
+
+export const plan: fc.Arbitrary<Plan> = fc.oneof(planOf(false), planOf(true));
