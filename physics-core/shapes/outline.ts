@@ -1,5 +1,6 @@
 import type { Vec3 } from '../fields/types.js';
 import type { Mesh } from './geometry.js';
+import { flatForm } from './forms/flat-form.js';
 import { hullForm } from './forms/hull-form.js';
 import type { Hull } from './hull.js';
 import { BallForm } from './forms/ball.js';
@@ -15,7 +16,7 @@ export type Outline =
   | { kind: 'hull'; points: number[]; hull: Hull | undefined }
   | { kind: 'triangles'; mesh: Mesh };
 
-/** Of what is convex and has a volume. */
+/** Of what is convex. */
 export function formOf(outline: Outline): Form | undefined {
   switch (outline.kind) {
     case 'box':
@@ -25,7 +26,9 @@ export function formOf(outline: Outline): Form | undefined {
     case 'frustum':
       return new FrustumForm(outline.bottom, outline.top, outline.half);
     case 'hull':
-      return outline.hull && hullForm(outline.points, outline.hull.triangles);
+      return outline.hull
+        ? hullForm(outline.points, outline.hull.triangles)
+        : flatForm(outline.points);
     default:
       return undefined;
   }

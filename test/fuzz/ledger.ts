@@ -121,8 +121,7 @@ export class Ledger {
     for (const name of ['body1', 'body2']) {
       const body = node.asked<BodyNode | null>(name);
       if (!body?.built) continue;
-      const moved =
-        node.type.name === 'SliderJoint' ? this.#way(body) : this.#turn(body, timeStep);
+      const moved = node.type.name === 'SliderJoint' ? this.#way(body) : this.#turn(body, timeStep);
       this.#given += strength * moved;
     }
   }

@@ -2,8 +2,11 @@ import fc from 'fast-check';
 
 // Numbers of single precision and others, lists of them, turns.
 
+/** In thousandths, so that they spread evenly and shrink to round ones. */
 export const number = (low: number, high: number): fc.Arbitrary<number> =>
-  fc.double({ min: low, max: high, noNaN: true, noDefaultInfinity: true });
+  fc
+    .integer({ min: Math.ceil(low * 1000), max: Math.floor(high * 1000) })
+    .map((thousandths) => thousandths / 1000);
 
 /** Spread over the powers of ten. */
 export const scale = (low: number, high: number): fc.Arbitrary<number> =>
@@ -20,4 +23,3 @@ const NASTY_NUMBERS = [
 ];
 
 export const nastyNumber = fc.constantFrom(...NASTY_NUMBERS);
-

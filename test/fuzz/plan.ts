@@ -54,7 +54,8 @@ export interface Plan {
 }
 
 /** Fields whose work nobody can reckon: belts, springs and softness. */
-const UNRECKONED = /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant)/;
+const UNRECKONED =
+  /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant)/;
 
 /** Of worlds, not of bodies: edited by their own acts. */
 const ELSEWHERE = ['metadata', 'accuracy', 'heapLimit', 'timeBudget', 'bodies', 'joints'];
@@ -99,14 +100,16 @@ const JOINTS = Object.keys(nodeTypes).filter((type) => type.endsWith('Joint'));
 const bodyRef = fc.record({ ref: fc.nat(9), of: fc.constant(['RigidBody']) });
 
 const joint = (wild: boolean): fc.Arbitrary<NodePlan> =>
-  fc.constantFrom(...JOINTS).chain((type) =>
-    fc
-      .tuple(
-        fc.record({ body1: bodyRef, body2: fc.option(bodyRef, { freq: 4, nil: null }) }),
-        someFields(type, wild, 5),
-      )
-      .map(([bodies, more]) => ({ type, fields: { ...bodies, ...more } })),
-  );
+  fc
+    .constantFrom(...JOINTS)
+    .chain((type) =>
+      fc
+        .tuple(
+          fc.record({ body1: bodyRef, body2: fc.option(bodyRef, { freq: 4, nil: null }) }),
+          someFields(type, wild, 5),
+        )
+        .map(([bodies, more]) => ({ type, fields: { ...bodies, ...more } })),
+    );
 
 const OTHERS = [
   ...['CollidableShape', 'CollidableOffset', 'CollisionCollection', 'CollisionSpace'],
@@ -137,17 +140,15 @@ const set = (wild: boolean): fc.Arbitrary<Act> =>
       { weight: 2, arbitrary: fc.constantFrom(...EDITED) },
     )
     .chain((of) =>
-      fc
-        .constantFrom(...fieldsOf(of, wild))
-        .chain(([field, table]) =>
-          fc.record({
-            act: fc.constantFrom<('set' | 'unset')[]>('set', 'set', 'set', 'unset'),
-            of: fc.constant(of),
-            pick,
-            field: fc.constant(field),
-            value: valueOf(table, wild),
-          }),
-        ),
+      fc.constantFrom(...fieldsOf(of, wild)).chain(([field, table]) =>
+        fc.record({
+          act: fc.constantFrom<('set' | 'unset')[]>('set', 'set', 'set', 'unset'),
+          of: fc.constant(of),
+          pick,
+          field: fc.constant(field),
+          value: valueOf(table, wild),
+        }),
+      ),
     );
 
 /** A vector, and in wild runs what is none. */

@@ -23,8 +23,7 @@ export class Scene {
 
   /** Edits due before this step, and the step. */
   step(number: number, edits: Plan['edits']): void {
-    for (const { when, act } of edits)
-      if ('step' in when && when.step === number) this.#edit(act);
+    for (const { when, act } of edits) if ('step' in when && when.step === number) this.#edit(act);
     if (this.#ledger) this.#world.flush();
     this.#ledger?.beforeStep();
     this.#world.step();

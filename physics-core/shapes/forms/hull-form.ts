@@ -36,7 +36,7 @@ export function hullForm(points: ArrayLike<number>, triangles: readonly Triangle
   return compact(points, faces, Float64Array.from(normals));
 }
 
-type Vector = [number, number, number];
+export type Vector = [number, number, number];
 
 const along = (points: ArrayLike<number>, corner: number, [x, y, z]: Vector): number =>
   points[3 * corner]! * x + points[3 * corner + 1]! * y + points[3 * corner + 2]! * z;
@@ -75,7 +75,11 @@ function neighbours(triangles: readonly Triangle[]): number[][] {
 }
 
 /** Corners of a flat convex face in order around it, without those on its edges. */
-function outlineOf(points: ArrayLike<number>, corners: Set<number>, normal: Vector): number[] {
+export function outlineOf(
+  points: ArrayLike<number>,
+  corners: Set<number>,
+  normal: Vector,
+): number[] {
   const [x, y, z] = normal;
   // Two directions in the plane, the normal being the third.
   const u: Vector = Math.abs(x) > 0.7 ? [-y, x, 0] : [0, -z, y];
@@ -111,8 +115,8 @@ function turnsLeft(a: Flat2, b: Flat2, c: Flat2): boolean {
   return ux * vy - uy * vx > 1e-7 * Math.hypot(ux, uy) * Math.hypot(vx, vy);
 }
 
-/** Only the corners that faces have. */
-function compact(
+/** A form of only the corners that faces have. */
+export function compact(
   points: ArrayLike<number>,
   faces: number[][],
   normals: Float64Array,
