@@ -101,7 +101,8 @@ async function effectMutants(): Promise<Mutant[]> {
 const open: Partial<Record<keyof typeof guards, unknown>> = {
   wellFormed: (_codec: unknown, value: unknown) => value,
   inRange: () => true,
-  finiteVector: () => true,
+  bounded: () => true,
+  massive: () => true,
   finiteState: () => true,
   positive: () => true,
 };

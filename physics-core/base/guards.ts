@@ -1,9 +1,6 @@
 import type { FieldCodec } from '../fields/values.js';
 import type { Value } from '../fields/types.js';
 
-/** From here on a number is infinite in single precision. */
-export const LARGEST = '3.4e38';
-
 /**
  * What keeps bad numbers away from Bullet, each as one function, so that the mutation tests can let one through at a
  * time and see that a test notices.
@@ -25,9 +22,12 @@ export const guards = {
     return numbers.every((n) => n >= low && n <= high && !(field.open && n === low));
   },
 
-  /** Numbers that come in by fields, geometry and methods, in Bullet's single precision. */
-  finiteVector: (vector: readonly number[]): boolean =>
-    vector.every((value) => Number.isFinite(Math.fround(value))),
+  /** Numbers that come in by fields, geometry and methods: fields/bounds.ts has the bounds. */
+  bounded: (numbers: readonly number[], most: number): boolean =>
+    numbers.every((value) => Math.abs(value) <= most),
+
+  /** A mass of which Bullet can take the inverse; 0 is fixed. */
+  massive: (mass: number, least: number): boolean => mass === 0 || mass >= least,
 
   /** `sum` of the numbers of a state: one NaN or infinity among them shows in it. */
   finiteState: (sum: number): boolean => Number.isFinite(sum),

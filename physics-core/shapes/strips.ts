@@ -1,9 +1,12 @@
 /** Runs of points as triangles, each a list of indices into the points. */
 import { fan, trianglesOfFace } from './polygon.js';
 
-const runsOf = (counts: number[]): number[][] => {
+/** Of no more points than there are. */
+const runsOf = (counts: number[], points: number): number[][] => {
   let next = 0;
-  return counts.map((count) => Array.from({ length: count }, () => next++));
+  return counts.map((count) =>
+    Array.from({ length: Math.min(count, points - next) }, () => next++),
+  );
 };
 
 /** Lists that -1 ends. */
@@ -34,9 +37,9 @@ export function trianglesOf(type: string, lists: number[], points: number[]): nu
   const whole = Array.from({ length: points.length / 3 }, (_, i) => i);
   switch (type) {
     case 'TriangleStripSet':
-      return runsOf(lists).flatMap(strip);
+      return runsOf(lists, whole.length).flatMap(strip);
     case 'TriangleFanSet':
-      return runsOf(lists).flatMap(fan);
+      return runsOf(lists, whole.length).flatMap(fan);
     case 'QuadSet':
       return quads(points, whole);
     case 'IndexedTriangleStripSet':

@@ -115,6 +115,13 @@ export const velocity = (body: Node): Vec3 => body.get('linearVelocity') as Vec3
 export const spin = (body: Node): Vec3 => body.get('angularVelocity') as Vec3;
 export const height = (body: Node): number => position(body)[1];
 
+/** No author can do that: an impulse, N s, that is too much for single precision. Bullet's velocities are infinite then. */
+export function overflow(body: Body, impulse: Vec3): void {
+  body.world.flush();
+  body.body.applyCentralImpulse(body.world.engine.scratch.vector(...impulse));
+  body.world.bodies.readVelocity(body);
+}
+
 /** Objects made, patched and unmade so far. */
 export function counts(of: World): { created: number; patched: number; destroyed: number } {
   of.step(0);

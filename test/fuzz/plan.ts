@@ -242,8 +242,16 @@ const heard: fc.Arbitrary<Heard> = fc.constantFrom(...Object.keys(EVENTS)).chain
 const when = (steps: number): fc.Arbitrary<When> =>
   fc.oneof(fc.record({ step: fc.nat(steps) }), heard);
 
+const MANY = { minLength: 1, maxLength: 24, size: 'max' } as const;
+
+/** Most scenes have one. */
+const GROUND: NodePlan = {
+  type: 'RigidBody',
+  fields: { fixed: true, position: [0, -3, 0], geometry: [{ type: 'Box', size: [30, 1, 30] }] },
+};
+
 const planOf = (wild: boolean): fc.Arbitrary<Plan> =>
-  fc.integer({ min: 1, max: 60 }).chain((steps) =>
+  fc.integer({ min: 1, max: 120 }).chain((steps) =>
     fc.record({
       wild: fc.constant(wild),
       level: fc.constantFrom(...levelNames),
@@ -251,9 +259,11 @@ const planOf = (wild: boolean): fc.Arbitrary<Plan> =>
         { weight: 3, arbitrary: fc.constant<unknown>([0, -9.8, 0]) },
         { weight: 1, arbitrary: arrow(20, wild) },
       ),
-      nodes: fc.array(node(wild), { minLength: 1, maxLength: 9 }),
+      nodes: fc
+        .tuple(fc.option(fc.constant(GROUND)), fc.array(node(wild), MANY))
+        .map(([ground, nodes]) => (ground ? [ground, ...nodes] : nodes)),
       steps: fc.constant(steps),
-      edits: fc.array(fc.record({ when: when(steps), act: act(wild) }), { maxLength: 12 }),
+      edits: fc.array(fc.record({ when: when(steps), act: act(wild) }), MANY),
     }),
   );
 

@@ -1,4 +1,5 @@
-import { guards, LARGEST } from '../../base/guards.js';
+import { BOUNDS, shownBound } from '../../fields/bounds.js';
+import { guards } from '../../base/guards.js';
 import { cross, quaternionOf, rotationOf, subtract } from '../../base/math.js';
 import { show } from '../../base/show.js';
 import { forces } from '../../effects/flight/forces.js';
@@ -90,14 +91,15 @@ export class BodyCommands {
   /** What can't be read as finite numbers never reaches Bullet. */
   argument<T>(method: string, type: 'SFVec3f' | 'SFRotation', value: unknown): T | undefined {
     const accepted = codecs[type].accept(value);
-    if (accepted !== undefined && guards.finiteVector(accepted as number[])) return accepted as T;
+    if (accepted !== undefined && guards.bounded(accepted as number[], BOUNDS.plain))
+      return accepted as T;
     const { label } = this.#node;
     this.#node.report({
       code: 'bad-value',
       severity: 'warning',
       value,
       used: 'nothing',
-      message: `${label}: ${method} takes ${type === 'SFVec3f' ? 'three' : 'four'} finite numbers below ${LARGEST}, not ${show(value)}; nothing is done`,
+      message: `${label}: ${method} takes ${type === 'SFVec3f' ? 'three' : 'four'} finite numbers up to ${shownBound(BOUNDS.plain)}, not ${show(value)}; nothing is done`,
     });
     return undefined;
   }

@@ -1,4 +1,5 @@
-import { guards, LARGEST } from '../../base/guards.js';
+import { BOUNDS, shownBound } from '../../fields/bounds.js';
+import { guards } from '../../base/guards.js';
 import {
   add,
   compose,
@@ -51,13 +52,13 @@ export class BodyMotion {
   /** What it stands for may be anywhere, also where no number of single precision reaches. */
   #soundStart(): Pose {
     const { p, q } = this.start ?? identityPose();
-    if (guards.finiteVector([...p, ...q])) return { p, q };
+    if (guards.bounded([...p, ...q], BOUNDS.plain)) return { p, q };
     this.#node.report({
       code: 'out-of-range',
       severity: 'warning',
       value: p,
       used: [0, 0, 0],
-      message: `${this.#node.label} would start at ${show(p)}, beyond ±${LARGEST}, the most that single precision holds; 0 0 0 is used`,
+      message: `${this.#node.label} would start at ${show(p)}, beyond ±${shownBound(BOUNDS.plain)}, the most that it may be; 0 0 0 is used`,
     });
     return identityPose();
   }

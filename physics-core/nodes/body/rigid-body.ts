@@ -1,5 +1,6 @@
 import { DRAG_MODES } from '../../dynamics/body.js';
 import { rotationOf } from '../../base/math.js';
+import { LEAST_MASS } from '../../fields/bounds.js';
 import { geometryTypes } from '../../shapes/geometry.js';
 import { BodyNode } from './body.js';
 import { OwnedGeometry } from './body-geometry.js';
@@ -60,6 +61,7 @@ export const rigidBody = defineNode<BodyNode>({
       access: 'inputOutput',
       default: 1,
       range: [0, Infinity],
+      least: LEAST_MASS,
       dimension: { mass: 1 },
       edit: 'live',
       patch: mass,

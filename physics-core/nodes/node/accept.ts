@@ -1,6 +1,7 @@
 import { codecs } from '../../fields/values.js';
 import type { Value } from '../../fields/types.js';
-import { guards, LARGEST } from '../../base/guards.js';
+import { boundOf, shownBound } from '../../fields/bounds.js';
+import { guards } from '../../base/guards.js';
 import { nearest } from '../../base/nearest.js';
 import type { ProblemReport } from '../../base/problems.js';
 import { cut, show, showUsed } from '../../base/show.js';
@@ -63,10 +64,12 @@ export function accept(
   const refuse = refusal(node, name, text);
   if (accepted === undefined || !isNamed(field, accepted))
     return refuse('bad-value', `is not ${expected(field)}`);
-  // Times are X3D's own double precision, and no business of Bullet's.
-  if (field.type !== 'SFTime' && !guards.finiteVector(numbersOf(accepted)))
-    return refuse('out-of-range', `is beyond ±${LARGEST}, the most that single precision holds`);
+  const most = boundOf(field);
+  if (!guards.bounded(numbersOf(accepted), most))
+    return refuse('out-of-range', `is beyond ±${shownBound(most)}, the most that it may be`);
   if (!guards.inRange(field, accepted)) return outside(field, accepted, refuse);
+  if (field.least && !guards.massive(accepted as number, field.least))
+    return refuse('out-of-range', `is below ${field.least}, the least that it may be above 0`);
   if (node.fieldState.refused.delete(name)) node.settle(name);
   return accepted;
 }

@@ -16,6 +16,10 @@ export interface Field<N = unknown> {
   range?: readonly [number, number];
   /** The lower end of `range` itself is not allowed (mass must be above zero). */
   open?: boolean;
+  /** Greatest magnitude of its numbers, where it is not that of its dimension (fields/bounds.ts). */
+  most?: number;
+  /** Least number above 0. */
+  least?: number;
   /** The values a string may take. */
   values?: readonly string[];
   dimension?: Dimension;

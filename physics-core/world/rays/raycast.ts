@@ -4,7 +4,8 @@ import type { BtBody } from '../../engine/heap.js';
 import { Owner } from '../../engine/owner.js';
 import { codecs } from '../../fields/values.js';
 import type { Vec3 } from '../../fields/types.js';
-import { guards, LARGEST } from '../../base/guards.js';
+import { BOUNDS, shownBound } from '../../fields/bounds.js';
+import { guards } from '../../base/guards.js';
 import { show } from '../../base/show.js';
 import {
   add,
@@ -100,14 +101,14 @@ export class Rays {
 
   #point(name: string, value: unknown): Vec3 | undefined {
     const point = codecs.SFVec3f.accept(value) as Vec3 | undefined;
-    if (point && guards.finiteVector(point)) return point;
+    if (point && guards.bounded(point, BOUNDS.plain)) return point;
     this.#world.report({
       code: 'bad-value',
       severity: 'warning',
       attribute: name,
       value,
       used: 'nothing',
-      message: `raycast takes two points of three finite numbers below ${LARGEST}; ${name} is ${show(value)}, so nothing is hit`,
+      message: `raycast takes two points of three finite numbers up to ${shownBound(BOUNDS.plain)}; ${name} is ${show(value)}, so nothing is hit`,
     });
     return undefined;
   }
