@@ -91,6 +91,7 @@ export const STAGES = [
     name: 'mutants',
     run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
   },
+  { name: 'fuzz', run: script(['--import', 'tsx', 'test/fuzz/run.ts']) },
   { name: 'stories', run: script(['tools/stories-test.js']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'lab', run: labErrors },

@@ -13,20 +13,26 @@ export class SparsePattern {
   /** From what the product of each pair of blocks of a column is taken, column by column: a block, or -1 - i for diagonal i. */
   readonly targets: Int32Array;
 
-  /** `neighbours`: of each unknown, those it shares a block with; used up. */
-  constructor(neighbours: Set<number>[]) {
+  /** Whether the factor would take more products than it may; then nothing else here is filled in. */
+  readonly tangled: boolean;
+
+  /** `neighbours`: of each unknown, those it shares a block with; used up. `most`: products of blocks. */
+  constructor(neighbours: Set<number>[], most = Infinity) {
     this.size = neighbours.length;
     this.order = new Int32Array(this.size);
     this.place = new Int32Array(this.size);
-    const columns = this.#eliminate(neighbours);
+    const found = this.#eliminate(neighbours, most);
+    this.tangled = !found;
+    const columns = found ?? [];
     this.starts = new Int32Array(this.size + 1);
     columns.forEach((column, i) => (this.starts[i + 1] = this.starts[i]! + column.length));
     this.rows = Int32Array.from(columns.flatMap((column) => column));
-    this.targets = this.#pairs();
+    this.targets = found ? this.#pairs() : new Int32Array(0);
   }
 
-  /** Returns the rows of each column of the factor. */
-  #eliminate(neighbours: Set<number>[]): number[][] {
+  /** Returns the rows of each column of the factor; undefined: they have more products than that. */
+  #eliminate(neighbours: Set<number>[], most: number): number[][] | undefined {
+    let products = 0;
     const left = new Set(neighbours.keys());
     const columns: number[][] = [];
     while (left.size > 0) {
@@ -37,6 +43,8 @@ export class SparsePattern {
       left.delete(next);
       const column = [...neighbours[next]!];
       columns.push(column);
+      products += (column.length * (column.length + 1)) / 2;
+      if (products > most) return undefined;
       for (const i of column) {
         const set = neighbours[i]!;
         set.delete(next);

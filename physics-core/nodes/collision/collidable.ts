@@ -137,6 +137,9 @@ export class CollidableShapeNode extends CollidableNode {
   }
 }
 
+/** Collidables in one another, at most: each looks through all others. */
+const DEEPEST = 100;
+
 export class CollidableOffsetNode extends CollidableNode {
   #child: CollidableNode | undefined;
 
@@ -162,7 +165,7 @@ export class CollidableOffsetNode extends CollidableNode {
 
   updateChild(): void {
     const asked = this.asked<CollidableNode | null>('collidable') ?? undefined;
-    const child = asked && !this.#isInside(asked) ? asked : undefined;
+    const child = asked && !this.#isInside(asked) && !this.#isTooDeep(asked) ? asked : undefined;
     if (child !== this.#child) {
       this.#child?.releaseFrom(this);
       this.#child = child;
@@ -181,6 +184,19 @@ export class CollidableOffsetNode extends CollidableNode {
       value: child.label,
       used: 'nothing',
       message: `${this.label} can't hold ${child.label}, in which it stands itself; it holds nothing`,
+    });
+    return true;
+  }
+
+  #isTooDeep(child: CollidableNode): boolean {
+    if (this.withOffsets.length + child.withChildren.length <= DEEPEST) return false;
+    this.report({
+      code: 'misplaced',
+      severity: 'warning',
+      attribute: 'collidable',
+      value: child.label,
+      used: 'nothing',
+      message: `${this.label} holds nothing: it would be more than ${DEEPEST} deep in one another with ${child.label}`,
     });
     return true;
   }

@@ -29,14 +29,25 @@ export class Members {
 
   #add(list: MemberList): void {
     if (list === '*') this.all = true;
-    else list.forEach((node) => this.#visit(node));
+    else this.#visitAll(list);
   }
 
-  #visit(node: PhysicsNode): void {
+  /** In order, however deep they stand in each other. */
+  #visitAll(list: readonly PhysicsNode[]): void {
+    const waiting = list.toReversed();
+    for (let node = waiting.pop(); node; node = waiting.pop()) {
+      const members = this.#visit(node);
+      if (members === '*') this.all = true;
+      else waiting.push(...members.toReversed());
+    }
+  }
+
+  /** Returns the members of a space. */
+  #visit(node: PhysicsNode): MemberList {
     // Spaces may stand in each other in a circle.
-    if (node.removed || this.#seen.has(node)) return;
+    if (node.removed || this.#seen.has(node)) return [];
     this.#seen.add(node);
     if (node instanceof CollidableNode) this.listed.add(node);
-    else if (isSpace(node) && node.asked<boolean>('enabled')) this.#add(node.members);
+    return isSpace(node) && node.asked<boolean>('enabled') ? node.members : [];
   }
 }

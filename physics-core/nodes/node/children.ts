@@ -56,7 +56,7 @@ export class Children<N extends Child> {
     if (item === null) return undefined;
     if (this.#parent.isNode(item)) {
       if (types.includes(item.type.name) && item.world === this.#parent.world) return item;
-    } else if (isNodeData(item) && !beingMade.has(item)) {
+    } else if (isNodeData(item) && !beingMade.has(item) && beingMade.size < DEEPEST) {
       if (isGeometry(item.type) && types.includes(item.type)) return this.#geometry(name, item);
       const made = this.#make(item, types);
       if (made) return made;
@@ -93,7 +93,11 @@ export class Children<N extends Child> {
   #refuse(name: string, types: readonly string[], item: unknown): void {
     const parent = this.#parent;
     const stranger = parent.isNode(item) && item.world !== parent.world;
-    const why = stranger ? 'stands in another world' : `is no ${cut(types.join(' or '))}`;
+    const why = stranger
+      ? 'stands in another world'
+      : beingMade.size >= DEEPEST
+        ? `stands in ${DEEPEST} others`
+        : `is no ${cut(types.join(' or '))}`;
     parent.report({
       code: 'misplaced',
       severity: 'warning',
@@ -112,6 +116,9 @@ export class Children<N extends Child> {
     for (const children of this.#byField.values()) for (const child of children) child.remove();
   }
 }
+
+/** Nodes within nodes, as plain data: deeper ones would be too many calls within calls. */
+const DEEPEST = 100;
 
 /** Data that holds itself would never be done. */
 const beingMade = new Set<object>();
