@@ -75,8 +75,18 @@ function meshSolid({ points, index }: Mesh): Solid | undefined {
     const [i, j] = pairs[k]!;
     return value - volume * centroid[i] * centroid[j];
   }) as Tensor;
-  return { volume, centroid, inertia: [yy + zz, xx + zz, xx + yy, -xy, -xz, -yz] };
+  const inertia: Tensor = [yy + zz, xx + zz, xx + yy, -xy, -xz, -yz];
+  return isPossible(inertia) ? { volume, centroid, inertia } : undefined;
 }
+
+/** No moment of a body is larger than the other two together, but for rounding: that of an open mesh may be. */
+function isPossible(inertia: Tensor): boolean {
+  const [small, middle, large] = principal(inertia).moments.sort((a, b) => a - b) as Vec3;
+  return small > 0 && large <= (small + middle) * (1 + ROUNDING);
+}
+
+/** Of moments, as a share: a sheet's two small ones make its large one. */
+const ROUNDING = 1e-6;
 
 export function boundsOf(points: ArrayLike<number>): { min: Vec3; max: Vec3 } {
   const min: Vec3 = [Infinity, Infinity, Infinity];

@@ -23,6 +23,9 @@ const SLOW = 1e-3;
  */
 const MOST_TURN = 1;
 
+/** Bullet turns a body by no more than this in a step, radians. */
+const FARTHEST_TURN = Math.PI / 4;
+
 /** How a body with these moments turns freely: nearly as a top that is round about `axis`. */
 interface Top {
   axis: number;
@@ -48,6 +51,8 @@ interface Spin {
   axes: Float64Array;
   /** It turns little enough in the step that what joints give it may be kept as momentum. */
   slow: boolean;
+  /** It turns farther in the step than Bullet does: its axes are elsewhere at the end. */
+  beyond: boolean;
 }
 
 /**
@@ -129,6 +134,7 @@ export class Gyroscopic extends Effect {
     if (!same3(left, v, 3)) applyInertia(momentum, 0, this.#axes, moments, v, 3);
     this.#turnFreely(top, momentum, dt);
     this.#writeSpin(given, dt);
+    state.beyond = Math.hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
     this.#writeEnd(body, state, this.#orientation, 0);
     this.#give(body, given);
   }
@@ -178,7 +184,7 @@ export class Gyroscopic extends Effect {
     const spin = this.#spin;
     const v = this.#velocity;
     this.#simulation.engine.reader.velocity(body.body, body.pointer, v, 0);
-    const free = same3(given, v, 3);
+    const free = same3(given, v, 3) && !state.beyond;
     const alone = state.slow && (this.#effects.caused(jointSolve)?.alone(body) ?? false);
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
     if (alone) this.#takeMomentum(body, state);
@@ -259,6 +265,7 @@ const newSpin = (): Spin => ({
   left: new Float64Array(3).fill(NaN),
   axes: new Float64Array(9),
   slow: false,
+  beyond: false,
 });
 
 const same3 = (a: Float64Array, b: Float64Array, at: number): boolean =>
