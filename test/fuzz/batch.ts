@@ -7,7 +7,7 @@ import { play } from './play.js';
 // Some runs in one process; `run.ts` watches over it. Each run has a seed of its own.
 
 /** Shrinking a failed run ends after so many milliseconds. */
-const SHRINKING = Number(process.env.FUZZ_SHRINK ?? 20_000);
+const SHRINKING = 20_000;
 
 const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
 
