@@ -204,7 +204,7 @@ export default tseslint.config(
   },
   {
     // The lab is measured too.
-    files: ['test/lab/**/*.ts', 'test/soaks/lab/**/*.ts'],
+    files: ['test/lab/**/*.ts', 'test/soaks/lab/**/*.ts', 'test/stability/**/*.ts'],
     rules: { 'no-restricted-imports': 'off' },
   },
 );

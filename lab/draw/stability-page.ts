@@ -1,0 +1,50 @@
+import { levels } from '../../physics-core/inside.js';
+import type { StabilityCase } from '../stability/case.js';
+import { themes } from '../stability/cases/index.js';
+import { promises } from '../stability/levels.js';
+import type { CellRow, StabilityNumbers } from '../stability/numbers.js';
+import { criterionOf, loadOf, promiseCount, wordsOf } from '../stability/table.js';
+import { html, table, type Markup } from './html.js';
+import { page } from './page.js';
+
+const levelNames = levels.map(({ name }) => name);
+
+function rowOf(which: StabilityCase, row: CellRow | undefined): (string | Markup)[] {
+  return [
+    html`<b>${which.id}</b> ${which.says}`,
+    loadOf(which),
+    criterionOf(which),
+    ...levelNames.map((level) => {
+      const cell = row?.[level];
+      if (!cell) return '–';
+      const words = wordsOf(which, cell);
+      const kind = cell.holds ? 'good' : 'bad';
+      return promises(which, level)
+        ? html`<span class="${kind} promised">${words}</span>`
+        : html`<span class="${kind}">${words}</span>`;
+    }),
+  ];
+}
+
+/** Every hard case at every level. */
+export function stabilityPage(numbers: StabilityNumbers): string {
+  const { kept, broken } = promiseCount(numbers);
+  return page(
+    'What stays stable',
+    html`<a href="index.html">All cases</a>`,
+    html`<p>
+        Hard cases down, our levels across: whether each holds, and the number that is judged. What
+        is underlined is promised: ${kept} such cells hold, ${broken.length}
+        break${broken.length > 0 ? `: ${broken.join(', ')}` : ''}. ${numbers.date},
+        ${numbers.machine}.
+      </p>
+      ${Object.entries(themes).map(
+        ([theme, cases]) =>
+          html`<h2>${theme}</h2>
+            ${table(
+              ['case', 'load', 'criterion', ...levelNames],
+              cases.map((which) => rowOf(which, numbers.cells[which.id])),
+            )}`,
+      )}`,
+  );
+}
