@@ -141,8 +141,8 @@ export const values: StabilityCase[] = [
     work: 'places are rounded by a millimetre',
     scene(w) {
       const ball = addBody(w, { position: [1e4, 1e4, 0], linearVelocity: [3, 10, 0] });
-      // Half an ulp at 10 km, metres.
-      const ulp = 2 ** -11;
+      // Of single precision at 10 km, metres.
+      const ulp = 2 ** -10;
       let steps = 0;
       let found = 0;
       return {
