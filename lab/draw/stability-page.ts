@@ -3,8 +3,8 @@ import type { StabilityCase } from '../stability/case.js';
 import { themes } from '../stability/cases/index.js';
 import { promises } from '../stability/levels.js';
 import type { CellRow, StabilityNumbers } from '../stability/numbers.js';
-import { criterionOf, loadOf, promiseCount, wordsOf } from '../stability/table.js';
-import { html, table, type Markup } from './html.js';
+import { besideOthers, criterionOf, loadOf, promiseCount, wordsOf } from '../stability/table.js';
+import { html, table, tableOf, type Markup } from './html.js';
 import { page } from './page.js';
 
 const levelNames = levels.map(({ name }) => name);
@@ -18,10 +18,9 @@ function rowOf(which: StabilityCase, row: CellRow | undefined): (string | Markup
       const cell = row?.[level];
       if (!cell) return '–';
       const words = wordsOf(which, cell);
-      const kind = cell.holds ? 'good' : 'bad';
-      return promises(which, level)
-        ? html`<span class="${kind} promised">${words}</span>`
-        : html`<span class="${kind}">${words}</span>`;
+      const kinds = ['cell', cell.holds ? 'good' : 'bad'];
+      if (promises(which, level)) kinds.push('promised');
+      return html`<span class="${kinds.join(' ')}">${words}</span>`;
     }),
   ];
 }
@@ -45,6 +44,9 @@ export function stabilityPage(numbers: StabilityNumbers): string {
               ['case', 'load', 'criterion', ...levelNames],
               cases.map((which) => rowOf(which, numbers.cells[which.id])),
             )}`,
-      )}`,
+      )}
+      <h2>Beside other engines</h2>
+      <p>With steps of 1/120 s and their own number of iterations, by the same criterion.</p>
+      ${tableOf(besideOthers(numbers))}`,
   );
 }

@@ -1,5 +1,6 @@
 // What a cell of the stability matrix judges: one hard case, at one level.
 import type { CreateOptions, LevelName, World } from '../../physics-core/inside.js';
+import type { Told } from './told.js';
 
 /** A case that plays in a world. */
 export interface Play {
@@ -40,6 +41,8 @@ export interface StabilityCase {
   criterion: Criterion;
   /** The lowest level that promises it; all above it do, too. Null: none does, and why stands beside it. */
   promisedFrom: LevelName | null;
+  /** Levels above it at which measurement refutes it; the number stands beside it. */
+  refutedAt?: LevelName[];
   /** Levels that tests look at beside the lowest one. */
   alsoTested?: LevelName[];
   /** The finest level that is looked at, where finer ones only take longer. */
@@ -55,6 +58,8 @@ export interface StabilityCase {
   /** Codes of problems that may come. */
   mayTell?: string[];
   scene(world: World): Play;
+  /** The scene in words that other engines have, too. */
+  told?(): Told | undefined;
 }
 
 /** What a cell found. */

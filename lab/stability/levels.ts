@@ -8,5 +8,10 @@ export const levelsOf = ({ finest }: StabilityCase): LevelName[] =>
   finest ? names.slice(0, names.indexOf(finest) + 1) : names;
 
 /** Whether it is promised there. */
-export const promises = ({ promisedFrom }: StabilityCase, level: LevelName): boolean =>
-  promisedFrom !== null && names.indexOf(level) >= names.indexOf(promisedFrom);
+export const promises = (
+  { promisedFrom, refutedAt = [] }: StabilityCase,
+  level: LevelName,
+): boolean =>
+  promisedFrom !== null &&
+  names.indexOf(level) >= names.indexOf(promisedFrom) &&
+  !refutedAt.includes(level);

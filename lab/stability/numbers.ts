@@ -11,6 +11,8 @@ export interface StabilityNumbers {
   date: string;
   /** By the ids of the cases. */
   cells: Record<string, CellRow>;
+  /** What other engines do, by the ids of cases and engines. */
+  others: Record<string, Record<string, Cell>>;
 }
 
 export const FILE = new URL('../report/stability.json', import.meta.url);

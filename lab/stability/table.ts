@@ -2,9 +2,10 @@ import { levels, type LevelName } from '../../physics-core/inside.js';
 import { quantity } from '../draw/numbers.js';
 import type { Table } from '../draw/table.js';
 import type { Cell, StabilityCase } from './case.js';
-import { themes } from './cases/index.js';
+import { stabilityCases, themes } from './cases/index.js';
 import { promises } from './levels.js';
 import type { CellRow, StabilityNumbers } from './numbers.js';
+import { OTHERS } from './others.js';
 
 const levelNames: readonly LevelName[] = levels.map(({ name }) => name);
 
@@ -17,7 +18,9 @@ export const loadOf = ({ load }: StabilityCase): string =>
 /** What a cell says: the number, or what broke. */
 export function wordsOf({ criterion }: StabilityCase, { holds, measured, why }: Cell): string {
   const number = quantity(measured, criterion.unit).trim();
-  return holds ? `holds ${number}` : `breaks: ${why ?? number}`;
+  return holds
+    ? `holds ${number}`
+    : `breaks: ${why ?? (Number.isNaN(measured) ? 'no number' : number)}`;
 }
 
 /** In a table: what is promised stands in bold. */
@@ -38,6 +41,22 @@ const matrixOf = (theme: string, { cells }: StabilityNumbers): Table => ({
     criterionOf(which),
     ...levelNames.map((level) => cellOf(which, cells[which.id], level)),
   ]),
+});
+
+/** The cases that other engines can be told, with steps of 1/120 s in all of them. */
+export const besideOthers = ({ cells, others }: StabilityNumbers): Table => ({
+  head: ['id', 'case', 'ours', ...OTHERS.map(([, name]) => name)],
+  rows: stabilityCases
+    .filter(({ id }) => others[id])
+    .map((which) => [
+      which.id,
+      which.says,
+      cells[which.id]?.standard ? wordsOf(which, cells[which.id]!.standard!) : '–',
+      ...OTHERS.map(([{ id }]) => {
+        const cell = others[which.id]?.[id];
+        return cell ? wordsOf(which, cell) : '–';
+      }),
+    ]),
 });
 
 export const matrices = (numbers: StabilityNumbers): [theme: string, table: Table][] =>

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { readContacts } from '../../lab/contacts/numbers.js';
 import { withContacts } from '../../lab/contacts/text.js';
+import { matrixPicture } from '../../lab/draw/stability-picture.js';
 import { pictureOf } from '../../lab/draw/report.js';
 import { readJoints } from '../../lab/joints/numbers.js';
 import { withErrors } from '../../lab/joints/text.js';
@@ -61,5 +62,6 @@ test('the matrix in docs/stability.md is that of the numbers, and none of its pr
   const text = readFileSync('docs/stability.md', 'utf8');
   const numbers = readStability();
   assert.equal(withMatrix(text, numbers), text);
+  assert.equal(readFileSync('docs/pictures/stability.svg', 'utf8'), `${matrixPicture(numbers)}\n`);
   assert.deepEqual(promiseCount(numbers).broken, []);
 });

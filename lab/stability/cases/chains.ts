@@ -1,12 +1,16 @@
 import type { World } from '../../../physics-core/inside.js';
 import type { StabilityCase } from '../case.js';
+import { toldChain } from '../told.js';
 import {
   addBody,
   addFloor,
   addJoint,
   box,
+  distance,
   greatest,
+  most,
   nothingCollides,
+  position,
   sphere,
   widest,
   type Body,
@@ -35,6 +39,8 @@ function chain(w: World, masses: number[], link = LINK): Joint[] {
   });
 }
 
+const massesOf = (ratio: number): number[] => [...Array<number>(7).fill(0.1), 0.1 * ratio];
+
 const weighted = (
   id: string,
   ratio: number,
@@ -48,14 +54,15 @@ const weighted = (
   promisedFrom,
   lowest: -8 * LINK,
   mayTell: ['mass-ratio'],
+  told: () => toldChain(massesOf(ratio), LINK),
   scene(w) {
-    const joints = chain(w, [...Array<number>(7).fill(0.1), 0.1 * ratio]);
+    const joints = chain(w, massesOf(ratio));
     return greatest(() => widest(joints) / LINK);
   },
 });
 
 /** Knots in the level, each joined to its neighbours half-way. */
-function net(w: World, size: number, link: number): Joint[] {
+function net(w: World, size: number, link: number) {
   const middle = (size - 1) / 2;
   const at = (n: number) => [
     (Math.floor(n / size) - middle) * link,
@@ -71,10 +78,17 @@ function net(w: World, size: number, link: number): Joint[] {
       body2: knots[other],
       anchorPoint: at(n).map((x, axis) => (x + at(other)[axis]!) / 2),
     });
-  return knots.flatMap((_, n) => [
+  const joints = knots.flatMap((_, n) => [
     ...(n + size < size * size ? [join(n, n + size)] : []),
     ...((n + 1) % size ? [join(n, n + 1)] : []),
   ]);
+  return { knots, joints };
+}
+
+/** A net above a fixed ball. */
+function netOverBall(w: World) {
+  addBody(w, { fixed: true, position: [0, 1, 0], geometry: [sphere(0.8)] });
+  return net(w, 20, 0.2);
 }
 
 export const chains: StabilityCase[] = [
@@ -88,6 +102,8 @@ export const chains: StabilityCase[] = [
     seconds: 5,
     criterion: { what: 'all gaps together, of its length', unit: '', most: 0.01 },
     promisedFrom: 'game',
+    // Where it cracks like a whip, after 4.38 s, it gains 87 % of its energy there.
+    refutedAt: ['reference'],
     lowest: -10,
     scene(w) {
       const joints = chain(w, Array<number>(100).fill(0.1), 0.1);
@@ -104,9 +120,24 @@ export const chains: StabilityCase[] = [
     promisedFrom: 'game',
     mayTell: ['sunk'],
     scene(w) {
-      addBody(w, { fixed: true, position: [0, 1, 0], geometry: [sphere(0.8)] });
-      const joints = net(w, 20, 0.2);
+      const { joints } = netOverBall(w);
       return greatest(() => widest(joints) / 0.2);
+    },
+  },
+  {
+    id: 'net on a ball',
+    says: 'a net of 20 × 20 knots that falls over a ball does not sink into it',
+    load: { of: 'joints', ratio: 760 },
+    seconds: 1.2,
+    finest: 'fine',
+    criterion: { what: 'deepest knot', unit: 'm', most: 0.03 },
+    // More bodies than are solved at once: Bullet's iterations let the net through, 70 cm at `game`, 23 at `standard`. It is
+    // told of.
+    promisedFrom: null,
+    mayTell: ['sunk'],
+    scene(w) {
+      const { knots } = netOverBall(w);
+      return greatest(() => most(knots.map((knot) => 0.83 - distance(position(knot), [0, 1, 0]))));
     },
   },
   {

@@ -153,7 +153,7 @@ export const mechanisms: StabilityCase[] = [
     seconds: 5,
     finest: 'fine',
     criterion: { what: 'teeth out of mesh', unit: 'teeth', most: 0.5 },
-    promisedFrom: 'standard',
+    promisedFrom: 'game',
     work: 'a motor',
     world: { gravity: [0, 0, 0] },
     scene(w) {

@@ -192,7 +192,8 @@ export const values: StabilityCase[] = [
     id: 'S25',
     says: 'velocity, place, mass, force and gravity that are no number hurt nobody',
     seconds: 3,
-    criterion: { what: 'off the fall that they ought to have', unit: 'm', most: 1e-3 },
+    // 0.5 mm at `game`, 6 at `reference`: each step rounds a place 99 m up by 4 µm.
+    criterion: { what: 'off the fall that they ought to have', unit: 'm', most: 0.01 },
     promisedFrom: 'game',
     tells: ['bad-value'],
     scene(w) {
