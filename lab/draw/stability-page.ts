@@ -11,9 +11,7 @@ const levelNames = levels.map(({ name }) => name);
 
 function rowOf(which: StabilityCase, row: CellRow | undefined): (string | Markup)[] {
   return [
-    html`<b>${which.id}</b> ${which.says}`,
-    loadOf(which),
-    criterionOf(which),
+    html`<span class="long"><b>${which.id}</b> ${which.says}</span>`,
     ...levelNames.map((level) => {
       const cell = row?.[level];
       if (!cell) return '–';
@@ -22,6 +20,8 @@ function rowOf(which: StabilityCase, row: CellRow | undefined): (string | Markup
       if (promises(which, level)) kinds.push('promised');
       return html`<span class="${kinds.join(' ')}">${words}</span>`;
     }),
+    criterionOf(which),
+    loadOf(which),
   ];
 }
 
@@ -41,7 +41,7 @@ export function stabilityPage(numbers: StabilityNumbers): string {
         ([theme, cases]) =>
           html`<h2>${theme}</h2>
             ${table(
-              ['case', 'load', 'criterion', ...levelNames],
+              ['case', ...levelNames, 'criterion', 'load'],
               cases.map((which) => rowOf(which, numbers.cells[which.id])),
             )}`,
       )}

@@ -15,7 +15,7 @@ const levelNames = levels.map(({ name }) => name);
 const [HOLDS, BREAKS] = ['ours', 'jolt'] as const;
 
 /** Pixels. */
-const [ROW, NAME, CELL, GAP] = [17, 110, 84, 24];
+const [ROW, NAME, CELL, GAP] = [17, 110, 96, 24];
 const WIDE = NAME + levelNames.length * CELL + GAP;
 const HALF = Math.ceil(stabilityCases.length / 2);
 

@@ -33,13 +33,13 @@ function cellOf(which: StabilityCase, row: CellRow | undefined, level: LevelName
 
 /** A theme's rows: levels across, cases down. */
 const matrixOf = (theme: string, { cells }: StabilityNumbers): Table => ({
-  head: ['id', 'case', 'load', 'criterion', ...levelNames],
+  head: ['id', 'case', ...levelNames, 'criterion', 'load'],
   rows: themes[theme]!.map((which) => [
     which.id,
     which.says,
-    loadOf(which),
-    criterionOf(which),
     ...levelNames.map((level) => cellOf(which, cells[which.id], level)),
+    criterionOf(which),
+    loadOf(which),
   ]),
 });
 

@@ -6,6 +6,7 @@ import {
   addJoint,
   atTheEnd,
   box,
+  distance,
   fastest,
   greatest,
   height,
@@ -96,6 +97,10 @@ function poured(w: World, count: number, geometryOf: (i: number) => object): Bod
   );
 }
 
+/** Metres between the two that are nearest to each other. */
+const nearest = (places: readonly Vec3[]): number =>
+  Math.min(...places.flatMap((a, i) => places.slice(i + 1).map((b) => distance(a, b))));
+
 const SHAPES = [
   sphere(0.2),
   box(0.35, 0.3, 0.4),
@@ -138,7 +143,9 @@ export const heaps: StabilityCase[] = [
     work: 'they begin in each other',
     scene(w) {
       const boxes = Array.from({ length: 20 }, () => addBody(w, { geometry: [box(1)] }));
-      return greatest(() => fastest(boxes));
+      const { after, measured } = greatest(() => fastest(boxes));
+      // Overlaps are taken out by place, up to 1.8 m in the first step, and give no velocity (maxCorrectionSpeed).
+      return { after, measured: () => (nearest(boxes.map(position)) > 0.95 ? measured() : NaN) };
     },
   },
   rests('heap of boxes', 'a hundred boxes poured into a pit come to rest in it', 100, 1e-3, () =>
