@@ -204,7 +204,12 @@ export default tseslint.config(
   },
   {
     // The lab is measured too.
-    files: ['test/lab/**/*.ts', 'test/soaks/lab/**/*.ts'],
+    files: [
+      'test/lab/**/*.ts',
+      'test/soaks/lab/**/*.ts',
+      'test/stability/**/*.ts',
+      'test/browser/stability/**/*.ts',
+    ],
     rules: { 'no-restricted-imports': 'off' },
   },
 );

@@ -86,6 +86,7 @@ export const STAGES = [
   { name: 'chromium', quick: true, folders: ['browser'], takes: isQuick, run: CHROMIUM },
 
   { name: 'soaks', folders: ['soaks'], run: nodeTests },
+  { name: 'stability', folders: ['stability'], run: nodeTests },
   { name: 'chromium-long', folders: ['browser'], takes: isLong, run: CHROMIUM },
   {
     name: 'mutants',

@@ -3,9 +3,8 @@
 //   --draw   measure nothing: page and tables of the numbers of last time
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
-import { drawPages } from '../draw/report.js';
+import { drawPages, readBeside } from '../draw/report.js';
 import { columnsOf, type Table } from '../draw/table.js';
-import { readJoints } from '../joints/numbers.js';
 import { MACHINE, today } from '../run/machine.js';
 import { readReport } from '../run/report.js';
 import { costs } from './cost.js';
@@ -25,4 +24,4 @@ const report = readReport();
 print(contactErrors(report.rows));
 print(contactCosts(numbers.costs));
 writeFileSync(TEXT, withContacts(readFileSync(TEXT, 'utf8'), report.rows, numbers));
-drawPages(report, { joints: readJoints(), contacts: numbers });
+drawPages(report, { ...readBeside(), contacts: numbers });

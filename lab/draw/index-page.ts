@@ -45,8 +45,8 @@ export function indexPage(cases: readonly Case[], results: Results): string {
   return page(
     'What accuracy costs',
     html`<a href="criteria.html">Criteria</a><a href="joints.html">Joints</a
-      ><a href="contacts.html">Contacts</a><a href="rows.csv">rows.csv</a
-      ><a href="rows.json">rows.json</a>`,
+      ><a href="contacts.html">Contacts</a><a href="stability.html">Stability</a
+      ><a href="rows.csv">rows.csv</a><a href="rows.json">rows.json</a>`,
     html`<p>
         ${cases.length} cases with a known answer, ${rows.length} runs: error against time at our
         levels, in a free sweep of step and iterations, and through other engines.

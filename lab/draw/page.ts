@@ -23,6 +23,10 @@ ul { max-width: 60rem; padding-left: 1.25rem; }
 .good::before { content: "✓ "; }
 .bad { font-weight: 600; }
 .bad::before { content: "✗ "; }
+th .long { display: inline-block; min-width: 16rem; max-width: 24rem; white-space: normal; }
+.cell.good { color: var(--ours); }
+.cell.bad { color: var(--jolt); }
+.promised { text-decoration: underline; text-underline-offset: 3px; }
 .small { color: var(--soft); font-size: 0.9rem; }
 :focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }`;
 

@@ -3,6 +3,7 @@ import { cases } from '../cases/index.js';
 import { readContacts, type ContactNumbers } from '../contacts/numbers.js';
 import { readJoints, type JointNumbers } from '../joints/numbers.js';
 import type { Results } from '../run/row.js';
+import { readStability, type StabilityNumbers } from '../stability/numbers.js';
 import { casePage, fileOf } from './case-page.js';
 import { contactsPage } from './contacts-page.js';
 import { criteriaPage } from './criteria-page.js';
@@ -10,6 +11,7 @@ import { csvOf } from './csv.js';
 import { indexPage } from './index-page.js';
 import { standalone } from './inks.js';
 import { jointsPage } from './joints-page.js';
+import { stabilityPage } from './stability-page.js';
 import { summaryChart } from './summary-chart.js';
 
 /** Beside the numbers; the stories lead there. */
@@ -23,12 +25,20 @@ const measuredCases = ({ rows }: Results) =>
 export interface Beside {
   joints: JointNumbers;
   contacts: ContactNumbers;
+  stability: StabilityNumbers;
 }
 
-export const readBeside = (): Beside => ({ joints: readJoints(), contacts: readContacts() });
+export const readBeside = (): Beside => ({
+  joints: readJoints(),
+  contacts: readContacts(),
+  stability: readStability(),
+});
 
 /** All pages, by the names of their files. */
-export function pagesOf(results: Results, { joints, contacts }: Beside): Map<string, string> {
+export function pagesOf(
+  results: Results,
+  { joints, contacts, stability }: Beside,
+): Map<string, string> {
   const known = measuredCases(results);
   return new Map([
     ['rows.csv', csvOf(results.rows)],
@@ -36,6 +46,7 @@ export function pagesOf(results: Results, { joints, contacts }: Beside): Map<str
     ['criteria.html', criteriaPage(known, results)],
     ['joints.html', jointsPage(results, joints)],
     ['contacts.html', contactsPage(results, contacts)],
+    ['stability.html', stabilityPage(stability)],
     ...known.map((which): [string, string] => [fileOf(which), casePage(which, known, results)]),
   ]);
 }

@@ -3,8 +3,7 @@
 //   --draw   measure nothing: page and table of the numbers of last time
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
-import { readContacts } from '../contacts/numbers.js';
-import { drawPages } from '../draw/report.js';
+import { drawPages, readBeside } from '../draw/report.js';
 import { columnsOf, type Table } from '../draw/table.js';
 import { MACHINE, today } from '../run/machine.js';
 import { readReport } from '../run/report.js';
@@ -36,4 +35,4 @@ print(errorTable(report.rows, numbers.iterated));
 print(enduranceTable(numbers.endurance));
 print(costTable(numbers.costs));
 writeFileSync(TEXT, withErrors(readFileSync(TEXT, 'utf8'), numbers));
-drawPages(report, { joints: numbers, contacts: readContacts() });
+drawPages(report, { ...readBeside(), joints: numbers });

@@ -3,9 +3,13 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { readContacts } from '../../lab/contacts/numbers.js';
 import { withContacts } from '../../lab/contacts/text.js';
+import { matrixPicture } from '../../lab/draw/stability-picture.js';
 import { pictureOf } from '../../lab/draw/report.js';
 import { readJoints } from '../../lab/joints/numbers.js';
 import { withErrors } from '../../lab/joints/text.js';
+import { readStability } from '../../lab/stability/numbers.js';
+import { promiseCount } from '../../lab/stability/table.js';
+import { withMatrix } from '../../lab/stability/text.js';
 import { readReport, withCases } from '../../lab/run/report.js';
 import type { Results, Row } from '../../lab/run/row.js';
 
@@ -52,4 +56,12 @@ test('the errors in docs/joints.md are those of the numbers', () => {
 test('the tables in docs/contacts.md are those of the numbers', () => {
   const text = readFileSync('docs/contacts.md', 'utf8');
   assert.equal(withContacts(text, readReport().rows, readContacts()), text);
+});
+
+test('the matrix in docs/stability.md is that of the numbers, and none of its promises breaks', () => {
+  const text = readFileSync('docs/stability.md', 'utf8');
+  const numbers = readStability();
+  assert.equal(withMatrix(text, numbers), text);
+  assert.equal(readFileSync('docs/pictures/stability.svg', 'utf8'), `${matrixPicture(numbers)}\n`);
+  assert.deepEqual(promiseCount(numbers).broken, []);
 });

@@ -1,13 +1,7 @@
 import { describe } from 'node:test';
-import {
-  add,
-  compose,
-  conjugate,
-  dot,
-  rotate,
-  scale,
-} from '../../../../../physics-core/base/math.js';
+import { add, scale } from '../../../../../physics-core/base/math.js';
 import type { World } from '../../../../../physics-core/inside.js';
+import { axesOf, kineticEnergy } from '../../../../../references/kinetic-energy.js';
 import {
   below,
   fact,
@@ -21,13 +15,6 @@ import { G, addRod, hinge, quiet, addFourBar } from '../../../../core/effects/jo
 
 const height = (body: Body): number => body.centerOfMassWorld()[1];
 
-/** Kinetic energy at a velocity and a spin (world), joules. */
-function kinetic(body: Body, v: Vec3, turning: Vec3): number {
-  const { mass, moments } = body.mass;
-  const w = rotate(conjugate(compose(body.pose(), body.centerOfMass).q), turning);
-  return (mass * dot(v, v) + moments.reduce((sum, moment, x) => sum + moment * w[x]! ** 2, 0)) / 2;
-}
-
 /**
  * Highest and lowest energy on the way, less that of the start, over `range`. The velocity of jointed bodies belongs to
  * the middle of the step: at a pose it is the mean of the steps before and after.
@@ -38,7 +25,12 @@ function energyBand(w: World, bodies: Body[], seconds: number, range: number): [
     bodies.reduce((sum, body, i) => {
       const { y, v, spin: turning } = before[i]!;
       const mean = (a: Vec3, b: Vec3) => scale(add(a, b), 0.5);
-      const moving = kinetic(body, mean(v, velocity(body)), mean(turning, spin(body)));
+      const moving = kineticEnergy(
+        body,
+        mean(v, velocity(body)),
+        mean(turning, spin(body)),
+        axesOf(body),
+      );
       before[i] = { y: height(body), v: velocity(body), spin: spin(body) };
       return sum + body.mass.mass * G * y + moving;
     }, 0);

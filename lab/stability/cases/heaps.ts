@@ -1,0 +1,270 @@
+import type { World } from '../../../physics-core/inside.js';
+import type { StabilityCase } from '../case.js';
+import {
+  addBody,
+  addFloor,
+  addJoint,
+  atTheEnd,
+  box,
+  distance,
+  fastest,
+  greatest,
+  height,
+  position,
+  random,
+  sphere,
+  widest,
+  type Body,
+  type Joint,
+  type Vec3,
+} from '../scene.js';
+
+// Heaps: much that touches, and what comes out of it.
+
+interface Limb {
+  size: [number, number, number];
+  at: Vec3;
+  /** The limb that it hangs on, and where. */
+  on?: number;
+  joint?: Vec3;
+}
+
+/** A person of ten limbs, metres from the middle of the chest. */
+const LIMBS: Limb[] = [
+  { size: [0.36, 0.3, 0.2], at: [0, 0, 0] },
+  { size: [0.32, 0.24, 0.2], at: [0, -0.29, 0], on: 0, joint: [0, -0.16, 0] },
+  { size: [0.18, 0.22, 0.2], at: [0, 0.29, 0], on: 0, joint: [0, 0.17, 0] },
+  { size: [0.26, 0.1, 0.1], at: [0.33, 0.08, 0], on: 0, joint: [0.19, 0.08, 0] },
+  { size: [0.26, 0.08, 0.08], at: [0.61, 0.08, 0], on: 3, joint: [0.47, 0.08, 0] },
+  { size: [0.26, 0.1, 0.1], at: [-0.33, 0.08, 0], on: 0, joint: [-0.19, 0.08, 0] },
+  { size: [0.26, 0.08, 0.08], at: [-0.61, 0.08, 0], on: 5, joint: [-0.47, 0.08, 0] },
+  { size: [0.13, 0.4, 0.13], at: [0.1, -0.63, 0], on: 1, joint: [0.1, -0.42, 0] },
+  { size: [0.13, 0.4, 0.13], at: [-0.1, -0.63, 0], on: 1, joint: [-0.1, -0.42, 0] },
+  { size: [0.1, 0.1, 0.24], at: [0.1, -0.9, 0.05], on: 7, joint: [0.1, -0.84, 0] },
+];
+
+/** Water's density. */
+const massOf = ([x, y, z]: Limb['size']): number => 1000 * x * y * z;
+
+function ragdoll(w: World, [x, y, z]: Vec3): { limbs: Body[]; joints: Joint[] } {
+  const there = (at: Vec3) => [x + at[0], y + at[1], z + at[2]];
+  const limbs = LIMBS.map(({ size, at }) =>
+    addBody(w, { mass: massOf(size), position: there(at), geometry: [box(...size)] }),
+  );
+  const joints = LIMBS.flatMap(({ on, joint }, i) =>
+    on === undefined || !joint
+      ? []
+      : [
+          addJoint(w, 'BallJoint', {
+            body1: limbs[i],
+            body2: limbs[on],
+            anchorPoint: there(joint),
+          }),
+        ],
+  );
+  return { limbs, joints };
+}
+
+/** Four walls about a square of `half` metres, with a floor. */
+function pit(w: World, half: number): void {
+  addFloor(w);
+  for (const [x, z] of [
+    [half, 0],
+    [-half, 0],
+    [0, half],
+    [0, -half],
+  ])
+    addBody(w, {
+      fixed: true,
+      position: [x! * 1.25, 3, z! * 1.25],
+      geometry: [box(x ? half / 2 : 3 * half, 6, z ? half / 2 : 3 * half)],
+    });
+}
+
+/** Bodies in layers over the pit, turned by chance. */
+function poured(w: World, count: number, geometryOf: (i: number) => object): Body[] {
+  const next = random(7);
+  return Array.from({ length: count }, (_, i) =>
+    addBody(w, {
+      position: [
+        ((i % 5) - 2) * 0.6 + 0.05 * next(),
+        0.6 + 0.6 * Math.floor(i / 25),
+        ((Math.floor(i / 5) % 5) - 2) * 0.6 + 0.05 * next(),
+      ],
+      orientation: [next() - 0.5, next() - 0.5, next() - 0.5, 3 * next()],
+      geometry: [geometryOf(i)],
+    }),
+  );
+}
+
+/** Metres between the two that are nearest to each other. */
+const nearest = (places: readonly Vec3[]): number =>
+  Math.min(...places.flatMap((a, i) => places.slice(i + 1).map((b) => distance(a, b))));
+
+const SHAPES = [
+  sphere(0.2),
+  box(0.35, 0.3, 0.4),
+  { type: 'Cylinder', radius: 0.2, height: 0.4 },
+  { type: 'Cone', bottomRadius: 0.22, height: 0.4 },
+];
+
+/** `most`: what is round rolls on, m/s: nothing stops it but what it meets. */
+const rests = (
+  id: string,
+  says: string,
+  count: number,
+  most: number,
+  geometryOf: (i: number) => object,
+): StabilityCase => ({
+  id,
+  says,
+  load: { of: 'bodies', ratio: count },
+  seconds: 10,
+  finest: 'precise',
+  criterion: { what: 'greatest speed in the end', unit: 'm/s', most },
+  promisedFrom: 'game',
+  scene(w) {
+    pit(w, 2);
+    const bodies = poured(w, count, geometryOf);
+    return atTheEnd(() => (bodies.some((body) => height(body) < 0) ? NaN : fastest(bodies)));
+  },
+});
+
+export const heaps: StabilityCase[] = [
+  {
+    id: 'S12',
+    says: 'twenty boxes at one place part slower than 10 m/s',
+    load: { of: 'bodies', ratio: 20 },
+    seconds: 2,
+    criterion: { what: 'greatest speed', unit: 'm/s', most: 10 },
+    promisedFrom: 'game',
+    world: { gravity: [0, 0, 0] },
+    tells: ['initial-overlap'],
+    work: 'they begin in each other',
+    scene(w) {
+      const boxes = Array.from({ length: 20 }, () => addBody(w, { geometry: [box(1)] }));
+      const { after, measured } = greatest(() => fastest(boxes));
+      // Overlaps are taken out by place, up to 1.8 m in the first step, and give no velocity (maxCorrectionSpeed).
+      return { after, measured: () => (nearest(boxes.map(position)) > 0.95 ? measured() : NaN) };
+    },
+  },
+  rests('heap of boxes', 'a hundred boxes poured into a pit come to rest in it', 100, 1e-3, () =>
+    box(0.35, 0.3, 0.4),
+  ),
+  rests(
+    'heap of balls',
+    'forty balls poured into a pit settle in it, and roll about slowly',
+    40,
+    0.5,
+    () => sphere(0.2),
+  ),
+  rests(
+    'mixed heap',
+    'forty balls, boxes, cylinders and cones poured into a pit settle in it, and roll about slowly',
+    40,
+    0.5,
+    (i) => SHAPES[i % 4]!,
+  ),
+  {
+    id: 'ragdolls',
+    says: 'twenty ragdolls fall in a heap and hold together',
+    load: { of: 'bodies', ratio: 200 },
+    seconds: 4,
+    finest: 'precise',
+    criterion: { what: 'widest gap', unit: 'm', most: 0.01 },
+    promisedFrom: 'game',
+    // There one lands so that it is torn apart by 8.5 m within a step, and that is told of.
+    refutedAt: ['fine'],
+    mayTell: ['mass-ratio'],
+    scene(w) {
+      pit(w, 2);
+      const dolls = Array.from({ length: 20 }, (_, i) =>
+        ragdoll(w, [((i % 2) - 0.5) * 1.6, 1.2 + 1.5 * Math.floor(i / 4), ((i >> 1) % 2) - 0.5]),
+      );
+      const joints = dolls.flatMap((doll) => doll.joints);
+      return greatest(() => widest(joints));
+    },
+  },
+  {
+    id: 'funnel',
+    says: 'a conveyor carries thirty boxes into a funnel, which all of them leave below',
+    load: { of: 'bodies', ratio: 30 },
+    seconds: 14,
+    finest: 'precise',
+    criterion: { what: 'left behind', unit: 'boxes', most: 0 },
+    promisedFrom: 'game',
+    work: 'the belt drives them',
+    scene(w) {
+      const belt = w.add('CollidableShape', { shape: [box(12, 0.2, 1)] });
+      addBody(w, { fixed: true, position: [-6, 3.9, 0], geometry: [belt] });
+      addFloor(w);
+      // Four plates that lean inwards, over a hole of 1.2 m.
+      for (let side = 0; side < 4; side++) {
+        const turn = (side * Math.PI) / 2;
+        const lean = 0.9;
+        const out = 0.6 + Math.sin(lean);
+        addBody(w, {
+          fixed: true,
+          position: [1.4 + out * Math.cos(turn), 1.6 + Math.cos(lean), -out * Math.sin(turn)],
+          geometry: [
+            {
+              type: 'CollidableOffset',
+              rotation: [0, 1, 0, turn],
+              collidable: {
+                type: 'CollidableOffset',
+                rotation: [0, 0, 1, -lean],
+                collidable: box(0.1, 2, 4),
+              },
+            },
+          ],
+        });
+      }
+      const boxes = Array.from({ length: 30 }, (_, i) => {
+        const shape = w.add('CollidableShape', { shape: [box(0.25)] });
+        return {
+          shape,
+          body: addBody(w, { position: [-0.4 - 0.36 * i, 4.126, 0], geometry: [shape] }),
+        };
+      });
+      w.add('CollisionCollection', {
+        collidables: [belt, ...boxes.map(({ shape }) => shape)],
+        appliedParameters: ['BOUNCE', 'FRICTION_COEFFICIENT-2', 'SPEED-1'],
+        frictionCoefficients: [0.5, 0.5],
+        surfaceSpeed: [1, 0],
+      });
+      return atTheEnd(() => boxes.filter(({ body }) => height(body) > 1.2).length);
+    },
+  },
+  {
+    id: 'dominoes',
+    says: 'a hundred dominoes fall, one after the other, in an even wave',
+    load: { of: 'bodies', ratio: 100 },
+    seconds: 9,
+    finest: 'precise',
+    criterion: { what: 'unevenness of the wave', unit: '', most: 0.1 },
+    promisedFrom: 'game',
+    scene(w) {
+      addFloor(w, 0, { position: [10, -0.5, 0] });
+      const dominoes = Array.from({ length: 100 }, (_, i) =>
+        addBody(w, {
+          position: [0.1 * i, 0.12, 0],
+          geometry: [box(0.03, 0.24, 0.12)],
+          ...(i === 0 && { orientation: [0, 0, 1, -0.14], position: [0.016, 0.121, 0] }),
+        }),
+      );
+      const fell = dominoes.map(() => 0);
+      return {
+        after: () =>
+          dominoes.forEach((body, i) => {
+            if (!fell[i] && position(body)[0] > 0.1 * i + 0.01) fell[i] = w.time;
+          }),
+        // Pieces per second: of the 60th to the 95th, against those before.
+        measured: () => {
+          if (fell.some((time) => !time)) return NaN;
+          const pace = (from: number, to: number) => (to - from) / (fell[to]! - fell[from]!);
+          return Math.abs(pace(60, 95) / pace(30, 60) - 1);
+        },
+      };
+    },
+  },
+];

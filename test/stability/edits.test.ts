@@ -1,0 +1,3 @@
+import { promised } from './matrix.js';
+
+promised('Edits');
