@@ -173,8 +173,6 @@ export const heaps: StabilityCase[] = [
     finest: 'precise',
     criterion: { what: 'widest gap', unit: 'm', most: 0.01 },
     promisedFrom: 'game',
-    // There one lands so that it is torn apart by 8.5 m within a step, and that is told of.
-    refutedAt: ['fine'],
     mayTell: ['mass-ratio'],
     scene(w) {
       pit(w, 2);
