@@ -1,29 +1,21 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { isAwake } from '../../engine/body-heap.js';
-import {
-  bodyAAt,
-  bodyBAt,
-  pointAt,
-  pointCountAt,
-  setSolverDistanceAt,
-  solverDistanceAt,
-} from '../../engine/manifold.js';
+import { pointCountAt, setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
 import { inverseMassOf, speedSquared } from '../../engine/solver-body.js';
-import { contactSurface } from '../contacts/contact-surface.js';
 import { contactShapes } from '../manifolds/contact-shapes.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { jointSolve } from '../joints/joint-solve.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
 import { Newton } from './newton.js';
-import { Parts, type Part } from './part.js';
-import { ContactPort, type ContactStep } from './read-contact.js';
+import type { Part } from './part.js';
+import { PartReader } from './part-reader.js';
+import { ContactPort } from './read-contact.js';
 import { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
+import { TouchingParts } from './touching-parts.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
@@ -46,8 +38,6 @@ const WORTH = 0.1;
 /** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
 
-const NONE: ReadonlySet<number> = new Set();
-
 /**
  * Solves what is in touch directly, joints included: between Bullet's contact search and its solver it finds the
  * velocities at which every contact holds, slides or lets go as Coulomb's law says, and puts them in the place of those
@@ -59,15 +49,11 @@ export class ContactSolve extends Effect {
   readonly #contacts = new ConeContacts();
   readonly #rows = new BoundRows();
   readonly #bodies: SolveBodies;
-  readonly #parts = new Parts();
+  readonly #parts: TouchingParts;
+  readonly #reader: PartReader;
   readonly #newton: Newton;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
-  readonly #step: ContactStep = { dt: 0, slop: 0, written: NONE };
-  /** Points that are left to Bullet. */
-  #special: ReadonlySet<number> = NONE;
-  /** Manifolds of the step, and which bodies they are of. */
-  readonly #manifolds: number[] = [];
   /** Those that are solved directly, and those that were. */
   readonly #chosen: Part[] = [];
   readonly #solved: Part[] = [];
@@ -99,6 +85,8 @@ export class ContactSolve extends Effect {
     this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(simulation, this.#rows, this.#bodies);
+    this.#parts = new TouchingParts(simulation, effects, this.#bodies);
+    this.#reader = new PartReader(simulation, effects, this.#bodies, this.#port, this.#joints);
   }
 
   // ---- who needs it -------------------------------------------------------------------------------------------------
@@ -141,6 +129,7 @@ export class ContactSolve extends Effect {
   /** The world begins anew. */
   reset(): void {
     this.#failed.clear();
+    this.#direct.clear();
     this.#again = 0;
     this.#letGo();
   }
@@ -152,21 +141,21 @@ export class ContactSolve extends Effect {
   // ---- a step -------------------------------------------------------------------------------------------------------
 
   override solve(dt: number): void {
-    const { settings } = this.#simulation.bullet;
     this.#solved.length = 0;
     // Iterations were asked for since.
-    if (!settings.direct) return this.#letGo();
+    if (!this.#simulation.bullet.settings.direct) return this.#letGo();
     if (this.#simulation.stepsTaken < this.#again) return;
-    this.#gather();
-    if (this.#manifolds.length === 0) return this.#letGo();
+    this.#parts.gather();
+    if (this.#parts.manifolds.length === 0) return this.#letGo();
     const worth = this.#choose();
     this.#needPoints(worth);
     if (!worth) {
       this.#again = this.#simulation.stepsTaken + PAUSE;
       return;
     }
-    this.#begin(dt, settings.linearSlop);
-    for (const part of this.#chosen) if (this.#fill(part)) this.#try(part);
+    this.#contacts.count = this.#rows.count = 0;
+    this.#reader.begin(dt);
+    for (const part of this.#chosen) if (this.#reader.read(part)) this.#try(part);
   }
 
   /** Which parts are solved directly. False: too few of what a busy world has. */
@@ -182,112 +171,6 @@ export class ContactSolve extends Effect {
       for (const body of part.bodies) direct.add(pointers[body]!);
     }
     return !this.#isBusy() || direct.size > WORTH * count;
-  }
-
-  #begin(dt: number, slop: number): void {
-    const surface = this.#effects.caused(contactSurface);
-    this.#step.dt = dt;
-    this.#step.slop = slop;
-    this.#step.written = surface?.written ?? NONE;
-    this.#special = surface?.special ?? NONE;
-    this.#contacts.count = this.#rows.count = 0;
-    this.#joints.begin();
-  }
-
-  /** What is in touch, and what hangs together. */
-  #gather(): void {
-    this.#manifolds.length = 0;
-    this.#bodies.begin();
-    this.#parts.begin();
-    this.#simulation.bullet.eachAwakeManifold(this.#see);
-    const { ammo } = this.#simulation.engine;
-    for (const manifold of this.#manifolds) {
-      const a = this.#numberOf(bodyAAt(ammo, manifold));
-      const b = this.#numberOf(bodyBAt(ammo, manifold));
-      if (a >= 0 && b >= 0) this.#parts.join(a, b);
-    }
-    this.#joinJointed();
-    this.#parts.sort(this.#bodies.count);
-    for (const manifold of this.#manifolds) {
-      const a = this.#numberOf(bodyAAt(ammo, manifold));
-      const b = this.#numberOf(bodyBAt(ammo, manifold));
-      this.#parts.of(a >= 0 ? a : b).manifolds.push(manifold);
-    }
-  }
-
-  readonly #see = (manifold: number): void => {
-    if (pointCountAt(this.#simulation.engine.ammo, manifold) > 0) this.#manifolds.push(manifold);
-  };
-
-  #numberOf(pointer: number): number {
-    const before = this.#bodies.count;
-    const i = this.#bodies.numberOf(pointer);
-    if (i === before) this.#parts.add(i);
-    return i;
-  }
-
-  /** Who hangs on what touches belongs to it. */
-  #joinJointed(): void {
-    const joints = this.#effects.caused(jointSolve);
-    if (!joints) return;
-    for (let i = 0; i < this.#bodies.count; i++) {
-      const body = this.#bodyOf(i);
-      const jointed = body && body.joints.size > 0 && joints.solvedWith(body);
-      if (!jointed) continue;
-      for (const { pointer } of jointed.bodies) {
-        const other = this.#numberOf(pointer);
-        if (other >= 0) this.#parts.join(i, other);
-      }
-    }
-  }
-
-  #bodyOf(i: number): Body | undefined {
-    return this.#simulation.bodyAt(this.#bodies.pointers[i]!);
-  }
-
-  /** Reads bodies, contacts and joints. False: there is something that only Bullet can do. */
-  #fill(part: Part): boolean {
-    const { ammo } = this.#simulation.engine;
-    for (const body of part.bodies)
-      // What is woken by the first touch has contacts that nobody looked at in this step.
-      if (!isAwake(ammo, this.#bodies.pointers[body]!) || !this.#bodies.read(body, this.#step.dt))
-        return false;
-    if (!this.#fillJoints(part)) return false;
-    for (const manifold of part.manifolds)
-      if (!this.#fillContacts(manifold, part.contacts)) return false;
-    return part.contacts.length > 0;
-  }
-
-  #fillContacts(manifold: number, into: number[]): boolean {
-    const { ammo } = this.#simulation.engine;
-    const a = bodyAAt(ammo, manifold);
-    const b = bodyBAt(ammo, manifold);
-    const count = pointCountAt(ammo, manifold);
-    const p = this.#bodies.numberOf(a);
-    const q = this.#bodies.numberOf(b);
-    for (let i = 0; i < count; i++) {
-      const point = pointAt(manifold, i);
-      if (this.#special.has(point)) return false;
-      const contact = this.#port.read(point, a, b, p, q, this.#step);
-      if (contact >= 0) into.push(contact);
-    }
-    return true;
-  }
-
-  #fillJoints(part: Part): boolean {
-    const joints = this.#effects.caused(jointSolve);
-    if (!joints) return true;
-    for (const i of part.bodies) {
-      const body = this.#bodyOf(i)!;
-      for (const joint of body.joints) {
-        // Each once, by the first of its bodies that moves.
-        if (!joint.attached || (joint.body1?.movable ? joint.body1 !== body : false)) continue;
-        if (joint.lockedRows.length === 0) continue;
-        if (!joints.solvedWith(body)) return false;
-        if (!this.#joints.add(joint, joints, this.#step.dt, part.rows)) return false;
-      }
-    }
-    return true;
   }
 
   /** What found no end is left to Bullet for some steps. */
@@ -322,7 +205,7 @@ export class ContactSolve extends Effect {
   }
 
   #isBusy(): boolean {
-    return this.#manifolds.length > BUSY;
+    return this.#parts.manifolds.length > BUSY;
   }
 
   #areSlow(bodies: readonly number[], speed: number): boolean {

@@ -5,15 +5,14 @@ import {
   SLIDES,
   speeds,
   STICKS,
-  stiffnessOf,
   takePush,
   type ConeContacts,
 } from './cone-contacts.js';
-import { addContact } from './contact-blocks.js';
-import { addOuter, clamp, gives, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
+import { clamp, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
 import type { Part } from './part.js';
+import { PartMatrix } from './part-matrix.js';
 import type { SolveBodies } from './solve-bodies.js';
-import { SIZE, SparseCholesky } from './sparse-cholesky.js';
+import { SIZE } from './sparse-cholesky.js';
 
 /** Steps of Newton for one set of impulses, and sets of impulses, at most. */
 const STEPS = 30;
@@ -51,9 +50,6 @@ const SHALLOW = 1e-6;
 /** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
 const SLOW = 0.7;
 
-/** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
-const PRODUCTS = 400;
-
 /**
  * Finds the velocities and impulses of bodies in touch at once. Velocities minimise their distance from free ones, by
  * mass, and half the square of what contacts push over their penalty; impulses are then what they push. Each round of
@@ -61,26 +57,20 @@ const PRODUCTS = 400;
  * the impulses of the last step, and is done before the first matrix.
  */
 export class Newton {
-  readonly #matrix = new SparseCholesky();
+  readonly #matrix: PartMatrix;
   readonly #contacts: ConeContacts;
   readonly #rows: BoundRows;
   readonly #bodies: SolveBodies;
-  #x = new Float64Array(SIZE);
-  readonly #w = new Float64Array(9);
-  /** By body: its number in the part. */
-  #number = new Int32Array(16);
   #part!: Part;
-  #analysed = false;
   #creeping = CREEPING;
   #miss = MISS;
   #still = STILL;
-  /** Matrices factored for this part. */
-  factored = 0;
 
   constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
     this.#contacts = contacts;
     this.#rows = rows;
     this.#bodies = bodies;
+    this.#matrix = new PartMatrix(contacts, rows, bodies);
   }
 
   /** False: Bullet's iterations are cheaper, or this finds no end. */
@@ -101,38 +91,18 @@ export class Newton {
 
   #begin(part: Part): void {
     this.#part = part;
-    this.#analysed = false;
-    this.factored = 0;
+    this.#matrix.begin(part);
     const many = part.bodies.length > MANY;
     this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
     const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
     this.#still = STILL + STILL_SHARE * speed;
-    const { count } = this.#bodies;
-    if (this.#number.length < count) this.#number = new Int32Array(2 * count);
-    if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
     this.#readMisses();
     const c = this.#contacts.values;
     for (const i of part.contacts) {
       c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
       project(c, i * C.size, 0);
     }
-  }
-
-  /** The structure of the matrix: only once it is needed. */
-  #analyse(): boolean {
-    if (this.#analysed) return true;
-    const { bodies, contacts, rows } = this.#part;
-    this.#matrix.begin(bodies.length);
-    for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
-    for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!);
-    for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!);
-    this.#analysed = this.#matrix.analyse(PRODUCTS * bodies.length);
-    return this.#analysed;
-  }
-
-  #connect(a: number, b: number): void {
-    if (a >= 0 && b >= 0) this.#matrix.connect(this.#number[a]!, this.#number[b]!);
   }
 
   // ---- rounds -------------------------------------------------------------------------------------------------------
@@ -171,8 +141,9 @@ export class Newton {
     this.#readMisses();
     for (let step = 0; step < STEPS; step++) {
       if (this.#readSlope() < this.#still) return true;
-      if (!this.#assemble()) return false;
-      const size = this.#findDirection();
+      if (!this.#matrix.factor()) return false;
+      // Newton's direction goes to `change`.
+      const size = this.#matrix.solve();
       // However small it is: contacts are stiff, and what it changes in what they push is not.
       this.#go();
       if (size < this.#still) return true;
@@ -212,59 +183,6 @@ export class Newton {
       takeAlong(r.values, at, momentum, r.a[i]!, r.b[i]!, r.values[at + R.pushed]!);
     }
     return this.#bodies.fastest(bodies);
-  }
-
-  #assemble(): boolean {
-    if (!this.#analyse()) return false;
-    const { values: c, a, b } = this.#contacts;
-    const matrix = this.#matrix;
-    const { bodies, contacts, rows } = this.#part;
-    matrix.clear();
-    for (let i = 0; i < bodies.length; i++)
-      this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
-    for (const i of contacts)
-      if (stiffnessOf(c, i * C.size, this.#w))
-        addContact(matrix, this.#w, c, i * C.size, this.#numberOf(a[i]!), this.#numberOf(b[i]!));
-    for (const i of rows) if (gives(this.#rows.values, i * R.size)) this.#addRow(i);
-    this.factored++;
-    return matrix.factor();
-  }
-
-  #numberOf(body: number): number {
-    return body < 0 ? -1 : this.#number[body]!;
-  }
-
-  #addRow(i: number): void {
-    const { values: r, a, b } = this.#rows;
-    const matrix = this.#matrix;
-    const at = i * R.size;
-    const penalty = r[at + R.penalty]!;
-    const p = this.#numberOf(a[i]!);
-    const q = this.#numberOf(b[i]!);
-    if (p >= 0) addOuter(matrix.values, matrix.diagonal(p), r, at, at, penalty);
-    if (q >= 0) addOuter(matrix.values, matrix.diagonal(q), r, at + R.b, at + R.b, penalty);
-    if (p < 0 || q < 0) return;
-    const between = matrix.between(p, q);
-    if (between >= 0) addOuter(matrix.values, between, r, at, at + R.b, penalty);
-    else addOuter(matrix.values, -1 - between, r, at + R.b, at, penalty);
-  }
-
-  /** Newton's direction goes to `change`; returns its greatest speed. */
-  #findDirection(): number {
-    const { momentum, change } = this.#bodies;
-    const { bodies } = this.#part;
-    const x = this.#x;
-    for (let i = 0; i < bodies.length; i++)
-      for (let k = 0; k < SIZE; k++) x[i * SIZE + k] = -momentum[bodies[i]! * SIZE + k]!;
-    this.#matrix.solve(x);
-    let size = 0;
-    for (let i = 0; i < bodies.length; i++)
-      for (let k = 0; k < SIZE; k++) {
-        const value = x[i * SIZE + k]!;
-        change[bodies[i]! * SIZE + k] = value;
-        size = Math.max(size, Math.abs(value));
-      }
-    return size;
   }
 
   /** Along the direction found, as far as that goes down. */
@@ -345,7 +263,7 @@ export class Newton {
       c[at + C.change + 1] = c[at + C.change + 2] = 0;
       takePush(c, at, momentum, a[i]!, b[i]!, C.change, 1);
     }
-    this.#findDirection();
+    this.#matrix.solve();
     return true;
   }
 
@@ -361,7 +279,7 @@ export class Newton {
       const at = i * C.size;
       if (c[at + C.state] === SLIDES || c[at + C.overlap]! > SHALLOW) c[at + C.state] = STICKS;
     }
-    return this.#assemble();
+    return this.#matrix.factor();
   }
 }
 

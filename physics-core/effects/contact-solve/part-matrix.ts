@@ -1,0 +1,106 @@
+import { stiffnessOf, C, type ConeContacts } from './cone-contacts.js';
+import { addContact } from './contact-blocks.js';
+import { addOuter, gives, R, type BoundRows } from './bound-rows.js';
+import type { Part } from './part.js';
+import type { SolveBodies } from './solve-bodies.js';
+import { SIZE, SparseCholesky } from './sparse-cholesky.js';
+
+/** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
+const PRODUCTS = 400;
+
+/** How what a part's contacts and joints push answers velocities, with the masses: Newton's matrix. */
+export class PartMatrix {
+  readonly #matrix = new SparseCholesky();
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  #x = new Float64Array(SIZE);
+  readonly #w = new Float64Array(9);
+  /** By body: its number in the part. */
+  #number = new Int32Array(16);
+  #part!: Part;
+  #analysed = false;
+
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
+  }
+
+  begin(part: Part): void {
+    this.#part = part;
+    this.#analysed = false;
+    const { count } = this.#bodies;
+    if (this.#number.length < count) this.#number = new Int32Array(2 * count);
+    if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
+  }
+
+  /** As contacts and rows are now. False: it takes too much work, or has no end. */
+  factor(): boolean {
+    if (!this.#analyse()) return false;
+    const { values: c, a, b } = this.#contacts;
+    const matrix = this.#matrix;
+    const { bodies, contacts, rows } = this.#part;
+    matrix.clear();
+    for (let i = 0; i < bodies.length; i++)
+      this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
+    for (const i of contacts)
+      if (stiffnessOf(c, i * C.size, this.#w))
+        addContact(matrix, this.#w, c, i * C.size, this.#numberOf(a[i]!), this.#numberOf(b[i]!));
+    for (const i of rows) if (gives(this.#rows.values, i * R.size)) this.#addRow(i);
+    return matrix.factor();
+  }
+
+  /** The structure: only once it is needed. */
+  #analyse(): boolean {
+    if (this.#analysed) return true;
+    const { bodies, contacts, rows } = this.#part;
+    this.#matrix.begin(bodies.length);
+    for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
+    for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!);
+    for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!);
+    this.#analysed = this.#matrix.analyse(PRODUCTS * bodies.length);
+    return this.#analysed;
+  }
+
+  #connect(a: number, b: number): void {
+    if (a >= 0 && b >= 0) this.#matrix.connect(this.#number[a]!, this.#number[b]!);
+  }
+
+  #numberOf(body: number): number {
+    return body < 0 ? -1 : this.#number[body]!;
+  }
+
+  #addRow(i: number): void {
+    const { values: r, a, b } = this.#rows;
+    const matrix = this.#matrix;
+    const at = i * R.size;
+    const penalty = r[at + R.penalty]!;
+    const p = this.#numberOf(a[i]!);
+    const q = this.#numberOf(b[i]!);
+    if (p >= 0) addOuter(matrix.values, matrix.diagonal(p), r, at, at, penalty);
+    if (q >= 0) addOuter(matrix.values, matrix.diagonal(q), r, at + R.b, at + R.b, penalty);
+    if (p < 0 || q < 0) return;
+    const between = matrix.between(p, q);
+    if (between >= 0) addOuter(matrix.values, between, r, at, at + R.b, penalty);
+    else addOuter(matrix.values, -1 - between, r, at + R.b, at, penalty);
+  }
+
+  /** What takes the bodies' `momentum` away goes to `change`; returns its greatest speed. */
+  solve(): number {
+    const { momentum, change } = this.#bodies;
+    const { bodies } = this.#part;
+    const x = this.#x;
+    for (let i = 0; i < bodies.length; i++)
+      for (let k = 0; k < SIZE; k++) x[i * SIZE + k] = -momentum[bodies[i]! * SIZE + k]!;
+    this.#matrix.solve(x);
+    let size = 0;
+    for (let i = 0; i < bodies.length; i++)
+      for (let k = 0; k < SIZE; k++) {
+        const value = x[i * SIZE + k]!;
+        change[bodies[i]! * SIZE + k] = value;
+        size = Math.max(size, Math.abs(value));
+      }
+    return size;
+  }
+}

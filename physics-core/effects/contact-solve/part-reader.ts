@@ -1,0 +1,93 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import { isAwake } from '../../engine/body-heap.js';
+import { bodyAAt, bodyBAt, pointAt, pointCountAt } from '../../engine/manifold.js';
+import { contactSurface } from '../contacts/contact-surface.js';
+import type { Effects } from '../effect/effects.js';
+import { jointSolve } from '../joints/joint-solve.js';
+import type { CoupledJoints } from './coupled-joints.js';
+import type { Part } from './part.js';
+import type { ContactPort, ContactStep } from './read-contact.js';
+import type { SolveBodies } from './solve-bodies.js';
+
+const NONE: ReadonlySet<number> = new Set();
+
+/** Reads what a part consists of: bodies, contacts, rows of joints. */
+export class PartReader {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #bodies: SolveBodies;
+  readonly #port: ContactPort;
+  readonly #joints: CoupledJoints;
+  readonly #step: ContactStep = { dt: 0, slop: 0, written: NONE };
+  /** Points that are left to Bullet. */
+  #special: ReadonlySet<number> = NONE;
+
+  constructor(
+    simulation: Simulation,
+    effects: Effects,
+    bodies: SolveBodies,
+    port: ContactPort,
+    joints: CoupledJoints,
+  ) {
+    this.#simulation = simulation;
+    this.#effects = effects;
+    this.#bodies = bodies;
+    this.#port = port;
+    this.#joints = joints;
+  }
+
+  /** A step of `dt` seconds. */
+  begin(dt: number): void {
+    const surface = this.#effects.caused(contactSurface);
+    this.#step.dt = dt;
+    this.#step.slop = this.#simulation.bullet.settings.linearSlop;
+    this.#step.written = surface?.written ?? NONE;
+    this.#special = surface?.special ?? NONE;
+    this.#joints.begin();
+  }
+
+  /** False: there is something that only Bullet can do. */
+  read(part: Part): boolean {
+    const { ammo } = this.#simulation.engine;
+    for (const body of part.bodies)
+      // What is woken by the first touch has contacts that nobody looked at in this step.
+      if (!isAwake(ammo, this.#bodies.pointers[body]!) || !this.#bodies.read(body, this.#step.dt))
+        return false;
+    if (!this.#readJoints(part)) return false;
+    for (const manifold of part.manifolds)
+      if (!this.#readContacts(manifold, part.contacts)) return false;
+    return part.contacts.length > 0;
+  }
+
+  #readContacts(manifold: number, into: number[]): boolean {
+    const { ammo } = this.#simulation.engine;
+    const a = bodyAAt(ammo, manifold);
+    const b = bodyBAt(ammo, manifold);
+    const count = pointCountAt(ammo, manifold);
+    const p = this.#bodies.numberOf(a);
+    const q = this.#bodies.numberOf(b);
+    for (let i = 0; i < count; i++) {
+      const point = pointAt(manifold, i);
+      if (this.#special.has(point)) return false;
+      const contact = this.#port.read(point, a, b, p, q, this.#step);
+      if (contact >= 0) into.push(contact);
+    }
+    return true;
+  }
+
+  #readJoints(part: Part): boolean {
+    const joints = this.#effects.caused(jointSolve);
+    if (!joints) return true;
+    for (const i of part.bodies) {
+      const body = this.#simulation.bodyAt(this.#bodies.pointers[i]!)!;
+      for (const joint of body.joints) {
+        // Each once, by the first of its bodies that moves.
+        if (!joint.attached || (joint.body1?.movable ? joint.body1 !== body : false)) continue;
+        if (joint.lockedRows.length === 0) continue;
+        if (!joints.solvedWith(body)) return false;
+        if (!this.#joints.add(joint, joints, this.#step.dt, part.rows)) return false;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,81 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
+import type { Effects } from '../effect/effects.js';
+import { jointSolve } from '../joints/joint-solve.js';
+import { Parts, type Part } from './part.js';
+import type { SolveBodies } from './solve-bodies.js';
+
+/** What is in touch in a step, and what hangs together by contacts and joints. */
+export class TouchingParts {
+  /** Pointers of the manifolds that have points. */
+  readonly manifolds: number[] = [];
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #bodies: SolveBodies;
+  readonly #parts = new Parts();
+
+  constructor(simulation: Simulation, effects: Effects, bodies: SolveBodies) {
+    this.#simulation = simulation;
+    this.#effects = effects;
+    this.#bodies = bodies;
+  }
+
+  get count(): number {
+    return this.#parts.count;
+  }
+
+  at(i: number): Part {
+    return this.#parts.at(i);
+  }
+
+  gather(): void {
+    this.manifolds.length = 0;
+    this.#bodies.begin();
+    this.#parts.begin();
+    this.#simulation.bullet.eachAwakeManifold(this.#see);
+    for (const manifold of this.manifolds) this.#join(manifold);
+    this.#joinJointed();
+    this.#parts.sort(this.#bodies.count);
+    for (const manifold of this.manifolds) this.#sort(manifold);
+  }
+
+  readonly #see = (manifold: number): void => {
+    if (pointCountAt(this.#simulation.engine.ammo, manifold) > 0) this.manifolds.push(manifold);
+  };
+
+  #join(manifold: number): void {
+    const { ammo } = this.#simulation.engine;
+    const a = this.#numberOf(bodyAAt(ammo, manifold));
+    const b = this.#numberOf(bodyBAt(ammo, manifold));
+    if (a >= 0 && b >= 0) this.#parts.join(a, b);
+  }
+
+  #sort(manifold: number): void {
+    const { ammo } = this.#simulation.engine;
+    const a = this.#numberOf(bodyAAt(ammo, manifold));
+    const b = this.#numberOf(bodyBAt(ammo, manifold));
+    this.#parts.of(a >= 0 ? a : b).manifolds.push(manifold);
+  }
+
+  #numberOf(pointer: number): number {
+    const before = this.#bodies.count;
+    const i = this.#bodies.numberOf(pointer);
+    if (i === before) this.#parts.add(i);
+    return i;
+  }
+
+  /** Who hangs on what touches belongs to it. */
+  #joinJointed(): void {
+    const joints = this.#effects.caused(jointSolve);
+    if (!joints) return;
+    for (let i = 0; i < this.#bodies.count; i++) {
+      const body = this.#simulation.bodyAt(this.#bodies.pointers[i]!);
+      const jointed = body && body.joints.size > 0 && joints.solvedWith(body);
+      if (!jointed) continue;
+      for (const { pointer } of jointed.bodies) {
+        const other = this.#numberOf(pointer);
+        if (other >= 0) this.#parts.join(i, other);
+      }
+    }
+  }
+}
