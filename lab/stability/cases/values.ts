@@ -240,12 +240,12 @@ export const values: StabilityCase[] = [
   },
   {
     id: 'overflow',
-    says: 'a kick that overflows leaves the body at its last pose and the stack below standing',
+    says: 'a kick that would overflow is refused, and the stack stands',
     seconds: 3,
     criterion: { what: 'farthest from its place', unit: 'm', most: 2e-3 },
     promisedFrom: 'game',
     work: 'it is kicked',
-    tells: ['nan-state'],
+    tells: ['bad-value'],
     scene(w) {
       addFloor(w);
       const stack = [0, 1, 2].map((i) =>
@@ -253,7 +253,7 @@ export const values: StabilityCase[] = [
       );
       const before = stack.map(position);
       return greatest(() => most(stack.map((body, i) => distance(position(body), before[i]!))), {
-        // 1e39 m/s: infinite in single precision.
+        // It would make 1e39 m/s, infinite in single precision.
         before: (seconds) => {
           if (Math.round(60 * seconds) === 60) stack[2]!.applyImpulse([1e38, 0, 0]);
         },
