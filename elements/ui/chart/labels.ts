@@ -23,8 +23,8 @@ interface Box {
 const LINE = 14;
 const DOT = 8;
 
-/** Of a name, pixels: in the mean 6.5 for a letter, and room for those that are broad or bold. */
-const widthOf = (text: string): number => 6.5 * text.length + 10;
+/** Of a name, pixels: 8 for a letter, as broad fonts have it that are bold, and room beside it. */
+const widthOf = (text: string): number => 8 * text.length + 8;
 
 /** From a dot's middle to the base line of its name: above it, below it, and farther, at last anywhere, where dots are close. */
 const LINES = [-6, 16, -20, 30, -34, 44];

@@ -22,10 +22,6 @@ import { RowSystem } from './row-system.js';
  */
 const ROUNDS = 8;
 
-/** Joints of a chain that may crack like a whip, and the angle that it then turns by in a step, radians. */
-const LONG = 8;
-const WHIPS = 0.6;
-
 /** Rounds, at most, in which what has too much energy is slowed. */
 const SLOWING_ROUNDS = 3;
 
@@ -130,7 +126,7 @@ export class ComponentSolve {
   solve(component: Component, dt: number): boolean {
     const torn = this.#fill(component, dt) > TORN;
     this.#system.firm = this.#taut.goesOn(component);
-    const free = this.#isFree(component, dt);
+    const free = this.#isFree(component);
     if (free) this.#budget.begin(component);
     else this.#budget.forget(component);
     this.bodies.noteStep(component, dt);
@@ -149,15 +145,9 @@ export class ComponentSolve {
     return true;
   }
 
-  /**
-   * Whether steps may throw it, by loops or since it whips, and nothing but forces does work on it: no motor, nothing soft,
-   * nobody who drags or carries.
-   */
-  #isFree(component: Component, dt: number): boolean {
-    const { joints, loops } = component;
-    if (this.#system.resisting.size > 0) return false;
-    if (loops.length === 0 && (joints.length < LONG || this.bodies.spin(component) * dt < WHIPS))
-      return false;
+  /** Whether it has loops, and nothing but forces does work on it: no motor, nothing soft, nobody who drags or carries. */
+  #isFree({ joints, loops }: Component): boolean {
+    if (loops.length === 0 || this.#system.resisting.size > 0) return false;
     for (const k of joints)
       if (this.#ends.moves(k) || this.#bounded.any(k) || this.#rows.anySoft(k)) return false;
     return true;

@@ -1,4 +1,3 @@
-import { dot3 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -234,17 +233,6 @@ export class JointedBodies {
     to[into] = m[o]! * x + m[o + 1]! * y + m[o + 2]! * z;
     to[into + 1] = m[o + 3]! * x + m[o + 4]! * y + m[o + 5]! * z;
     to[into + 2] = m[o + 6]! * x + m[o + 7]! * y + m[o + 8]! * z;
-  }
-
-  /** The fastest spin of what was read, rad/s. */
-  spin({ bodies }: Component): number {
-    const v = this.velocity;
-    let most = 0;
-    for (const i of bodies) {
-      const at = i * SIDE + 3;
-      most = Math.max(most, dot3(v, at, v, at));
-    }
-    return Math.sqrt(most);
   }
 
   // ---- after the solution ---------------------------------------------------------------------------------------------
