@@ -148,7 +148,10 @@ export class Ledger {
     return dynamic.reduce((sum, body) => sum + (body.mass.mass * (2 * fastest) ** 2) / 2, 0);
   }
 
-  /** Not promised where bodies begin inside each other: what a torn joint pulls through them on its way back is thrown. */
+  /**
+   * Not promised: what begins deep inside another is thrown out. A board of 2.8 m that spins at 5 rad/s within a slab does
+   * so at 79 rad/s a step later.
+   */
   get #overlapped(): boolean {
     return this.#world.problems.some(({ code }) => code === 'initial-overlap');
   }

@@ -6,7 +6,6 @@ import { inverseMassOf, speedSquared } from '../../engine/solver-body.js';
 import { contactShapes } from '../manifolds/contact-shapes.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { gyroscopic } from '../flight/gyroscopic.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
@@ -32,9 +31,6 @@ const SLOW = 0.25;
  */
 const BUSY = 400;
 const CALM = 0.05;
-
-/** What is turned farther than this where overlaps are taken out has jumped, radians. */
-const TURNED = 1e-3;
 
 /** Share of the bodies that such parts have to have at least, in a busy world. */
 const WORTH = 0.1;
@@ -222,22 +218,16 @@ export class ContactSolve extends Effect {
   override solved(): void {
     const { ammo } = this.#simulation.engine;
     for (const part of this.#solved) {
-      for (const body of part.bodies) this.#write(body);
+      for (const body of part.bodies) {
+        this.#bodies.writeVelocity(body);
+        this.#bodies.writePlace(body);
+      }
       for (const i of part.contacts) {
         setSolverDistanceAt(ammo, this.#contacts.pointers[i]!, this.#distances[i]!);
         this.#port.write(i);
       }
       for (const i of part.rows) this.#joints.keep(i);
     }
-  }
-
-  #write(body: number): void {
-    this.#bodies.writeVelocity(body);
-    this.#bodies.writePlace(body);
-    if (this.#bodies.turnOf(body) < TURNED) return;
-    // It keeps its spin, as what jumps does: with its momentum a board that is turned out of a slab would spin up.
-    const node = this.#simulation.bodyAt(this.#bodies.pointers[body]!);
-    if (node) this.#effects.find(gyroscopic)?.forget(node);
   }
 }
 

@@ -47,9 +47,6 @@ const FLAT = 0.1;
 /** Overlaps that are let stand: single precision has 1e-6 m at ten metres from the origin. */
 const SHALLOW = 1e-6;
 
-/** What overlaps is turned by so much in a step at most, radians: ways that are straight are true of small angles only. */
-const MOST_TURNED = 0.1;
-
 /** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
 const SLOW = 0.7;
 
@@ -267,7 +264,6 @@ export class Newton {
       takePush(c, at, momentum, a[i]!, b[i]!, C.change, 1);
     }
     this.#matrix.solve();
-    this.#bodies.limitTurn(this.#part.bodies, MOST_TURNED);
     return true;
   }
 

@@ -129,23 +129,6 @@ export class SolveBodies {
     return Math.sqrt(most);
   }
 
-  /** By how much it is turned where it was pushed apart, radians. */
-  turnOf(body: number): number {
-    const at = body * SIZE + 3;
-    return Math.sqrt(dot3(this.change, at, this.change, at));
-  }
-
-  /** All of them change by a smaller share, so that none turns by more than this. */
-  limitTurn(bodies: readonly number[], most: number): void {
-    const { change } = this;
-    let farthest = 0;
-    for (const body of bodies) farthest = Math.max(farthest, this.turnOf(body));
-    if (farthest <= most) return;
-    const share = most / farthest;
-    for (const body of bodies)
-      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) change[k]! *= share;
-  }
-
   /** changeᵀ momentum */
   along(bodies: readonly number[]): number {
     let sum = 0;
