@@ -44,10 +44,8 @@ function tooMuch(geometry: Geometry): string | undefined {
   const points = isGrid ? across[0]! * across[1]! : pointsIn(geometry);
   if (points > MOST_POINTS) return `a ${type} of ${points} points has more than ${MOST_POINTS}`;
   const scale = Math.max(1, ...across) * largest(geometry.linear ?? [1]);
-  const [least, most] = [BOUNDS.geometry, shownBound(BOUNDS.geometry)];
-  return largestLength(geometry) * scale <= least
-    ? undefined
-    : `a ${type} that is scaled to more than ${most} m is beyond the most that it may be`;
+  if (largestLength(geometry) * scale <= BOUNDS.geometry) return undefined;
+  return `a ${type} that is scaled to more than ${shownBound(BOUNDS.geometry)} m is beyond the most that it may be`;
 }
 
 const PLACEMENT = ['translation', 'rotation', 'linear'];

@@ -116,7 +116,7 @@ export class ContactShapes extends Effect {
     const partA = this.#partNumber(manifold, first.body, 0);
     const partB = this.#partNumber(manifold, second.body, 1);
     const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
-    // Of two surfaces, and of a hull without a volume, which has neither form nor surface, Bullet finds the points.
+    // Of two surfaces, and of a part without an outline, Bullet finds the points.
     if (!ofA || !ofB || !(ofA.form ?? ofB.form)) return;
     if (!(ofA.form ?? ofA.surface) || !(ofB.form ?? ofB.surface)) return;
     this.#place(this.#a, a, ofA);
