@@ -6,6 +6,7 @@ import { inverseMassOf, speedSquared } from '../../engine/solver-body.js';
 import { contactShapes } from '../manifolds/contact-shapes.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
+import { gyroscopic } from '../flight/gyroscopic.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
@@ -15,28 +16,39 @@ import { PartReader } from './part-reader.js';
 import { ContactPort } from './read-contact.js';
 import { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
+import { Sweeps } from './sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
 
-/** Bodies of one part that are always solved directly; and those that are once all are slower than this, m/s. */
+/** Bodies of one part that always get a matrix; and those that may, once all are slower than this, m/s. */
 const FEW = 24;
 const MOST = 600;
 const SLOW = 0.25;
 
-/**
- * Pairs in touch in a world that is so busy that nothing is solved directly but parts whose bodies are all slower than
- * this, m/s.
- */
-const BUSY = 400;
-const CALM = 0.05;
+/** What is turned farther than this where overlaps are taken out takes its spin along, radians. */
+const TURNED = 1e-3;
 
-/** Share of the bodies that such parts have to have at least, in a busy world. */
+/** Pairs in touch in a world that is so busy that larger parts get none. */
+const BUSY = 400;
+
+/** Share of bodies that are not slow from which on a part is Bullet's. */
+const FAST = 0.25;
+
+/** Share of the bodies that parts solved here have to have at least, in a busy world. */
 const WORTH = 0.1;
 
 /** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
+
+/** How a part is solved: `newton` or `sweeps`. */
+interface Solver {
+  /** False: it finds no end. */
+  solve(part: Part): boolean;
+  /** By how much its bodies are moved apart goes to `change` of the bodies. False: nothing overlaps. */
+  pushApart(): boolean;
+}
 
 /**
  * Solves what is in touch directly, joints included: between Bullet's contact search and its solver it finds the
@@ -52,6 +64,7 @@ export class ContactSolve extends Effect {
   readonly #parts: TouchingParts;
   readonly #reader: PartReader;
   readonly #newton: Newton;
+  readonly #sweeps: Sweeps;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   /** Those that are solved directly, and those that were. */
@@ -83,6 +96,7 @@ export class ContactSolve extends Effect {
     const { ammo } = simulation.engine;
     this.#bodies = new SolveBodies(ammo);
     this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
+    this.#sweeps = new Sweeps(this.#contacts, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(simulation, this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
@@ -166,7 +180,7 @@ export class ContactSolve extends Effect {
     direct.clear();
     for (let i = 0; i < this.#parts.count; i++) {
       const part = this.#parts.at(i);
-      if (part.manifolds.length === 0 || !this.#isDirect(part)) continue;
+      if (part.manifolds.length === 0 || !this.#solverOf(part)) continue;
       chosen.push(part);
       for (const body of part.bodies) direct.add(pointers[body]!);
     }
@@ -178,15 +192,18 @@ export class ContactSolve extends Effect {
     const { stepsTaken } = this.#simulation;
     const pointer = this.#bodies.pointers[part.bodies[0]!]!;
     if (this.#failed.get(pointer)! > stepsTaken) return;
-    if (this.#newton.solve(part)) {
+    const solver = this.#solverOf(part)!;
+    // Joints are stiff: sweeps would leave them open.
+    if (solver === this.#sweeps && part.rows.length > 0) return;
+    if (solver.solve(part)) {
       this.#failed.delete(pointer);
-      this.#take(part);
+      this.#take(part, solver);
     } else this.#failed.set(pointer, stepsTaken + PAUSE);
   }
 
   /** Bullet's solver is to leave it alone. */
-  #take(part: Part): void {
-    if (!this.#newton.pushApart())
+  #take(part: Part, solver: Solver): void {
+    if (!solver.pushApart())
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
     this.#solved.push(part);
     const { ammo } = this.#simulation.engine;
@@ -197,37 +214,50 @@ export class ContactSolve extends Effect {
     }
   }
 
-  /** Whether a matrix is cheaper than the iterations that it saves: of many that tumble, contacts change too fast. */
-  #isDirect({ bodies }: Part): boolean {
-    if (bodies.length > MOST) return false;
-    if (this.#isBusy()) return this.#areSlow(bodies, CALM);
-    return bodies.length <= FEW || this.#areSlow(bodies, SLOW);
+  /**
+   * A matrix where that is cheaper than the iterations that it saves; sweeps where it is not, but most bodies are so slow
+   * that contacts last from step to step. Undefined: Bullet's iterations.
+   */
+  #solverOf({ bodies }: Part): Solver | undefined {
+    if (bodies.length <= FEW) return this.#newton;
+    if (bodies.length > MOST) return undefined;
+    const fast = this.#fastOf(bodies);
+    if (fast === 0 && !this.#isBusy()) return this.#newton;
+    return fast < FAST * bodies.length ? this.#sweeps : undefined;
   }
 
   #isBusy(): boolean {
     return this.#parts.manifolds.length > BUSY;
   }
 
-  #areSlow(bodies: readonly number[], speed: number): boolean {
+  /** How many of them are not slow. */
+  #fastOf(bodies: readonly number[]): number {
     const { ammo } = this.#simulation.engine;
+    let fast = 0;
     for (const body of bodies)
-      if (speedSquared(ammo, this.#bodies.pointers[body]!) > speed ** 2) return false;
-    return true;
+      if (speedSquared(ammo, this.#bodies.pointers[body]!) > SLOW ** 2) fast++;
+    return fast;
   }
 
   override solved(): void {
     const { ammo } = this.#simulation.engine;
     for (const part of this.#solved) {
-      for (const body of part.bodies) {
-        this.#bodies.writeVelocity(body);
-        this.#bodies.writePlace(body);
-      }
+      for (const body of part.bodies) this.#write(body);
       for (const i of part.contacts) {
         setSolverDistanceAt(ammo, this.#contacts.pointers[i]!, this.#distances[i]!);
         this.#port.write(i);
       }
       for (const i of part.rows) this.#joints.keep(i);
     }
+  }
+
+  #write(body: number): void {
+    this.#bodies.writeVelocity(body);
+    this.#bodies.writePlace(body);
+    const spins = this.#effects.caused(gyroscopic);
+    if (!spins || !this.#bodies.isTurned(body, TURNED)) return;
+    const node = this.#simulation.bodyAt(this.#bodies.pointers[body]!);
+    if (node) spins.turnAside(node, this.#bodies.change, body * SIZE + 3);
   }
 }
 

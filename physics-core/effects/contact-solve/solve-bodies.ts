@@ -129,6 +129,12 @@ export class SolveBodies {
     return Math.sqrt(most);
   }
 
+  /** Whether it is turned by more than this where it was pushed apart, radians. */
+  isTurned(body: number, least: number): boolean {
+    const at = body * SIZE + 3;
+    return dot3(this.change, at, this.change, at) > least ** 2;
+  }
+
   /** changeᵀ momentum */
   along(bodies: readonly number[]): number {
     let sum = 0;

@@ -8,6 +8,7 @@ import { jointSolve } from '../joints/joint-solve.js';
 import {
   applyInertia,
   applyInverseInertia,
+  cross3,
   dot3,
   multiply4,
   writeTurn,
@@ -51,8 +52,10 @@ interface Spin {
   axes: Float64Array;
   /** It turns little enough in the step that what joints give it may be kept as momentum. */
   slow: boolean;
-  /** It turns farther in the step than Bullet does: its axes are elsewhere at the end. */
+  /** It turns farther in the step than Bullet does, or is turned aside: its axes are elsewhere at the end. */
   beyond: boolean;
+  /** By how much it is turned aside, radians. */
+  aside: Float64Array;
 }
 
 /**
@@ -99,6 +102,14 @@ export class Gyroscopic extends Effect {
     this.#spinning.delete(body);
   }
 
+  /** It is turned aside within the step, by so many radians, and that is no motion: its spin turns along. */
+  turnAside(body: Body, radians: Float64Array, at: number): void {
+    const state = this.#spinning.get(body);
+    if (!state) return;
+    for (let i = 0; i < 3; i++) state.aside[i] = radians[at + i]!;
+    state.beyond = true;
+  }
+
   override beforeStep(dt: number): void {
     for (const [body, top] of this.#tops) {
       if (body.active && !body.sleeping) this.#lead(body, top, dt);
@@ -134,6 +145,7 @@ export class Gyroscopic extends Effect {
     if (!same3(left, v, 3)) applyInertia(momentum, 0, this.#axes, moments, v, 3);
     this.#turnFreely(top, momentum, dt);
     this.#writeSpin(given, dt);
+    state.aside.fill(0);
     state.beyond = Math.hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
     this.#writeEnd(body, state, this.#orientation, 0);
     this.#give(body, given);
@@ -188,13 +200,21 @@ export class Gyroscopic extends Effect {
     const alone = state.slow && (this.#effects.caused(jointSolve)?.alone(body) ?? false);
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
     if (alone) this.#takeMomentum(body, state);
-    else for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
+    else {
+      for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
+      if (state.beyond) this.#turnSpin(state.aside);
+    }
     if (!free && !state.slow) this.#bound(body, state);
     for (let i = 0; i < 3; i++) spin[i] = Math.fround(spin[i]!);
     if (free || alone) left.set(spin);
     else left.fill(NaN);
     this.#give(body, spin);
     this.#simulation.bodies.readVelocity(body);
+  }
+
+  #turnSpin(radians: Float64Array): void {
+    writeTurn(this.#turn, radians, 1);
+    turnVector(this.#spin, this.#turn);
   }
 
   /**
@@ -258,6 +278,17 @@ function energyOf(
   return sum;
 }
 
+/** Turns it by a unit quaternion. */
+function turnVector(v: Float64Array, q: Float64Array): void {
+  cross3(twice, 0, q, 0, v, 0);
+  for (let i = 0; i < 3; i++) twice[i]! *= 2;
+  cross3(across, 0, q, 0, twice, 0);
+  for (let i = 0; i < 3; i++) v[i]! += q[3]! * twice[i]! + across[i]!;
+}
+
+const twice = new Float64Array(3);
+const across = new Float64Array(3);
+
 const newSpin = (): Spin => ({
   momentum: new Float64Array(3),
   given: new Float64Array(3),
@@ -266,6 +297,7 @@ const newSpin = (): Spin => ({
   axes: new Float64Array(9),
   slow: false,
   beyond: false,
+  aside: new Float64Array(3),
 });
 
 const same3 = (a: Float64Array, b: Float64Array, at: number): boolean =>
