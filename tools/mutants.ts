@@ -105,6 +105,7 @@ const open: Partial<Record<keyof typeof guards, unknown>> = {
   massive: () => true,
   finiteState: () => true,
   positive: () => true,
+  torn: () => false,
 };
 
 /** The other guards limit their first argument. */

@@ -44,6 +44,9 @@ export const guards = {
   /** Softness of a joint in Bullet's terms; from 1 on Bullet lets the joint go. */
   jointSoftness: (cfm: number, most: number): number => Math.min(most, cfm),
 
+  /** A joint that an edit tore apart: what closes its error is no motion and gives nobody any. */
+  torn: (error: number, least: number): boolean => error > least,
+
   /** Extents thinner than this have no volume to collide with. */
   thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
 };

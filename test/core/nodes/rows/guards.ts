@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import {
   addBody,
   addFloor,
+  addJoint,
   below,
   box,
   claim,
@@ -204,6 +205,23 @@ export const guardRows: Row[] = [
       broken.set('position', [0, 4, 0]);
       w.advance(2);
       close(height(broken), 1.5, 5e-3, 'm, back in the world');
+    },
+  },
+  {
+    guard: 'torn',
+    fact: 'a link put elsewhere is drawn back without striking what it touches there',
+    run: async () => {
+      const w = await world(WEIGHTLESS);
+      const link = addBody(w, { position: [0, -1, 0], mass: 10, geometry: [box(0.4)] });
+      addJoint(w, 'BallJoint', { body1: link });
+      w.step();
+      const touched = addBody(w, { position: [0, 1.7, 0], geometry: [box(0.2)] });
+      link.teleport([0, 2, 0]);
+      for (let i = 0; i < 30; i++) {
+        w.step();
+        close([...velocity(link), ...velocity(touched)], new Array<number>(6).fill(0), 0.01, 'm/s');
+      }
+      below(touched.pose().p[1] - 1.7, 0.1, 'm, moved');
     },
   },
   {
