@@ -106,6 +106,7 @@ const open: Partial<Record<keyof typeof guards, unknown>> = {
   finiteState: () => true,
   positive: () => true,
   torn: () => false,
+  alike: () => true,
 };
 
 /** The other guards limit their first argument. */

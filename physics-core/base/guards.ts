@@ -47,6 +47,9 @@ export const guards = {
   /** A joint that an edit tore apart: what closes its error is no motion and gives nobody any. */
   torn: (error: number, least: number): boolean => error > least,
 
+  /** Masses that contacts hold: the heavier one lies on the lighter. Others are told of. */
+  alike: (heavy: number, light: number, most: number): boolean => heavy <= most * light,
+
   /** Extents thinner than this have no volume to collide with. */
   thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
 };

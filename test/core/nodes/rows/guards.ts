@@ -10,6 +10,7 @@ import {
   height,
   position,
   spin,
+  told,
   velocity,
   way,
   world,
@@ -222,6 +223,19 @@ export const guardRows: Row[] = [
         close([...velocity(link), ...velocity(touched)], new Array<number>(6).fill(0), 0.01, 'm/s');
       }
       below(touched.pose().p[1] - 1.7, 0.1, 'm, moved');
+    },
+  },
+  {
+    guard: 'alike',
+    fact: 'a load beyond what contacts hold at the present accuracy is told of, with the accuracy that holds it',
+    run: async () => {
+      const w = await world();
+      claim(w, 'mass-ratio');
+      addFloor(w);
+      addBody(w, { position: [0, 0.5, 0], geometry: [box(1)] });
+      addBody(w, { position: [0, 1.5, 0], mass: 8000, geometry: [box(1)] });
+      w.advance(1);
+      assert.match(told(w, 'mass-ratio').join(), /accuracy="fine" or better holds this/);
     },
   },
   {
