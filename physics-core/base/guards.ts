@@ -50,6 +50,9 @@ export const guards = {
   /** Masses that contacts hold: the heavier one lies on the lighter. Others are told of. */
   alike: (heavy: number, light: number, most: number): boolean => heavy <= most * light,
 
+  /** Bytes of the wasm heap: where it is full nothing is made any more. */
+  roomy: (bytes: number, most: number): boolean => bytes <= most,
+
   /** Extents thinner than this have no volume to collide with. */
   thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
 };
