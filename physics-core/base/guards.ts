@@ -53,6 +53,9 @@ export const guards = {
   /** Bytes of the wasm heap: where it is full nothing is made any more. */
   roomy: (bytes: number, most: number): boolean => bytes <= most,
 
+  /** What an impulse of the last step is worth once a body of its contact has another mass: it would throw a light one. */
+  impulseOfOtherMass: (_impulse: number): number => 0,
+
   /** Extents thinner than this have no volume to collide with. */
   thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
 };
