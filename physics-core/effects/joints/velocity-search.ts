@@ -1,10 +1,10 @@
 import type { BoundedRows } from './bounded-rows.js';
-import { Taut } from './closing.js';
 import type { Component } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { LockedRows } from './locked-rows.js';
 import type { NextPoses } from './next-poses.js';
 import type { PointConstraints } from './point-constraints.js';
+import { Recent } from './recent.js';
 import type { RowSystem } from './row-system.js';
 
 /**
@@ -14,7 +14,7 @@ import type { RowSystem } from './row-system.js';
 const ROUNDS = 8;
 
 /** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
-const NO_MISS = 1e-6;
+export const NO_MISS = 1e-6;
 
 /** Misses (m, rad) that a step may leave where its rounds do not find together. */
 export const LEFT_OPEN = 1e-5;
@@ -32,7 +32,8 @@ interface Parts {
 /** Finds the velocities that take the bodies of a component, along their round ways, to where its joints are to be. */
 export class VelocitySearch {
   readonly #parts: Parts;
-  readonly taut = new Taut();
+  /** Loops that could not be made whole. */
+  readonly taut = new Recent();
   /** Components whose round ways could not be met: the step leaves them open. */
   readonly open = new Set<Component>();
 
