@@ -105,6 +105,9 @@ const open: Partial<Record<keyof typeof guards, unknown>> = {
   massive: () => true,
   finiteState: () => true,
   positive: () => true,
+  torn: () => false,
+  alike: () => true,
+  roomy: () => true,
 };
 
 /** The other guards limit their first argument. */

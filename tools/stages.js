@@ -93,6 +93,10 @@ export const STAGES = [
     run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
   },
   { name: 'fuzz', run: script(['--import', 'tsx', 'test/fuzz/run.ts']) },
+  {
+    name: 'fuzz-edits',
+    run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
+  },
   { name: 'stories', run: script(['tools/stories-test.js']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'lab', run: labErrors },

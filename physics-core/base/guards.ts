@@ -44,6 +44,18 @@ export const guards = {
   /** Softness of a joint in Bullet's terms; from 1 on Bullet lets the joint go. */
   jointSoftness: (cfm: number, most: number): number => Math.min(most, cfm),
 
+  /** A joint that an edit tore apart: what closes its error is no motion and gives nobody any. */
+  torn: (error: number, least: number): boolean => error > least,
+
+  /** Masses that contacts hold: the heavier one lies on the lighter. Others are told of. */
+  alike: (heavy: number, light: number, most: number): boolean => heavy <= most * light,
+
+  /** Bytes of the wasm heap: where it is full nothing is made any more. */
+  roomy: (bytes: number, most: number): boolean => bytes <= most,
+
+  /** What an impulse of the last step is worth once a body of its contact has another mass: it would throw a light one. */
+  impulseOfOtherMass: (_impulse: number): number => 0,
+
   /** Extents thinner than this have no volume to collide with. */
   thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
 };

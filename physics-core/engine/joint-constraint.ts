@@ -135,6 +135,11 @@ export class JointConstraint {
     for (const row of rows) this.#world.releaseRow(this.pointer, row);
   }
 
+  /** Lets go of rows with stops until they are told limits. */
+  releaseStops(rows: readonly number[]): void {
+    for (const row of rows) this.#world.releaseRow(this.pointer, row);
+  }
+
   /** Share of a row's error repaired per step, and its softness in Bullet's own terms. */
   setCorrection(row: number, erp: number, softness: number): void {
     this.#bullet.setParam(CONSTRAINT_PARAM.stopErp, erp, row);

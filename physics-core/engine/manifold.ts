@@ -1,3 +1,4 @@
+import { guards } from '../base/guards.js';
 import type { Ammo } from './ammo.js';
 import { MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
 
@@ -82,6 +83,6 @@ export function forgetImpulses(ammo: Ammo, manifold: Manifold): void {
   for (let i = 0; i < count; i++) {
     const point = pointAfter(first, i);
     for (const at of [POINT.impulse, POINT.lateralImpulse1, POINT.lateralImpulse2])
-      HEAPF32[(point + at) >> 2] = 0;
+      HEAPF32[(point + at) >> 2] = guards.impulseOfOtherMass(HEAPF32[(point + at) >> 2]!);
   }
 }

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { loadEngine } from '../../physics-core/inside.js';
 import { OwnedObjects } from './heap.js';
+import { editsPlan } from './edits-plan.js';
 import { plan } from './plan.js';
 import { play } from './play.js';
 
@@ -10,6 +11,7 @@ import { play } from './play.js';
 const SHRINKING = 20_000;
 
 const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
+const plans = process.argv[4] === 'edits' ? editsPlan : plan;
 
 async function main(): Promise<void> {
   const owned = new OwnedObjects(await loadEngine());
@@ -23,7 +25,7 @@ async function main(): Promise<void> {
 
 async function failureOf(seed: number, owned: OwnedObjects): Promise<string | undefined> {
   const found = await fc.check(
-    fc.asyncProperty(plan, (one) => play(one, owned)),
+    fc.asyncProperty(plans, (one) => play(one, owned)),
     { seed, numRuns: 1, interruptAfterTimeLimit: SHRINKING },
   );
   if (!found.failed) return undefined;

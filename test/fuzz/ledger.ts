@@ -1,17 +1,19 @@
 import type { World } from '../../physics-core/inside.js';
 import { applyInertia } from '../../physics-core/dynamics/inertia.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
-import { add, cross, dot, length, subtract } from '../../physics-core/base/math.js';
+import { add, cross, dot, length, subtract, type Pose } from '../../physics-core/base/math.js';
+import { turnOf } from '../../physics-core/effects/drag/carried.js';
 import type { Vec3 } from '../../physics-core/fields/types.js';
 
-/** Speed at which an overlap or a gap that edits left may be repaired, m/s: bodies are a metre large, more or less. */
-const REPAIR = 3;
+/** Speed of all bodies together that nobody need have put in, m/s: what a step does before its fall is reckoned. */
+const UNEXPLAINED = 0.5;
 
 /** More than what the author put in by this factor is a fault. */
 const FACTOR = 4;
 
 interface Moment {
   centre: Vec3;
+  speed: Vec3;
   spin: number;
 }
 
@@ -37,6 +39,8 @@ export class Ledger {
   #fallen = 0;
   #mostFallen = 0;
   #before = new Map<BodyNode, Moment>();
+  /** Where bodies were after the last step. */
+  #stood = new Map<BodyNode, Pose>();
   /** One-off forces of the next step. */
   #pushes: [body: BodyNode, force: Vec3, torque: Vec3][] = [];
 
@@ -75,11 +79,14 @@ export class Ledger {
 
   beforeStep(): void {
     this.#before = new Map();
-    for (const body of this.#world.bodies)
+    for (const body of this.#world.bodies) {
+      const [speed, spin] = velocities(this.#world, body);
       this.#before.set(body, {
         centre: centreOf(body),
-        spin: length(velocities(this.#world, body)[1]),
+        speed,
+        spin: length(spin),
       });
+    }
   }
 
   afterStep(): void {
@@ -108,8 +115,16 @@ export class Ledger {
     if (!before) return;
     const way = subtract(centreOf(body), before.centre);
     this.#fallen += body.mass.mass * dot(body.gravity, way);
+    this.#given += this.#lifted(body, way, before.speed, timeStep);
     const { force, torque } = body.constantLoad;
     this.#given += length(force) * length(way) + length(torque) * this.#turn(body, timeStep);
+  }
+
+  /** What an overlap or a gap that edits left takes upwards without motion may fall down again. */
+  #lifted(body: BodyNode, way: Vec3, before: Vec3, timeStep: number): number {
+    const [after] = velocities(this.#world, body);
+    const work = (v: Vec3): number => -body.mass.mass * dot(body.gravity, v);
+    return Math.max(0, work(way) - timeStep * Math.max(0, work(before), work(after)));
   }
 
   /** Every motor at its strongest. */
@@ -136,15 +151,25 @@ export class Ledger {
     this.#given += twist * length(spin) + twist ** 2 / (2 * Math.min(...moments));
   }
 
+  /** Metres and radians that edits took a body since the last step. */
+  #told(body: BodyNode): [way: number, turn: number] {
+    const from = this.#stood.get(body);
+    if (!from) return [0, 0];
+    const to = body.pose();
+    return [length(subtract(to.p, from.p)), length(turnOf(from, to))];
+  }
+
   /** Fixed bodies that are carried strike others at their own speed, which may throw these at twice that. */
   #carried(timeStep: number, dynamic: readonly BodyNode[]): number {
     let fastest = 0;
     for (const body of this.#world.bodies)
       if (body.kinematic) {
         const [v, spin] = velocities(this.#world, body);
-        const speed = Math.max(length(v), this.#way(body) / timeStep);
-        fastest = Math.max(fastest, speed + REACH * length(spin));
+        const [way, turn] = this.#told(body);
+        const speed = Math.max(length(v), way / timeStep);
+        fastest = Math.max(fastest, speed + REACH * Math.max(length(spin), turn / timeStep));
       }
+    this.#stood = new Map([...this.#world.bodies].map((body) => [body, body.pose()]));
     return dynamic.reduce((sum, body) => sum + (body.mass.mass * (2 * fastest) ** 2) / 2, 0);
   }
 
@@ -156,14 +181,21 @@ export class Ledger {
     return this.#world.problems.some(({ code }) => code === 'initial-overlap');
   }
 
+  /** Joules of motion beyond four times what was put in; negative: all is well. */
+  get #excess(): number {
+    return this.#motion() - FACTOR * (this.#given + this.#mostFallen);
+  }
+
+  /** Speed at which all bodies together would have that much, m/s. */
+  get excessSpeed(): number {
+    const mass = this.#dynamic().reduce((sum, { mass: { mass } }) => sum + mass, 0);
+    return mass > 0 ? Math.sqrt((2 * Math.max(0, this.#excess)) / mass) : 0;
+  }
+
   /** What is wrong now; undefined: nothing. */
   fault(): string | undefined {
-    if (this.#overlapped) return undefined;
-    const motion = this.#motion();
-    const repaired = this.#dynamic().reduce((sum, { mass }) => sum + mass.mass, 0) * REPAIR ** 2;
-    const most = FACTOR * (this.#given + this.#mostFallen) + repaired / 2;
-    if (!(motion > most)) return undefined;
-    return `${motion.toPrecision(3)} J of motion, of ${this.#given.toPrecision(3)} J given and ${this.#mostFallen.toPrecision(3)} J fallen`;
+    if (this.#overlapped || !(this.excessSpeed > UNEXPLAINED)) return undefined;
+    return `${this.#motion().toPrecision(3)} J of motion, of ${this.#given.toPrecision(3)} J given and ${this.#mostFallen.toPrecision(3)} J fallen`;
   }
 }
 

@@ -2,20 +2,27 @@
 // finite, stay on the heap, or have energy that its author never gave. What fails is shrunk and printed with its seed.
 //   --runs 10000   how many (1000)
 //   --seed 7       of the first; the others follow it (1)
+//   --edits        only edits of what hangs together and touches, while it runs
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 import { parseArgs } from 'node:util';
 
 const { values } = parseArgs({
-  options: { runs: { type: 'string', default: '1000' }, seed: { type: 'string', default: '1' } },
+  options: {
+    runs: { type: 'string', default: '1000' },
+    seed: { type: 'string', default: '1' },
+    edits: { type: 'boolean', default: false },
+  },
 });
+
+const plans = values.edits ? 'edits' : 'scenes';
 
 /** A run hangs that takes so many seconds, shrinking included. */
 const HANGS = 60;
 
 /** Runs up to the last one that came to its end; the next seed after one that hung. */
 function batch(first: number, runs: number): Promise<{ next: number; failed: number }> {
-  const args = ['--import', 'tsx', 'test/fuzz/batch.ts', String(first), String(runs)];
+  const args = ['--import', 'tsx', 'test/fuzz/batch.ts', String(first), String(runs), plans];
   const child = spawn(process.execPath, args, { stdio: ['ignore', 'pipe', 'inherit'] });
   return new Promise((resolve) => {
     let [seed, failed, ended] = [first, 0, false];

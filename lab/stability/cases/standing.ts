@@ -9,7 +9,7 @@ const cylinder = { type: 'Cylinder', radius: 0.5, height: 1 };
 
 interface Standing extends Pick<
   StabilityCase,
-  'id' | 'says' | 'promisedFrom' | 'load' | 'finest' | 'alsoTested'
+  'id' | 'says' | 'promisedFrom' | 'load' | 'finest' | 'alsoTested' | 'mayTell'
 > {
   seconds?: number;
   /** Metres; a millimetre by default. */
@@ -53,6 +53,8 @@ const heavy = (ratio: number, promisedFrom: Standing['promisedFrom']): Stability
       load: { of: 'masses', ratio },
       promisedFrom,
       seconds: ratio === 100 ? 60 : 10,
+      // At levels that do not promise it.
+      ...(ratio > 1000 && { mayTell: ['mass-ratio'] }),
     },
     () => stack(6, 1, (i) => ({ mass: i < 5 ? 1 : ratio })),
   );

@@ -92,7 +92,6 @@ export class BoundedRows {
     const side = stop.high - value < value - stop.low ? 1 : -1;
     this.#sides[i] = side;
     this.#noteChange(k, r);
-    this.#system.compliance[i] = softnessAtStep(stop.softness, stop.correction, dt) / dt;
     this.#system.bounded(i, side > 0 ? -Infinity : 0, side > 0 ? 0 : Infinity);
     return Math.max(0, this.#beyond(i, stop));
   }
@@ -140,6 +139,8 @@ export class BoundedRows {
     const i = k * ROWS + r;
     const side = this.#sides[i]!;
     const beyond = this.#beyond(i, stop);
+    const { compliance } = this.#system;
+    compliance[i] = softnessAtStep(stop.softness, stop.correction, dt) / dt;
     const share = beyond > 0 ? repair * perStep(stop.correction, dt) : 1;
     const held = -share * (beyond / dt);
     const closing = side * this.#bodies.rateNow(k, r);

@@ -1,5 +1,3 @@
-import type { Component } from './forest.js';
-
 /** Rounds, at most, in which joints are brought together after a step. */
 const ROUNDS = 30;
 
@@ -44,34 +42,5 @@ export class Closing {
     else this.#slow = 0;
     this.#least = Math.min(this.#least, worst);
     return this.#round++ < ROUNDS && this.#slow < TRIES && this.give < MOST;
-  }
-}
-
-/** Steps for which loops that could not be made whole count as taut. */
-const TAUT_STEPS = 30;
-
-/** Loops that were found taut. */
-export class Taut {
-  readonly #left = new Map<Component, number>();
-
-  forget(): void {
-    this.#left.clear();
-  }
-
-  begin(component: Component): void {
-    this.#left.set(component, TAUT_STEPS);
-  }
-
-  has(component: Component): boolean {
-    return this.#left.has(component);
-  }
-
-  /** A step begins. */
-  goesOn(component: Component): boolean {
-    const left = this.#left.get(component);
-    if (left === undefined) return false;
-    if (left > 1) this.#left.set(component, left - 1);
-    else this.#left.delete(component);
-    return left > 0;
   }
 }

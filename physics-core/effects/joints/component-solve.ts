@@ -1,9 +1,9 @@
+import { guards } from '../../base/guards.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { BoundedRows, type Bound, type StopListener } from './bounded-rows.js';
 import { BulletTargets } from './bullet-targets.js';
-import { Taut } from './closing.js';
 import { EnergyBudget } from './energy-budget.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { GeometricStiffness } from './geometric-stiffness.js';
@@ -14,28 +14,19 @@ import { LockedRows } from './locked-rows.js';
 import { NextPoses } from './next-poses.js';
 import { PointConstraints } from './point-constraints.js';
 import { PostStabilization } from './post-stabilization.js';
+import { Recent } from './recent.js';
 import { RowSystem } from './row-system.js';
-
-/**
- * Rounds, at most, in which the rates asked for are corrected by how far the step would miss. Each gains two digits at the
- * usual speeds, less where a body turns by half a radian in a step.
- */
-const ROUNDS = 8;
+import { TornJoints } from './torn-joints.js';
+import { LEFT_OPEN, NO_MISS, VelocitySearch } from './velocity-search.js';
 
 /** Rounds, at most, in which what has too much energy is slowed. */
 const SLOWING_ROUNDS = 3;
-
-/** A miss (m, rad) that single precision hardly tells apart ten metres from the origin. */
-const NO_MISS = 1e-6;
 
 /** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
 const TORN = 1e-4;
 
 /** And what is brought together again after contacts had their part in a step. */
 const DISTURBED = 2e-5;
-
-/** Misses (m, rad) that a step may leave where its rounds do not find together. */
-const LEFT_OPEN = 1e-5;
 
 /** Pulls at bodies that joints hold, by more than a force: their joints give way to it as they can. */
 export interface Pull {
@@ -57,14 +48,17 @@ export class ComponentSolve {
   readonly #bounded: BoundedRows;
   readonly #stiffness: GeometricStiffness;
   readonly #budget: EnergyBudget;
+  readonly #search: VelocitySearch;
   readonly #closing: JointClosing;
-  readonly #taut = new Taut();
+  readonly #tornJoints: TornJoints;
   /** What pulls at bodies by more than a force. */
   readonly pulls = new Set<Pull>();
   /** Those of this step that an edit had torn, or that met a stop. */
   readonly #repaired: Component[] = [];
-  /** And those whose round ways could not be met: the step leaves them open. */
-  readonly #open = new Set<Component>();
+  /** Those that an edit had torn. */
+  readonly torn = new Set<Component>();
+  /** Loops that an edit had torn a few steps ago. */
+  readonly #mended = new Recent();
 
   constructor(simulation: Simulation) {
     this.bodies = new JointedBodies(simulation, this.#system);
@@ -74,14 +68,16 @@ export class ComponentSolve {
     this.#rows = new LockedRows(this.#system, this.bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.bodies, this.#rows);
     this.#stiffness = new GeometricStiffness(this.#system, this.bodies);
-    this.#closing = new JointClosing({
+    const parts = {
       system: this.#system,
       bodies: this.bodies,
-      stabilization: this.#stabilization,
       pins: this.#pins,
       rows: this.#rows,
       bounded: this.#bounded,
-    });
+    };
+    this.#search = new VelocitySearch({ ...parts, next: this.#next });
+    this.#closing = new JointClosing({ ...parts, stabilization: this.#stabilization });
+    this.#tornJoints = new TornJoints(simulation, this.#system, this.bodies);
     this.#budget = new EnergyBudget(this.#system, this.bodies);
     this.targets = new BulletTargets(this.#system, this.bodies, this.#ends);
   }
@@ -100,13 +96,15 @@ export class ComponentSolve {
     this.bodies.take(bodies);
     this.#next.take(bodies.length, edges, forest.components);
     this.#stabilization.take(bodies.length);
+    this.#tornJoints.take(bodies.length);
     this.#ends.take(joints, edges);
     this.#pins.take(joints, edges, forest);
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#stiffness.take(before, joints);
     this.#budget.forget();
-    this.#taut.forget();
+    this.#search.taut.forget();
+    this.#mended.forget();
   }
 
   /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */
@@ -119,23 +117,25 @@ export class ComponentSolve {
 
   begin(): void {
     this.#repaired.length = 0;
-    this.#open.clear();
+    this.torn.clear();
+    this.#search.open.clear();
   }
 
   /** Hands the velocities found to Bullet. False: there are none that make sense. */
   solve(component: Component, dt: number): boolean {
-    const torn = this.#fill(component, dt) > TORN;
-    this.#system.firm = this.#taut.goesOn(component);
+    const torn = this.#isTorn(component, this.#fill(component, dt));
+    this.#system.firm = this.#search.taut.goesOn(component);
     const free = this.#isFree(component);
     if (free) this.#budget.begin(component);
     else this.#budget.forget(component);
     this.bodies.noteStep(component, dt);
-    this.#setTargets(component, dt, torn ? 0 : 1);
+    this.#search.setTargets(component, dt, torn ? 0 : 1);
     const found = this.#find(component, dt, torn ? 0 : 1);
     const closed = found && (torn ? this.#repair(component, dt) : this.#land(component, dt));
     const at = this.#repaired.indexOf(component);
     if (!closed) {
       if (at >= 0) this.#repaired.splice(at, 1);
+      this.torn.delete(component);
       return false;
     }
     if (free && at < 0) this.#slow(component, dt);
@@ -143,6 +143,15 @@ export class ComponentSolve {
     this.bodies.write(component, dt);
     if (at >= 0) this.#stabilization.note(component);
     return true;
+  }
+
+  /**
+   * What is left of a tear in a loop is no motion either: links between two ends that nearly are as far apart as they can be
+   * have to go far sideways for it (measured: 0.6 m/s for 10 µm at `reference`).
+   */
+  #isTorn(component: Component, error: number): boolean {
+    if (error > TORN && component.loops.length > 0) this.#mended.begin(component);
+    return guards.torn(error, this.#mended.goesOn(component) ? NO_MISS : TORN);
   }
 
   /** Whether it has loops, and nothing but forces does work on it: no motor, nothing soft, nobody who drags or carries. */
@@ -160,7 +169,7 @@ export class ComponentSolve {
       if (share === 1) return;
       this.#budget.slow(component, share);
       if (!this.#system.again(component)) return;
-      this.#correctNonlinearly(component, dt, 1);
+      this.#search.correct(component, dt, 1);
     }
   }
 
@@ -174,13 +183,15 @@ export class ComponentSolve {
     this.#bounded.tell(k, listener);
   }
 
-  /** What contacts did to joints in the step, and what the step itself left open, is brought together here. True: contacts did. */
+  /** What contacts did to joints in the step, and what the step itself left open, is brought together here. False: nothing but joints and forces acted. */
   settle(component: Component, dt: number): boolean {
     const disturbed = this.#stabilization.disturbed(component, dt);
-    this.#system.firm = this.#taut.has(component);
-    if (this.#open.has(component)) this.#closing.close(component, dt, LEFT_OPEN);
+    const torn = this.torn.has(component);
+    if (torn) this.#tornJoints.close(component, dt);
+    this.#system.firm = this.#search.taut.has(component);
+    if (this.#search.open.has(component)) this.#closing.close(component, dt, LEFT_OPEN);
     else if (disturbed) this.#closing.close(component, dt, DISTURBED);
-    return disturbed;
+    return disturbed || torn;
   }
 
   /** What was moved together again shall not go on moving. `tell`: where more than that had to be taken, m/s. */
@@ -189,6 +200,7 @@ export class ComponentSolve {
       const speed = this.#stabilization.takeBack(component);
       if (speed > 0) tell(component, speed);
     }
+    for (const component of this.torn) this.#tornJoints.turnSpins(component);
   }
 
   // ---- the solution -------------------------------------------------------------------------------------------------
@@ -220,79 +232,31 @@ export class ComponentSolve {
       for (const i of bodies) pull.pullIn(this.bodies.bodies[i]!, this.#system, i, dt);
   }
 
-  #setTargets(component: Component, dt: number, repair: 0 | 1): void {
-    for (const k of component.pins) this.#pins.setTargets(k, dt, repair);
-    for (const k of component.rows) {
-      this.#rows.setTargets(k, dt, repair);
-      this.#bounded.setTargets(k, dt, repair);
-    }
-  }
-
   /** False: no solution that makes sense. */
   #find(component: Component, dt: number, repair: 0 | 1): boolean {
-    if (!this.#system.solve(component)) return false;
-    this.#correctNonlinearly(component, dt, repair);
-    if (this.#open.has(component) && !this.#system.firm && component.loops.length > 0) {
-      this.#taut.begin(component);
-      this.#system.firm = true;
-      this.#forgetCorrections(component, dt, repair);
-      if (!this.#system.solve(component)) return false;
-      this.#correctNonlinearly(component, dt, repair);
-    }
+    const found = this.#search.find(component, dt, repair);
     // The repair of a torn joint is no pull.
-    if (!this.#repaired.includes(component)) {
-      for (const k of component.pins) this.#stiffness.notePin(k);
-      for (const k of component.rows) if (!this.#system.isPin[k]) this.#stiffness.note(k);
-    }
-    return this.bodies.sane(component);
-  }
-
-  /** Corrects the rates by how far the step would miss, as long as that helps: where bodies turn too far, energy suffers. */
-  #correctNonlinearly(component: Component, dt: number, repair: 0 | 1): void {
-    let first = Infinity;
-    let before = Infinity;
-    for (let round = 0; round < ROUNDS; round++) {
-      const worst = this.#correct(component, dt, repair);
-      if (worst > first) this.#forgetCorrections(component, dt, repair);
-      if (worst < LEFT_OPEN) this.#open.delete(component);
-      else this.#open.add(component);
-      if (worst < NO_MISS || worst > before) return;
-      this.#system.again(component);
-      if (round === 0) first = worst;
-      before = worst;
-    }
-  }
-
-  /** Returns by how much the velocities found miss. */
-  #correct(component: Component, dt: number, repair: 0 | 1): number {
-    this.#next.predict(component, dt);
-    let worst = 0;
-    for (const k of component.pins) worst = Math.max(worst, this.#pins.correct(k, dt, repair));
-    for (const k of component.rows) worst = Math.max(worst, this.#rows.correct(k, dt, repair));
-    return worst;
-  }
-
-  #forgetCorrections(component: Component, dt: number, repair: 0 | 1): void {
-    this.#dropCorrections(component);
-    this.#setTargets(component, dt, repair);
-    this.#system.again(component);
-  }
-
-  #dropCorrections({ pins, rows }: Component): void {
-    for (const k of pins) this.#pins.forgetCorrections(k);
-    for (const k of rows) this.#rows.forgetCorrections(k);
+    if (!found || this.#repaired.includes(component)) return found;
+    for (const k of component.pins) this.#stiffness.notePin(k);
+    for (const k of component.rows) if (!this.#system.isPin[k]) this.#stiffness.note(k);
+    return true;
   }
 
   /** Joints that an edit tore apart come together in the step, but what that takes is no motion of the bodies. */
   #repair(component: Component, dt: number): boolean {
     this.#repaired.push(component);
     this.#stabilization.keep(component);
-    this.#setTargets(component, dt, 1);
+    this.#search.setTargets(component, dt, 1);
     for (const k of component.rows) this.#bounded.setRepairTargets(k, dt);
-    const found = this.#find(component, dt, 1);
-    // The next step's ways are round by nothing like these.
-    this.#dropCorrections(component);
-    return found;
+    if (!this.#find(component, dt, 1)) return false;
+    this.torn.add(component);
+    this.#tornJoints.note(component);
+    const open = this.#search.open.has(component);
+    // What the step and the next one begin with is the motion again.
+    this.#search.setTargets(component, dt, 0);
+    if (!this.#find(component, dt, 0)) return false;
+    if (open) this.#search.open.add(component);
+    return true;
   }
 
   /** What meets a stop within the step is thrown back there: the step takes it elsewhere than its rate after it would. */

@@ -166,6 +166,7 @@ export class JointSolve extends Effect {
 
   override afterStep(): void {
     this.#solver.takeBack(this.#tellThrown);
+    for (const component of this.#solver.torn) this.#sleepingRows.reset(component);
   }
 
   readonly #tellThrown = (component: Component, speed: number): void => {
@@ -186,6 +187,7 @@ export class JointSolve extends Effect {
     }
     this.#solved.push(component);
     this.#sleepingRows.solved(component, dt);
+    if (this.#solver.torn.has(component)) this.#sleepingRows.releaseStops(component);
     for (const k of component.rows) this.#solver.tellStops(k, this.#effects.get(stops));
   }
 

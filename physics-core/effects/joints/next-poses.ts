@@ -7,7 +7,7 @@ import type { RowSystem } from './row-system.js';
 const QUATERNION = 4;
 
 /** Bullet turns no body by more than this in a step, radians. */
-const MOST_TURN = Math.PI / 4;
+export const MOST_TURN = Math.PI / 4;
 
 /** Where the velocities found will take the bodies in the step. */
 export class NextPoses {

@@ -79,6 +79,14 @@ export class SleepingRows {
     for (const k of component.joints) this.#targets.tell(k, this.#joints[k]!, this.#dt);
   }
 
+  /** For a step: what is past a stop is not to be pushed back by Bullet, with a speed that stays. */
+  releaseStops(component: Component): void {
+    for (const k of component.joints) {
+      const { constraint, stops } = this.#joints[k]!;
+      if (stops.length > 0) constraint!.releaseStops(stops.map(({ row }) => row));
+    }
+  }
+
   /** It is not solved in this step: what was let go holds again. */
   hold(component: Component): void {
     if (this.#letGo.has(component)) this.reset(component);

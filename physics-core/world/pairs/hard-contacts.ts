@@ -1,15 +1,12 @@
 import { compose, dot, length, subtract } from '../../base/math.js';
 import { keyOf } from '../../effects/contacts/touches.js';
 import type { Body } from '../../dynamics/body.js';
-import { isJointed } from '../../dynamics/jointed.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { hitShapeOf } from '../../effects/hits/hit-shape.js';
 import { eachContactPoint } from '../../effects/contacts/contact-points.js';
 import { Streaks } from './streaks.js';
-
-/** A body on one so many times lighter is more than contacts hold. */
-export const MOST_MASS_RATIO = 10_000;
+import { UnlikeMasses, type PiledWorld } from './unlike-masses.js';
 
 /** Seconds between two looks, and looks in a row that must find the same: what hits is thrown out at once. */
 const PAUSE = 0.1;
@@ -27,7 +24,7 @@ const FAR = 0.5;
 /** Tells of what contacts do not hold: seldom looked for, so that it costs next to nothing. */
 export class HardContacts {
   readonly #simulation: Simulation;
-  readonly #unlike = new Streaks();
+  readonly #unlike: UnlikeMasses;
   readonly #sunk = new Streaks();
   #point: ContactPoint | undefined;
   #since = Infinity;
@@ -35,8 +32,9 @@ export class HardContacts {
   /** Something is on the way to be told of. */
   #sinking = false;
 
-  constructor(simulation: Simulation) {
-    this.#simulation = simulation;
+  constructor(world: PiledWorld) {
+    this.#simulation = world;
+    this.#unlike = new UnlikeMasses(world);
   }
 
   /** Nothing is known of what was before. */
@@ -67,8 +65,7 @@ export class HardContacts {
       this.#strong = true;
       if (gravity * dt * dt > FAR * body.leastExtent) this.#tellFar(body, gravity, dt);
     }
-    this.#unlike.begin();
-    if (most > MOST_MASS_RATIO * least) this.#lookAtPiles();
+    this.#unlike.look(most, least);
   }
 
   #findSunk(): void {
@@ -91,25 +88,6 @@ export class HardContacts {
     if (!(height < 0)) return;
     // Under a strong gravity the next look may be too late.
     if (this.#sunk.note(keyOf(a, b)) >= (this.#strong ? 1 : LOOKS)) this.#tellSunk(a, b);
-  }
-
-  /** Of bodies that hang together by contacts, the heaviest shall lie on none that is far lighter. */
-  #lookAtPiles(): void {
-    const { bodies, engine } = this.#simulation;
-    const piles = new Map<number, { heavy: Body; light: Body }>();
-    for (const body of bodies) {
-      // What hangs on joints is told of by them.
-      if (!body.movable || isJointed(body)) continue;
-      const island = engine.reader.island(body.body, body.pointer);
-      if (island < 0) continue;
-      const pile = piles.get(island);
-      if (!pile) piles.set(island, { heavy: body, light: body });
-      else if (body.mass.mass > pile.heavy.mass.mass) pile.heavy = body;
-      else if (body.mass.mass < pile.light.mass.mass) pile.light = body;
-    }
-    for (const { heavy, light } of piles.values())
-      if (liesOnLighter(heavy, light) && this.#unlike.note(keyOf(heavy, light)) > 1)
-        this.#tellUnlike(heavy, light);
   }
 
   #tellFar(body: Body, gravity: number, dt: number): void {
@@ -139,19 +117,6 @@ export class HardContacts {
       sunk,
     );
   }
-
-  #tellUnlike(heavy: Body, light: Body): void {
-    this.#simulation.report(
-      {
-        code: 'mass-ratio',
-        severity: 'warning',
-        value: heavy.mass.mass / light.mass.mass,
-        used: 'the present accuracy',
-        message: `${heavy.label} (${show(heavy.mass.mass)} kg) weighs on ${light.label} (${show(light.mass.mass)} kg): contacts hold no more than ${MOST_MASS_RATIO} times what lies below`,
-      },
-      heavy,
-    );
-  }
 }
 
 /** Of the middle of a body over the surface that it touches, metres; NaN where it has several parts or an unknown middle. */
@@ -160,12 +125,6 @@ function heightOver(point: ContactPoint, body: Body, sign: 1 | -1): number {
   if (!part || !hitShapeOf(part, body)) return NaN;
   const middle = compose(body.pose(), part.pose).p;
   return sign * dot(point.normalVector(), subtract(middle, point.positionVector()));
-}
-
-/** Whether a body is higher than one that is far lighter: the other way round all is well. */
-function liesOnLighter(heavy: Body, light: Body): boolean {
-  if (heavy.mass.mass <= MOST_MASS_RATIO * light.mass.mass) return false;
-  return dot(heavy.gravity, subtract(light.pose().p, heavy.pose().p)) > 0;
 }
 
 const show = (value: number): string => String(Number(value.toPrecision(3)));

@@ -1,3 +1,4 @@
+import type { LevelName } from '../../dynamics/levels.js';
 import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
@@ -9,6 +10,7 @@ import type { StepTime } from './step-time.js';
 /** The world that a step goes through. */
 export interface SteppedWorld extends NodeWorld {
   readonly bodies: BodySlots;
+  readonly accuracy: LevelName;
   heard(event: string): boolean;
 }
 

@@ -39,6 +39,7 @@ export class Failures {
   #settle(node: PhysicsNode): void {
     if (!this.#failed.delete(node)) return;
     for (const code of ['edit-failed', 'heap-exhausted']) node.settle(undefined, code);
+    this.#heapLimit.made(node);
   }
 
   #tell(node: PhysicsNode, error: unknown): void {

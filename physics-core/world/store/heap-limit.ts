@@ -1,3 +1,4 @@
+import { guards } from '../../base/guards.js';
 import { HeapExhausted } from '../../engine/exhausted.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import { show } from '../../base/show.js';
@@ -15,6 +16,11 @@ export class HeapLimit {
   readonly #world: NodeWorld;
   readonly #pause: () => void;
   readonly #most: number;
+  /** What found no room; one of them is told of. */
+  readonly #leftOut = new Set<PhysicsNode>();
+  #told: PhysicsNode | undefined;
+  /** The limit then, bytes. */
+  #limit = 0;
 
   constructor(world: NodeWorld, pause: () => void, maxHeapBytes = DEFAULT_HEAP) {
     this.#world = world;
@@ -41,30 +47,45 @@ export class HeapLimit {
       : this.#most;
   }
 
-  get #reached(): boolean {
-    return this.#world.engine.heapBytes > this.#bytes;
-  }
-
   /** Before something is made. */
   check(): void {
-    if (this.#reached) throw new HeapExhausted();
+    if (!guards.roomy(this.#world.engine.heapBytes, this.#bytes)) throw new HeapExhausted();
   }
 
-  /** The addition is undone, and the world pauses; the page lives. */
+  /** The addition is undone, and the world pauses; the page lives. However many are left out, one of them is told of. */
   exhausted(node: PhysicsNode): void {
     this.#pause();
+    this.#leftOut.add(node);
+    this.#limit = this.#bytes;
+    if (this.#told && this.#leftOut.has(this.#told) && !this.#told.removed) return;
+    this.#told = node;
     this.#world.report(
       {
         code: 'heap-exhausted',
         severity: 'error',
         used: 'paused world',
-        message: `the wasm heap, which may grow to ${megabytes(this.#bytes)} MB, has no room for ${node.label}; it is left out, and the world pauses`,
+        message: `the wasm heap, which may grow to ${megabytes(this.#bytes)} MB, has no room for ${node.label}; it and whatever finds none after it are left out, and the world pauses`,
       },
       node,
     );
   }
 
+  /** There was room for one that had been left out: there may be for the others. */
+  made(node: PhysicsNode): void {
+    if (this.#leftOut.delete(node)) this.#retry();
+  }
+
+  #retry(): void {
+    const others = [...this.#leftOut];
+    this.#leftOut.clear();
+    this.#told?.settle(undefined, 'heap-exhausted');
+    this.#told = undefined;
+    for (const other of others) if (!other.removed) this.#world.store.changed(other);
+  }
+
+  /** While the world runs. */
   watch(): void {
+    if (this.#leftOut.size > 0 && this.#bytes > this.#limit) this.#retry();
     const { heapBytes } = this.#world.engine;
     if (heapBytes < this.#bytes * HEAP_LOW) return;
     this.#world.report({

@@ -189,6 +189,40 @@ fact(
   },
 );
 
+fact(
+  'hundreds of bodies that find no room are one problem, and are made once the limit is higher',
+  async () => {
+    const w = await world({ gravity: [0, 0, 0] });
+    claim(w, 'heap-exhausted');
+    addBody(w, { position: [0, 5, 0] });
+    w.step();
+    // The heap starts at 16 MB, the least limit; 24 MB more let it grow past that.
+    const { ammo } = w.engine;
+    if (w.engine.heapBytes <= 16 * 2 ** 20) ammo._malloc(24 * 2 ** 20);
+    w.set('heapLimit', 16);
+    const late = Array.from({ length: 300 }, (_, i) => addBody(w, { position: [2 * i, 0, 0] }));
+    w.step(0);
+    assert.deepEqual([w.paused, w.stats.bodies], [true, 1]);
+    assert.equal(told(w).filter(([code]) => code === 'heap-exhausted').length, 1);
+    assert.match(
+      w.problems.find(({ code }) => code === 'heap-exhausted')!.message,
+      /16 MB, has no room for/,
+    );
+    // The one that was told of goes: the next one that finds none is.
+    late[0]!.remove();
+    late[1]!.set('mass', 3);
+    w.step(0);
+    assert.equal(w.problems.find(({ code }) => code === 'heap-exhausted')!.element, late[1]);
+    // It steps by hand all the same, and takes other edits.
+    w.step(2);
+    w.set('heapLimit', 2000);
+    w.paused = false;
+    for (let i = 0; i < 2; i++) w.frame(1 / 60);
+    assert.equal(w.stats.bodies, 300);
+    assert.ok(!told(w).some(([code]) => code === 'heap-exhausted'));
+  },
+);
+
 fact('a trap of the wasm while there is room is no exhaustion', async () => {
   const w = await world();
   claim(w, 'edit-failed');

@@ -1,15 +1,5 @@
 import { levelNames } from '../../../../physics-core/dynamics/levels.js';
-import {
-  addBody,
-  addJoint,
-  below,
-  box,
-  claim,
-  fact,
-  velocity,
-  world,
-  type Body,
-} from '../../helpers.js';
+import { addBody, addJoint, below, box, fact, velocity, world, type Body } from '../../helpers.js';
 import type { World } from '../../../../physics-core/inside.js';
 
 /** Two rods that hang on each other and on the world. */
@@ -44,21 +34,21 @@ for (const accuracy of levelNames)
     },
   );
 
-fact('what joints torn far apart would throw away keeps its speed, and that is said', async () => {
-  const w = await world({ accuracy: 'reference' });
-  const bodies = [0, 1, 2].map((x) => addBody(w, { position: [x, 0, 0], geometry: [box(0.3)] }));
-  const [a, b, c] = bodies as [Body, Body, Body];
-  addJoint(w, 'BallJoint', { body1: a, anchorPoint: [-0.5, 0, 0] });
-  addJoint(w, 'SliderJoint', { body1: b, body2: a, axis: [0, 1, 0] });
-  addJoint(w, 'BallJoint', { body1: c, body2: b, anchorPoint: [1.5, 0, 0] });
-  w.advance(0.1);
-  for (const [which, ...place] of EDITS) {
-    bodies[which]!.set('position', place);
-    // It was 1500 m/s.
-    below(fastest(w, bodies, 0.05), 20, 'm/s');
-  }
-  claim(w, 'joint-repair');
-});
+for (const accuracy of levelNames)
+  fact(`at ${accuracy} what joints torn far apart draw together is not thrown by it`, async () => {
+    const w = await world({ accuracy });
+    const bodies = [0, 1, 2].map((x) => addBody(w, { position: [x, 0, 0], geometry: [box(0.3)] }));
+    const [a, b, c] = bodies as [Body, Body, Body];
+    addJoint(w, 'BallJoint', { body1: a, anchorPoint: [-0.5, 0, 0] });
+    addJoint(w, 'SliderJoint', { body1: b, body2: a, axis: [0, 1, 0] });
+    addJoint(w, 'BallJoint', { body1: c, body2: b, anchorPoint: [1.5, 0, 0] });
+    w.advance(0.1);
+    for (const [which, ...place] of EDITS) {
+      bodies[which]!.set('position', place);
+      // Measured 3.5 at most, as fast as they fall; it was 1500, then 20 and a problem.
+      below(fastest(w, bodies, 0.05), 4, 'm/s');
+    }
+  });
 
 /** A body's number, and where it is put. */
 const EDITS = [

@@ -421,6 +421,7 @@ export const rows: Row[] = [
   },
   {
     field: 'heapLimit',
+    guard: 'roomy',
     fact: 'beyond the limit a body is not made and the world pauses; the rest of it is untouched',
     run: async () => {
       const w = await world();
