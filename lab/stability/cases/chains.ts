@@ -116,6 +116,7 @@ export const chains: StabilityCase[] = [
     load: { of: 'joints', ratio: 760 },
     seconds: 1.2,
     finest: 'fine',
+    slow: true,
     criterion: GAP,
     promisedFrom: 'game',
     mayTell: ['sunk'],

@@ -1,5 +1,7 @@
 import type { World } from '../../../physics-core/inside.js';
+import { addWalls } from '../../walls.js';
 import type { StabilityCase } from '../case.js';
+import { dominoes } from './dominoes.js';
 import {
   addBody,
   addFloor,
@@ -65,20 +67,10 @@ function ragdoll(w: World, [x, y, z]: Vec3): { limbs: Body[]; joints: Joint[] } 
   return { limbs, joints };
 }
 
-/** Four walls about a square of `half` metres, with a floor. */
-function pit(w: World, half: number): void {
+/** A floor, and four walls about a square of 4 m. */
+function pit(w: World): void {
   addFloor(w);
-  for (const [x, z] of [
-    [half, 0],
-    [-half, 0],
-    [0, half],
-    [0, -half],
-  ])
-    addBody(w, {
-      fixed: true,
-      position: [x! * 1.25, 3, z! * 1.25],
-      geometry: [box(x ? half / 2 : 3 * half, 6, z ? half / 2 : 3 * half)],
-    });
+  addWalls(w, 2, 6);
 }
 
 /** Bodies in layers over the pit, turned by chance. */
@@ -124,7 +116,7 @@ const rests = (
   criterion: { what: 'greatest speed in the end', unit: 'm/s', most },
   promisedFrom: 'game',
   scene(w) {
-    pit(w, 2);
+    pit(w);
     const bodies = poured(w, count, geometryOf);
     return atTheEnd(() => (bodies.some((body) => height(body) < 0) ? NaN : fastest(bodies)));
   },
@@ -177,7 +169,7 @@ export const heaps: StabilityCase[] = [
     alsoTested: ['fine'],
     mayTell: ['mass-ratio'],
     scene(w) {
-      pit(w, 2);
+      pit(w);
       const dolls = Array.from({ length: 20 }, (_, i) =>
         ragdoll(w, [((i % 2) - 0.5) * 1.6, 1.2 + 1.5 * Math.floor(i / 4), ((i >> 1) % 2) - 0.5]),
       );
@@ -235,36 +227,5 @@ export const heaps: StabilityCase[] = [
       return atTheEnd(() => boxes.filter(({ body }) => height(body) > 1.2).length);
     },
   },
-  {
-    id: 'dominoes',
-    says: 'a hundred dominoes fall, one after the other, in an even wave',
-    load: { of: 'bodies', ratio: 100 },
-    seconds: 9,
-    finest: 'precise',
-    criterion: { what: 'unevenness of the wave', unit: '', most: 0.1 },
-    promisedFrom: 'game',
-    scene(w) {
-      addFloor(w, 0, { position: [10, -0.5, 0] });
-      const dominoes = Array.from({ length: 100 }, (_, i) =>
-        addBody(w, {
-          position: [0.1 * i, 0.12, 0],
-          geometry: [box(0.03, 0.24, 0.12)],
-          ...(i === 0 && { orientation: [0, 0, 1, -0.14], position: [0.016, 0.121, 0] }),
-        }),
-      );
-      const fell = dominoes.map(() => 0);
-      return {
-        after: () =>
-          dominoes.forEach((body, i) => {
-            if (!fell[i] && position(body)[0] > 0.1 * i + 0.01) fell[i] = w.time;
-          }),
-        // Pieces per second: of the 60th to the 95th, against those before.
-        measured: () => {
-          if (fell.some((time) => !time)) return NaN;
-          const pace = (from: number, to: number) => (to - from) / (fell[to]! - fell[from]!);
-          return Math.abs(pace(60, 95) / pace(30, 60) - 1);
-        },
-      };
-    },
-  },
+  dominoes,
 ];

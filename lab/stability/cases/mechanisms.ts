@@ -11,6 +11,7 @@ import {
   greatest,
   height,
   most,
+  nothingCollides,
   position,
   sphere,
   spin,
@@ -262,7 +263,7 @@ export const mechanisms: StabilityCase[] = [
     promisedFrom: 'game',
     lowest: -600,
     scene(w) {
-      w.add('CollisionCollection', { collidables: '*', enabled: false });
+      nothingCollides(w);
       const radius = 1;
       const rods = Array.from({ length: 20 }, (_, i) => {
         const angle = (Math.PI * 2 * (i + 0.5)) / 20;
