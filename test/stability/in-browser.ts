@@ -1,12 +1,13 @@
 // node --import tsx test/stability/in-browser.ts firefox: each hard case at the lowest level that promises it, in a browser and
-// beside it in Node. It holds there, too, and comes to the same bits. What takes long is left to the lab.
+// beside it in Node. It holds there, too, and comes to the same bits. What takes long is left to the lab. With ids of cases
+// behind the browser: these alone.
 import { CellPage } from '../../lab/stability/browsers/page.js';
 import type { Cell, StabilityCase } from '../../lab/stability/case.js';
 import { stabilityCases } from '../../lab/stability/cases/index.js';
 import { runCell } from '../../lab/stability/run.js';
 import { wordsOf } from '../../lab/stability/table.js';
 
-const [browser = 'chromium'] = process.argv.slice(2);
+const [browser = 'chromium', ...ids] = process.argv.slice(2);
 
 /** What is wrong, if anything. */
 async function objection(page: CellPage, which: StabilityCase): Promise<string | undefined> {
@@ -20,7 +21,9 @@ async function objection(page: CellPage, which: StabilityCase): Promise<string |
 }
 
 const page = await CellPage.open(browser);
-const chosen = stabilityCases.filter(({ promisedFrom, slow }) => promisedFrom && !slow);
+const chosen = stabilityCases.filter(({ id, promisedFrom, slow }) =>
+  ids.length > 0 ? ids.includes(id) : promisedFrom && !slow,
+);
 let failed = 0;
 for (const which of chosen) {
   const wrong = await objection(page, which);

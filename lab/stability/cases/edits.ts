@@ -1,3 +1,4 @@
+import { sin } from '../../../physics-core/base/exact/index.js';
 import type { World } from '../../../physics-core/inside.js';
 import { stack } from '../../../references/structures.js';
 import { addWalls } from '../../walls.js';
@@ -195,8 +196,7 @@ export const edits: StabilityCase[] = [
       const bodies = stack(3).map((one) => addBody(w, one));
       return greatest(() => fastest(bodies), {
         before: (seconds) => {
-          if (seconds > 0.5)
-            bodies[1]!.set('geometry', [box(1, 1 + 0.02 * Math.sin(20 * seconds), 1)]);
+          if (seconds > 0.5) bodies[1]!.set('geometry', [box(1, 1 + 0.02 * sin(20 * seconds), 1)]);
         },
       });
     },

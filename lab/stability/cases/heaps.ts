@@ -1,3 +1,4 @@
+import { cos, sin } from '../../../physics-core/base/exact/index.js';
 import type { World } from '../../../physics-core/inside.js';
 import { addWalls } from '../../walls.js';
 import type { StabilityCase } from '../case.js';
@@ -194,10 +195,10 @@ export const heaps: StabilityCase[] = [
       for (let side = 0; side < 4; side++) {
         const turn = (side * Math.PI) / 2;
         const lean = 0.9;
-        const out = 0.6 + Math.sin(lean);
+        const out = 0.6 + sin(lean);
         addBody(w, {
           fixed: true,
-          position: [1.4 + out * Math.cos(turn), 1.6 + Math.cos(lean), -out * Math.sin(turn)],
+          position: [1.4 + out * cos(turn), 1.6 + cos(lean), -out * sin(turn)],
           geometry: [
             {
               type: 'CollidableOffset',
