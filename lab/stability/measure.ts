@@ -62,7 +62,8 @@ export async function measureHere(wanted: readonly Wanted[], { fresh }: How): Pr
   const numbers = known();
   for (const [which, level] of wanted) {
     const row = (numbers.cells[which.id] ??= {});
-    if (row[level] && !fresh) continue;
+    // Without bits it is from before they were kept.
+    if (row[level]?.bits && !fresh) continue;
     const put = (cell: Cell) => (row[level] = cell);
     await keep(numbers, `${which.id}, ${level}`, which, () => runCell(which, level), put);
   }

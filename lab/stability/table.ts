@@ -61,11 +61,10 @@ export const besideOthers = ({ cells, others }: StabilityNumbers): Table => ({
     ]),
 });
 
-const named = (name: string, { noted, measured }: Cell): string[] => [
-  name,
-  `${threeDigits(noted?.speed ?? NaN)} m/s`,
-  quantity(measured, ''),
-];
+const named = (name: string, { noted, measured }: Cell): string[] => {
+  const { speed = NaN } = noted ?? {};
+  return [name, speed ? `${threeDigits(speed)} m/s` : '–', quantity(measured, '').trim()];
+};
 
 /** How fast the wave of dominoes is, and how uneven. */
 export function dominoWaves({ cells, others }: StabilityNumbers): Table {
