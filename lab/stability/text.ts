@@ -21,7 +21,8 @@ function matrixOf(numbers: StabilityNumbers): string {
 
 function browsersOf(numbers: StabilityNumbers): string {
   const other = besidesNode(numbers).map((words) => `- ${words}`);
-  const rest = other.length > 0 ? `Those that do not:\n\n${other.join('\n')}` : 'All do.';
+  const rest =
+    other.length > 0 ? `Those that do not:\n\n${other.join('\n')}` : 'All hold with the same bits.';
   return `${markdownOf(inBrowsers(numbers))}\n\n${rest}`;
 }
 

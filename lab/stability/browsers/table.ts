@@ -31,7 +31,7 @@ function foundOf(which: StabilityCase, numbers: StabilityNumbers, inIt: BrowserN
 const NAMES: Record<string, string> = {
   chromium: 'Chromium',
   firefox: 'Firefox',
-  webkit: "WebKit, in Safari's numbering",
+  webkit: 'WebKitGTK, version',
 };
 
 /** A row each. */
