@@ -43,6 +43,13 @@ const x3dom = { name: 'x3dom', message: 'Only elements/bridge says x3dom.' };
 
 const noAmmo = { selector: 'Identifier[name=/Ammo/]', message: 'Use node handles, not Ammo.' };
 const noHeap = { selector: 'Identifier[name=/^HEAP[UF]?\\d/]', message: noOffsets.message };
+/** Whose last bits differ between browsers. */
+const INEXACT = 'sin cos tan asin acos atan atan2 exp expm1 log hypot cbrt pow';
+const noInexact = INEXACT.split(' ').map((property) => ({
+  object: 'Math',
+  property,
+  message: 'Bits differ between browsers: physics-core/base/exact has its like.',
+}));
 /** `globalThis.x3dom` is the same global. */
 const noX3domProperty = {
   selector: 'MemberExpression[property.name="x3dom"]',
@@ -135,6 +142,11 @@ export default tseslint.config(
   },
 
   // The rooms.
+  {
+    files: ['physics-core/**/*.ts'],
+    ignores: ['physics-core/base/exact/*.ts'],
+    rules: { 'no-restricted-properties': ['error', ...noInexact] },
+  },
   {
     files: ['physics-core/**/*.ts'],
     rules: {

@@ -1,3 +1,4 @@
+import { addWalls } from './walls.js';
 import { loadEngine, World, type PhysicsNode } from '../physics-core/inside.js';
 
 /** A scene to measure. */
@@ -72,13 +73,12 @@ function motor(world: World): void {
 export const pile =
   (count: number) =>
   (world: World): void => {
-    const wall = (position: number[], size: number[]) =>
-      world.add('RigidBody', { fixed: true, position, geometry: [box(...size)] });
-    wall([0, -0.5, 0], [12, 1, 12]);
-    for (const s of [-5.5, 5.5]) {
-      wall([s, 20, 0], [1, 40, 12]);
-      wall([0, 20, s], [12, 40, 1]);
-    }
+    world.add('RigidBody', {
+      fixed: true,
+      position: [0, -0.5, 0],
+      geometry: [box(12, 1, 12)],
+    });
+    addWalls(world, 5, 40);
     let state = 1;
     const random = () => (state = (state * 16807) % 2147483647) / 2147483647;
     for (let i = 0; i < count; i++) {

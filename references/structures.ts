@@ -1,5 +1,7 @@
 // What stands: bodies as they are put upon each other, for the core's facts and the stability matrix.
 
+import { cos, sin } from '../physics-core/base/exact/index.js';
+
 type Fields = Record<string, unknown>;
 
 const box = (...size: number[]) => ({ type: 'Box', size });
@@ -60,8 +62,8 @@ export const wall = (rows: number, columns: number, gap: number): Fields[] =>
 /** Cards of 1 m, 4 cm thick, that lean on each other in pairs: three pairs, two upon them, and one. */
 export function cards(): Fields[] {
   const [long, thick, wide, lean] = [1, 0.04, 0.7, 0.35];
-  const tall = long * Math.cos(lean) + thick * Math.sin(lean);
-  const half = (long * Math.sin(lean) + thick * Math.cos(lean)) / 2;
+  const tall = long * cos(lean) + thick * sin(lean);
+  const half = (long * sin(lean) + thick * cos(lean)) / 2;
   const pitch = 4 * half + 0.02;
   const leaning = (x: number, y: number, side: number) => ({
     position: [x + side * half, y + tall / 2, 0],
@@ -92,12 +94,12 @@ export function arch(wedges: number): Fields[] {
   return Array.from({ length: wedges }, (_, i) => {
     const [begin, end] = [(Math.PI * i) / wedges, (Math.PI * (i + 1)) / wedges];
     const middle = (begin + end) / 2;
-    const centre = [Math.cos(middle), Math.sin(middle)].map((u) => (u * (inner + outer)) / 2);
+    const centre = [cos(middle), sin(middle)].map((u) => (u * (inner + outer)) / 2);
     const coord = [begin, end].flatMap((angle) =>
       [inner, outer].flatMap((radius) =>
         [-deep / 2, deep / 2].flatMap((z) => [
-          radius * Math.cos(angle) - centre[0]!,
-          radius * Math.sin(angle) - centre[1]!,
+          radius * cos(angle) - centre[0]!,
+          radius * sin(angle) - centre[1]!,
           z,
         ]),
       ),

@@ -34,7 +34,7 @@ const sourceUrls = {
 /** What only the build of the package makes, for pages that find no ammo.wasm. */
 const NOT_BUILT = ['virtual:*'];
 
-const PLATFORMS = {
+export const PLATFORMS = {
   /** Packages stay outside: they are loaded as in any program of Node. */
   node: {
     platform: 'node',

@@ -43,6 +43,9 @@ const script =
     return { ok, passed, failed };
   };
 
+/** The hard cases in a browser and in Node, side by side. */
+const casesIn = (browser) => script(['--import', 'tsx', 'test/stability/in-browser.ts', browser]);
+
 /** Without the lab's whole hour: its errors come out again to the last bit. */
 async function labErrors() {
   const args = ['--import', 'tsx', 'lab/run.ts', '--quick'];
@@ -87,6 +90,9 @@ export const STAGES = [
 
   { name: 'soaks', folders: ['soaks'], run: nodeTests },
   { name: 'stability', folders: ['stability'], run: nodeTests },
+  { name: 'stability-chromium', run: casesIn('chromium') },
+  { name: 'stability-firefox', missing: noFirefox, run: casesIn('firefox') },
+  { name: 'stability-webkit', missing: noWebKit, run: casesIn('webkit') },
   { name: 'chromium-long', folders: ['browser'], takes: isLong, run: CHROMIUM },
   {
     name: 'mutants',

@@ -4,14 +4,16 @@ import type { Told } from './told.js';
 
 /** A case that plays in a world. */
 export interface Play {
-  /** What its author does, so many seconds after the start, before time passes. */
-  before?(seconds: number): void;
+  /** What its author does, so many seconds and frames of 1/60 s after the start, before time passes. */
+  before?(seconds: number, frame: number): void;
   /** Lets a sixtieth of a second pass; some cases have clocks of their own. */
   pass?(): void;
   /** After each step. */
   after?(): void;
   /** The number that is judged, in the unit of the criterion. */
   measured(): number;
+  /** What is worth knowing besides, and is not judged. */
+  noted?(): Record<string, number>;
 }
 
 export interface Criterion {
@@ -47,6 +49,8 @@ export interface StabilityCase {
   alsoTested?: LevelName[];
   /** The finest level that is looked at, where finer ones only take longer. */
   finest?: LevelName;
+  /** More than five seconds at its lowest level in Node: tests leave browsers alone with it, the lab does not. */
+  slow?: boolean;
   /** Fields of the world beyond level and rest. */
   world?: CreateOptions;
   /** Why energy may grow: what puts work in. Without it none may come from nowhere. */
@@ -68,4 +72,8 @@ export interface Cell {
   measured: number;
   /** What broke, where it is not the criterion. */
   why?: string;
+  /** Hash of all poses in the end, of our own runs: the same wherever it runs. */
+  bits?: string;
+  /** What the case notes besides. */
+  noted?: Record<string, number>;
 }

@@ -1,32 +1,36 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { LevelName } from '../../physics-core/inside.js';
 import type { Cell } from './case.js';
+import { fromText, toText } from './json.js';
 
 /** Of one case, by level. */
 export type CellRow = Partial<Record<LevelName, Cell>>;
+
+/** What one browser found. */
+export interface BrowserNumbers {
+  /** As it says itself. */
+  version: string;
+  date: string;
+  /** By the ids of the cases. */
+  cells: Record<string, CellRow>;
+}
 
 /** What the runs of the matrix found. */
 export interface StabilityNumbers {
   machine: string;
   date: string;
-  /** By the ids of the cases. */
+  /** In Node, by the ids of the cases. */
   cells: Record<string, CellRow>;
+  /** By the names of browsers. */
+  browsers: Record<string, BrowserNumbers>;
   /** What other engines do, by the ids of cases and engines. */
   others: Record<string, Record<string, Cell>>;
 }
 
 export const FILE = new URL('../report/stability.json', import.meta.url);
 
-/** JSON has no word for it: a NaN would come back as null. */
-const NO_NUMBER = 'NaN';
-
 export const readStability = (): StabilityNumbers =>
-  JSON.parse(readFileSync(FILE, 'utf8'), (_, value: unknown) =>
-    value === NO_NUMBER ? NaN : value,
-  ) as StabilityNumbers;
+  fromText(readFileSync(FILE, 'utf8')) as StabilityNumbers;
 
 export const writeStability = (numbers: StabilityNumbers): void =>
-  writeFileSync(
-    FILE,
-    `${JSON.stringify(numbers, (_, value: unknown) => (Number.isNaN(value) ? NO_NUMBER : value), 2)}\n`,
-  );
+  writeFileSync(FILE, `${toText(numbers, 2)}\n`);

@@ -1,34 +1,49 @@
 import { ammo } from '../engines/ammo.js';
 import { cannon } from '../engines/cannon.js';
-import type { Engine } from '../engines/engine.js';
+import type { Engine, Setting } from '../engines/engine.js';
 import { jolt } from '../engines/jolt.js';
 import { rapier } from '../engines/rapier.js';
+import { xIte } from '../engines/x-ite.js';
 import type { Cell, StabilityCase } from './case.js';
 import type { Told } from './told.js';
 
-/** With the step of `standard` and the iterations that they have by themselves. */
-export const OTHERS: [engine: Engine, name: string, iterations: number][] = [
-  [ammo, 'raw Ammo', 10],
-  [jolt, 'Jolt', 10],
-  [rapier, 'Rapier', 4],
-  [cannon, 'cannon-es', 10],
+/** Another engine, and how it is set: with the iterations that it has by itself. */
+export interface Other {
+  engine: Engine;
+  name: string;
+  setting: Setting;
+}
+
+/** Of `standard`. */
+const step = 1 / 120;
+
+export const OTHERS: Other[] = [
+  { engine: ammo, name: 'raw Ammo', setting: { step, iterations: 10 } },
+  // A frame of 1/60 s in ten, as X_ITE does by itself.
+  { engine: xIte, name: "X_ITE's rule", setting: { step: 1 / 600, iterations: 10 } },
+  { engine: jolt, name: 'Jolt', setting: { step, iterations: 10 } },
+  { engine: rapier, name: 'Rapier', setting: { step, iterations: 4 } },
+  { engine: cannon, name: 'cannon-es', setting: { step, iterations: 10 } },
 ];
-const STEP = 1 / 120;
 
 /** Judged by the case's own criterion alone. */
 export async function runOther(
   { seconds, criterion }: StabilityCase,
-  { scene, look }: Told,
-  [engine, , iterations]: (typeof OTHERS)[number],
+  { scene, play }: Told,
+  { engine, setting }: Other,
 ): Promise<Cell> {
-  const running = await engine.make(scene, { step: STEP, iterations });
-  const now = look(running);
-  let measured = 0;
-  for (let i = 0; i < seconds / STEP && !Number.isNaN(measured); i++) {
+  const running = await engine.make(scene, setting);
+  const { after, measured, noted } = play(running);
+  const steps = Math.round(seconds / running.timeStep);
+  for (let i = 0; i < steps && !Number.isNaN(measured()); i++) {
     running.step();
-    const found = now();
-    measured = Number.isNaN(found) ? NaN : Math.max(measured, found);
+    after?.();
   }
   running.destroy();
-  return { holds: measured <= criterion.most, measured };
+  const found = measured();
+  return {
+    holds: found <= criterion.most,
+    measured: found,
+    ...(noted && { noted: noted() }),
+  };
 }

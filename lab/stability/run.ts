@@ -1,4 +1,5 @@
 import { createWorld, type LevelName, type World } from '../../physics-core/inside.js';
+import { bitsOf } from './bits.js';
 import type { Cell, Play, StabilityCase } from './case.js';
 import { CommonWatch } from './watch.js';
 
@@ -9,7 +10,7 @@ function play(world: World, which: StabilityCase, { before, pass }: Play, watch:
   const seconds = which.steps ? which.steps * world.timeStep : which.seconds;
   const ticks = Math.round(seconds / FRAME);
   for (let i = 0; i < ticks && !watch.why; i++) {
-    before?.(i * FRAME);
+    before?.(i * FRAME, i);
     if (pass) pass();
     else world.advance(FRAME);
   }
@@ -41,7 +42,9 @@ export async function runCell(which: StabilityCase, level: LevelName): Promise<C
     });
     play(world, which, played, watch);
     watch.end();
-    return judge(which, played.measured(), watch.why);
+    const noted = played.noted?.();
+    const cell = judge(which, played.measured(), watch.why);
+    return { ...cell, bits: bitsOf(world), ...(noted && { noted }) };
   } catch (error) {
     return judge(which, NaN, `throws: ${String(error)}`);
   } finally {

@@ -1,5 +1,5 @@
 import { createWorld } from '../../physics-core/inside.js';
-import { BodyNode } from '../../physics-core/nodes/body/body.js';
+import { bitsOf } from './bits.js';
 import { stabilityCases } from './cases/index.js';
 
 /**
@@ -16,20 +16,12 @@ export const SMOKE: Record<string, string> = {
 
 const STEPS = 240;
 
-/** FNV-1a over the bytes of all poses at `standard`: browsers hash by digest only on secure pages. */
 export async function hashAfterSteps(id: string): Promise<string> {
   const { scene, world: fields } = stabilityCases.find((one) => one.id === id)!;
   const world = await createWorld({ rest: 'never', ...fields });
   scene(world);
   world.step(STEPS);
-  const poses = [...world.nodes].flatMap((node) => {
-    if (!(node instanceof BodyNode)) return [];
-    const { p, q } = node.pose();
-    return [...p, ...q];
-  });
+  const bits = bitsOf(world);
   world.destroy();
-  let hash = 0xcbf29ce484222325n;
-  for (const byte of new Uint8Array(new Float64Array(poses).buffer))
-    hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
-  return hash.toString(16).padStart(16, '0');
+  return bits;
 }

@@ -1,7 +1,9 @@
 import { levels, type LevelName } from '../../physics-core/inside.js';
-import { quantity } from '../draw/numbers.js';
+import { dominoSpeed } from '../../references/domino-wave.js';
+import { quantity, threeDigits } from '../draw/numbers.js';
 import type { Table } from '../draw/table.js';
 import type { Cell, StabilityCase } from './case.js';
+import { dominoes, ROW } from './cases/dominoes.js';
 import { stabilityCases, themes } from './cases/index.js';
 import { promises } from './levels.js';
 import type { CellRow, StabilityNumbers } from './numbers.js';
@@ -20,7 +22,7 @@ export function wordsOf({ criterion }: StabilityCase, { holds, measured, why }: 
   const number = quantity(measured, criterion.unit).trim();
   return holds
     ? `holds ${number}`
-    : `breaks: ${why ?? (Number.isNaN(measured) ? 'no number' : number)}`;
+    : `breaks: ${why ?? (Number.isFinite(measured) ? number : 'no number')}`;
 }
 
 /** In a table: what is promised stands in bold. */
@@ -45,19 +47,38 @@ const matrixOf = (theme: string, { cells }: StabilityNumbers): Table => ({
 
 /** The cases that other engines can be told, with steps of 1/120 s in all of them. */
 export const besideOthers = ({ cells, others }: StabilityNumbers): Table => ({
-  head: ['id', 'case', 'ours', ...OTHERS.map(([, name]) => name)],
+  head: ['id', 'case', 'ours', ...OTHERS.map(({ name }) => name)],
   rows: stabilityCases
     .filter(({ id }) => others[id])
     .map((which) => [
       which.id,
       which.says,
       cells[which.id]?.standard ? wordsOf(which, cells[which.id]!.standard!) : '–',
-      ...OTHERS.map(([{ id }]) => {
-        const cell = others[which.id]?.[id];
+      ...OTHERS.map(({ engine }) => {
+        const cell = others[which.id]?.[engine.id];
         return cell ? wordsOf(which, cell) : '–';
       }),
     ]),
 });
+
+const named = (name: string, { noted, measured }: Cell): string[] => {
+  const { speed = NaN } = noted ?? {};
+  return [name, speed ? `${threeDigits(speed)} m/s` : '–', quantity(measured, '').trim()];
+};
+
+/** How fast the wave of dominoes is, and how uneven. */
+export function dominoWaves({ cells, others }: StabilityNumbers): Table {
+  const ours = levelNames.flatMap((level) => {
+    const cell = cells[dominoes.id]?.[level];
+    return cell ? [named(`ours, ${level}`, cell)] : [];
+  });
+  const theirs = OTHERS.flatMap(({ engine, name }) => {
+    const cell = others[dominoes.id]?.[engine.id];
+    return cell ? [named(name, cell)] : [];
+  });
+  const truth = ['van Leeuwen 2010', `${threeDigits(dominoSpeed(ROW))} m/s`, '0'];
+  return { head: ['', 'speed of the wave', 'unevenness'], rows: [truth, ...ours, ...theirs] };
+}
 
 export const matrices = (numbers: StabilityNumbers): [theme: string, table: Table][] =>
   Object.keys(themes).map((theme) => [theme, matrixOf(theme, numbers)]);

@@ -1,6 +1,7 @@
 import { markdownOf } from '../draw/table.js';
+import { besidesNode, inBrowsers } from './browsers/table.js';
 import type { StabilityNumbers } from './numbers.js';
-import { besideOthers, matrices, promiseCount } from './table.js';
+import { besideOthers, dominoWaves, matrices, promiseCount } from './table.js';
 
 /** The text with something else between the two marks of that name. */
 function between(text: string, name: string, content: string): string {
@@ -18,6 +19,18 @@ function matrixOf(numbers: StabilityNumbers): string {
   ].join('\n\n');
 }
 
+function browsersOf(numbers: StabilityNumbers): string {
+  const other = besidesNode(numbers).map((words) => `- ${words}`);
+  const rest =
+    other.length > 0 ? `Those that do not:\n\n${other.join('\n')}` : 'All hold with the same bits.';
+  return `${markdownOf(inBrowsers(numbers))}\n\n${rest}`;
+}
+
 /** docs/stability.md with the tables of these numbers. */
 export const withMatrix = (text: string, numbers: StabilityNumbers): string =>
-  between(between(text, 'matrix', matrixOf(numbers)), 'others', markdownOf(besideOthers(numbers)));
+  [
+    ['matrix', matrixOf(numbers)] as const,
+    ['browsers', browsersOf(numbers)] as const,
+    ['others', markdownOf(besideOthers(numbers))] as const,
+    ['dominoes', markdownOf(dominoWaves(numbers))] as const,
+  ].reduce((now, [name, content]) => between(now, name, content), text);

@@ -1,18 +1,17 @@
 import type { CaseBody, CaseScene, Shape } from '../case.js';
 import type { Running } from '../engines/engine.js';
 import { gapsIn } from '../run/gap.js';
-import type { Fields } from './scene.js';
-import { distance, most } from './scene.js';
+import type { Play } from './case.js';
+import { distance, greatest, most, type Fields } from './scene.js';
 
 /** A case in words that other engines have, too. */
 export interface Told {
   scene: CaseScene;
-  /** What is judged, at the time of the look; the greatest counts. */
-  look(running: Running): () => number;
+  play(running: Running): Omit<Play, 'before' | 'pass'>;
 }
 
 const SHAPES = ['Box', 'Sphere', 'Cylinder'];
-const FLOOR: CaseBody = {
+export const FLOOR: CaseBody = {
   name: 'floor',
   fixed: true,
   position: [0, -0.5, 0],
@@ -32,8 +31,10 @@ export function toldStanding(pieces: readonly Fields[]): Told | undefined {
       bodies: [FLOOR, ...bodies],
       contact: { bounce: 0, friction: 0.5 },
     },
-    look: (running) => () =>
-      most(bodies.map(({ name, position }) => distance(running.position(name), position!))),
+    play: (running) =>
+      greatest(() =>
+        most(bodies.map(({ name, position }) => distance(running.position(name), position!))),
+      ),
   };
 }
 
@@ -55,5 +56,5 @@ export function toldChain(masses: readonly number[], link: number): Told {
     })),
   };
   const gaps = gapsIn(scene);
-  return { scene, look: (running) => () => most(gaps(running)) / link };
+  return { scene, play: (running) => greatest(() => most(gaps(running)) / link) };
 }

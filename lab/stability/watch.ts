@@ -7,17 +7,12 @@ import { spin, velocity } from './scene.js';
 /** Of the energy at the start, and of single precision where there is none. */
 const GAIN = 0.01;
 
-/** Seconds that it has to last: where a whip cracks, the mean of two steps' velocities is not what it was between them. */
-const LASTS = 1 / 60;
-
 /** What is judged in every case, after every step. */
 export class CommonWatch {
   readonly #world: World;
   readonly #energy: EnergyWatch | undefined;
   readonly #codes = new Set<string>();
   readonly #which: StabilityCase;
-  /** Since when there is too much energy, seconds. */
-  #above = Infinity;
   /** What broke first. */
   why: string | undefined;
 
@@ -52,10 +47,7 @@ export class CommonWatch {
     if (!this.#energy) return;
     const { start } = this.#energy;
     const gain = this.#energy.look() - start;
-    const { time, timeStep } = this.#world;
-    if (gain <= GAIN * Math.abs(start) + 1e-9) this.#above = Infinity;
-    else this.#above = Math.min(this.#above, time - timeStep);
-    if (time - this.#above > LASTS - 1e-9)
+    if (gain > GAIN * Math.abs(start) + 1e-9)
       return `gains ${((100 * gain) / Math.abs(start)).toFixed(1)} % of its energy at ${this.#time}`;
   }
 

@@ -1,3 +1,4 @@
+import { hypot } from '../base/exact/index.js';
 import type { LevelRun } from './level-run.js';
 
 /** Share of the longest way of a body, and least distance (metres), from which on two runs no longer agree. */
@@ -101,7 +102,7 @@ export class Comparison {
 function distance(a: Float64Array, b: Float64Array): { most: number; at: number } {
   let [most, at] = [0, 0];
   for (let i = 0; i < a.length; i += 3) {
-    const apart = Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
+    const apart = hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
     if (apart > most) [most, at] = [apart, i / 3];
   }
   return { most, at };

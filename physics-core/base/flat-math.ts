@@ -1,3 +1,4 @@
+import { cos, hypot, sin } from './exact/index.js';
 import type { Pose } from './math.js';
 import { writeAxes } from './matrix.js';
 
@@ -48,10 +49,10 @@ export function multiply4(
 
 /** The quaternion of a turn by `time` seconds at `spin`, rad/s about each axis. */
 export function writeTurn(out: Numbers, spin: Numbers, time: number): void {
-  const speed = Math.hypot(spin[0]!, spin[1]!, spin[2]!);
-  const s = speed > 1e-12 ? Math.sin((speed * time) / 2) / speed : time / 2;
+  const speed = hypot(spin[0]!, spin[1]!, spin[2]!);
+  const s = speed > 1e-12 ? sin((speed * time) / 2) / speed : time / 2;
   for (let i = 0; i < 3; i++) out[i] = spin[i]! * s;
-  out[3] = Math.cos((speed * time) / 2);
+  out[3] = cos((speed * time) / 2);
 }
 
 const product = new Float64Array(4);

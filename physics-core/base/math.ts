@@ -1,3 +1,4 @@
+import { atan2, cos, hypot, lengthOf, sin } from './exact/index.js';
 import type { Rotation, Vec3 } from '../fields/types.js';
 
 /** Unit quaternion: x, y, z, w. */
@@ -23,7 +24,7 @@ export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] +
 export const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
+export const length = (a: Vec3): number => hypot(a[0], a[1], a[2]);
 export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[1] * b[2] - a[2] * b[1],
   a[2] * b[0] - a[0] * b[2],
@@ -43,18 +44,18 @@ export function perpendicular(a: Vec3): Vec3 {
 
 /** A zero axis means no rotation: x3dom writes `0,0,0,0` as its default. */
 export function quaternionOf([x, y, z, angle]: readonly number[]): Quaternion {
-  const size = Math.hypot(x!, y!, z!);
+  const size = hypot(x!, y!, z!);
   if (size < 1e-12) return [0, 0, 0, 1];
-  const s = Math.sin(angle! / 2) / size;
-  return [x! * s, y! * s, z! * s, Math.cos(angle! / 2)];
+  const s = sin(angle! / 2) / size;
+  return [x! * s, y! * s, z! * s, cos(angle! / 2)];
 }
 
 /** Axis and angle in [0, π]. */
 export function rotationOf(q: ArrayLike<number>): Rotation {
   const sign = q[3]! < 0 ? -1 : 1;
-  const s = Math.hypot(q[0]!, q[1]!, q[2]!);
+  const s = hypot(q[0]!, q[1]!, q[2]!);
   if (s < 1e-9) return [0, 0, 1, 0];
-  const angle = 2 * Math.atan2(s, sign * q[3]!);
+  const angle = 2 * atan2(s, sign * q[3]!);
   return [(sign * q[0]!) / s, (sign * q[1]!) / s, (sign * q[2]!) / s, angle];
 }
 
@@ -89,7 +90,7 @@ export function invert(a: Pose): Pose {
 export function mix(a: Pose, b: Pose, f: number): Pose {
   const sign = a.q.reduce((sum, value, i) => sum + value * b.q[i]!, 0) < 0 ? -1 : 1;
   const q = a.q.map((value, i) => value + (sign * b.q[i]! - value) * f) as Quaternion;
-  const size = Math.hypot(...q);
+  const size = lengthOf(q);
   return {
     p: add(a.p, scale(subtract(b.p, a.p), f)),
     q: q.map((value) => value / size) as Quaternion,

@@ -1,3 +1,5 @@
+import { atan2, hypot } from './exact/index.js';
+
 /** Numbers of a rotation matrix, by rows. */
 export const MATRIX = 9;
 
@@ -48,7 +50,7 @@ export function writeSpin(
     }
     out[at + i] = odd;
   }
-  const sine = Math.hypot(out[at]!, out[at + 1]!, out[at + 2]!) / 2;
-  const share = sine > 1e-12 ? Math.atan2(sine, (trace - 1) / 2) / (2 * sine) : 0.5;
+  const sine = hypot(out[at]!, out[at + 1]!, out[at + 2]!) / 2;
+  const share = sine > 1e-12 ? atan2(sine, (trace - 1) / 2) / (2 * sine) : 0.5;
   for (let i = at; i < at + 3; i++) out[i]! *= share / seconds;
 }

@@ -1,3 +1,4 @@
+import { hypot } from '../base/exact/index.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Ammo } from './ammo.js';
 import { BODY, MANIFOLD_POINT as POINT } from './offsets.js';
@@ -127,7 +128,7 @@ export class ContactPoint {
   }
 
   distanceTo(position: readonly number[]): number {
-    return Math.hypot(
+    return hypot(
       this.#get(POINT.positionB, 0) - position[0]!,
       this.#get(POINT.positionB, 1) - position[1]!,
       this.#get(POINT.positionB, 2) - position[2]!,
@@ -238,7 +239,7 @@ export class ContactPoint {
 
   #pace(body: number): number {
     const v = (body + BODY.linearVelocity) >> 2;
-    return Math.hypot(this.#floats[v]!, this.#floats[v + 1]!, this.#floats[v + 2]!);
+    return hypot(this.#floats[v]!, this.#floats[v + 1]!, this.#floats[v + 2]!);
   }
 
   /** Speed along (x, y, z), m/s. */

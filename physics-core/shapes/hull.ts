@@ -1,3 +1,4 @@
+import { hypot, lengthOf } from '../base/exact/index.js';
 import { orient3d } from 'robust-predicates';
 
 /** A triangle of the hull, and the faces across its sides: from each corner to the next. */
@@ -64,12 +65,12 @@ function greatest(numbers: Iterable<number>, measure: (number: number) => number
 function simplex(points: number[], height: Height): [number, number, number, number] | undefined {
   const all = [...Array(Math.floor(points.length / 3)).keys()];
   const from = (p: number) => [0, 1, 2].map((axis) => points[3 * p + axis]! - points[axis]!);
-  const b = greatest(all, (p) => Math.hypot(...from(p)));
+  const b = greatest(all, (p) => lengthOf(from(p)));
   if (b === undefined) return undefined;
   const [x, y, z] = from(b) as [number, number, number];
   const c = greatest(all, (p) => {
     const [u, v, w] = from(p) as [number, number, number];
-    return Math.hypot(y * w - z * v, z * u - x * w, x * v - y * u);
+    return hypot(y * w - z * v, z * u - x * w, x * v - y * u);
   });
   if (c === undefined) return undefined;
   const d = greatest(all, (p) => Math.abs(height([0, b, c], p)));

@@ -1,3 +1,4 @@
+import { hypot } from '../base/exact/index.js';
 import { quaternionOfRows, type Quaternion } from '../base/math.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
@@ -202,8 +203,8 @@ export function principal(t: Tensor): { moments: Vec3; frame: Quaternion } {
     ] as const) {
       if (a[p]![q] === 0) continue;
       const theta = (a[q]![q]! - a[p]![p]!) / (2 * a[p]![q]!);
-      const tan = Math.sign(theta || 1) / (Math.abs(theta) + Math.hypot(theta, 1));
-      const cos = 1 / Math.hypot(tan, 1);
+      const tan = Math.sign(theta || 1) / (Math.abs(theta) + hypot(theta, 1));
+      const cos = 1 / hypot(tan, 1);
       const sin = tan * cos;
       for (let k = 0; k < 3; k++) {
         const [kp, kq] = [a[k]![p]!, a[k]![q]!];

@@ -1,3 +1,4 @@
+import { cos, sin } from '../base/exact/index.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { trianglesOfFace } from './polygon.js';
@@ -48,7 +49,7 @@ function turned(profile: [number, number][]): Mesh {
   profile.forEach(([radius, y], ring) => {
     for (let i = 0; i < SIDES; i++) {
       const angle = (2 * Math.PI * i) / SIDES;
-      points.push(radius * Math.cos(angle), y, -radius * Math.sin(angle));
+      points.push(radius * cos(angle), y, -radius * sin(angle));
       if (ring === 0) continue;
       const next = (i + 1) % SIDES;
       const [a, b] = [(ring - 1) * SIDES + i, (ring - 1) * SIDES + next];
@@ -75,7 +76,7 @@ function sphere(radius: number): Mesh {
   const rings = SIDES / 2;
   const profile = Array.from({ length: rings + 1 }, (_, i): [number, number] => {
     const angle = (Math.PI * i) / rings;
-    return [radius * Math.sin(angle), -radius * Math.cos(angle)];
+    return [radius * sin(angle), -radius * cos(angle)];
   });
   return turned(profile);
 }
@@ -126,7 +127,7 @@ function cone(g: Extract<Geometry, { type: 'Cone' }>): Mesh {
 function torus(inner: number, outer: number): Mesh {
   const profile = Array.from({ length: SIDES + 1 }, (_, i): [number, number] => {
     const angle = (2 * Math.PI * i) / SIDES;
-    return [outer + inner * Math.cos(angle), inner * Math.sin(angle)];
+    return [outer + inner * cos(angle), inner * sin(angle)];
   });
   return turned(profile);
 }

@@ -71,6 +71,7 @@ const million = {
   seconds: 0,
   steps: 1e6,
   finest: 'game',
+  slow: true,
   load: { of: 'steps', ratio: 1e6 },
   promisedFrom: 'game',
   world: { gravity: [0, 0, 0] },

@@ -1,3 +1,4 @@
+import { cos, sin } from '../../../physics-core/base/exact/index.js';
 import type { World } from '../../../physics-core/inside.js';
 import type { StabilityCase } from '../case.js';
 import {
@@ -11,6 +12,7 @@ import {
   greatest,
   height,
   most,
+  nothingCollides,
   position,
   sphere,
   spin,
@@ -30,7 +32,7 @@ function gear(teeth: number, inner: number, outer: number, deep: number, phase: 
     // Teeth taper towards their tips.
     const bend = i % 4 === 0 ? 0.35 : i % 4 === 1 ? -0.35 : i % 4 === 2 ? 0.1 : -0.1;
     const at = angle + (bend * Math.PI * 2) / count;
-    return [radius * Math.cos(at), radius * Math.sin(at)];
+    return [radius * cos(at), radius * sin(at)];
   });
   const coord = [-deep / 2, deep / 2].flatMap((z) => [
     ...[0, 0, z],
@@ -56,10 +58,7 @@ const hills = {
   zDimension: 41,
   xSpacing: 0.5,
   zSpacing: 0.5,
-  height: Array.from(
-    { length: 41 * 41 },
-    (_, i) => 0.04 * Math.sin(i % 41) * Math.cos(Math.floor(i / 41)),
-  ),
+  height: Array.from({ length: 41 * 41 }, (_, i) => 0.04 * sin(i % 41) * cos(Math.floor(i / 41))),
   translation: [-10, 0, -10],
 };
 
@@ -241,8 +240,8 @@ export const mechanisms: StabilityCase[] = [
       addBody(w, { fixed: true, position: [-0.5, 5, 0], geometry: [box(1, 10, 10)] });
       // tan of the lean may be up to 2 μ / (1 − μ²) = 1.33 where both rub by 0.5.
       const [lean, long, thick] = [0.7, 4, 0.1];
-      const x = (long / 2) * Math.sin(lean) + (thick / 2) * Math.cos(lean);
-      const y = (long / 2) * Math.cos(lean) + (thick / 2) * Math.sin(lean);
+      const x = (long / 2) * sin(lean) + (thick / 2) * cos(lean);
+      const y = (long / 2) * cos(lean) + (thick / 2) * sin(lean);
       const ladder = addBody(w, {
         mass: 8,
         position: [x, y, 0],
@@ -262,24 +261,24 @@ export const mechanisms: StabilityCase[] = [
     promisedFrom: 'game',
     lowest: -600,
     scene(w) {
-      w.add('CollisionCollection', { collidables: '*', enabled: false });
+      nothingCollides(w);
       const radius = 1;
       const rods = Array.from({ length: 20 }, (_, i) => {
         const angle = (Math.PI * 2 * (i + 0.5)) / 20;
         return addBody(w, {
-          position: [radius * Math.cos(angle), radius * Math.sin(angle), 0],
+          position: [radius * cos(angle), radius * sin(angle), 0],
           orientation: [0, 0, 1, angle + Math.PI / 2],
           linearVelocity: [0, 0, i % 4],
           geometry: [box(0.28, 0.05, 0.05)],
         });
       });
-      const out = radius / Math.cos(Math.PI / 20);
+      const out = radius / cos(Math.PI / 20);
       const joints = rods.map((rod, i) => {
         const angle = (Math.PI * 2 * (i + 1)) / 20;
         return addJoint(w, 'BallJoint', {
           body1: rod,
           body2: rods[(i + 1) % 20],
-          anchorPoint: [out * Math.cos(angle), out * Math.sin(angle), 0],
+          anchorPoint: [out * cos(angle), out * sin(angle), 0],
         });
       });
       return greatest(() => widest(joints));

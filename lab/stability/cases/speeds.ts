@@ -1,3 +1,4 @@
+import { cos, sin } from '../../../physics-core/base/exact/index.js';
 import { axesOf, kineticEnergy } from '../../../references/kinetic-energy.js';
 import type { StabilityCase } from '../case.js';
 import { addBody, addFloor, addHinge, box, greatest, position, sphere, spin } from '../scene.js';
@@ -33,7 +34,7 @@ const blade = (
   world: { gravity: [0, 0, 0] },
   scene(w) {
     // The post stands 0.51 rad on, 1.9 m out.
-    const at = [1.9 * Math.cos(0.51), -1.9 * Math.sin(0.51)];
+    const at = [1.9 * cos(0.51), -1.9 * sin(0.51)];
     addBody(w, {
       fixed: true,
       position: [at[0], 0, at[1]],

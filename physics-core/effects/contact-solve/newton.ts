@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import {
   C,
   OPEN,
@@ -288,5 +289,4 @@ export class Newton {
  * which always finds its end.
  */
 const liftOf = (c: Float64Array, at: number, creeping: number): number =>
-  c[at + C.friction]! *
-  Math.max(0, Math.hypot(c[at + C.miss + 1]!, c[at + C.miss + 2]!) - creeping);
+  c[at + C.friction]! * Math.max(0, hypot(c[at + C.miss + 1]!, c[at + C.miss + 2]!) - creeping);

@@ -1,3 +1,4 @@
+import { lengthOf } from '../../base/exact/index.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
 import { conjugate, rotate, subtract, type Pose } from '../../base/math.js';
@@ -65,7 +66,7 @@ const within = ({ p, q }: Pose, point: Vec3): Vec3 => rotate(conjugate(q), subtr
 function distanceTo(part: CollidablePart, point: Vec3): number {
   const { min, max } = boxOf(part);
   const local = within(part.pose, point);
-  return Math.hypot(...local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
+  return lengthOf(local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
 }
 
 /** The least extent of anything solid of a body, metres; Infinity where it is all triangles. */

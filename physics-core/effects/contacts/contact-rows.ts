@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
@@ -149,7 +150,7 @@ class Directions {
     const motion2 = speed[1] * pair.carried;
     const u = point.speed(first[0]!, first[1]!, first[2]!) - motion1;
     const v = point.speed(second[0]!, second[1]!, second[2]!) - motion2;
-    const size = Math.hypot(u, v);
+    const size = hypot(u, v);
     if (size < STICKING) return false;
     const [c, s] = [u / size, v / size];
     this.#turned(point, 0, c, first, s, second);

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Vec3 } from '../../fields/types.js';
 
 /** Above this share of x in a normal, x gives no direction in the surface. */
@@ -22,6 +23,6 @@ export function layInSurface(
   out[0] = x - along * nx;
   out[1] = y - along * ny;
   out[2] = z - along * nz;
-  const size = Math.hypot(out[0], out[1], out[2]) || 1;
+  const size = hypot(out[0], out[1], out[2]) || 1;
   for (let i = 0; i < 3; i++) out[i]! /= size;
 }

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Joint } from '../../dynamics/joint.js';
@@ -76,7 +77,7 @@ export class DebugLines extends LineBuffer {
     const lines = this.#outlines.of(body.body.getCollisionShape());
     let reach = 0;
     for (let i = 0; i < lines.length; i += 3)
-      reach = Math.max(reach, Math.hypot(lines[i]!, lines[i + 1]!, lines[i + 2]!));
+      reach = Math.max(reach, hypot(lines[i]!, lines[i + 1]!, lines[i + 2]!));
     const outline = { parts: body.solidParts, lines, reach };
     this.#byBody.set(body, outline);
     return outline;

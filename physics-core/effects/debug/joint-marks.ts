@@ -1,3 +1,4 @@
+import { cos, sin } from '../../base/exact/index.js';
 import { JointView } from '../../engine/joint-view.js';
 import type { Vec3 } from '../../fields/types.js';
 import {
@@ -107,8 +108,8 @@ function turn(seen: Seen): void {
   const x = rotate(b.q, [1, 0, 0]);
   const z = rotate(a.q, [0, 0, 1]);
   const across = normalize(cross(z, x));
-  const fromB = (angle: number): Vec3 => rotate(b.q, [0, -Math.sin(angle), Math.cos(angle)]);
-  const fromA = (angle: number): Vec3 => rotate(a.q, [Math.sin(angle), Math.cos(angle), 0]);
+  const fromB = (angle: number): Vec3 => rotate(b.q, [0, -sin(angle), cos(angle)]);
+  const fromA = (angle: number): Vec3 => rotate(a.q, [sin(angle), cos(angle), 0]);
   if (!locked(bounds(3))) fan(seen, b.p, x, cross(x, across), bounds(3), fromB);
   if (!locked(bounds(5))) fan(seen, a.p, z, across, bounds(5), fromA);
 }

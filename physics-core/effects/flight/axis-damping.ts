@@ -1,3 +1,4 @@
+import { exp } from '../../base/exact/index.js';
 import { compose, conjugate, rotate } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { areEqualMoments } from '../../dynamics/inertia.js';
@@ -28,7 +29,7 @@ export class AxisDamping extends Effect {
     const { angular } = body.velocityAtOrigin();
     const { q } = compose(body.pose(), body.centerOfMass);
     const local = rotate(conjugate(q), angular).map(
-      (w, i) => w * Math.exp((-body.angularDamping * dt) / body.mass.moments[i]!),
+      (w, i) => w * exp((-body.angularDamping * dt) / body.mass.moments[i]!),
     ) as Vec3;
     body.body.setAngularVelocity(this.#simulation.engine.scratch.vector(...rotate(q, local)));
   }

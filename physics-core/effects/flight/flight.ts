@@ -1,3 +1,4 @@
+import { log } from '../../base/exact/index.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
@@ -136,7 +137,7 @@ export class Flight extends Effect {
     const left = (1 - share) ** dt;
     for (let i = part; i < part + 3; i++)
       if (!same(now[i]!, v[at + i]! * left, acceleration[i]! * dt)) return false;
-    const rate = -Math.log(1 - share);
+    const rate = -log(1 - share);
     // Seconds that a velocity and its growth count for, damped meanwhile.
     const time = share > 0 ? (1 - left) / rate : dt;
     const growth = share > 0 ? (dt - time) / rate : (dt * dt) / 2;

@@ -1,3 +1,4 @@
+import { atan2, hypot, log } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
 import { POSE } from '../../dynamics/poses.js';
@@ -131,7 +132,7 @@ export class Gyroscopic extends Effect {
   #lead(body: Body, top: Top, dt: number): void {
     this.#read(body);
     const v = this.#velocity;
-    const turn = Math.hypot(v[3]!, v[4]!, v[5]!) * dt;
+    const turn = hypot(v[3]!, v[4]!, v[5]!) * dt;
     if (turn < SLOW) {
       this.#spinning.delete(body);
       return;
@@ -146,7 +147,7 @@ export class Gyroscopic extends Effect {
     this.#turnFreely(top, momentum, dt);
     this.#writeSpin(given, dt);
     state.aside.fill(0);
-    state.beyond = Math.hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
+    state.beyond = hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
     this.#writeEnd(body, state, this.#orientation, 0);
     this.#give(body, given);
   }
@@ -185,8 +186,8 @@ export class Gyroscopic extends Effect {
     turn[3] = this.#pose[6]!;
     multiply4(turn, this.#orientation, 0, turn, 0);
     const sign = turn[3]! < 0 ? -1 : 1;
-    const sine = Math.hypot(turn[0]!, turn[1]!, turn[2]!);
-    const angle = 2 * Math.atan2(sine, sign * turn[3]!);
+    const sine = hypot(turn[0]!, turn[1]!, turn[2]!);
+    const angle = 2 * atan2(sine, sign * turn[3]!);
     const per = sine > 1e-12 ? (sign * angle) / (sine * dt) : 0;
     for (let i = 0; i < 3; i++) out[i] = Math.fround(turn[i]! * per);
   }
@@ -251,8 +252,7 @@ export class Gyroscopic extends Effect {
 
 /** Round about the axis that leaves the two most like moments across. */
 function topOf(moments: readonly number[]): Top {
-  const apart = (i: number): number =>
-    Math.abs(Math.log(moments[(i + 1) % 3]! / moments[(i + 2) % 3]!));
+  const apart = (i: number): number => Math.abs(log(moments[(i + 1) % 3]! / moments[(i + 2) % 3]!));
   const axis = [0, 1, 2].reduce((best, i) => (apart(i) < apart(best) ? i : best), 0);
   const other = (axis + 2) % 3;
   const across = moments[(axis + 1) % 3]!;

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Engine } from '../../engine/engine.js';
 import { TimeOfImpact } from './time-of-impact.js';
 import { OVER, type Impact } from './impact.js';
@@ -105,7 +106,7 @@ export class Blow {
     const u = hit.speedAlong(1, 0, 0) - out * x;
     const v = hit.speedAlong(0, 1, 0) - out * y;
     const w = hit.speedAlong(0, 0, 1) - out * z;
-    const sliding = Math.hypot(u, v, w);
+    const sliding = hypot(u, v, w);
     if (sliding < OVER) return;
     const inverseEffectiveMass = this.#inverseEffectiveMass(
       hit,

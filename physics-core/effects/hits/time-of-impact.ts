@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Engine } from '../../engine/engine.js';
 import { HitPath } from './hit-path.js';
 import type { HitShape } from './hit-shape.js';
@@ -129,7 +130,7 @@ export class TimeOfImpact {
   }
 
   #fromBall(radius: number): number {
-    const distance = Math.hypot(local[0]!, local[1]!, local[2]!);
+    const distance = hypot(local[0]!, local[1]!, local[2]!);
     if (distance < INSIDE) return NaN;
     for (let i = 0; i < 3; i++) {
       this.#normal[i] = local[i]! / distance;
@@ -148,7 +149,7 @@ export class TimeOfImpact {
   /** A centre within the other solid has no nearest point that could be trusted. */
   #fromClamped(): number {
     const [x, y, z] = [local[0]! - clamped[0]!, local[1]! - clamped[1]!, local[2]! - clamped[2]!];
-    const distance = Math.hypot(x, y, z);
+    const distance = hypot(x, y, z);
     if (distance < INSIDE) return NaN;
     const { centre, axes } = this.#other;
     for (let i = 0; i < 3; i++) {
@@ -167,7 +168,7 @@ const within = (value: number, most: number): number => Math.max(-most, Math.min
 
 /** About y. */
 function clampToCylinder([radius, half]: HitShape['half']): void {
-  const out = Math.hypot(local[0]!, local[2]!);
+  const out = hypot(local[0]!, local[2]!);
   const share = out > radius ? radius / out : 1;
   clamped[0] = local[0]! * share;
   clamped[1] = within(local[1]!, half);

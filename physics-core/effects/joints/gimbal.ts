@@ -1,3 +1,4 @@
+import { asin, atan2 } from '../../base/exact/index.js';
 import { cross3, dot3 } from '../../base/flat-math.js';
 
 /**
@@ -24,9 +25,9 @@ export class Gimbal {
   angle(row: number): number {
     const one = this.#one;
     const two = this.#two;
-    if (row === 3) return Math.atan2(-dot3(one, 6, two, 3), dot3(one, 6, two, 6));
-    if (row === 5) return Math.atan2(-dot3(two, 0, one, 3), dot3(two, 0, one, 0));
-    return Math.asin(Math.max(-1, Math.min(1, dot3(one, 6, two, 0))));
+    if (row === 3) return atan2(-dot3(one, 6, two, 3), dot3(one, 6, two, 6));
+    if (row === 5) return atan2(-dot3(two, 0, one, 3), dot3(two, 0, one, 0));
+    return asin(Math.max(-1, Math.min(1, dot3(one, 6, two, 0))));
   }
 
   /** The axis that Bullet pushes about. */

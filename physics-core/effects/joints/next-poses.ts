@@ -1,3 +1,4 @@
+import { cos, sin } from '../../base/exact/index.js';
 import { SIDE } from './blocks.js';
 import type { Component, Edge } from './forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -61,11 +62,11 @@ export class NextPoses {
     const z = velocity[i * SIDE + 5]!;
     const speed = Math.sqrt(x * x + y * y + z * z);
     const half = Math.min(speed * dt, MOST_TURN) / 2;
-    const s = speed > 1e-12 ? Math.sin(half) / speed : dt / 2;
+    const s = speed > 1e-12 ? sin(half) / speed : dt / 2;
     this.#step[q] = x * s;
     this.#step[q + 1] = y * s;
     this.#step[q + 2] = z * s;
-    this.#step[q + 3] = Math.cos(half);
+    this.#step[q + 3] = cos(half);
   }
 
   #moveOn(i: number, dt: number): void {

@@ -1,3 +1,5 @@
+import { cos, exp, expm1, sin } from '../../base/exact/index.js';
+
 /** Least ω² by δ² at which a load's share can still be told from rounding. */
 const LEAST_SPRING = 1e-6;
 
@@ -15,13 +17,13 @@ export class Oscillator {
   goOn(omega2: number, delta: number, dt: number): void {
     const w2 = omega2 - delta * delta;
     if (w2 > 0) {
-      const left = Math.exp(-delta * dt);
+      const left = exp(-delta * dt);
       this.kept = left * left;
-      this.load = (1 + this.kept - 2 * left * Math.cos(Math.sqrt(w2) * dt)) / (dt * omega2);
+      this.load = (1 + this.kept - 2 * left * cos(Math.sqrt(w2) * dt)) / (dt * omega2);
     } else {
       const fast = delta + Math.sqrt(-w2);
       const slow = omega2 / fast;
-      this.kept = Math.exp(-2 * delta * dt);
+      this.kept = exp(-2 * delta * dt);
       this.load = (decayed(slow, dt) * decayed(fast, dt)) / dt;
     }
     this.pull = this.load * omega2;
@@ -35,11 +37,11 @@ export class Oscillator {
     let even: number;
     let odd: number;
     if (w2 > 0) {
-      const left = Math.exp(-delta * dt);
-      even = left * Math.cos(w * dt);
-      odd = (left * Math.sin(w * dt)) / w;
+      const left = exp(-delta * dt);
+      even = left * cos(w * dt);
+      odd = (left * sin(w * dt)) / w;
     } else {
-      const [slow, fast] = [Math.exp((w - delta) * dt), Math.exp(-(w + delta) * dt)];
+      const [slow, fast] = [exp((w - delta) * dt), exp(-(w + delta) * dt)];
       even = (slow + fast) / 2;
       odd = w > 0 ? (slow - fast) / (2 * w) : dt * slow;
     }
@@ -50,5 +52,4 @@ export class Oscillator {
 }
 
 /** Seconds that a rate counts for which decays at `rate`. */
-const decayed = (rate: number, dt: number): number =>
-  rate > 0 ? -Math.expm1(-rate * dt) / rate : dt;
+const decayed = (rate: number, dt: number): number => (rate > 0 ? -expm1(-rate * dt) / rate : dt);

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -13,7 +14,7 @@ const SAME = 1e-5;
 /** What weight and contacts may add in a step to bodies at rest, m/s and rad/s. */
 const GENTLE = 2;
 
-const speedIn = (v: Float64Array, at: number): number => Math.hypot(v[at]!, v[at + 1]!, v[at + 2]!);
+const speedIn = (v: Float64Array, at: number): number => hypot(v[at]!, v[at + 1]!, v[at + 2]!);
 /** Radians that joints are brought together by at once: beyond, straight ways lead away from where they are whole. */
 const FARTHEST = 0.5;
 

@@ -1,3 +1,4 @@
+import { expm1 } from '../../base/exact/index.js';
 import type { Joint, Spring } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from '../effect/effects.js';
@@ -48,7 +49,7 @@ export class Suspension extends Effect {
     const oscillator = this.#oscillator;
     const body = joint.body1?.movable ? joint.body1 : joint.body2!;
     const starts = joints.lastStep(body) === 0;
-    if (!starts && !joints.alone(body)) return Math.expm1(-2 * delta * dt) * rate - omega2 * x * dt;
+    if (!starts && !joints.alone(body)) return expm1(-2 * delta * dt) * rate - omega2 * x * dt;
     if (starts) oscillator.start(omega2, delta, dt);
     else oscillator.goOn(omega2, delta, dt);
     // A body's first step takes half of all forces.

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Ammo } from '../../engine/ammo.js';
@@ -175,7 +176,7 @@ export class ContactShapes extends Effect {
     const least = writeDeepestNormal(this.#ammo, manifold, normal);
     if (least < Infinity) return least;
     for (let k = 0; k < 3; k++) normal[k] = this.#a.origin[k]! - this.#b.origin[k]!;
-    const size = Math.hypot(normal[0]!, normal[1]!, normal[2]!);
+    const size = hypot(normal[0]!, normal[1]!, normal[2]!);
     if (size > 0) for (let k = 0; k < 3; k++) normal[k]! /= size;
     else normal[1] = 1;
     return least;

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Flat } from '../../shapes/forms/form.js';
 import type { FoundPoints } from './found-points.js';
 import type { PlacedForm } from './placed-form.js';
@@ -24,8 +25,8 @@ export class LineContact {
     const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
     const [p, q] = [this.#a, this.#b];
     if (a.line(-x, -y, -z, p) < 2 || b.line(x, y, z, q) < 2) return false;
-    const lengthA = Math.hypot(p[3]! - p[0]!, p[4]! - p[1]!, p[5]! - p[2]!);
-    const lengthB = Math.hypot(q[3]! - q[0]!, q[4]! - q[1]!, q[5]! - q[2]!);
+    const lengthA = hypot(p[3]! - p[0]!, p[4]! - p[1]!, p[5]! - p[2]!);
+    const lengthB = hypot(q[3]! - q[0]!, q[4]! - q[1]!, q[5]! - q[2]!);
     const [u, v, w] = [
       (q[3]! - q[0]!) / lengthB,
       (q[4]! - q[1]!) / lengthB,

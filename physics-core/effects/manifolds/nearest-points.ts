@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import { dot3 } from '../../base/flat-math.js';
 import type { PlacedForm } from './placed-form.js';
 import { Simplex } from './simplex.js';
@@ -87,7 +88,7 @@ export class NearestPoints {
 
   #take(): boolean {
     const { nearest, share, count, a, b } = this.#simplex;
-    const size = Math.hypot(nearest[0]!, nearest[1]!, nearest[2]!);
+    const size = hypot(nearest[0]!, nearest[1]!, nearest[2]!);
     if (!(size > 0)) return false;
     for (let k = 0; k < 3; k++) {
       this.normal[k] = nearest[k]! / size;

@@ -1,3 +1,4 @@
+import { exp } from '../../base/exact/index.js';
 import { add } from '../../base/math.js';
 import type { Load } from '../../dynamics/body.js';
 import { areEqualMoments } from '../../dynamics/inertia.js';
@@ -66,9 +67,9 @@ export class BodyLoads {
   applyDamping(): void {
     const { mass, moments } = this.#node.mass;
     const on = this.#node.asked<boolean>('autoDamp');
-    const linear = on ? 1 - Math.exp(-this.#node.asked<number>('linearDampingFactor') / mass) : 0;
+    const linear = on ? 1 - exp(-this.#node.asked<number>('linearDampingFactor') / mass) : 0;
     const round = areEqualMoments(moments);
-    const angular = round ? 1 - Math.exp(-this.angularDamping / moments[0]) : 0;
+    const angular = round ? 1 - exp(-this.angularDamping / moments[0]) : 0;
     this.dampedShare = { linear: dampedShare(linear), angular: dampedShare(angular) };
     this.#node.body.setDamping(this.dampedShare.linear, this.dampedShare.angular);
   }

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import type { NodePart } from '../collision/collidable.js';
 import { thicknessOf } from '../../effects/contacts/contact-part.js';
@@ -132,6 +133,6 @@ export class BodyObject {
     const { scratch } = this.#node.world.engine;
     const [low, high] = [scratch.vector(0, 0, 0, 0), scratch.vector(0, 0, 0, 1)];
     this.body.getAabb(low, high);
-    return Math.hypot(high.x() - low.x(), high.y() - low.y(), high.z() - low.z()) / 2;
+    return hypot(high.x() - low.x(), high.y() - low.y(), high.z() - low.z()) / 2;
   }
 }

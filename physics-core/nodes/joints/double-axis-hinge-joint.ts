@@ -1,3 +1,4 @@
+import { asin } from '../../base/exact/index.js';
 import type { Motor, Stop } from '../../dynamics/joint.js';
 import { FRAME, softnessAtStep } from '../../dynamics/levels.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -43,7 +44,7 @@ export class DoubleAxisHingeJointNode extends JointNode {
   }
 
   protected override zeroed(): void {
-    this.#skew = Math.asin(dot(...this.#axes()));
+    this.#skew = asin(dot(...this.#axes()));
   }
 
   /** axis1 is z of body1's frame, so body1 is Bullet's A. */

@@ -1,11 +1,12 @@
+import { cos, hypot, sin } from '../../base/exact/index.js';
 import type { Flat, Form } from './form.js';
 
 /** Corners that stand for the rim of a disc. */
 const RIM = 16;
 
 const ANGLES = Float64Array.from({ length: RIM }, (_, i) => (2 * Math.PI * i) / RIM);
-const COSINES = ANGLES.map(Math.cos);
-const SINES = ANGLES.map(Math.sin);
+const COSINES = ANGLES.map(cos);
+const SINES = ANGLES.map(sin);
 
 /** A disc whose rim is lowered by less than this all across lies level, metres: the depth that resting contacts keep. */
 const LEVEL = 1e-4;
@@ -28,14 +29,14 @@ export class FrustumForm implements Form {
     this.#bottom = bottom;
     this.#top = top;
     this.#half = half;
-    this.reach = Math.hypot(Math.max(bottom, top), half);
-    const slant = Math.hypot(2 * half, bottom - top);
+    this.reach = hypot(Math.max(bottom, top), half);
+    const slant = hypot(2 * half, bottom - top);
     this.#out = (2 * half) / slant;
     this.#up = (bottom - top) / slant;
   }
 
   support(x: number, y: number, z: number, out: Flat): void {
-    const across = Math.hypot(x, z);
+    const across = hypot(x, z);
     const atTop = across * this.#top + y * this.#half > across * this.#bottom - y * this.#half;
     this.#rim(atTop, x, z, across, out, 0);
   }
@@ -76,14 +77,14 @@ export class FrustumForm implements Form {
   }
 
   lying(x: number, y: number, z: number, u: number, _v: number, w: number, out: Flat): number {
-    const across = Math.hypot(x, z);
+    const across = hypot(x, z);
     const side = across * this.#out + y * this.#up;
     const top = this.#top > 0 ? y : -1;
     if (side >= top && side >= -y) return this.#generatrix(x, z, across, out);
     const atTop = top > -y;
     const radius = atTop ? this.#top : this.#bottom;
     if (2 * radius * across > LEVEL) return this.#disc(atTop, x / across, z / across, out);
-    const size = Math.hypot(u, w);
+    const size = hypot(u, w);
     return size > 0 ? this.#disc(atTop, u / size, w / size, out) : this.#disc(atTop, 1, 0, out);
   }
 
@@ -94,7 +95,7 @@ export class FrustumForm implements Form {
   }
 
   line(x: number, y: number, z: number, out: Flat): number {
-    const across = Math.hypot(x, z);
+    const across = hypot(x, z);
     // The sine of the angle between the line and the plane.
     if (Math.abs(y * this.#out - across * this.#up) < ALONG)
       return this.#generatrix(x, z, across, out);

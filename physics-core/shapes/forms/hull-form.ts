@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import { PolytopeForm } from './polytope.js';
 import { MOST_CORNERS } from './form.js';
 
@@ -53,7 +54,7 @@ function planeOf(points: ArrayLike<number>, [a, b, c]: Triangle) {
   const [ux, uy, uz] = [side(a, b, 0), side(a, b, 1), side(a, b, 2)];
   const [vx, vy, vz] = [side(a, c, 0), side(a, c, 1), side(a, c, 2)];
   const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const area = Math.hypot(x, y, z);
+  const area = hypot(x, y, z);
   const normal: Vector = area > 0 ? [x / area, y / area, z / area] : [0, 0, 0];
   return { area, normal, height: along(points, a, normal) };
 }
@@ -112,7 +113,7 @@ interface Flat2 {
 /** Whether the way from a over b to c bends to the left, by more than rounding. */
 function turnsLeft(a: Flat2, b: Flat2, c: Flat2): boolean {
   const [ux, uy, vx, vy] = [b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y];
-  return ux * vy - uy * vx > 1e-7 * Math.hypot(ux, uy) * Math.hypot(vx, vy);
+  return ux * vy - uy * vx > 1e-7 * hypot(ux, uy) * hypot(vx, vy);
 }
 
 /** A form of only the corners that faces have. */

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Flat, Form } from './form.js';
 
 /** Within this angle from it, in radians, an edge lies along a plane. */
@@ -22,7 +23,7 @@ export class PolytopeForm implements Form {
     this.#neighbours = neighboursOf(points.length / 3, faces);
     let reach = 0;
     for (let i = 0; i < points.length; i += 3)
-      reach = Math.max(reach, Math.hypot(points[i]!, points[i + 1]!, points[i + 2]!));
+      reach = Math.max(reach, hypot(points[i]!, points[i + 1]!, points[i + 2]!));
     this.reach = reach;
   }
 

@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Flat, Form } from './form.js';
 
 /** A triangle with two sides. One object goes from triangle to triangle of a surface. */
@@ -18,7 +19,7 @@ export class TriangleForm implements Form {
     for (let i = 3; i < 9; i += 3)
       this.reach = Math.max(
         this.reach,
-        Math.hypot(
+        hypot(
           corners[i]! - corners[0]!,
           corners[i + 1]! - corners[1]!,
           corners[i + 2]! - corners[2]!,
@@ -77,7 +78,7 @@ export class TriangleForm implements Form {
       const next = (corner + i) % 3;
       this.#copy(next, out, 3);
       const [u, v, w] = [out[3]! - out[0]!, out[4]! - out[1]!, out[5]! - out[2]!];
-      const sine = Math.abs(x * u + y * v + z * w) / Math.hypot(u, v, w);
+      const sine = Math.abs(x * u + y * v + z * w) / hypot(u, v, w);
       if (sine < least) [least, found] = [sine, next];
     }
     if (found < 0) return 1;

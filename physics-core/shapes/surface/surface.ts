@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import type { Mesh } from '../geometry.js';
 import { BOX, BoxTree } from './box-tree.js';
 import { Seams } from './seams.js';
@@ -38,7 +39,7 @@ function normalsOf(points: Float64Array, index: Int32Array): Float64Array {
     const x = u(1) * v(2) - u(2) * v(1);
     const y = u(2) * v(0) - u(0) * v(2);
     const z = u(0) * v(1) - u(1) * v(0);
-    const size = Math.hypot(x, y, z);
+    const size = hypot(x, y, z);
     if (size > 0) normals.set([x / size, y / size, z / size], t);
   }
   return normals;

@@ -1,0 +1,60 @@
+import { levels } from '../../../physics-core/inside.js';
+import type { Table } from '../../draw/table.js';
+import type { StabilityCase } from '../case.js';
+import { stabilityCases } from '../cases/index.js';
+import { promises } from '../levels.js';
+import type { BrowserNumbers, StabilityNumbers } from '../numbers.js';
+import { wordsOf } from '../table.js';
+
+/** What a browser found in the promised cells of a case that it was asked for. */
+interface Found {
+  cells: number;
+  holds: number;
+  /** Cells that come to the bits that they have in Node. */
+  alike: number;
+}
+
+const NOTHING: Found = { cells: 0, holds: 0, alike: 0 };
+
+function foundOf(which: StabilityCase, numbers: StabilityNumbers, inIt: BrowserNumbers): Found {
+  return levels.reduce((sum, { name }) => {
+    const cell = inIt.cells[which.id]?.[name];
+    if (!cell || !promises(which, name)) return sum;
+    return {
+      cells: sum.cells + 1,
+      holds: sum.holds + Number(cell.holds),
+      alike: sum.alike + Number(cell.bits === numbers.cells[which.id]?.[name]?.bits),
+    };
+  }, NOTHING);
+}
+
+const NAMES: Record<string, string> = {
+  chromium: 'Chromium',
+  firefox: 'Firefox',
+  webkit: 'WebKitGTK, version',
+};
+
+/** A row each. */
+export const inBrowsers = (numbers: StabilityNumbers): Table => ({
+  head: ['browser', 'promised cells', 'hold', 'with the bits that they have in Node'],
+  rows: Object.entries(numbers.browsers).map(([name, inIt]) => {
+    const all = stabilityCases.map((which) => foundOf(which, numbers, inIt));
+    const sum = (key: keyof Found) => `${all.reduce((total, found) => total + found[key], 0)}`;
+    const title = `${NAMES[name]} ${inIt.version}, ${inIt.date}`;
+    return [title, sum('cells'), sum('holds'), sum('alike')];
+  }),
+});
+
+/** The promised cells that a browser brings to other bits than Node, or that break there. */
+export const besidesNode = (numbers: StabilityNumbers): string[] =>
+  Object.entries(numbers.browsers).flatMap(([name, inIt]) =>
+    stabilityCases.flatMap((which) =>
+      levels.flatMap(({ name: level }) => {
+        const cell = inIt.cells[which.id]?.[level];
+        const inNode = numbers.cells[which.id]?.[level];
+        if (!cell || !promises(which, level) || (cell.holds && cell.bits === inNode?.bits))
+          return [];
+        return `${which.id} at ${level} in ${NAMES[name]}: ${wordsOf(which, cell)}`;
+      }),
+    ),
+  );
