@@ -10,17 +10,22 @@ export type Shape =
   /** Along y. */
   | { type: 'Cylinder'; radius: number; height: number };
 
-/** A body: fields of X3D's RigidBody, a name, and one shape about its centre of mass. */
+/** A body: fields of X3D's RigidBody, a name, and one shape, about its centre of mass unless it says where. */
 export interface CaseBody {
   name: string;
   /** Without one it touches nothing, and `inertia` has to be given. */
   shape?: Shape;
+  /** Where the middle of the shape is from the centre of mass, in the body's frame. */
+  offset?: Vec3;
+  /** Of the centre of mass. */
   position?: Vec3;
   /** Axis and angle. */
   orientation?: [number, number, number, number];
   fixed?: boolean;
   /** Of a fixed body that its author moves: where it is after so many seconds, first at `position`. */
   path?: (time: number) => Vec3;
+  /** And how it is turned then, axis and angle; first as `orientation` says. */
+  turn?: (time: number) => [number, number, number, number];
   /** Kilograms, 1 by default. */
   mass?: number;
   /** Principal moments about the body's axes, kg m²; by default those of the shape. */
@@ -34,6 +39,8 @@ export interface CaseBody {
   /** Newtons and newton metres, at every moment. */
   forces?: Vec3[];
   torques?: Vec3[];
+  /** Newtons that page code gives it before each step, by where its centre of mass is then. */
+  pull?: (at: Vec3) => Vec3;
 }
 
 /** A joint: fields of its X3D node; bodies by name. */
@@ -96,6 +103,8 @@ export interface Case {
   horizon?: number;
   /** Why a level errs more than the level before it, where one does. */
   exception?: string;
+  /** Why another engine comes nearer to the truth in the time of `standard`, where one does. */
+  behind?: string;
   watch(sight: Sight): Watch;
 }
 

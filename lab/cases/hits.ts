@@ -98,4 +98,5 @@ export const cases: Case[] = [
   headOn('hit-bounce-1', { mass: 5, speed: 4 }, { mass: 1, speed: 0 }, 1),
   oblique('hit-oblique', 0),
   oblique('hit-oblique-rough', 0.3),
+  oblique('hit-oblique-slips', 0.05),
 ];

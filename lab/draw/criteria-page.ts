@@ -7,6 +7,8 @@ import {
   cheapRungs,
   duel,
   errorOf,
+  hardestDuel,
+  isBehind,
   ladderOf,
   levelNames,
   type Duel,
@@ -21,6 +23,8 @@ interface Verdict {
   broken: string[];
   cheap: string[];
   duel: Duel | undefined;
+  /** With the best of raw Ammo, Rapier and Jolt. */
+  hardest: ReturnType<typeof hardestDuel>;
 }
 
 const verdictsOf = (cases: readonly Case[], { rows }: Results): Verdict[] =>
@@ -30,6 +34,7 @@ const verdictsOf = (cases: readonly Case[], { rows }: Results): Verdict[] =>
     broken: brokenRungs(which, rows),
     cheap: cheapRungs(which, rows),
     duel: duel(which, 'ammo', rows),
+    hardest: hardestDuel(which, rows),
   }));
 
 /** Against raw Ammo: those that it offers and where we are not at our floor. */
@@ -55,6 +60,8 @@ export function totals(cases: readonly Case[], results: Results): Markup {
   const won = even.filter(ahead).length;
   const far = farAhead(verdicts).length;
   const all = verdicts.length;
+  const behind = count(isBeaten);
+  const beyond = count(({ hardest }) => (hardest?.factor ?? 0) >= 10);
   return html`<ul>
     <li>
       ${mark(falling === all, `In ${falling} of ${all} cases no level errs more than the level before it (or both are under the floor).`)}
@@ -68,8 +75,13 @@ export function totals(cases: readonly Case[], results: Results): Markup {
     <li>
       ${mark(far >= 8, `In ${far} of ${all} cases raw Ammo errs at least ten times as much as standard in the same time.`)}
     </li>
+    <li>
+      ${mark(behind === 0, `In ${all - behind} of ${all} cases none of raw Ammo, Rapier and Jolt errs less than standard in the same time (or standard is at its floor); in ${beyond} the best of them errs at least ten times as much.`)}
+    </li>
   </ul>`;
 }
+
+const isBeaten = ({ hardest }: Verdict): boolean => hardest !== undefined && isBehind(hardest);
 
 function rungs({ which, ladder, broken }: Verdict): Markup[] {
   return levelNames.map((name) => {
@@ -92,6 +104,17 @@ function against({ which, duel: one }: Verdict): (string | Markup)[] {
   ];
 }
 
+function hardest({ which, hardest: one }: Verdict): (string | Markup)[] {
+  if (!one || one.theirs === null) return ['–', '–'];
+  const factor = one.factor === Infinity ? '∞' : times(one.factor!);
+  return [`${one.engine}, ${quantity(one.theirs, which.unit)}`, mark(!isBehind(one), factor)];
+}
+
+const losses = (verdicts: readonly Verdict[]): Markup[] =>
+  verdicts
+    .filter(isBeaten)
+    .map(({ which }) => html`<li>${which.name}: ${which.behind ?? 'no cause named.'}</li>`);
+
 const causes = (verdicts: readonly Verdict[]): Markup[] =>
   verdicts
     .filter(({ broken }) => broken.length > 0)
@@ -105,6 +128,7 @@ const causes = (verdicts: readonly Verdict[]): Markup[] =>
 export function criteriaPage(cases: readonly Case[], results: Results): string {
   const verdicts = verdictsOf(cases, results);
   const exceptions = causes(verdicts);
+  const beaten = losses(verdicts);
   return page(
     'Criteria of the accuracy lab',
     html`<a href="index.html">All cases</a>`,
@@ -128,6 +152,8 @@ export function criteriaPage(cases: readonly Case[], results: Results): string {
           'time of standard',
           'raw Ammo then',
           'factor',
+          'best of raw Ammo, Rapier, Jolt then',
+          'factor',
         ],
         verdicts.map((verdict) => [
           linkTo(verdict.which),
@@ -135,6 +161,7 @@ export function criteriaPage(cases: readonly Case[], results: Results): string {
           ...rungs(verdict),
           mark(verdict.cheap.length === 0, verdict.cheap.join(', ') || 'yes'),
           ...against(verdict),
+          ...hardest(verdict),
         ]),
       )}
       ${
@@ -142,6 +169,14 @@ export function criteriaPage(cases: readonly Case[], results: Results): string {
           ? html`<h2>Levels that err more than the level before</h2>
               <ul>
                 ${exceptions}
+              </ul>`
+          : html``
+      }
+      ${
+        beaten.length > 0
+          ? html`<h2>Where another engine errs less in the time of standard</h2>
+              <ul>
+                ${beaten}
               </ul>`
           : html``
       }`,

@@ -82,6 +82,25 @@ export function duel(which: Case, engine: string, rows: readonly Row[]): Duel | 
   return { ms: standard.ms, ours, theirs, floor, factor };
 }
 
+/** By whom `standard` is judged. */
+const RIVALS = ['ammo', 'rapier', 'jolt'];
+
+/** Our `standard` beside the best that raw Ammo, Rapier and Jolt reach in the same time, and who that is. */
+export function hardestDuel(
+  which: Case,
+  rows: readonly Row[],
+): (Duel & { engine: string }) | undefined {
+  const all = RIVALS.flatMap((engine) => {
+    const one = duel(which, engine, rows);
+    return one ? [{ ...one, engine }] : [];
+  });
+  return all.toSorted((a, b) => (a.theirs ?? Infinity) - (b.theirs ?? Infinity))[0];
+}
+
+/** Whether another is nearer to the truth, and we are not at our floor. */
+export const isBehind = ({ ours, theirs, floor }: Duel): boolean =>
+  theirs !== null && ours > floor && ours >= theirs;
+
 /** Milliseconds per simulated second that the cheapest of these runs takes to reach an error. */
 export function timeTo(error: number, rows: readonly Row[]): Row | undefined {
   return rows.filter((row) => errorOf(row) <= error).sort((a, b) => a.ms - b.ms)[0];

@@ -9,6 +9,14 @@ export const poseOf = ({ position = [0, 0, 0], orientation = [0, 0, 1, 0] }: Cas
   q: quaternionOf(orientation),
 });
 
+/** Where its author has a body after so many seconds; none of what nobody moves. */
+export function guideOf(body: CaseBody): ((time: number) => Pose) | undefined {
+  const { path, turn } = body;
+  if (!path && !turn) return undefined;
+  const { p, q } = poseOf(body);
+  return (time) => ({ p: path ? path(time) : p, q: turn ? quaternionOf(turn(time)) : q });
+}
+
 const sum = (vectors: readonly Vec3[] = []): Vec3 => vectors.reduce<Vec3>(add, [0, 0, 0]);
 
 export const forceOn = ({ forces }: CaseBody): Vec3 => sum(forces);

@@ -3,7 +3,7 @@ import type { Ammo } from '../../physics-core/engine/ammo.js';
 import { Owner } from '../../physics-core/engine/owner.js';
 import { cross, quaternionOfAxes, rotate, type Pose } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
-import { forceOn, massOf, poseOf, torqueOn } from './bodies.js';
+import { forceOn, guideOf, massOf, poseOf, torqueOn } from './bodies.js';
 import type { Running } from './engine.js';
 import type { End, Plan, Plans, Push } from './joints.js';
 
@@ -104,6 +104,13 @@ export class BulletScene {
     return this.owner.own(made());
   }
 
+  /** Of one shape. */
+  compound(shape: Shape, offset: Vec3 = [0, 0, 0]): BtShape {
+    const made = this.owner.own(new this.ammo.btCompoundShape());
+    made.addChildShape(this.transform({ p: offset, q: [0, 0, 0, 1] }), this.primitive(shape));
+    return made;
+  }
+
   #make(body: CaseBody): BtBody {
     const { ammo, owner } = this;
     const shape = body.shape
@@ -147,20 +154,26 @@ export class BulletScene {
       const { linear, angular } = this.#ways.damping(body);
       made.setDamping(linear, angular);
     }
-    if (body.path) this.#carry(made, body.path);
+    const guide = guideOf(body);
+    if (guide) this.#carry(made, guide);
     // Without contacts: in group 1, colliding with group 0.
     if (contact && body.shape) this.world.addRigidBody(made);
     else this.world.addRigidBody(made, 1, 0);
     if (body.useGlobalGravity === false) made.setGravity(this.vector([0, 0, 0]));
     this.#push(made, forceOn(body), torqueOn(body));
+    if (body.pull) this.#pull(made, body.pull);
   }
 
-  /** Bullet takes the place of what is kinematic from its motion state, and its speed from how far that went. */
-  #carry(body: BtBody, path: (time: number) => Vec3): void {
+  /** Bullet takes the pose of what is kinematic from its motion state, and its speed from how far that went. */
+  #carry(body: BtBody, guide: (time: number) => Pose): void {
     body.setCollisionFlags(KINEMATIC);
-    const to = this.transform({ p: path(0), q: [0, 0, 0, 1] });
+    const to = this.transform(guide(0));
+    const turn = this.owner.own(new this.ammo.btQuaternion(0, 0, 0, 1));
     this.#moved.push((time) => {
-      to.getOrigin().setValue(...path(time));
+      const { p, q } = guide(time);
+      to.getOrigin().setValue(...p);
+      turn.setValue(...q);
+      to.setRotation(turn);
       body.getMotionState().setWorldTransform(to);
     });
   }
@@ -175,6 +188,14 @@ export class BulletScene {
     const [f, t] = [this.vector(force), this.vector(torque)];
     if (force.some(Boolean)) this.#forced.push(() => body.applyCentralForce(f));
     if (torque.some(Boolean)) this.#forced.push(() => body.applyTorque(t));
+  }
+
+  #pull(body: BtBody, pull: (at: Vec3) => Vec3): void {
+    const force = this.vector([0, 0, 0]);
+    this.#forced.push(() => {
+      force.setValue(...pull(xyz(body.getWorldTransform().getOrigin())));
+      body.applyCentralForce(force);
+    });
   }
 
   // ---- joints -----------------------------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 import * as CANNON from 'cannon-es';
-import { rotate, scale } from '../../physics-core/base/math.js';
+import { conjugate, multiply, rotate, rotationOf, scale } from '../../physics-core/base/math.js';
+import type { Pose } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
-import { forceOn, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
+import { forceOn, guideOf, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
 import { NotOffered, sweep, type Engine, type Running, type Setting } from './engine.js';
 import { plansOf, type End, type Plan, type Push } from './joints.js';
 
@@ -26,7 +27,7 @@ function bodyOf(body: CaseBody, collides: boolean): CANNON.Body {
   const { p, q } = poseOf(body);
   const made = new CANNON.Body({
     mass: body.fixed ? 0 : massOf(body),
-    ...(body.path && { type: CANNON.Body.KINEMATIC }),
+    ...(guideOf(body) && { type: CANNON.Body.KINEMATIC }),
     position: vec(p),
     quaternion: new CANNON.Quaternion(...q),
     velocity: vec(body.linearVelocity ?? [0, 0, 0]),
@@ -35,7 +36,7 @@ function bodyOf(body: CaseBody, collides: boolean): CANNON.Body {
     angularDamping: 0,
     ...(!collides && { collisionFilterMask: 0 }),
   });
-  if (body.shape) made.addShape(shapeOf(body.shape));
+  if (body.shape) made.addShape(shapeOf(body.shape), vec(body.offset ?? [0, 0, 0]));
   if (!body.fixed) weigh(made, body);
   return made;
 }
@@ -58,18 +59,23 @@ function forcesOf(body: CaseBody, made: CANNON.Body, gravity: Vec3): (() => void
   const weight = body.useGlobalGravity === false ? scale(gravity, -massOf(body)) : [0, 0, 0];
   const force = vec(forceOn(body).map((f, i) => f + weight[i]!) as Vec3);
   const torque = vec(torqueOn(body));
+  const { pull } = body;
   return [
+    ...(pull ? [() => made.applyForce(vec(pull(xyz(made.position))))] : []),
     ...(force.isZero() ? [] : [() => made.applyForce(force)]),
     ...(torque.isZero() ? [] : [() => made.applyTorque(torque)]),
   ];
 }
 
 /** Moved by its velocity: to where it is to be at the end of the step. */
-function moverOf(made: CANNON.Body, path: (time: number) => Vec3, dt: number): () => void {
+function moverOf(made: CANNON.Body, guide: (time: number) => Pose, dt: number): () => void {
   let steps = 0;
   return () => {
-    vec(path(++steps * dt)).vsub(made.position, made.velocity);
+    const { p, q } = guide(++steps * dt);
+    vec(p).vsub(made.position, made.velocity);
     made.velocity.scale(1 / dt, made.velocity);
+    const [x, y, z, angle] = rotationOf(multiply(q, conjugate(xyzw(made.quaternion))));
+    made.angularVelocity.set(x, y, z).scale(angle / dt, made.angularVelocity);
   };
 }
 
@@ -133,7 +139,8 @@ async function make(scene: CaseScene, { step, iterations }: Setting): Promise<Ru
     const made = bodyOf(body, Boolean(contact));
     world.addBody(made);
     bodies.set(body.name, made);
-    if (body.path) forces.push(moverOf(made, body.path, step));
+    const guide = guideOf(body);
+    if (guide) forces.push(moverOf(made, guide, step));
     if (!body.fixed) forces.push(...forcesOf(body, made, gravity));
   }
   const at = ({ body }: End) => (body === undefined ? ground : bodies.get(body)!);

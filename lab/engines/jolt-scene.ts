@@ -1,6 +1,6 @@
-import { rotate, scale } from '../../physics-core/base/math.js';
+import { add, rotate, scale, type Pose } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
-import { forceOn, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
+import { forceOn, guideOf, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
 import { NotOffered, type Running } from './engine.js';
 import { constraintOf, drive, type Jolt } from './jolt-joints.js';
 import type { End, Plan, Push } from './joints.js';
@@ -105,15 +105,22 @@ export class JoltScene {
     return new jolt.BoxShape(this.vec(half), roundness(...half));
   }
 
-  #layer(body: CaseBody): number {
-    if (!this.#scene.contact || !body.shape) return LOOSE;
-    return body.fixed && !body.path ? STILL : MOVING;
+  /** Jolt's place of a body is that of its shape. */
+  #shapeOf({ shape, offset }: CaseBody): InstanceType<Jolt['Shape']> {
+    const made = this.#shape(shape);
+    if (!offset) return made;
+    return new this.jolt.OffsetCenterOfMassShape(made, this.vec(scale(offset, -1)));
   }
 
-  #motion({ fixed, path }: CaseBody) {
+  #layer(body: CaseBody): number {
+    if (!this.#scene.contact || !body.shape) return LOOSE;
+    return body.fixed && !guideOf(body) ? STILL : MOVING;
+  }
+
+  #motion(body: CaseBody) {
     const { jolt } = this;
-    if (path) return jolt.EMotionType_Kinematic;
-    return fixed ? jolt.EMotionType_Static : jolt.EMotionType_Dynamic;
+    if (guideOf(body)) return jolt.EMotionType_Kinematic;
+    return body.fixed ? jolt.EMotionType_Static : jolt.EMotionType_Dynamic;
   }
 
   add(body: CaseBody): void {
@@ -121,8 +128,8 @@ export class JoltScene {
     const { p, q } = poseOf(body);
     const settings = this.own(
       new jolt.BodyCreationSettings(
-        this.#shape(body.shape),
-        this.place(p),
+        this.#shapeOf(body),
+        this.place(body.offset ? add(p, rotate(q, body.offset)) : p),
         this.own(new jolt.Quat(...q)),
         this.#motion(body),
         this.#layer(body),
@@ -132,12 +139,14 @@ export class JoltScene {
     settings.mRestitution = this.#scene.contact?.bounce ?? 0;
     settings.mCollisionGroup = this.own(new jolt.CollisionGroup(this.#joined, 0, this.bodies.size));
     if (!body.fixed) this.#move(settings, body);
-    if (body.path) settings.mAllowSleeping = false;
+    const guide = guideOf(body);
+    if (guide) settings.mAllowSleeping = false;
     const made = this.system.GetBodyInterface().CreateBody(settings);
     this.system.GetBodyInterface().AddBody(made.GetID(), jolt.EActivation_Activate);
     this.bodies.set(body.name, made);
-    if (body.path) this.#carry(made, body.path);
+    if (guide) this.#carry(made, guide);
     if (!body.fixed) this.#push(made, this.vec(forceOn(body)), this.vec(torqueOn(body)));
+    if (body.pull) this.#pull(made, body.pull);
   }
 
   #move(settings: InstanceType<Jolt['BodyCreationSettings']>, body: CaseBody): void {
@@ -159,12 +168,14 @@ export class JoltScene {
   }
 
   /** Along with its author's path: to where that ends after the step. */
-  #carry(body: Body, path: (time: number) => Vec3): void {
+  #carry(body: Body, guide: (time: number) => Pose): void {
     const bodies = this.system.GetBodyInterface();
     const [to, turn] = [this.place([0, 0, 0]), this.own(new this.jolt.Quat(0, 0, 0, 1))];
     let steps = 0;
     this.moves.push((dt) => {
-      to.Set(...path(++steps * dt));
+      const { p, q } = guide(++steps * dt);
+      to.Set(...p);
+      turn.Set(...q);
       bodies.MoveKinematic(body.GetID(), to, turn, dt);
     });
   }
@@ -173,6 +184,14 @@ export class JoltScene {
   #push(body: Body, force: JVec3, torque: JVec3): void {
     if (force.Length() > 0) this.forces.push(() => body.AddForce(force));
     if (torque.Length() > 0) this.forces.push(() => body.AddTorque(torque));
+  }
+
+  #pull(body: Body, pull: (at: Vec3) => Vec3): void {
+    const force = this.vec([0, 0, 0]);
+    this.forces.push(() => {
+      force.Set(...pull(xyz(body.GetCenterOfMassPosition())));
+      body.AddForce(force);
+    });
   }
 
   // ---- joints -------------------------------------------------------------------------------------------------------
@@ -228,7 +247,7 @@ export class JoltScene {
         for (const apply of this.forces) apply();
         this.interface.Step(step, 1);
       },
-      position: seen((body) => xyz(body.GetPosition())),
+      position: seen((body) => xyz(body.GetCenterOfMassPosition())),
       orientation: seen((body) => xyzw(body.GetRotation())),
       linearVelocity: seen((body) => xyz(body.GetLinearVelocity())),
       angularVelocity: seen((body) => xyz(body.GetAngularVelocity())),

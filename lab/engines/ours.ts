@@ -1,20 +1,30 @@
 import { jointSolve } from '../../physics-core/inside.js';
 import { levels, loadEngine, World, type Level } from '../../physics-core/inside.js';
+import { add, cross, rotate, scale } from '../../physics-core/base/math.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';
+import { poseOf } from './bodies.js';
 import { sweep, type Engine, type Running, type Setting } from './engine.js';
 
-function fieldsOf({
-  name: _,
-  shape,
-  inertia,
-  path: __,
-  ...fields
-}: CaseBody): Record<string, unknown> {
+/** Its origin is in the middle of its shape. */
+function fieldsOf(body: CaseBody): Record<string, unknown> {
+  const { name: _, path: __, turn: ___, pull: ____, shape, offset, inertia, ...fields } = body;
   return {
     ...fields,
     ...(shape && { geometry: [shape] }),
     ...(inertia && { inertia: inertia.flatMap((moment, i) => [0, 0, 0].with(i, moment)) }),
+    ...(offset && offCentre(body, offset)),
+  };
+}
+
+function offCentre(body: CaseBody, offset: Vec3): Record<string, unknown> {
+  const { p, q } = poseOf(body);
+  const { linearVelocity = [0, 0, 0], angularVelocity = [0, 0, 0] } = body;
+  const arm = rotate(q, offset);
+  return {
+    centerOfMass: scale(offset, -1),
+    position: add(p, arm),
+    linearVelocity: add(linearVelocity, cross(angularVelocity, arm)),
   };
 }
 
@@ -52,11 +62,27 @@ const levelOf = ({ level, step, iterations }: Setting): Level =>
 
 /** As page code does: what is moved is put where it is to be at the end of the step that comes. */
 function mover(nodes: Map<string, BodyNode>, { bodies }: CaseScene, timeStep: number): () => void {
-  const moved = bodies.flatMap(({ name, path }) => (path ? { node: nodes.get(name)!, path } : []));
+  const moved = bodies
+    .filter(({ path, turn }) => path ?? turn)
+    .map(({ name, path, turn }) => ({ node: nodes.get(name)!, path, turn }));
   let steps = 0;
   return () => {
     steps++;
-    for (const { node, path } of moved) node.set('position', path(steps * timeStep));
+    const time = steps * timeStep;
+    for (const { node, path, turn } of moved) {
+      if (path) node.set('position', path(time));
+      if (turn) node.set('orientation', turn(time));
+    }
+  };
+}
+
+/** As page code does: a force by where the body is, before each step. */
+function puller(nodes: Map<string, BodyNode>, { bodies }: CaseScene): () => void {
+  const pulled = bodies.flatMap(({ name, pull }) =>
+    pull ? [{ node: nodes.get(name)!, pull }] : [],
+  );
+  return () => {
+    for (const { node, pull } of pulled) node.set('forces', [pull(node.get('position') as Vec3)]);
   };
 }
 
@@ -76,16 +102,25 @@ async function make(scene: CaseScene, setting: Setting, solve: boolean): Promise
   const wrong = world.problems.filter(({ code }) => !HARD.includes(code));
   if (wrong.length > 0) throw new Error(wrong.map(({ message }) => message).join('; '));
   const move = mover(nodes, scene, world.timeStep);
+  const pull = puller(nodes, scene);
   const vector = (field: string) => (body: string) => nodes.get(body)!.get(field) as Vec3;
+  /** From its origin to its centre of mass. */
+  const arm = (body: string): Vec3 =>
+    rotate(nodes.get(body)!.pose().q, nodes.get(body)!.get('centerOfMass') as Vec3);
+  const centred = scene.bodies.every(({ offset }) => !offset);
   return {
     timeStep: world.timeStep,
     step: () => {
       move();
+      pull();
       world.step();
     },
-    position: vector('position'),
+    position: centred ? vector('position') : (body) => add(vector('position')(body), arm(body)),
     orientation: (body) => nodes.get(body)!.pose().q,
-    linearVelocity: vector('linearVelocity'),
+    linearVelocity: centred
+      ? vector('linearVelocity')
+      : (body) =>
+          add(vector('linearVelocity')(body), cross(vector('angularVelocity')(body), arm(body))),
     angularVelocity: vector('angularVelocity'),
     contacts: () => world.stats.contacts,
     effects: () => world.effects.filter(({ active }) => active).map(({ name }) => name),

@@ -1,7 +1,7 @@
 import RAPIER from '@dimforge/rapier3d-compat';
 import { cross, quaternionOfAxes, rotate, scale } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
-import { forceOn, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
+import { forceOn, guideOf, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
 import { NotOffered, sweep, type Engine, type Running, type Setting } from './engine.js';
 import { plansOf, type End, type Plan, type Push } from './joints.js';
 
@@ -25,7 +25,7 @@ function colliderOf(shape: Shape): RAPIER.ColliderDesc {
 
 function bodyDescOf(body: CaseBody): RAPIER.RigidBodyDesc {
   const { p, q } = poseOf(body);
-  const desc = body.path
+  const desc = guideOf(body)
     ? RAPIER.RigidBodyDesc.kinematicPositionBased()
     : body.fixed
       ? RAPIER.RigidBodyDesc.fixed()
@@ -52,6 +52,7 @@ function addBody(world: RAPIER.World, body: CaseBody, contact: CaseScene['contac
   if (!body.shape) return made;
   // The body has its mass already.
   const collider = colliderOf(body.shape).setDensity(0);
+  collider.setTranslation(...(body.offset ?? [0, 0, 0]));
   if (!contact) collider.setCollisionGroups(NOTHING);
   else collider.setFriction(contact.friction).setRestitution(contact.bounce);
   world.createCollider(collider, made);
@@ -65,6 +66,7 @@ function force(made: RAPIER.RigidBody, body: CaseBody): void {
   made.resetTorques(true);
   made.addForce(vec(forceOn(body)), true);
   made.addTorque(vec(torqueOn(body)), true);
+  if (body.pull) made.addForce(vec(body.pull(xyz(made.translation()))), true);
 }
 
 type BodyAt = (end: End) => RAPIER.RigidBody;
@@ -140,17 +142,24 @@ async function make(scene: CaseScene, { step, iterations }: Setting): Promise<Ru
     for (const body of scene.bodies) force(bodies.get(body.name)!, body);
     for (const one of pushes) push(one, bodies.get(one.body1)!, bodies.get(one.body2 ?? ''));
   };
-  const moved = scene.bodies.filter(({ path }) => path);
+  const moved = scene.bodies.flatMap((body) => {
+    const guide = guideOf(body);
+    return guide ? [{ made: bodies.get(body.name)!, guide, turns: Boolean(body.turn) }] : [];
+  });
+  const pulled = scene.bodies.some(({ pull }) => pull);
   let steps = 0;
   forceAll();
   return {
     timeStep: step,
     step: () => {
       steps++;
-      for (const { name, path } of moved)
-        bodies.get(name)!.setNextKinematicTranslation(vec(path!(steps * step)));
-      // What turns with a body is given anew.
-      if (pushes.length > 0) forceAll();
+      for (const { made, guide, turns } of moved) {
+        const { p, q } = guide(steps * step);
+        made.setNextKinematicTranslation(vec(p));
+        if (turns) made.setNextKinematicRotation(turn(q));
+      }
+      // What turns with a body, or hangs on where it is, is given anew.
+      if (pushes.length > 0 || pulled) forceAll();
       world.step();
     },
     position: (name) => xyz(bodies.get(name)!.translation()),

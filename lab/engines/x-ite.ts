@@ -10,13 +10,9 @@ import { plansOf, type Plan } from './joints.js';
 /** A steady one: X_ITE takes the frame rate of the browser, averaged over 15 frames. */
 const FRAME = 1 / 60;
 
-/** A compound of one shape: Bullet takes the inertia of the box around it. */
-function compound(scene: BulletScene, { shape }: CaseBody): BtShape {
-  const { ammo, owner } = scene;
-  const made = owner.own(new ammo.btCompoundShape());
-  made.addChildShape(scene.transform({ p: [0, 0, 0], q: [0, 0, 0, 1] }), scene.primitive(shape!));
-  return made;
-}
+/** Bullet takes the inertia of the box around it. */
+const compound = (scene: BulletScene, { shape, offset }: CaseBody): BtShape =>
+  scene.compound(shape!, offset);
 
 function joint(scene: BulletScene, plan: Plan): BtConstraint {
   if (plan.kind === 'cross') throw new NotOffered('UniversalJoint, an empty shell in X_ITE');
@@ -45,7 +41,7 @@ const ways: Ways = {
 function check({ bodies }: CaseScene): void {
   if (bodies.some(({ inertia }) => inertia))
     throw new NotOffered('inertia, which X_ITE does not read');
-  if (bodies.some(({ path }) => path))
+  if (bodies.some(({ path, turn }) => path ?? turn))
     throw new NotOffered(
       'fixed bodies that are moved: X_ITE teleports them, which moves nothing along',
     );

@@ -1,10 +1,13 @@
+import { cross3 } from '../../base/flat-math.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { originOf } from '../../engine/body-heap.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { isCarried, readVelocity } from '../../engine/solver-body.js';
 import { layInSurface } from '../contacts/friction-directions.js';
+import { ALONG } from '../drag/riders.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import type { SolveBodies } from './solve-bodies.js';
+import { SIZE } from './sparse-cholesky.js';
 
 /** Bullet's solver leaves out what lies farther away, metres. */
 export const LEFT_OUT = 1e18;
@@ -41,6 +44,9 @@ export class ContactPort {
   readonly #laid = new Float64Array(3);
   /** Velocity of a body that is carried. */
   readonly #carried = new Float64Array(6);
+  readonly #way = new Float64Array(3);
+  readonly #turned = new Float64Array(3);
+  readonly #swing = new Float64Array(3);
 
   constructor(ammo: Ammo, bodies: SolveBodies, contacts: ConeContacts) {
     this.#ammo = ammo;
@@ -60,7 +66,7 @@ export class ContactPort {
     c[at + C.friction] = point.friction;
     c[at + C.penalty] = STIFFNESS * this.#mass(p, q);
     this.#readTargets(c, at, p, q, step);
-    this.#readCarried(c, at, a, b, p, q);
+    this.#readCarried(c, at, a, b, p, q, step.dt);
     return this.#contacts.count - 1;
   }
 
@@ -121,12 +127,43 @@ export class ContactPort {
   }
 
   /** What its author moves has a speed, though nothing pushes it. */
-  #readCarried(c: Float64Array, at: number, a: number, b: number, p: number, q: number): void {
+  #readCarried(
+    c: Float64Array,
+    at: number,
+    a: number,
+    b: number,
+    p: number,
+    q: number,
+    dt: number,
+  ): void {
     const carried = p < 0 ? a : q < 0 ? b : 0;
     if (carried === 0 || !isCarried(this.#ammo, carried)) return;
     readVelocity(this.#ammo, carried, this.#carried, 0);
+    this.#leadCarried(c, at, p, q, dt);
     speeds(c, at, this.#carried, p < 0 ? 0 : -1, p < 0 ? -1 : 0, C.miss);
     for (let k = 0; k < 3; k++) c[at + C.target + k]! -= c[at + C.miss + k]!;
+  }
+
+  /**
+   * What turns goes elsewhere otherwise, so what rolls or slides over it meets it at the end of the step where it has got
+   * to by then. What goes along with it is taken along as it is (`Riders`).
+   */
+  #leadCarried(c: Float64Array, at: number, p: number, q: number, dt: number): void {
+    const v = this.#carried;
+    if (v[3] === 0 && v[4] === 0 && v[5] === 0) return;
+    const [arm, own, rider] = p < 0 ? [C.armB, C.armA, q] : [C.armA, C.armB, p];
+    const [by, turned, swing] = [this.#way, this.#turned, this.#swing];
+    // Of the contact against the middle of what is carried, and of the place on that which it leaves, m/s.
+    cross3(turned, 0, v, 3, c, at + arm);
+    for (let k = 0; k < 3; k++)
+      by[k] = this.#bodies.velocities[rider * SIZE + k]! + turned[k]! - v[k]!;
+    cross3(turned, 0, v, 3, c, at + own);
+    cross3(swing, 0, v, 3, turned, 0);
+    let slips = 0;
+    for (let k = 0; k < 3; k++) slips += (by[k]! - turned[k]! + dt * swing[k]!) ** 2;
+    if (slips < ALONG ** 2) return;
+    cross3(turned, 0, v, 3, by, 0);
+    for (let k = 0; k < 3; k++) v[k]! += dt * turned[k]!;
   }
 
   /** What was found, where sensors look for it and the next step begins. */

@@ -18,7 +18,7 @@ import { turnOf, type Carried } from './carried.js';
 const VELOCITY = 6;
 
 /** What moves no faster than that against what carries it goes along with it, m/s: a contact solver leaves as much. */
-const ALONG = 0.02;
+export const ALONG = 0.02;
 
 /** What stands on carried bodies, or on what stands there, and goes along with them in a step. */
 export class Riders {

@@ -1,0 +1,61 @@
+import type { Case } from '../case.js';
+import { offPathsOnFloor, roundingOf, type Path } from './paths.js';
+
+// What friction drives.
+
+const GRAVITY = 9.81;
+
+/** m/s of the belt, and N/m of the spring on the block of 1 kg. */
+const BELT = 0.5;
+const STIFFNESS = 20;
+const FRICTION = 0.3;
+const SIZE = 0.2;
+
+const rate = Math.sqrt(STIFFNESS);
+/** Metres at which the spring pulls as much as friction holds, and after how many seconds on the belt. */
+const slipsAt = (FRICTION * GRAVITY) / STIFFNESS;
+const slips = slipsAt / BELT;
+
+/** Friction holds and rubs alike, so a block that has slipped swings for ever, and is as fast as the belt once a turn. */
+const block: Path = (time) => {
+  const x = time < slips ? BELT * time : slipsAt + (BELT / rate) * Math.sin(rate * (time - slips));
+  return [x, SIZE / 2, 0];
+};
+const belt: Path = (time) => [BELT * time, -0.5, 0];
+
+const stickAndSlip: Case = {
+  id: 'stick-slip',
+  name: 'Stick and slip',
+  says: 'A block on a belt of 0.5 m/s, held by a spring that page code makes, friction 0.3: it sticks until the spring pulls with μ m g, then swings by v √(m/k) about there; its place against that.',
+  scene: {
+    gravity: [0, -GRAVITY, 0],
+    bodies: [
+      {
+        name: 'belt',
+        fixed: true,
+        shape: { type: 'Box', size: [20, 1, 4] },
+        position: belt(0),
+        path: belt,
+      },
+      {
+        name: 'block',
+        shape: { type: 'Box', size: [SIZE, SIZE, SIZE] },
+        position: block(0),
+        linearVelocity: [BELT, 0, 0],
+        pull: ([x]) => [-STIFFNESS * x, 0, 0],
+      },
+    ],
+    contact: { bounce: 0, friction: FRICTION },
+  },
+  seconds: 4,
+  unit: 'm',
+  size: BELT / rate,
+  singlePrecision: roundingOf(0.25, 4),
+  watch: offPathsOnFloor({ block }),
+  exception:
+    'the 10 µm by which contacts keep in touch are as much, in a step of 1/960 s, as the weight gives; what the belt bears varies from step to step, and with it what it rubs in the step in which the block comes loose.',
+  behind:
+    'a force of page code is known at the start of a step only, and acts all through it: at the same step Jolt is off by as much, and its step takes a ninth of the time.',
+};
+
+export const cases: Case[] = [stickAndSlip];

@@ -1,0 +1,102 @@
+import { drivenPendulum, pivotAt, type DrivenPendulum } from '../../references/driven-pendulum.js';
+import { pendulumAngle } from '../../references/elliptic.js';
+import type { Case, Vec3 } from '../case.js';
+import { frameOf, rounding } from './judging.js';
+import { offPaths, roundingOf, type Path } from './paths.js';
+
+// Pendulums that come near to where they would stand on their head.
+
+const G = 9.81;
+const GRAVITY: Vec3 = [0, -G, 0];
+
+// ---- a large swing ---------------------------------------------------------------------------------------------------
+
+const board: Vec3 = [0.1, 1, 0.05];
+const [width, height] = board;
+/** About its end, per mass, m². */
+const boardMoment = (width ** 2 + height ** 2) / 12 + height ** 2 / 4;
+const START = (150 / 180) * Math.PI;
+const angleAt = pendulumAngle(START, Math.sqrt((G * height) / 2 / boardMoment));
+const boardPath: Path = (time) => {
+  const angle = angleAt(time);
+  return [(height / 2) * Math.sin(angle), (-height / 2) * Math.cos(angle), 0];
+};
+
+const largeSwing: Case = {
+  id: 'pendulum-large',
+  name: 'Pendulum let go at 150°',
+  says: "A board of 1 m on a hinge at its end, let go 30° beside its head; its place against Jacobi's elliptic functions, by which a swing takes 1.8 times as long as a little one.",
+  scene: {
+    gravity: GRAVITY,
+    bodies: [
+      {
+        name: 'board',
+        shape: { type: 'Box', size: board },
+        position: boardPath(0),
+        orientation: [0, 0, 1, START],
+      },
+    ],
+    joints: [{ type: 'SingleAxisHingeJoint', body1: 'board', axis: [0, 0, 1] }],
+  },
+  seconds: 5,
+  unit: 'm',
+  size: 1,
+  // A share that rounding adds to the speed moves the turning point by 7.5 times as much, rad, and each such radian
+  // the period by 1.95 s: five times what that speed alone would make of the way.
+  singlePrecision: 5 * rounding(0.5, 3.4, 5),
+  watch: offPaths({ board: boardPath }),
+};
+
+// ---- Kapitza's -------------------------------------------------------------------------------------------------------
+
+const RADIUS = 0.1;
+const ARM = 0.4;
+/** Six times a second: what is moved at more than √(2 g L) holds its pendulum up, and this is 3.8 m/s against 2.8 m/s. */
+const driven: DrivenPendulum = {
+  arm: ARM,
+  moment: ARM ** 2 + 0.4 * RADIUS ** 2,
+  way: 0.1,
+  gravity: G,
+  along: 'y',
+  rate: 12 * Math.PI,
+  start: Math.PI - 0.3,
+};
+
+/** Steps of the reference in 1/60 s; twice as many change no angle by more than 1e-9 rad. */
+const PER_FRAME = 64;
+
+const drivenAngle = drivenPendulum(driven, PER_FRAME);
+const pivot: Path = (time) => [0, pivotAt(driven, time), 0];
+const bob: Path = (time) => {
+  const angle = drivenAngle(frameOf(time));
+  return [ARM * Math.sin(angle), pivotAt(driven, time) - ARM * Math.cos(angle), 0];
+};
+
+const kapitza: Case = {
+  id: 'pendulum-kapitza',
+  name: "Kapitza's pendulum",
+  says: 'A ball on a ball joint 0.4 m above a pivot that is moved up and down by 0.2 m six times a second, which holds it up; its place against the equation of motion, in double precision.',
+  scene: {
+    gravity: GRAVITY,
+    bodies: [
+      {
+        name: 'pivot',
+        fixed: true,
+        shape: { type: 'Box', size: [0.05, 0.05, 0.05] },
+        position: pivot(0),
+        path: pivot,
+      },
+      { name: 'bob', shape: { type: 'Sphere', radius: RADIUS }, position: bob(0) },
+    ],
+    joints: [{ type: 'BallJoint', body1: 'bob', body2: 'pivot', anchorPoint: [0, 0, 0] }],
+  },
+  seconds: 4,
+  unit: 'm',
+  size: ARM,
+  singlePrecision: roundingOf(1, 4),
+  watch: offPaths({ bob }),
+  behind:
+    'what holds it up is the square of the shaking speed, of which every engine here sees the mean of a step: (ω dt)²/12 of it is missing, the same in all; a step of Rapier and Jolt takes a quarter of the time of one of ours.',
+};
+
+export const cases: Case[] = [largeSwing, kapitza];
