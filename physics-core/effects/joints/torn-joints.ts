@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import { rotate, type Quaternion } from '../../base/math.js';
 import { POSE } from '../../dynamics/poses.js';
@@ -71,7 +72,7 @@ export class TornJoints {
   /** As Bullet turns what spins so. */
   #writeTurn(out: Float64Array, velocity: Float64Array, at: number, dt: number): void {
     for (let x = 0; x < 3; x++) this.#spin[x] = velocity[at + 3 + x]!;
-    const speed = Math.hypot(this.#spin[0]!, this.#spin[1]!, this.#spin[2]!);
+    const speed = hypot(this.#spin[0]!, this.#spin[1]!, this.#spin[2]!);
     const time = speed > 0 ? Math.min(Math.abs(dt), MOST_TURN / speed) : Math.abs(dt);
     writeTurn(out, this.#spin, Math.sign(dt) * time);
   }
