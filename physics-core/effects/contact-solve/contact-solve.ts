@@ -1,10 +1,10 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { pointCountAt, setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
-import { inverseMassOf, speedSquared } from '../../engine/solver-body.js';
-import { contactShapes } from '../manifolds/contact-shapes.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
+import { speedSquared } from '../../engine/solver-body.js';
+import { contactShapes } from '../manifolds/effects.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
@@ -230,26 +230,3 @@ export class ContactSolve extends Effect {
     }
   }
 }
-
-/** Looked at in every step in which Bullet has found what may be in touch. */
-function touching(simulation: Simulation, effects: Effects): void {
-  if (!simulation.bullet.settings.direct || effects.caused(contactSolve)) return;
-  const { ammo } = simulation.engine;
-  simulation.bullet.eachAwakeManifold((manifold, a, b) => {
-    if (pointCountAt(ammo, manifold) === 0) return;
-    const body = simulation.bodyAt(inverseMassOf(ammo, a) === 0 ? b : a);
-    if (body) effects.get(contactSolve).touch(body);
-  });
-}
-
-export const contactSolve: EffectDescriptor<ContactSolve> = {
-  name: 'contact solve',
-  causes: 'bodies in touch',
-  after: {
-    'joint solve': 'its rows keep to what that has found',
-    'contact surface': 'what contacts are like is written by then',
-    'impact propagation': 'what hits is turned back by then',
-  },
-  found: touching,
-  load: (simulation, effects) => new ContactSolve(simulation, effects),
-};

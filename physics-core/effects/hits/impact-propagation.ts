@@ -3,19 +3,16 @@ import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Blow, MOST_HITS } from './blow.js';
-import { continuousCollision } from './continuous-collision.js';
+import { continuousCollision } from './effects.js';
 import { hitShapeOf, type HitShape } from './hit-shape.js';
 import { Impact, OVER } from './impact.js';
 import { StruckBody } from './struck-body.js';
 import { isBallAt, isRound, partOf } from '../contacts/contact-part.js';
 import type { Pair } from '../contacts/contact-rows.js';
-import {
-  contactSurface,
-  type ContactListener,
-  type ContactSurface,
-} from '../contacts/contact-surface.js';
+import { contactSurface } from '../contacts/effects.js';
+import type { ContactListener, ContactSurface } from '../contacts/contact-surface.js';
 import { pairFilter } from '../contacts/pair-filter.js';
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import { Effect } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
@@ -233,11 +230,3 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#touched.length = 0;
   }
 }
-
-export const impactPropagation: EffectDescriptor<ImpactPropagation> = {
-  name: 'impact propagation',
-  causes: 'contacts that say more than the default, or something fast',
-  after: { 'free flight': 'what hits is put right from where its free flight would end' },
-  with: [contactSurface, continuousCollision],
-  load: (simulation, effects) => new ImpactPropagation(simulation, effects),
-};

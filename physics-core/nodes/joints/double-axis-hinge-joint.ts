@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import type { Motor, Stop } from '../../dynamics/joint.js';
 import { FRAME, softnessAtStep } from '../../dynamics/levels.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -157,6 +158,7 @@ export const doubleAxisHingeJoint = defineNode<DoubleAxisHingeJointNode>({
   clause: '37.4.9',
   doc: 'The wheel of a car: steering and suspension about and along one axis, spin about another.',
   rank: 3,
+  chunk: joints,
   make: (context) => new DoubleAxisHingeJointNode(context),
   fields: doubleAxisHingeFields,
 });

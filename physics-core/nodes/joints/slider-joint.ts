@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import type { Stop } from '../../dynamics/joint.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, invert, scale, type Pose } from '../../base/math.js';
@@ -132,6 +133,7 @@ export const sliderJoint = defineNode<SliderJointNode>({
   clause: '37.4.15',
   doc: 'Lets two bodies slide along one axis; neither turns against the other.',
   rank: 3,
+  chunk: joints,
   make: (context) => new SliderJointNode(context),
   fields: {
     ...jointFields,

@@ -1,3 +1,4 @@
+import type { Chunk } from '../../base/chunk.js';
 import type { Access, Dimension, FieldType, Value } from '../../fields/types.js';
 
 /**
@@ -60,6 +61,8 @@ export interface NodeType<N = unknown> {
   fields: Record<string, Field<N>>;
   /** An X3DBoundedObject. */
   bounded?: true;
+  /** Code of effects that its nodes are not made without. */
+  chunk?: Chunk;
 }
 
 /** What words of authors are looked up in: `constructor` is in it only where somebody put it. */
