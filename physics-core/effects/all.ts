@@ -22,7 +22,7 @@ import { resting } from './rest/resting.js';
 
 /** All code that pages fetch when it is needed. */
 export const chunks = [
-  joints.comesFrom(() => import('./joints/code.js')),
+  joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
 ] as const;
 

@@ -1,9 +1,9 @@
 // The chunk `joints`.
-import { jointSolve, motors, stops, suspension } from './effects.js';
-import { JointSolve } from './joint-solve.js';
-import { Motors } from './motors.js';
-import { Stops } from './stops.js';
-import { Suspension } from './suspension.js';
+import { jointSolve, motors, stops, suspension } from './joints/effects.js';
+import { JointSolve } from './joints/joint-solve.js';
+import { Motors } from './joints/motors.js';
+import { Stops } from './joints/stops.js';
+import { Suspension } from './joints/suspension.js';
 
 export function provide(): void {
   jointSolve.load = (simulation, effects) => new JointSolve(simulation, effects);
