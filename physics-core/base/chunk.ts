@@ -1,30 +1,37 @@
-/** What a chunk's file exports: gives its code to those who wait for it. */
-export interface ChunkCode {
-  provide(): void;
+/** What a chunk's file exports. */
+export interface ChunkFile<Code> {
+  /** Called once, when it is here. */
+  provide(): Code;
 }
 
 /** Code that a scene may do without: a file of its own, fetched when its cause stands in a scene. */
-export class Chunk {
+export class Chunk<Code = void> {
   readonly name: string;
   /** What has it fetched, for people. */
   readonly causes: string;
-  #fetch: (() => Promise<ChunkCode>) | undefined;
+  #fetch: (() => Promise<ChunkFile<Code>>) | undefined;
   #coming: Promise<void> | undefined;
-  #here = false;
+  #come: { code: Code } | undefined;
 
   constructor(name: string, causes: string) {
     this.name = name;
     this.causes = causes;
   }
 
-  /** Where its code is: said by a room that sees all of it. */
-  comesFrom(fetch: () => Promise<ChunkCode>): this {
+  /** Where its file is: said by a room that sees all of it. */
+  comesFrom(fetch: () => Promise<ChunkFile<Code>>): this {
     this.#fetch = fetch;
     return this;
   }
 
   get here(): boolean {
-    return this.#here;
+    return this.#come !== undefined;
+  }
+
+  /** For those that are not made before it is here. */
+  get code(): Code {
+    if (!this.#come) throw new Error(`the code of "${this.name}" is asked for before it is here`);
+    return this.#come.code;
   }
 
   /** Fetched once; what failed may be tried again. */
@@ -35,8 +42,7 @@ export class Chunk {
   async #load(): Promise<void> {
     try {
       const { provide } = await this.#fetch!();
-      provide();
-      this.#here = true;
+      this.#come = { code: provide() };
     } catch (error) {
       this.#coming = undefined;
       throw error;

@@ -1,3 +1,5 @@
+import type { Chunk } from '../base/chunk.js';
+import { meshes } from '../shapes/meshes.js';
 import { contactReader } from './contacts/contact-reader.js';
 import { contactSurface, givenContacts } from './contacts/effects.js';
 import { meshShapes } from './contacts/mesh-shapes.js';
@@ -21,10 +23,11 @@ import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
 
 /** All code that pages fetch when it is needed. */
-export const chunks = [
+export const chunks: readonly Chunk<unknown>[] = [
   joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
-] as const;
+  meshes.comesFrom(() => import('../shapes/mesh-code.js')),
+];
 
 /** Every effect there is, in the order in which a step calls them. */
 export const allEffects: readonly EffectDescriptor[] = inOrder([

@@ -7,8 +7,6 @@ import { allEffects } from '../effects/all.js';
 import { frameCosts, type Costs } from '../effects/costs/frame-costs.js';
 import { userTiming } from '../effects/costs/user-timing.js';
 import { Effects, type EffectReport } from '../effects/effect/effects.js';
-import { jointSolve } from '../effects/joints/effects.js';
-import type { JointRows } from '../effects/joints/joint-rows.js';
 import type { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
 import type { Vec3 } from '../fields/types.js';
@@ -103,10 +101,6 @@ export class World implements TimedWorld {
 
   bodyAt(pointer: number): BodyNode | undefined {
     return this.bodies.behind(pointer);
-  }
-
-  get jointRows(): JointRows {
-    return this.registry.get(jointSolve).rows;
   }
 
   // ---- edits ------------------------------------------------------------------------------------------------------

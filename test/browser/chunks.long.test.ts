@@ -11,6 +11,9 @@ const FLOOR = `<transform>
     <shape><box size="20 1 20"></box></shape><x3d-rigid-body id="floor" fixed="true"></x3d-rigid-body>
   </transform>`;
 const JOINT = '<x3d-ball-joint body1="b" anchorpoint="0 8 0"></x3d-ball-joint>';
+const EGG = `<transform scale="1 2 1">
+    <shape><sphere></sphere></shape><x3d-rigid-body></x3d-rigid-body>
+  </transform>`;
 const COLLECTION = '<x3d-collision-collection collidables="*"></x3d-collision-collection>';
 
 type Shown = Element & { world: World };
@@ -52,15 +55,16 @@ const has = (page: PageWindow, chunk: RegExp): boolean =>
 
 const JOINTS = /joint-code/;
 const CONTACTS = /contact-code/;
+const MESHES = /mesh-code/;
 
 describe('what a page fetches', () => {
   it('of ours, for a box that falls: few files and bytes before it moves', async () => {
     const { page, world } = await show(FALLING);
     await until(() => world.time > 0, 5000);
     expect(fetched(page).length, fetched(page).join(' ')).to.be.at.most(6);
-    // 103 kB, of which 73 are the core.
-    expect(await zipped(fetched(page))).to.be.below(104_000);
-    expect([JOINTS, CONTACTS].filter((chunk) => has(page, chunk))).to.eql([]);
+    // 96 kB, of which 66 are the core.
+    expect(await zipped(fetched(page))).to.be.below(97_000);
+    expect([JOINTS, CONTACTS, MESHES].filter((chunk) => has(page, chunk))).to.eql([]);
   });
 
   it('the code of contacts with a second body, before the first step', async () => {
@@ -73,6 +77,11 @@ describe('what a page fetches', () => {
     expect(has(page, CONTACTS)).to.equal(true);
   });
 
+  it('the code of meshes with a geometry that Bullet has no shape for', async () => {
+    const { page } = await show(FALLING + EGG);
+    expect([has(page, MESHES), has(page, JOINTS)]).to.eql([true, false]);
+  });
+
   it('the code of joints with a joint, before the first step', async () => {
     const { page } = await show(FALLING + JOINT);
     expect([has(page, JOINTS), has(page, CONTACTS)]).to.eql([true, false]);
@@ -83,6 +92,7 @@ describe('a node that comes late, with the first of its code', () => {
   for (const [what, added, code] of [
     ['joint', JOINT, JOINTS],
     ['second body', FLOOR, CONTACTS],
+    ['mesh', EGG, MESHES],
   ] as const) {
     it(`has the world wait for that: ${what}`, async () => {
       const { page, world, scene } = await show(FALLING);
@@ -98,4 +108,15 @@ describe('a node that comes late, with the first of its code', () => {
       expect(world.problems).to.eql([]);
     });
   }
+
+  it('makes what was there before cause effects of that code, too', async () => {
+    const log =
+      '<transform><shape><cylinder></cylinder></shape><x3d-rigid-body id="b"></x3d-rigid-body></transform>';
+    const { world, scene } = await show(log);
+    const shapes = () => world.effects.find(({ name }) => name === 'contact shapes')!;
+    expect(shapes().active).to.equal(false);
+    scene.insertAdjacentHTML('beforeend', FLOOR);
+    await until(() => shapes().active, 5000);
+    expect((shapes().because!.element as Element).id).to.equal('b');
+  });
 });

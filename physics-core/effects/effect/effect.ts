@@ -38,7 +38,7 @@ export interface EffectDescriptor<E extends Effect = Effect> {
   /** Looked at in each step in which Bullet finds bodies near each other. */
   readonly found?: (simulation: Simulation, effects: Effects) => void;
   /** The chunk that its code comes in, which gives `load`; undefined: it is always there. */
-  readonly chunk?: Chunk;
+  readonly chunk?: Chunk<unknown>;
   /** Makes it for one world, when it is needed first. */
   load?: (simulation: Simulation, effects: Effects) => E;
 }

@@ -97,6 +97,13 @@ export class Effects {
         this.#review(descriptor, body, descriptor.body!.reason(body, this));
   }
 
+  /** Code has come since it was made: what it causes by that it has not caused before. */
+  codeCame(body: Body): void {
+    for (const descriptor of this.#byBodies)
+      if (descriptor.chunk && !this.find(descriptor)?.isNeededBy(body))
+        this.#review(descriptor, body, descriptor.body!.reason(body, this));
+  }
+
   /** A joint came, went, or is another now. */
   jointChanged(joint: Joint): void {
     for (const descriptor of this.#byJoints)

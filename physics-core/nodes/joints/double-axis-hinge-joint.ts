@@ -95,7 +95,8 @@ export class DoubleAxisHingeJointNode extends JointNode {
   protected override chooseRows(): void {
     const give = this.asked<number>('suspensionForce');
     const share = this.asked<number>('suspensionErrorCorrection');
-    const { jointRows: rows, solver } = this.world;
+    const { solver } = this.world;
+    const { jointRows: rows } = this;
     const { stepSeconds } = solver;
     rows.fill(this, stepSeconds);
     const softness =

@@ -93,7 +93,7 @@ export class SliderJointNode extends JointNode {
 
   /** The force along the axis, equal and opposite on one line, so that it turns nothing. */
   override push(dt: number): void {
-    const { jointRows: rows } = this.world;
+    const { jointRows: rows } = this;
     if (this.drivenBy === undefined || !rows.read(this, dt)) return;
     rows.look(ALONG);
     rows.push(ALONG, this.#sign * this.asked<number>('sliderForce') * dt);

@@ -62,7 +62,9 @@ export interface NodeType<N = unknown> {
   /** An X3DBoundedObject. */
   bounded?: true;
   /** Code of effects that its nodes are not made without. */
-  chunk?: Chunk;
+  chunk?: Chunk<unknown>;
+  /** Code that one with such values needs beside that. */
+  needs?(node: N): Chunk<unknown> | undefined;
 }
 
 /** What words of authors are looked up in: `constructor` is in it only where somebody put it. */

@@ -71,6 +71,7 @@ export class Lifecycle {
     const world = this.#world;
     world.bullet = new BulletWorld(world.engine);
     world.started = true;
+    world.awaiting.begin();
     if (!world.engine.heapTrusted) this.#reportUnknownBuild();
     world.configure();
     world.stepping.restart();

@@ -9,10 +9,16 @@ import type { PhysicsNode } from '../../nodes/node/node.js';
 /** Code that could not be had is tried again after this long, milliseconds. */
 const AGAIN = 5000;
 
+function chunksHere(): number {
+  let here = 0;
+  for (const chunk of chunks) if (chunk.here) here++;
+  return here;
+}
+
 /** A node, and the code that is not here yet but it can't be made without. */
 interface Missing {
   node: PhysicsNode;
-  chunk: Chunk;
+  chunk: Chunk<unknown>;
 }
 
 /** A world that starts once code is here. */
@@ -28,9 +34,16 @@ export interface Starting {
 export class Awaiting {
   readonly #world: NodeWorld;
   #waits = false;
+  /** How many chunks were here when it looked last. */
+  #seen = 0;
 
   constructor(world: NodeWorld) {
     this.#world = world;
+  }
+
+  /** A Bullet world was made: all that comes into it meets the code that is here. */
+  begin(): void {
+    this.#seen = chunksHere();
   }
 
   get waits(): boolean {
@@ -39,7 +52,8 @@ export class Awaiting {
 
   /** Whether nodes that are to be made or patched need code that is not here: then it is fetched. */
   holds(nodes: Iterable<PhysicsNode>, starting?: Starting): boolean {
-    if (this.#waits || chunks.every(({ here }) => here)) return this.#waits;
+    if (this.#world.started && this.#seen !== chunksHere()) this.#look();
+    if (this.#waits || chunksHere() === chunks.length) return this.#waits;
     const missing = [...this.#missing(nodes)];
     if (missing.length === 0) return false;
     this.#waits = true;
@@ -49,8 +63,7 @@ export class Awaiting {
 
   *#missing(nodes: Iterable<PhysicsNode>): Generator<Missing> {
     for (const node of nodes) {
-      const { chunk } = node.type;
-      if (chunk && !chunk.here) yield { node, chunk };
+      for (const chunk of node.needs) if (!chunk.here) yield { node, chunk };
       if (!contacts.here && node instanceof BodyNode && !this.#isAlone(node))
         yield { node, chunk: contacts };
     }
@@ -77,16 +90,20 @@ export class Awaiting {
     this.#world.work();
   }
 
-  /** What was made before has effects, too, whose code has come with others. */
+  /** Code has come, to this world or another: what was made before may cause effects, too. */
+  #look(): void {
+    this.#seen = chunksHere();
+    for (const node of this.#world.nodes)
+      if (node instanceof BodyNode && node.built) this.#world.registry.codeCame(node);
+    // The one setting that contacts alone heed.
+    if (this.#world.settings.asked<number>('maxCorrectionSpeed') >= 0) this.#world.configure();
+  }
+
   #over(missing: readonly Missing[]): void {
     this.#waits = false;
     if (missing.some(({ chunk }) => !chunk.here)) return;
     for (const code of ['waiting-for-effect', 'effect-load-failed'])
       for (const { node } of missing) node.settle(undefined, code);
-    if (!this.#world.started) return;
-    for (const node of this.#world.nodes)
-      if (node instanceof BodyNode && node.built) this.#world.registry.bodyMade(node);
-    this.#world.configure();
   }
 
   #tell([first]: readonly Missing[]): void {
