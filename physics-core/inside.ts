@@ -11,6 +11,7 @@ import { World } from './world/world.js';
 export { loadEngine as loadBullet } from './engine/engine.js';
 export { chunks } from './effects/all.js';
 export { contacts, joints } from './effects/effect/chunks.js';
+export { meshes } from './shapes/meshes.js';
 export { configure, type EngineSource } from './engine/wasm.js';
 export type { Engine } from './engine/engine.js';
 export { bulletHas, touchedBy } from './world/bullet-has.js';
