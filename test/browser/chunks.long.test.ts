@@ -82,6 +82,21 @@ describe('what a page fetches', () => {
     expect([has(page, MESHES), has(page, JOINTS)]).to.eql([true, false]);
   });
 
+  it('all that the markup calls for at the same time as the engine', async () => {
+    const faces =
+      '<indexedtriangleset index="0 1 2"><coordinate point="0 0 0 1 0 0 0 1 0"></coordinate></indexedtriangleset>';
+    const table = `<transform><shape>${faces}</shape><x3d-rigid-body fixed="true"></x3d-rigid-body></transform>`;
+    const { page } = await show(FALLING + table + JOINT);
+    const [wasm] = page.performance.getEntriesByName(
+      new URL('/dist/ammo.wasm', location.href).href,
+    );
+    const begun = (part: RegExp): number =>
+      page.performance.getEntriesByType('resource').find(({ name }) => part.test(name))!.startTime;
+    const end = (wasm as PerformanceResourceTiming).responseEnd;
+    for (const part of [CONTACTS, JOINTS, MESHES, /ammo\.wasm-.*\.js/])
+      expect(begun(part), String(part)).to.be.below(end);
+  });
+
   it('the code of joints with a joint, before the first step', async () => {
     const { page } = await show(FALLING + JOINT);
     expect([has(page, JOINTS), has(page, CONTACTS)]).to.eql([true, false]);
