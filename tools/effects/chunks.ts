@@ -14,7 +14,6 @@ const FILES: readonly [name: string, causes: string][] = [
   ['ammo.wasm', 'the first physics element: Bullet'],
   ['chunk-contact-code', contacts.causes],
   ['chunk-joint-code', joints.causes],
-  ['chunk-joint-rows', 'either of these two'],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],

@@ -84,7 +84,7 @@ export class ContactSolve extends Effect {
     this.#bodies = new SolveBodies(ammo);
     this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
-    this.#joints = new CoupledJoints(simulation, this.#rows, this.#bodies);
+    this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
     this.#reader = new PartReader(simulation, effects, this.#bodies, this.#port, this.#joints);
   }

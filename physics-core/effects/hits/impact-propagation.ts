@@ -14,7 +14,8 @@ import type { ContactListener, ContactSurface } from '../contacts/contact-surfac
 import { pairFilter } from '../contacts/pair-filter.js';
 import { Effect } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { JointRows } from '../joints/joint-rows.js';
+import { jointSolve } from '../joints/effects.js';
+import type { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
 
@@ -32,7 +33,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
   readonly #surface: ContactSurface;
-  readonly #rows: JointRows;
+  #rows: JointRows | undefined;
   /** Kept from step to step, so that a contact allocates nothing. */
   readonly #hits: Impact[] = [];
   /** By slot of the body. */
@@ -56,11 +57,12 @@ export class ImpactPropagation extends Effect implements ContactListener {
     super();
     this.#simulation = simulation;
     this.#effects = effects;
-    this.#rows = new JointRows(simulation);
     this.#blow = new Blow(simulation.engine);
     this.#surface = effects.get(contactSurface);
     this.#surface.listener = this;
   }
+
+  readonly #jointRows = (): JointRows => (this.#rows ??= this.#effects.get(jointSolve).newRows());
 
   override beforeStep(dt: number): void {
     this.#dt = this.#until = dt;
@@ -123,7 +125,10 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   #linkOf(body: Body): StruckBody {
-    const link = (this.#links[body.slot] ??= new StruckBody(this.#simulation.engine, this.#rows));
+    const link = (this.#links[body.slot] ??= new StruckBody(
+      this.#simulation.engine,
+      this.#jointRows,
+    ));
     if (link.step !== this.#steps) {
       link.take(body, this.#steps, this.#bulletSteps, this.#until > 0);
       this.#touched.push(link);

@@ -25,6 +25,7 @@ export interface Jointed {
  * Bullet's own constraints are told to aim at those velocities: they stay on for what contacts do in the step.
  */
 export class JointSolve extends Effect {
+  readonly #simulation: Simulation;
   readonly #effects: Effects;
   readonly #forest = new Forest();
   readonly #solver: ComponentSolve;
@@ -45,9 +46,15 @@ export class JointSolve extends Effect {
   constructor(simulation: Simulation, effects: Effects) {
     super();
     this.#effects = effects;
-    this.rows = new JointRows(simulation);
+    this.#simulation = simulation;
+    this.rows = this.newRows();
     this.#solver = new ComponentSolve(simulation);
     this.#sleepingRows = new SleepingRows(simulation, this.#bodies, this.#solver.targets);
+  }
+
+  /** For effects whose code comes without that of joints: they need it only where there is one. */
+  newRows(): JointRows {
+    return new JointRows(this.#simulation);
   }
 
   get #bodies(): JointedBodies {

@@ -56,6 +56,10 @@ describe('code of effects that is not here', () => {
     assert.equal(world.step(10), 0);
     assert.deepEqual(first.get('position'), before);
     assert.deepEqual(codes(world), ['waiting-for-effect']);
+    world.restore(world.snapshot());
+    world.raycast([0, 10, 0], [0, -10, 0]);
+    world.reset();
+    assert.deepEqual([world.step(10), world.time], [0, 0]);
     await contacts.load();
     await turns();
     assert.ok(world.step(10) > 0);
