@@ -3,12 +3,20 @@ import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/ammo-module.js';
 import { cssText } from './tools/css-text.js';
-import { copyWasm, minify, typescript, WASM_MODULE, wasmAsText } from './tools/rollup-plugins.js';
+import {
+  copyWasm,
+  minify,
+  typescript,
+  WASM_MODULE,
+  wasmAsText,
+  withoutDocs,
+} from './tools/rollup-plugins.js';
 
 const common = {
   // No module of Node either: bundlers for pages could not resolve it.
   plugins: [
     typescript(),
+    withoutDocs(),
     cssText(),
     wasmAsText(),
     nodeResolve({ preferBuiltins: false }),
@@ -27,6 +35,15 @@ const views = () => globSync('elements/ui/*/view.ts');
 /** What only views need lies in their folder, so that it is whole: Ammo's glue is the only other package inside. */
 const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\//.test(id);
 
+/**
+ * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
+ * also runs without one.
+ */
+const together = (id) => {
+  if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
+  return /\/physics-core\/(inside|face\/shown)\.ts$/.test(id) ? 'core' : undefined;
+};
+
 /** One build for all modules, so that the page's entry, the core and each element share their chunks. */
 const modules = {
   ...common,
@@ -44,6 +61,7 @@ const modules = {
     dir: 'dist',
     format: 'es',
     sourcemap: true,
+    manualChunks: together,
     // The others flat beside ammo.wasm: `new URL('./ammo.wasm', import.meta.url)` holds in whichever chunk it lands.
     chunkFileNames: ({ moduleIds }) =>
       `${moduleIds.every(ofViews) ? 'ui/' : ''}chunk-[name]-[hash].js`,

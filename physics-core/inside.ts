@@ -1,13 +1,18 @@
 // What this repository works with: the working classes, the tables, and what reads them. People are shown index.ts.
 import type { DebugLines } from './effects/debug/debug-lines.js';
-import { loadEngine } from './engine/engine.js';
-import type { EngineSource } from './engine/wasm.js';
+import { loadEngine as loadBullet, type Engine } from './engine/engine.js';
+import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
+import { chunks } from './effects/all.js';
 import { JointNode } from './nodes/joints/joint.js';
 import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
 
-export { loadEngine } from './engine/engine.js';
+export { loadEngine as loadBullet } from './engine/engine.js';
+export type { Chunk } from './base/chunk.js';
+export { chunks } from './effects/all.js';
+export { contacts, joints } from './effects/effect/chunks.js';
+export { meshes } from './shapes/meshes.js';
 export { configure, type EngineSource } from './engine/wasm.js';
 export type { Engine } from './engine/engine.js';
 export { bulletHas, touchedBy } from './world/bullet-has.js';
@@ -31,7 +36,7 @@ export { PHASES, type Costs, type Percentiles, type Phase } from './effects/cost
 export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { debugging } from './effects/debug/debugging.js';
-export { jointSolve } from './effects/joints/joint-solve.js';
+export { jointSolve } from './effects/joints/effects.js';
 export type { EffectReport } from './effects/effect/effects.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
@@ -45,6 +50,12 @@ export async function debugLines(world: World): Promise<DebugLines> {
     flush: () => world.flush(),
     joints: () => [...world.nodes].filter((node) => node instanceof JointNode),
   });
+}
+
+/** The engine, and the code of all effects: nothing that is made of them waits. */
+export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
+  const [engine] = await Promise.all([loadBullet(options), ...chunks.map((chunk) => chunk.load())]);
+  return engine;
 }
 
 measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);

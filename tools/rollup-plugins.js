@@ -31,6 +31,40 @@ export function typescript() {
   };
 }
 
+/** What tables and descriptors say to people: the manifest and the docs read it from the sources. */
+const FOR_PEOPLE = {
+  '/physics-core/nodes/': ['doc', 'clause'],
+  '/physics-core/effects/': ['causes'],
+  '/words/event-types.ts': ['doc', 'detail'],
+  '/elements/': ['doc'],
+};
+
+/** Leaves in every page an empty text in place of such. Blanks keep all else where the source map has it. */
+export function withoutDocs() {
+  return {
+    name: 'without-docs',
+    transform(code, id) {
+      const folder = Object.keys(FOR_PEOPLE).find((name) => id.includes(name));
+      if (!folder) return null;
+      let left = code;
+      walk(this.parse(code), ({ type, key, value }) => {
+        if (type !== 'Property' || !FOR_PEOPLE[folder].includes(key.name)) return;
+        if (value.type !== 'TemplateLiteral' && typeof value.value !== 'string') return;
+        const { start, end } = value;
+        left = `${left.slice(0, start)}''${' '.repeat(end - start - 2)}${left.slice(end)}`;
+      });
+      return { code: left, map: null };
+    },
+  };
+}
+
+function walk(node, visit) {
+  if (typeof node?.type === 'string') visit(node);
+  for (const child of Object.values(node)) {
+    if (child && typeof child === 'object') walk(child, visit);
+  }
+}
+
 export function minify() {
   return {
     name: 'minify',

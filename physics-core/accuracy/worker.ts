@@ -1,4 +1,5 @@
 // Where measurements run so that the page's frames don't: the file accuracy-worker.js.
+import { chunks } from '../effects/all.js';
 import { loadEngine } from '../engine/engine.js';
 import type { Measured } from '../world/measuring.js';
 import { Measurement, type Job } from './measurement.js';
@@ -31,7 +32,8 @@ function measure(work: Generator<number, Measured[]>): Measured[] {
 
 addEventListener('message', async ({ data: { job, program } }: MessageEvent<Order>) => {
   try {
-    const engine = await loadEngine({ program });
+    const code = chunks.map((chunk) => chunk.load());
+    const [engine] = await Promise.all([loadEngine({ program }), ...code]);
     answer({ measured: measure(new Measurement(job, engine).run()) });
   } catch (error) {
     answer({ failed: String(error) });

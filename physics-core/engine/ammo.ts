@@ -13,9 +13,13 @@ interface GlueOptions {
 
 type Glue = (this: object, options: GlueOptions) => Promise<Ammo>;
 
-/** Loads a fresh Ammo module, with a heap of its own. The glue ends in `this.Ammo = …` and so needs a receiver. */
-export async function loadAmmo(program: WebAssembly.Module | undefined): Promise<Ammo> {
+export async function fetchGlue(): Promise<Glue> {
   const { default: glue } = (await import('ammojs-typed/wasm')) as unknown as { default: Glue };
+  return glue;
+}
+
+/** A fresh Ammo module, with a heap of its own. The glue ends in `this.Ammo = …` and so needs a receiver. */
+export async function loadAmmo(glue: Glue, program: WebAssembly.Module | undefined): Promise<Ammo> {
   if (!program) return glue.call({}, {});
   return new Promise((resolve, reject) => {
     const instantiateWasm: GlueOptions['instantiateWasm'] = (imports, done) => {

@@ -1,4 +1,4 @@
-import { loadAmmo, type Ammo } from './ammo.js';
+import { fetchGlue, loadAmmo, type Ammo } from './ammo.js';
 import { HeapExhausted } from './exhausted.js';
 import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
@@ -70,8 +70,11 @@ export class Engine {
 }
 
 async function makeEngine(options: LoadOptions): Promise<Engine> {
+  // Both come at the same time; that the wasm can't be had is told first.
+  const glue = fetchGlue();
+  glue.catch(() => {});
   const source = await compileAmmo(options);
-  return new Engine(await loadAmmo(source.program), source);
+  return new Engine(await loadAmmo(await glue, source.program), source);
 }
 
 let loading: Promise<Engine> | undefined;

@@ -81,7 +81,8 @@ export interface World {
 
   /**
    * Advances `n` steps (1 by default) at once, paused or not, and returns the seconds advanced. `step(0)` applies edits that
-   * wait. Before the start, and within a step, it does nothing and returns 0.
+   * wait. Before the start, within a step, and in a page while the code of an effect is on its way (`waiting-for-effect`), it
+   * does nothing and returns 0.
    */
   step(n?: number): number;
 

@@ -1,5 +1,5 @@
 import type { ContactGiver } from '../dynamics/contact.js';
-import { givenContacts } from '../effects/contacts/given-contacts.js';
+import { givenContacts } from '../effects/contacts/effects.js';
 import { debugging } from '../effects/debug/debugging.js';
 import { BodyNode } from './body/body.js';
 import { unknownTokens } from './collision/contact-parameters.js';

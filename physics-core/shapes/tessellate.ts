@@ -1,14 +1,10 @@
 import { cos, sin } from '../base/exact/index.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
-import { trianglesOfFace } from './polygon.js';
-import { listsOf, trianglesOf } from './strips.js';
+import { meshes } from './meshes.js';
 
 /** Sides of a ring: the radius of the polygon is then within 0.5 % of the circle's. */
-const SIDES = 32;
-
-const pointsOf = (coord: number[] | { point: number[] } | undefined): number[] =>
-  Array.isArray(coord) ? coord : (coord?.point ?? []);
+export const SIDES = 32;
 
 /** Only triangles whose three points exist. */
 function sound(mesh: Mesh): Mesh {
@@ -21,29 +17,8 @@ function sound(mesh: Mesh): Mesh {
   return { points: mesh.points, index };
 }
 
-function grid(
-  xDimension: number,
-  zDimension: number,
-  xSpacing: number,
-  zSpacing: number,
-  height: number[],
-): Mesh {
-  const points: number[] = [];
-  const index: number[] = [];
-  for (let z = 0; z < zDimension; z++) {
-    for (let x = 0; x < xDimension; x++) {
-      points.push(x * xSpacing, height[z * xDimension + x] ?? 0, z * zSpacing);
-      if (x === 0 || z === 0) continue;
-      const here = z * xDimension + x;
-      const [left, back, corner] = [here - 1, here - xDimension, here - xDimension - 1];
-      index.push(corner, left, here, corner, here, back);
-    }
-  }
-  return { points, index };
-}
-
 /** A surface of revolution about Y: `profile` from bottom to top as [radius, y]. */
-function turned(profile: [number, number][]): Mesh {
+export function turned(profile: [number, number][]): Mesh {
   const points: number[] = [];
   const index: number[] = [];
   profile.forEach(([radius, y], ring) => {
@@ -123,23 +98,6 @@ function cone(g: Extract<Geometry, { type: 'Cone' }>): Mesh {
   return merged(parts.map(turned));
 }
 
-/** X3DOM's: the ring of radius `outer` about Z, its tube of radius `inner`. */
-function torus(inner: number, outer: number): Mesh {
-  const profile = Array.from({ length: SIDES + 1 }, (_, i): [number, number] => {
-    const angle = (2 * Math.PI * i) / SIDES;
-    return [outer + inner * cos(angle), inner * sin(angle)];
-  });
-  return turned(profile);
-}
-
-/** Turned so that its Y axis lies along Z. */
-const upright = ({ points, index }: Mesh): Mesh => ({
-  points: points.map((_, i) =>
-    i % 3 === 1 ? -points[i + 1]! : i % 3 === 2 ? points[i - 1]! : points[i]!,
-  ),
-  index,
-});
-
 function merged(meshes: Mesh[]): Mesh {
   const points: number[] = [];
   const index: number[] = [];
@@ -176,57 +134,8 @@ function plain(g: Geometry): Mesh {
       return cylinder(g);
     case 'Cone':
       return cone(g);
-    case 'IndexedFaceSet': {
-      const points = pointsOf(g.coord);
-      const faces = listsOf(g.coordIndex ?? []);
-      return { points, index: faces.flatMap((face) => trianglesOfFace(points, face)) };
-    }
-    case 'IndexedTriangleSet':
-      return { points: pointsOf(g.coord), index: g.index ?? [] };
-    case 'TriangleSet':
-    case 'TriangleStripSet':
-    case 'TriangleFanSet':
-    case 'QuadSet':
-    case 'IndexedTriangleStripSet':
-    case 'IndexedTriangleFanSet':
-    case 'IndexedQuadSet': {
-      const points = pointsOf(g.coord);
-      const lists =
-        'index' in g
-          ? g.index
-          : 'stripCount' in g
-            ? g.stripCount
-            : 'fanCount' in g
-              ? g.fanCount
-              : [];
-      return { points, index: trianglesOf(g.type, lists ?? [], points) };
-    }
-    case 'Rectangle2D': {
-      const [x, y] = (g.size ?? [2, 2]).map((value) => value / 2);
-      return {
-        points: [-x!, -y!, 0, x!, -y!, 0, x!, y!, 0, -x!, y!, 0],
-        index: [0, 1, 2, 0, 2, 3],
-      };
-    }
-    case 'Disk2D':
-      return upright(
-        turned([
-          [g.outerRadius ?? 1, 0],
-          [g.innerRadius ?? 0, 0],
-        ]),
-      );
-    case 'Torus':
-      return upright(torus(g.innerRadius ?? 0.5, g.outerRadius ?? 1));
-    case 'ElevationGrid':
-      return grid(
-        g.xDimension ?? 0,
-        g.zDimension ?? 0,
-        g.xSpacing ?? 1,
-        g.zSpacing ?? 1,
-        g.height ?? [],
-      );
-    case 'Mesh':
-      return { points: g.points ?? [], index: g.index ?? [] };
+    default:
+      return meshes.code.trianglesOf(g);
   }
 }
 

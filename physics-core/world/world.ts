@@ -7,7 +7,6 @@ import { allEffects } from '../effects/all.js';
 import { frameCosts, type Costs } from '../effects/costs/frame-costs.js';
 import { userTiming } from '../effects/costs/user-timing.js';
 import { Effects, type EffectReport } from '../effects/effect/effects.js';
-import { JointRows } from '../effects/joints/joint-rows.js';
 import type { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
 import type { Vec3 } from '../fields/types.js';
@@ -16,6 +15,7 @@ import type { JointSettings } from '../nodes/node/node-world.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
 import { LevelControl } from './accuracy/level-control.js';
 import { BodySlots } from './bodies/body-slots.js';
+import { Awaiting } from './store/awaiting.js';
 import { Editing } from './store/editing.js';
 import { Failures } from './store/failures.js';
 import { HeapLimit } from './store/heap-limit.js';
@@ -51,7 +51,6 @@ export class World implements TimedWorld {
   readonly bodies: BodySlots = new BodySlots(this, this.poses);
   readonly registry: Effects = new Effects(this, allEffects);
   readonly pairs: Pairs = new Pairs(this, this.bodies);
-  readonly jointRows: JointRows = new JointRows(this);
   readonly stepping: Stepping = new Stepping(this);
   readonly counts = { created: 0, patched: 0, destroyed: 0 };
   readonly obstacles: Obstacles = new Obstacles(this, this.pairs);
@@ -59,6 +58,7 @@ export class World implements TimedWorld {
   readonly heapLimit: HeapLimit;
   readonly failures: Failures;
   readonly edits: Editing;
+  readonly awaiting: Awaiting = new Awaiting(this);
   readonly control: LevelControl;
   readonly lifecycle: Lifecycle = new Lifecycle(this);
 
@@ -68,7 +68,7 @@ export class World implements TimedWorld {
     this.control = new LevelControl(this, lengthen, options.level);
     this.heapLimit = new HeapLimit(this, () => (this.paused = true), options.maxHeapBytes);
     this.failures = new Failures(this, this.heapLimit);
-    this.edits = new Editing(this, this.obstacles, this.heapLimit, this.control);
+    this.edits = new Editing(this, this.awaiting, this.obstacles, this.heapLimit, this.control);
   }
 
   // ---- nodes ------------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@ import { adoptStyles } from '../base/sheets.js';
 import { worldFor } from '../document/world-for.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
-import { prefetchEngine } from '../scene/engine.js';
+import { prefetch } from '../scene/code.js';
 import { registerNodeTypes, type Listener } from '../scene/node-types.js';
 import type { Scene } from '../scene/scene.js';
 import { attribute, isInline, isPhysics, isX3D } from '../words/dom.js';
@@ -40,7 +40,7 @@ class Page implements Listener {
   /** A custom element was connected. */
   met(element: Element): void {
     this.begin();
-    if (element.closest(X3D)) prefetchEngine();
+    if (element.closest(X3D)) prefetch([element]);
   }
 
   #register(): boolean {

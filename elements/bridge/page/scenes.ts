@@ -1,8 +1,8 @@
-import { hasPhysics, Start } from '../scene/start.js';
-import { prefetchEngine } from '../scene/engine.js';
+import { prefetch } from '../scene/code.js';
+import { Start } from '../scene/start.js';
 import { Scene } from '../scene/scene.js';
 import type { SceneWorld } from '../scene/scene-world.js';
-import { isScene, isX3D } from '../words/dom.js';
+import { isScene, isX3D, subtree } from '../words/dom.js';
 import { makeUnread, removeCopies, wasLetGo, wasRead } from '../x3dom/late.js';
 import { x3dom } from '../x3dom/x3dom.js';
 
@@ -75,7 +75,7 @@ export class Scenes {
     if (!x3d.isConnected) return;
     this.at(x3d);
     this.#all.get(x3d)!.start.check();
-    if (hasPhysics(x3d)) prefetchEngine();
+    prefetch(subtree(x3d));
     // x3dom's own observer has run when this does.
     queueMicrotask(() => this.#haveRead(x3d));
   }

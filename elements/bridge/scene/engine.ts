@@ -1,6 +1,6 @@
-import { loadEngine } from '../../../physics-core/inside.js';
+import { loadBullet } from '../../../physics-core/inside.js';
 
-export type Engine = Awaited<ReturnType<typeof loadEngine>>;
+export type Engine = Awaited<ReturnType<typeof loadBullet>>;
 
 let attempt: Promise<Engine> | undefined;
 /** Those who were told that it can't be had: they take part in the next attempt. */
@@ -12,7 +12,7 @@ const told = new Set<() => void>();
  */
 export function engine(): Promise<Engine> {
   if (attempt && told.size === 0) return attempt;
-  attempt = loadEngine();
+  attempt = loadBullet();
   const again = [...told];
   told.clear();
   for (const load of again) load();

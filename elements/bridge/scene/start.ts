@@ -1,5 +1,5 @@
 import { awaitAttempt, engine, stopAwaiting, type Engine } from './engine.js';
-import { attribute, isInline, isPhysics, subtree } from '../words/dom.js';
+import { attribute, isInline, subtree } from '../words/dom.js';
 import type { SceneWorld } from './scene-world.js';
 import type { Scene } from './scene.js';
 import { nodeOf, x3dom, type X3DElement } from '../x3dom/x3dom.js';
@@ -165,8 +165,3 @@ export class Start {
     awaitAttempt(this.load);
   }
 }
-
-export const hasPhysics = (root: Element): boolean => {
-  for (const element of subtree(root)) if (isPhysics(element)) return true;
-  return false;
-};

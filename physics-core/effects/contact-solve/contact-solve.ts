@@ -1,10 +1,10 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { pointCountAt, setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
-import { inverseMassOf, speedSquared } from '../../engine/solver-body.js';
-import { contactShapes } from '../manifolds/contact-shapes.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
+import { speedSquared } from '../../engine/solver-body.js';
+import { contactShapes } from '../manifolds/effects.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { BoundRows } from './bound-rows.js';
@@ -98,7 +98,7 @@ export class ContactSolve extends Effect {
     this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
     this.#sweeps = new Sweeps(this.#contacts, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
-    this.#joints = new CoupledJoints(simulation, this.#rows, this.#bodies);
+    this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
     this.#reader = new PartReader(simulation, effects, this.#bodies, this.#port, this.#joints);
   }
@@ -260,26 +260,3 @@ export class ContactSolve extends Effect {
     if (node) spins.turnAside(node, this.#bodies.change, body * SIZE + 3);
   }
 }
-
-/** Looked at in every step in which Bullet has found what may be in touch. */
-function touching(simulation: Simulation, effects: Effects): void {
-  if (!simulation.bullet.settings.direct || effects.caused(contactSolve)) return;
-  const { ammo } = simulation.engine;
-  simulation.bullet.eachAwakeManifold((manifold, a, b) => {
-    if (pointCountAt(ammo, manifold) === 0) return;
-    const body = simulation.bodyAt(inverseMassOf(ammo, a) === 0 ? b : a);
-    if (body) effects.get(contactSolve).touch(body);
-  });
-}
-
-export const contactSolve: EffectDescriptor<ContactSolve> = {
-  name: 'contact solve',
-  causes: 'bodies in touch',
-  after: {
-    'joint solve': 'its rows keep to what that has found',
-    'contact surface': 'what contacts are like is written by then',
-    'impact propagation': 'what hits is turned back by then',
-  },
-  found: touching,
-  load: (simulation, effects) => new ContactSolve(simulation, effects),
-};

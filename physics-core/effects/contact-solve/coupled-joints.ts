@@ -1,6 +1,5 @@
 import type { Joint } from '../../dynamics/joint.js';
-import type { Simulation } from '../../dynamics/simulation.js';
-import { JointRows } from '../joints/joint-rows.js';
+import type { JointRows } from '../joints/joint-rows.js';
 import type { JointSolve } from '../joints/joint-solve.js';
 import type { Bound } from '../joints/bounded-rows.js';
 import { R, rate, type BoundRows } from './bound-rows.js';
@@ -20,7 +19,7 @@ const WIDTH = 12;
  * change them, and the rows see to it that the rates found stay.
  */
 export class CoupledJoints {
-  readonly #joints: JointRows;
+  #joints: JointRows | undefined;
   readonly #rows: BoundRows;
   readonly #bodies: SolveBodies;
   /** Impulses by joint, and the step that found them. */
@@ -30,8 +29,7 @@ export class CoupledJoints {
   readonly #owners: Joint[] = [];
   readonly #places: number[] = [];
 
-  constructor(simulation: Simulation, rows: BoundRows, bodies: SolveBodies) {
-    this.#joints = new JointRows(simulation);
+  constructor(rows: BoundRows, bodies: SolveBodies) {
     this.#rows = rows;
     this.#bodies = bodies;
   }
@@ -46,6 +44,7 @@ export class CoupledJoints {
     const { lockedRows, corrections, body1, body2 } = joint;
     const a = body1?.movable ? this.#bodies.numberOf(body1.pointer) : -1;
     const b = body2?.movable ? this.#bodies.numberOf(body2.pointer) : -1;
+    this.#joints ??= solve.newRows();
     this.#joints.fill(joint, dt);
     let place = 0;
     for (const row of lockedRows) {
@@ -73,12 +72,13 @@ export class CoupledJoints {
 
   #add(joint: Joint, row: number, place: number, a: number, b: number, into: number[]): number {
     const rows = this.#rows;
+    const joints = this.#joints!;
     const at = rows.add(a, b);
     const r = rows.values;
     const from = row * WIDTH;
-    for (let k = 0; k < WIDTH; k++) r[at + k] = this.#joints.jacobian[from + k]!;
+    for (let k = 0; k < WIDTH; k++) r[at + k] = joints.jacobian[from + k]!;
     r[at + R.target] = rate(r, at, this.#bodies.free, a, b);
-    r[at + R.penalty] = STIFFNESS / (this.#joints.between(row, row) || 1);
+    r[at + R.penalty] = STIFFNESS / (joints.between(row, row) || 1);
     r[at + R.impulse] = this.#impulseOf(joint, place);
     r[at + R.least] = -Infinity;
     r[at + R.most] = Infinity;

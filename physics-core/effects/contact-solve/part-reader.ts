@@ -1,9 +1,9 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import { isAwake } from '../../engine/body-heap.js';
 import { bodyAAt, bodyBAt, pointAt, pointCountAt } from '../../engine/manifold.js';
-import { contactSurface } from '../contacts/contact-surface.js';
+import { contactSurface } from '../contacts/effects.js';
 import type { Effects } from '../effect/effects.js';
-import { jointSolve } from '../joints/joint-solve.js';
+import { jointSolve } from '../joints/effects.js';
 import type { CoupledJoints } from './coupled-joints.js';
 import type { Part } from './part.js';
 import type { ContactPort, ContactStep } from './read-contact.js';

@@ -1,7 +1,7 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
 import type { Effects } from '../effect/effects.js';
-import { jointSolve } from '../joints/joint-solve.js';
+import { jointSolve } from '../joints/effects.js';
 import { Parts, type Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
 

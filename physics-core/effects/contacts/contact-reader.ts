@@ -9,7 +9,7 @@ import { eachContactPoint, TOUCHING } from './contact-points.js';
 import { partAt } from './contact-part.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { givenContacts } from './given-contacts.js';
+import { givenContacts } from './effects.js';
 import { Touches, type TouchPoint } from './touches.js';
 
 type Visit = (pointer: number, a: Body, b: Body) => void;

@@ -14,7 +14,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
 import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
 import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
@@ -291,11 +291,3 @@ export class ContactSurface extends Effect {
     return first && second ? this.#between(a, first, b, second) : PLAIN;
   }
 }
-
-export const contactSurface: EffectDescriptor<ContactSurface> = {
-  name: 'contact surface',
-  causes:
-    'a CollisionCollection that says more than the default, maxCorrectionSpeed, or set_contacts',
-  after: { 'joint solve': 'it notes velocities as Bullet gets them' },
-  load: (simulation) => new ContactSurface(simulation),
-};

@@ -5,9 +5,10 @@ import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { solveAdded } from './added-contacts.js';
 import type { Pair } from './contact-rows.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { contactSurface, type ContactSurface } from './contact-surface.js';
+import { contactSurface } from './effects.js';
+import type { ContactSurface } from './contact-surface.js';
 import { demandsOf, union } from './solver-demands.js';
 import { keyOf } from './touches.js';
 
@@ -205,13 +206,3 @@ function nearest(all: readonly Said[], point: ContactPoint, within: number): Sai
   }
   return best;
 }
-
-export const givenContacts: EffectDescriptor<GivenContacts> = {
-  name: 'given contacts',
-  causes: 'set_contacts of a RigidBodyCollection',
-  after: {
-    'joint solve': 'what page code adds acts on the velocities that joints leave',
-    'contact surface': 'its step is summed up before the lists go',
-  },
-  load: (simulation, effects) => new GivenContacts(simulation, effects),
-};

@@ -3,7 +3,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { jointSolve } from '../joints/joint-solve.js';
+import { jointSolve } from '../joints/effects.js';
 import { Carried } from './carried.js';
 import { Riders } from './riders.js';
 

@@ -7,7 +7,7 @@ import { Drag, type DragEnd } from './drag.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
-import { jointSolve } from '../joints/joint-solve.js';
+import { jointSolve } from '../joints/effects.js';
 import { resting } from '../rest/resting.js';
 
 /**

@@ -1,3 +1,4 @@
+import type { Chunk } from '../../base/chunk.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -36,8 +37,10 @@ export interface EffectDescriptor<E extends Effect = Effect> {
   readonly joint?: (joint: Joint) => string | undefined;
   /** Looked at in each step in which Bullet finds bodies near each other. */
   readonly found?: (simulation: Simulation, effects: Effects) => void;
+  /** The chunk that its code comes in, which gives `load`; undefined: it is always there. */
+  readonly chunk?: Chunk<unknown>;
   /** Makes it for one world, when it is needed first. */
-  readonly load: (simulation: Simulation, effects: Effects) => E;
+  load?: (simulation: Simulation, effects: Effects) => E;
 }
 
 /** Stages of a step in which effects act. */

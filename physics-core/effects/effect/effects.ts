@@ -75,6 +75,7 @@ export class Effects {
   }
 
   #make<E extends Effect>(descriptor: EffectDescriptor<E>): E {
+    if (!descriptor.load) throw new Error(`${descriptor.name} is needed before its code is here`);
     const effect = descriptor.load(this.#simulation, this);
     effect.onswitch = (on) => this.#switch(descriptor, effect, on);
     this.#made.set(descriptor, effect);
@@ -96,6 +97,13 @@ export class Effects {
         this.#review(descriptor, body, descriptor.body!.reason(body, this));
   }
 
+  /** Code has come since it was made: what it causes by that it has not caused before. */
+  codeCame(body: Body): void {
+    for (const descriptor of this.#byBodies)
+      if (descriptor.chunk && !this.find(descriptor)?.isNeededBy(body))
+        this.#review(descriptor, body, descriptor.body!.reason(body, this));
+  }
+
   /** A joint came, went, or is another now. */
   jointChanged(joint: Joint): void {
     for (const descriptor of this.#byJoints)
@@ -105,12 +113,14 @@ export class Effects {
   /** Bullet's contact search is over. */
   found(): void {
     if (this.#simulation.bullet.manifoldCount === 0) return;
-    for (const descriptor of this.#byFound) descriptor.found!(this.#simulation, this);
+    for (const descriptor of this.#byFound)
+      if (descriptor.load) descriptor.found!(this.#simulation, this);
   }
 
   #review(descriptor: EffectDescriptor, node: Cause, reason: string | undefined): void {
-    if (reason !== undefined) this.get(descriptor).need(node, reason);
-    else this.find(descriptor)?.release(node);
+    if (reason === undefined) this.find(descriptor)?.release(node);
+    // What it does is of no account until something else has its code come; then all bodies are looked at again.
+    else if (descriptor.load) this.get(descriptor).need(node, reason);
   }
 
   /** What stood for a node in Bullet is gone. */

@@ -9,8 +9,8 @@ import { carrying } from '../drag/carrying.js';
 import { dragging } from '../drag/dragging.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { impactPropagation } from '../hits/impact-propagation.js';
-import { jointSolve } from '../joints/joint-solve.js';
+import { impactPropagation } from '../hits/effects.js';
+import { jointSolve } from '../joints/effects.js';
 import { forces } from './forces.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 

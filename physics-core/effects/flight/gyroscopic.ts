@@ -5,7 +5,7 @@ import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { jointSolve } from '../joints/joint-solve.js';
+import { jointSolve } from '../joints/effects.js';
 import {
   applyInertia,
   applyInverseInertia,

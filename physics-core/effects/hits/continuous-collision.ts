@@ -3,10 +3,7 @@ import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
-
-/** What passes more than this share of its least extent in a step could pass through something thin. */
-export const FAR = 0.5;
+import { Effect } from '../effect/effect.js';
 
 /** Of the greatest ball within a body: a little less does not catch on the floor that it slides along. */
 const BALL = 0.9;
@@ -78,9 +75,3 @@ export class ContinuousCollision extends Effect {
     point.setFirstChildren();
   }
 }
-
-export const continuousCollision: EffectDescriptor<ContinuousCollision> = {
-  name: 'continuous collision',
-  causes: 'a body that passes more than half its least extent in a step',
-  load: (simulation) => new ContinuousCollision(simulation),
-};

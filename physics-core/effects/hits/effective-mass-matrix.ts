@@ -13,14 +13,14 @@ const HELD = 1e-6;
 /** What an impulse does to a body at once: W = M⁻¹, less what the joints that hold it to immovable things take away. */
 export class EffectiveMassMatrix {
   readonly #ammo: Ammo;
-  readonly #rows: JointRows;
+  readonly #rows: () => JointRows;
   body!: Body;
   readonly #w = new Float64Array(WIDTH * WIDTH);
   readonly #push = new Float64Array(WIDTH);
   /** Of the velocity, by the push that `inverseEffectiveMass` was last asked about. */
   readonly change = new Float64Array(WIDTH);
 
-  constructor(ammo: Ammo, rows: JointRows) {
+  constructor(ammo: Ammo, rows: () => JointRows) {
     this.#ammo = ammo;
     this.#rows = rows;
   }
@@ -35,7 +35,7 @@ export class EffectiveMassMatrix {
     for (const joint of body.joints) {
       if (!holds(joint) || otherEnd(joint, body)?.movable) continue;
       const first = joint.body1 === body;
-      const rows = this.#rows;
+      const rows = this.#rows();
       rows.fill(joint, 0);
       for (const row of joint.lockedRows)
         this.#hold(rows.jacobian, row * 2 * WIDTH + (first ? 0 : WIDTH), rows.between(row, row));

@@ -3,21 +3,19 @@ import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Blow, MOST_HITS } from './blow.js';
-import { continuousCollision } from './continuous-collision.js';
+import { continuousCollision } from './effects.js';
 import { hitShapeOf, type HitShape } from './hit-shape.js';
 import { Impact, OVER } from './impact.js';
 import { StruckBody } from './struck-body.js';
 import { isBallAt, isRound, partOf } from '../contacts/contact-part.js';
 import type { Pair } from '../contacts/contact-rows.js';
-import {
-  contactSurface,
-  type ContactListener,
-  type ContactSurface,
-} from '../contacts/contact-surface.js';
+import { contactSurface } from '../contacts/effects.js';
+import type { ContactListener, ContactSurface } from '../contacts/contact-surface.js';
 import { pairFilter } from '../contacts/pair-filter.js';
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import { Effect } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { JointRows } from '../joints/joint-rows.js';
+import { jointSolve } from '../joints/effects.js';
+import type { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
 
@@ -35,7 +33,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
   readonly #surface: ContactSurface;
-  readonly #rows: JointRows;
+  #rows: JointRows | undefined;
   /** Kept from step to step, so that a contact allocates nothing. */
   readonly #hits: Impact[] = [];
   /** By slot of the body. */
@@ -59,11 +57,12 @@ export class ImpactPropagation extends Effect implements ContactListener {
     super();
     this.#simulation = simulation;
     this.#effects = effects;
-    this.#rows = new JointRows(simulation);
     this.#blow = new Blow(simulation.engine);
     this.#surface = effects.get(contactSurface);
     this.#surface.listener = this;
   }
+
+  readonly #jointRows = (): JointRows => (this.#rows ??= this.#effects.get(jointSolve).newRows());
 
   override beforeStep(dt: number): void {
     this.#dt = this.#until = dt;
@@ -126,7 +125,10 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   #linkOf(body: Body): StruckBody {
-    const link = (this.#links[body.slot] ??= new StruckBody(this.#simulation.engine, this.#rows));
+    const link = (this.#links[body.slot] ??= new StruckBody(
+      this.#simulation.engine,
+      this.#jointRows,
+    ));
     if (link.step !== this.#steps) {
       link.take(body, this.#steps, this.#bulletSteps, this.#until > 0);
       this.#touched.push(link);
@@ -233,11 +235,3 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#touched.length = 0;
   }
 }
-
-export const impactPropagation: EffectDescriptor<ImpactPropagation> = {
-  name: 'impact propagation',
-  causes: 'contacts that say more than the default, or something fast',
-  after: { 'free flight': 'what hits is put right from where its free flight would end' },
-  with: [contactSurface, continuousCollision],
-  load: (simulation, effects) => new ImpactPropagation(simulation, effects),
-};

@@ -57,7 +57,7 @@ export class StruckBody {
 
   readonly #engine: Engine;
 
-  constructor(engine: Engine, rows: JointRows) {
+  constructor(engine: Engine, rows: () => JointRows) {
     this.#engine = engine;
     this.effectiveMass = new EffectiveMassMatrix(engine.ammo, rows);
   }

@@ -1,15 +1,15 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { stops } from './stops.js';
+import { stops } from './effects.js';
 import { isBounded, type Bound } from './bounded-rows.js';
 import { ComponentSolve, type Pull } from './component-solve.js';
 import { Forest, type Component, type Edge } from './forest.js';
-import { holds } from '../../dynamics/jointed.js';
 import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
+import { JointRows } from './joint-rows.js';
 import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
 
@@ -25,6 +25,7 @@ export interface Jointed {
  * Bullet's own constraints are told to aim at those velocities: they stay on for what contacts do in the step.
  */
 export class JointSolve extends Effect {
+  readonly #simulation: Simulation;
   readonly #effects: Effects;
   readonly #forest = new Forest();
   readonly #solver: ComponentSolve;
@@ -38,13 +39,22 @@ export class JointSolve extends Effect {
   readonly #alone = new Set<Body>();
   readonly #componentOf = new Map<Body, Component>();
   readonly #jointed = new Map<Component, Jointed>();
+  /** Of one joint after the other, for those who ask where it stands. */
+  readonly rows: JointRows;
   #stale = true;
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
     this.#effects = effects;
+    this.#simulation = simulation;
+    this.rows = this.newRows();
     this.#solver = new ComponentSolve(simulation);
     this.#sleepingRows = new SleepingRows(simulation, this.#bodies, this.#solver.targets);
+  }
+
+  /** For effects whose code comes without that of joints: they need it only where there is one. */
+  newRows(): JointRows {
+    return new JointRows(this.#simulation);
   }
 
   get #bodies(): JointedBodies {
@@ -242,20 +252,3 @@ export class JointSolve extends Effect {
     this.#joints = joints;
   }
 }
-
-export const jointSolve: EffectDescriptor<JointSolve> = {
-  name: 'joint solve',
-  causes: 'a joint that holds: it stands in the world and some row of it is locked',
-  after: {
-    forces: 'it reads what pushes its bodies in the step',
-    suspension: 'the same',
-    dragging: 'the same',
-    carrying: 'what is carried takes its ends of joints along',
-    motors: 'the same',
-    'gyroscopic torque': 'it begins with the spin of free motion',
-    'impact propagation': 'what was hit is where its hits take it before joints are closed',
-    'pair filter': 'a contact that is taken back wakes none of its rows',
-  },
-  joint: (joint) => (holds(joint) ? 'joint' : undefined),
-  load: (simulation, effects) => new JointSolve(simulation, effects),
-};

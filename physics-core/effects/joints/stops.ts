@@ -1,6 +1,6 @@
 import type { Joint, Stop } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import { Effect } from '../effect/effect.js';
 
 /** Distance from a stop (rad, m) at which it counts as left. */
 const LEFT = 1e-3;
@@ -40,10 +40,3 @@ export class Stops extends Effect {
     });
   }
 }
-
-export const stops: EffectDescriptor<Stops> = {
-  name: 'stops',
-  causes: 'a joint whose angle or separation has stops',
-  joint: ({ stops: [stop] }) => stop?.reason,
-  load: (simulation) => new Stops(simulation),
-};

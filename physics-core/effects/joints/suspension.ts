@@ -3,8 +3,8 @@ import type { Joint, Spring } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from '../effect/effects.js';
 import { JointRows } from './joint-rows.js';
-import { jointSolve } from './joint-solve.js';
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import { jointSolve } from './effects.js';
+import { Effect } from '../effect/effect.js';
 import { Oscillator } from './oscillator.js';
 
 /**
@@ -58,10 +58,3 @@ export class Suspension extends Effect {
     return (change + (oscillator.load - share * dt) * rows.pull(row)) / share;
   }
 }
-
-export const suspension: EffectDescriptor<Suspension> = {
-  name: 'suspension',
-  causes: 'a DoubleAxisHingeJoint whose suspensionForce is too soft for a row of the solver',
-  joint: ({ attached, spring }) => (attached && spring ? 'suspensionForce' : undefined),
-  load: (simulation, effects) => new Suspension(simulation, effects),
-};

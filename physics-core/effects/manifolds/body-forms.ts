@@ -4,7 +4,8 @@ import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Form } from '../../shapes/forms/form.js';
 import { Surface } from '../../shapes/surface/surface.js';
-import { formOf, type Outline } from '../../shapes/outline.js';
+import { wanted } from './effects.js';
+import { formOf } from '../../shapes/outline.js';
 
 /** The exact form of a part, and where it stands in the frame of its body's centre of mass. */
 export interface PartForm {
@@ -26,12 +27,6 @@ export interface BodyForms {
   /** Whether it is boxes alone, whose points Bullet finds nearly as they are. */
   boxes: boolean;
 }
-
-const WANTED: readonly Outline['kind'][] = ['frustum', 'hull', 'triangles'];
-
-/** A part whose contact points Bullet's own search does not find as they are. */
-export const wanted = ({ solidParts }: Body): CollidablePart | undefined =>
-  solidParts.find(({ outline }) => outline && WANTED.includes(outline.kind));
 
 export function formsOf(body: Body): BodyForms {
   const parts = body.solidParts;

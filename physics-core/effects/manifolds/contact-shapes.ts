@@ -10,10 +10,10 @@ import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import { partNumberAt } from '../contacts/contact-part.js';
-import { contactSurface } from '../contacts/contact-surface.js';
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
+import { contactSurface } from '../contacts/effects.js';
+import { Effect } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { formsOf, wanted, type BodyForms, type PartForm } from './body-forms.js';
+import { formsOf, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
@@ -182,12 +182,3 @@ export class ContactShapes extends Effect {
     return least;
   }
 }
-
-const reasonOf = (body: Body): string | undefined => wanted(body) && 'geometry';
-
-export const contactShapes: EffectDescriptor<ContactShapes> = {
-  name: 'contact shapes',
-  causes: 'a body with a cylinder, a cone, a hull or triangles, or boxes in touch',
-  body: { on: ['mass'], reason: reasonOf },
-  load: (simulation, effects) => new ContactShapes(simulation, effects),
-};

@@ -16,7 +16,7 @@ import type { Velocity } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import { carrying } from '../../effects/drag/carrying.js';
 import { gyroscopic } from '../../effects/flight/gyroscopic.js';
-import { jointSolve } from '../../effects/joints/joint-solve.js';
+import { jointSolve } from '../../effects/joints/effects.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import type { Rotation, Vec3 } from '../../fields/types.js';

@@ -1,6 +1,6 @@
 import { contactReader } from '../../effects/contacts/contact-reader.js';
 import { dragging } from '../../effects/drag/dragging.js';
-import { continuousCollision } from '../../effects/hits/continuous-collision.js';
+import { continuousCollision } from '../../effects/hits/effects.js';
 import type { BodyNode } from './body.js';
 
 /** Whether a body stands in the world: as its fields say, and as long as its numbers are finite. */

@@ -1,7 +1,8 @@
 import { DRAG_MODES } from '../../dynamics/body.js';
 import { rotationOf } from '../../base/math.js';
 import { LEAST_MASS } from '../../fields/bounds.js';
-import { geometryTypes } from '../../shapes/geometry.js';
+import { geometryTypes, type Geometry } from '../../shapes/geometry.js';
+import { codeFor } from '../../shapes/meshes.js';
 import { BodyNode } from './body.js';
 import { OwnedGeometry } from './body-geometry.js';
 import { updateRest } from './body-rest.js';
@@ -38,6 +39,7 @@ export const rigidBody = defineNode<BodyNode>({
   doc: 'A body that moves by its mass, velocity and the forces on it.',
   rank: 2,
   bounded: true,
+  needs: (body) => codeFor([body.asked<Geometry | null>('massDensityModel')]),
   make: (context) => new BodyNode(context, (body) => new OwnedGeometry(body)),
   fields: {
     enabled: {

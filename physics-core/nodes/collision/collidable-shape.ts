@@ -1,4 +1,5 @@
-import { geometryTypes } from '../../shapes/geometry.js';
+import { geometryTypes, type Geometry } from '../../shapes/geometry.js';
+import { codeFor } from '../../shapes/meshes.js';
 import { CollidableShapeNode, type CollidableNode } from './collidable.js';
 import { defineNode } from '../node/define.js';
 import type { Field } from '../node/table.js';
@@ -42,6 +43,7 @@ export const collidableShape = defineNode<CollidableShapeNode>({
   doc: 'The shape that collides, and that is drawn where it stands in the scene.',
   rank: 1,
   bounded: true,
+  needs: (collidable) => codeFor(collidable.asked<Geometry[]>('shape')),
   make: (context) => new CollidableShapeNode(context),
   fields: {
     ...collidableFields,

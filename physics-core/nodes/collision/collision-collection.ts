@@ -5,6 +5,7 @@ import { contactParameters, unknownTokens } from './contact-parameters.js';
 import { Members, type MemberList } from './members.js';
 import { description } from '../node/common-fields.js';
 import { cut } from '../../base/show.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
 
@@ -92,6 +93,7 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
   clause: '37.4.4',
   doc: 'Collidables tested against each other, with the parameters of their contacts.',
   rank: 4,
+  chunk: contacts,
   bounded: true,
   make: (context) => new CollisionCollectionNode(context),
   fields: {

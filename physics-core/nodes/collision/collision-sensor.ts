@@ -1,12 +1,13 @@
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Sensor } from '../../dynamics/sensor.js';
 import { contactReader } from '../../effects/contacts/contact-reader.js';
-import { givenContacts } from '../../effects/contacts/given-contacts.js';
+import { givenContacts } from '../../effects/contacts/effects.js';
 import type { CollidableNode } from './collidable.js';
 import type { CollisionCollectionNode } from './collision-collection.js';
 import type { ContactNode } from './contact.js';
 import { foundContact } from './found-contact.js';
 import { description } from '../node/common-fields.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
 
@@ -99,6 +100,7 @@ export const collisionSensor = defineNode<CollisionSensorNode>({
   clause: '37.4.5',
   doc: 'Tells whether members of a CollisionCollection touch.',
   rank: 5,
+  chunk: contacts,
   make: (context) => new CollisionSensorNode(context),
   fields: {
     ...description,

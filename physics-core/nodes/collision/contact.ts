@@ -6,6 +6,7 @@ import type { Contact, Touching } from '../../dynamics/contact.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { NodeContext } from '../node/node-world.js';
 import { contactParameters } from './contact-parameters.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
 
@@ -99,6 +100,7 @@ export const contact = defineNode<ContactNode>({
   clause: '37.4.7',
   doc: 'A point where two collidables touch, for one step; page code may change it and hand it to set_contacts.',
   rank: 5,
+  chunk: contacts,
   make: (context) => new ContactNode(context),
   fields: {
     appliedParameters: {

@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import { FREE, JointNode, LOCKED, type JointFrame } from './joint.js';
 import { anchorFields, jointFields } from './joint-fields.js';
 import { defineNode } from '../node/define.js';
@@ -22,6 +23,7 @@ export const ballJoint = defineNode<BallJointNode>({
   clause: '37.4.1',
   doc: 'Holds a point of both bodies together and lets them turn about it.',
   rank: 3,
+  chunk: joints,
   make: (context) => new BallJointNode(context),
   fields: { ...jointFields, ...anchorFields },
 });

@@ -1,4 +1,5 @@
 import { asin } from '../../base/exact/index.js';
+import { joints } from '../../effects/effect/chunks.js';
 import type { Motor, Stop } from '../../dynamics/joint.js';
 import { FRAME, softnessAtStep } from '../../dynamics/levels.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -95,7 +96,8 @@ export class DoubleAxisHingeJointNode extends JointNode {
   protected override chooseRows(): void {
     const give = this.asked<number>('suspensionForce');
     const share = this.asked<number>('suspensionErrorCorrection');
-    const { jointRows: rows, solver } = this.world;
+    const { solver } = this.world;
+    const { jointRows: rows } = this;
     const { stepSeconds } = solver;
     rows.fill(this, stepSeconds);
     const softness =
@@ -158,6 +160,7 @@ export const doubleAxisHingeJoint = defineNode<DoubleAxisHingeJointNode>({
   clause: '37.4.9',
   doc: 'The wheel of a car: steering and suspension about and along one axis, spin about another.',
   rank: 3,
+  chunk: joints,
   make: (context) => new DoubleAxisHingeJointNode(context),
   fields: doubleAxisHingeFields,
 });

@@ -206,7 +206,8 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
 
   /** Error correction and softness of every row. */
   #setCorrections(constraint: JointConstraint): void {
-    const { solver, jointRows } = this.world;
+    const { solver } = this.world;
+    const { jointRows } = this;
     jointRows.fill(this, solver.stepSeconds);
     for (let row = 0; row < ROWS; row++) {
       const { erp, softness } = correctionAt(solver, this.correctionOf(row));
@@ -260,11 +261,11 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
 
   /** Where a row stands now, metres or radians; 0 at the poses the joint was made at. */
   valueOf(row: number): number {
-    return this.placed ? this.world.jointRows.valueOf(this, row) : 0;
+    return this.placed ? this.jointRows.valueOf(this, row) : 0;
   }
 
   /** Its rate, per second. */
   rateOf(row: number): number {
-    return this.placed ? this.world.jointRows.rateOf(this, row) : 0;
+    return this.placed ? this.jointRows.rateOf(this, row) : 0;
   }
 }

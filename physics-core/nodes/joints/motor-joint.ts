@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, cross, dot, length, normalize, rotate, scale, subtract } from '../../base/math.js';
 import { FREE, JointNode, type JointFrame, type Limit } from './joint.js';
@@ -138,6 +139,7 @@ export const motorJoint = defineNode<MotorJointNode>({
   clause: '37.4.10',
   doc: 'Turns two bodies against each other by torques about up to three axes.',
   rank: 3,
+  chunk: joints,
   make: (context) => new MotorJointNode(context),
   fields: motorFields,
 });

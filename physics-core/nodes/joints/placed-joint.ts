@@ -7,6 +7,8 @@ import {
   subtract,
   type Pose,
 } from '../../base/math.js';
+import { jointSolve } from '../../effects/joints/effects.js';
+import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from '../body/body.js';
 import { PhysicsNode } from '../node/node.js';
@@ -22,6 +24,11 @@ export abstract class PlacedJoint extends PhysicsNode {
   /** While a snapshot is restored: the frames of its zero. */
   kept: { frame1: Pose; frame2: Pose } | undefined;
   #zeroed = false;
+
+  /** Of one joint after the other. */
+  protected get jointRows(): JointRows {
+    return this.world.registry.get(jointSolve).rows;
+  }
 
   /** Where the joint is wanted. */
   protected abstract wantedFrame(): JointFrame;

@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import type { Stop } from '../../dynamics/joint.js';
 import {
   between,
@@ -70,6 +71,7 @@ export const singleAxisHingeJoint = defineNode<SingleAxisHingeJointNode>({
   clause: '37.4.14',
   doc: 'Lets two bodies turn about one axis.',
   rank: 3,
+  chunk: joints,
   make: (context) => new SingleAxisHingeJointNode(context),
   fields: {
     ...jointFields,

@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import type { Stop } from '../../dynamics/joint.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, invert, scale, type Pose } from '../../base/math.js';
@@ -92,7 +93,7 @@ export class SliderJointNode extends JointNode {
 
   /** The force along the axis, equal and opposite on one line, so that it turns nothing. */
   override push(dt: number): void {
-    const { jointRows: rows } = this.world;
+    const { jointRows: rows } = this;
     if (this.drivenBy === undefined || !rows.read(this, dt)) return;
     rows.look(ALONG);
     rows.push(ALONG, this.#sign * this.asked<number>('sliderForce') * dt);
@@ -132,6 +133,7 @@ export const sliderJoint = defineNode<SliderJointNode>({
   clause: '37.4.15',
   doc: 'Lets two bodies slide along one axis; neither turns against the other.',
   rank: 3,
+  chunk: joints,
   make: (context) => new SliderJointNode(context),
   fields: {
     ...jointFields,

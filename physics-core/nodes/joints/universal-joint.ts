@@ -1,3 +1,4 @@
+import { joints } from '../../effects/effect/chunks.js';
 import type { Vec3 } from '../../fields/types.js';
 import { dot, normalize, scale, subtract } from '../../base/math.js';
 import { FREE, JointNode, LOCKED, type JointFrame, type Limit } from './joint.js';
@@ -58,6 +59,7 @@ export const universalJoint = defineNode<UniversalJointNode>({
   clause: '37.4.16',
   doc: 'A cardan joint: turns one body with the other round a bend.',
   rank: 3,
+  chunk: joints,
   make: (context) => new UniversalJointNode(context),
   fields: {
     ...jointFields,

@@ -6,7 +6,6 @@ import type { Collidable } from '../../dynamics/collidable.js';
 import type { Collider, Pairs } from '../../dynamics/pairs.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from '../../effects/effect/effects.js';
-import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { NodeData } from './node-data.js';
 import type { PhysicsNode } from './node.js';
 import type { NodeType } from './table.js';
@@ -75,8 +74,6 @@ export interface NodeWorld extends Simulation {
   /** Its effects. */
   readonly registry: Effects;
   readonly events: EventQueue;
-  /** Of one joint after the other. */
-  readonly jointRows: JointRows;
   readonly nodes: Iterable<PhysicsNode>;
   /** Settings of the world: its first collection's, or X3D's defaults. */
   readonly settings: PhysicsNode;

@@ -1,3 +1,4 @@
+import type { Chunk } from '../../base/chunk.js';
 import { Emitter, type Listener } from '../../base/emitter.js';
 import { codecs } from '../../fields/values.js';
 import type { Value } from '../../fields/types.js';
@@ -131,6 +132,12 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   makeChild(data: NodeData, types: readonly string[]): PhysicsNode | undefined {
     return this.world.store.addData(data, this, types);
+  }
+
+  /** Code that it is neither made nor patched without. */
+  get needs(): Chunk<unknown>[] {
+    const { type } = this;
+    return [type.chunk, type.needs?.(this)].filter((chunk) => chunk !== undefined);
   }
 
   // ---- life ---------------------------------------------------------------------------------------------------

@@ -1,3 +1,4 @@
+import type { Chunk } from '../../base/chunk.js';
 import type { Access, Dimension, FieldType, Value } from '../../fields/types.js';
 
 /**
@@ -60,6 +61,10 @@ export interface NodeType<N = unknown> {
   fields: Record<string, Field<N>>;
   /** An X3DBoundedObject. */
   bounded?: true;
+  /** Code of effects that its nodes are not made without. */
+  chunk?: Chunk<unknown>;
+  /** Code that one with such values needs beside that. */
+  needs?(node: N): Chunk<unknown> | undefined;
 }
 
 /** What words of authors are looked up in: `constructor` is in it only where somebody put it. */

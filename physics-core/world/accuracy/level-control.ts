@@ -2,7 +2,8 @@ import { AutoLevel, type Verdict } from './auto-level.js';
 import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../../dynamics/levels.js';
 import { JointNode } from '../../nodes/joints/joint.js';
 import { jointSettings, levelOf, solverSettings } from './solver-settings.js';
-import { contactSurface } from '../../effects/contacts/contact-surface.js';
+import { contactSurface } from '../../effects/contacts/effects.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { NO_DEMANDS } from '../../effects/contacts/solver-demands.js';
 import type { JointSettings, NodeWorld } from '../../nodes/node/node-world.js';
 
@@ -53,7 +54,8 @@ export class LevelControl {
   /** How fast overlaps may be pushed apart, m/s. */
   #limit(speed: number): void {
     const { registry: effects, settings } = this.#world;
-    const surface = speed < Infinity ? effects.get(contactSurface) : effects.find(contactSurface);
+    const limited = speed < Infinity && contacts.here;
+    const surface = limited ? effects.get(contactSurface) : effects.find(contactSurface);
     surface?.limit(settings, speed);
   }
 

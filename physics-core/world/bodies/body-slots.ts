@@ -1,5 +1,6 @@
 import { debugging } from '../../effects/debug/debugging.js';
-import { continuousCollision, FAR } from '../../effects/hits/continuous-collision.js';
+import { contacts } from '../../effects/effect/chunks.js';
+import { continuousCollision, FAR } from '../../effects/hits/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { guards } from '../../base/guards.js';
@@ -131,7 +132,7 @@ export class BodySlots implements BodyTable {
     const at = slot * VELOCITY;
     const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
     const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
-    if (far) effects.get(continuousCollision).need(body);
+    if (far && contacts.here) effects.get(continuousCollision).need(body);
     else effects.caused(continuousCollision)?.release(body);
   }
 

@@ -1,6 +1,6 @@
-import { contactSolve } from '../../effects/contact-solve/contact-solve.js';
+import { contactSolve } from '../../effects/contact-solve/effects.js';
 import { contactReader } from '../../effects/contacts/contact-reader.js';
-import { givenContacts } from '../../effects/contacts/given-contacts.js';
+import { givenContacts } from '../../effects/contacts/effects.js';
 import { dragging } from '../../effects/drag/dragging.js';
 import { resting } from '../../effects/rest/resting.js';
 import { BulletWorld } from '../../engine/bullet-world.js';
@@ -9,6 +9,7 @@ import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
 import { RANKS } from '../store/edits.js';
 import type { LevelControl } from '../accuracy/level-control.js';
+import type { Awaiting, Starting } from '../store/awaiting.js';
 import type { Editing } from '../store/editing.js';
 import type { Obstacles } from '../pairs/obstacles.js';
 import type { Rays } from '../rays/raycast.js';
@@ -26,11 +27,13 @@ interface LivingWorld extends NodeWorld {
   readonly rays: Rays;
   readonly control: LevelControl;
   readonly edits: Editing;
+  readonly awaiting: Awaiting;
 }
 
 /** How the Bullet world behind the nodes comes, begins anew, and goes. */
 export class Lifecycle {
   readonly #world: LivingWorld;
+  #ended = false;
   readonly ready = new Readiness<LivingWorld>();
 
   constructor(world: LivingWorld) {
@@ -39,7 +42,7 @@ export class Lifecycle {
 
   start(engine: Engine): void {
     const world = this.#world;
-    if (world.started) return;
+    if (world.started || world.awaiting.holds(world.nodes, this.#later(engine))) return;
     world.engine = engine;
     world.events.during(() => {
       this.#build();
@@ -48,6 +51,14 @@ export class Lifecycle {
       world.emit('ready', world);
       world.work();
     });
+  }
+
+  /** Once all code that its nodes need is here. */
+  #later(engine: Engine): Starting {
+    return {
+      start: () => this.#ended || this.start(engine),
+      failed: (problem) => this.ready.reject(problem),
+    };
   }
 
   *starting(engine: Engine): Generator<void> {
@@ -60,6 +71,7 @@ export class Lifecycle {
     const world = this.#world;
     world.bullet = new BulletWorld(world.engine);
     world.started = true;
+    world.awaiting.begin();
     if (!world.engine.heapTrusted) this.#reportUnknownBuild();
     world.configure();
     world.stepping.restart();
@@ -129,6 +141,7 @@ export class Lifecycle {
 
   destroy(): void {
     const world = this.#world;
+    this.#ended = true;
     world.events.anew(() => {
       if (world.started) {
         this.#endTouches('removed');

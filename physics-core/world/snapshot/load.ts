@@ -1,5 +1,5 @@
 import { forces } from '../../effects/flight/forces.js';
-import { jointSolve } from '../../effects/joints/joint-solve.js';
+import { jointSolve } from '../../effects/joints/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import { JointNode } from '../../nodes/joints/joint.js';

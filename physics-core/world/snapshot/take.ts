@@ -1,5 +1,5 @@
 import { forces } from '../../effects/flight/forces.js';
-import { jointSolve } from '../../effects/joints/joint-solve.js';
+import { jointSolve } from '../../effects/joints/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import type { Pose } from '../../base/math.js';
 import type { LevelName } from '../../dynamics/levels.js';

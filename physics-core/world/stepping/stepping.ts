@@ -3,6 +3,7 @@ import { show } from '../../base/show.js';
 import { FRAME } from '../../dynamics/levels.js';
 import { frameCosts } from '../../effects/costs/frame-costs.js';
 import type { LevelControl } from '../accuracy/level-control.js';
+import type { Awaiting } from '../store/awaiting.js';
 import type { Editing } from '../store/editing.js';
 import type { HeapLimit } from '../store/heap-limit.js';
 import { PhaseCosts } from './phase-costs.js';
@@ -20,6 +21,7 @@ const MUCH_LOST = 1;
 
 /** The world whose time passes. */
 export interface TimedWorld extends SteppedWorld {
+  readonly awaiting: Awaiting;
   readonly edits: Editing;
   readonly control: LevelControl;
   readonly heapLimit: HeapLimit;
@@ -139,7 +141,7 @@ export class Stepping {
   /** Seconds taken: fewer where a listener ends the world. Added up step by step they would round. */
   #stepTimes(n: number): number {
     let [seconds, count, length] = [0, 0, 0];
-    for (let i = 0; i < n && this.#world.started; i++) {
+    for (let i = 0; i < n && this.#world.started && !this.#world.awaiting.waits; i++) {
       const taken = this.#step.take();
       if (taken !== length) [seconds, count, length] = [seconds + count * length, 0, taken];
       count++;
@@ -210,8 +212,8 @@ export class Stepping {
 
   /** Whether time passes by itself. */
   get running(): boolean {
-    const { started, control } = this.#world;
-    return started && control.enabled && !this.#paused && this.#timeScale > 0;
+    const { started, control, awaiting } = this.#world;
+    return started && !awaiting.waits && control.enabled && !this.#paused && this.#timeScale > 0;
   }
 
   get #moving(): boolean {

@@ -1,6 +1,7 @@
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import type { LevelControl } from '../accuracy/level-control.js';
+import type { Awaiting } from './awaiting.js';
 import { Edits } from './edits.js';
 import type { HeapLimit } from './heap-limit.js';
 import type { Obstacles } from '../pairs/obstacles.js';
@@ -9,12 +10,20 @@ import type { Obstacles } from '../pairs/obstacles.js';
 export class Editing {
   readonly #world: NodeWorld;
   readonly #edits = new Edits();
+  readonly #awaiting: Awaiting;
   readonly #obstacles: Obstacles;
   readonly #heapLimit: HeapLimit;
   readonly #control: LevelControl;
 
-  constructor(world: NodeWorld, obstacles: Obstacles, heapLimit: HeapLimit, control: LevelControl) {
+  constructor(
+    world: NodeWorld,
+    awaiting: Awaiting,
+    obstacles: Obstacles,
+    heapLimit: HeapLimit,
+    control: LevelControl,
+  ) {
     this.#world = world;
+    this.#awaiting = awaiting;
     this.#obstacles = obstacles;
     this.#heapLimit = heapLimit;
     this.#control = control;
@@ -38,6 +47,7 @@ export class Editing {
 
   /** Obstacles are edits in their turn; a level that is another now is told once all is applied. */
   readonly #applyAll = (): void => {
+    if (this.#awaiting.holds(this.#edits)) return;
     while (this.applyNext());
     this.#control.tell();
   };

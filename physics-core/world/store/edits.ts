@@ -15,6 +15,10 @@ export class Edits {
     this.#queues[node.type.rank]!.delete(node);
   }
 
+  *[Symbol.iterator](): Generator<PhysicsNode> {
+    for (const queue of this.#queues) yield* queue;
+  }
+
   get pending(): boolean {
     return this.#queues.some((queue) => queue.size > 0);
   }

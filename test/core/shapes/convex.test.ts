@@ -3,8 +3,11 @@ import { hullOf } from '../../../physics-core/shapes/hull.js';
 import { tessellate } from '../../../physics-core/shapes/tessellate.js';
 import type { Mesh } from '../../../physics-core/shapes/geometry.js';
 import { quaternionOf, rotate } from '../../../physics-core/base/math.js';
+import { meshes } from '../../../physics-core/shapes/meshes.js';
 import assert from 'node:assert/strict';
 import { fact } from '../helpers.js';
+
+await meshes.load();
 
 /** A cube of 2 m with each face divided into `n` by `n`. */
 function divided(n: number): Mesh {

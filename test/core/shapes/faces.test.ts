@@ -1,8 +1,11 @@
 import { cross, dot, length, subtract } from '../../../physics-core/base/math.js';
 import type { Geometry } from '../../../physics-core/shapes/geometry.js';
 import { tessellate } from '../../../physics-core/shapes/tessellate.js';
+import { meshes } from '../../../physics-core/shapes/meshes.js';
 import assert from 'node:assert/strict';
 import { addBody, below, close, fact, height, sphere, world, type Vec3 } from '../helpers.js';
+
+await meshes.load();
 
 type Points = [number, number][];
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { contactSolve } from '../../../../physics-core/effects/contact-solve/contact-solve.js';
+import { contactSolve } from '../../../../physics-core/effects/contact-solve/effects.js';
 import { Newton } from '../../../../physics-core/effects/contact-solve/newton.js';
 import type { Part } from '../../../../physics-core/effects/contact-solve/part.js';
 import type { World } from '../../../../physics-core/inside.js';

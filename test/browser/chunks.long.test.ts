@@ -1,0 +1,139 @@
+import { expect } from 'chai';
+import './console.js';
+import { openText, type PageWindow } from './page.js';
+import { until } from './scene.js';
+import type { World } from './inside.js';
+
+const FALLING = `<transform translation="0 5 0">
+    <shape><box></box></shape><x3d-rigid-body id="b"></x3d-rigid-body>
+  </transform>`;
+const FLOOR = `<transform>
+    <shape><box size="20 1 20"></box></shape><x3d-rigid-body id="floor" fixed="true"></x3d-rigid-body>
+  </transform>`;
+const JOINT = '<x3d-ball-joint body1="b" anchorpoint="0 8 0"></x3d-ball-joint>';
+const EGG = `<transform scale="1 2 1">
+    <shape><sphere></sphere></shape><x3d-rigid-body></x3d-rigid-body>
+  </transform>`;
+const COLLECTION = '<x3d-collision-collection collidables="*"></x3d-collision-collection>';
+
+type Shown = Element & { world: World };
+
+/** A page with the module build, and its body's world, started. */
+async function show(scene: string) {
+  const page = await openText(`<!DOCTYPE html>
+    <script src="/node_modules/x3dom/x3dom.js"></script>
+    <script type="module" src="/dist/x3d-physics.js"></script>
+    <x3d width="200px" height="100px"><scene>${scene}</scene></x3d>`);
+  const body = page.document.getElementById('b') as unknown as Shown;
+  await until(() => body.world !== undefined, 10_000);
+  const world = await body.world.ready;
+  return { page, world, scene: page.document.querySelector('scene')! };
+}
+
+/** Files of ours that a page has fetched, engine included. */
+const fetched = ({ performance }: PageWindow): string[] =>
+  performance
+    .getEntriesByType('resource')
+    .map(({ name }) => new URL(name).pathname)
+    .filter((path) => path.startsWith('/dist/'));
+
+const ENGINE = /ammo/;
+
+/** Bytes of what a page has fetched beside the engine, as a server would send them. */
+async function zipped(paths: string[]): Promise<number> {
+  const ours = paths.filter((path) => !ENGINE.test(path));
+  const sizes = ours.map(async (path) => {
+    const { body } = await fetch(path);
+    const stream = body!.pipeThrough(new CompressionStream('gzip'));
+    return (await new Response(stream).arrayBuffer()).byteLength;
+  });
+  return (await Promise.all(sizes)).reduce((sum, size) => sum + size, 0);
+}
+
+const has = (page: PageWindow, chunk: RegExp): boolean =>
+  fetched(page).some((path) => chunk.test(path));
+
+const JOINTS = /joint-code/;
+const CONTACTS = /contact-code/;
+const MESHES = /mesh-code/;
+
+describe('what a page fetches', () => {
+  it('of ours, for a box that falls: few files and bytes before it moves', async () => {
+    const { page, world } = await show(FALLING);
+    await until(() => world.time > 0, 5000);
+    expect(fetched(page).length, fetched(page).join(' ')).to.be.at.most(6);
+    // 96 kB, of which 66 are the core.
+    expect(await zipped(fetched(page))).to.be.below(97_000);
+    expect([JOINTS, CONTACTS, MESHES].filter((chunk) => has(page, chunk))).to.eql([]);
+  });
+
+  it('the code of contacts with a second body, before the first step', async () => {
+    const { page, world } = await show(FALLING + FLOOR);
+    await until(() => world.time > 0, 5000);
+    expect(fetched(page).length, fetched(page).join(' ')).to.be.at.most(6);
+    expect([has(page, CONTACTS), has(page, JOINTS)]).to.eql([true, false]);
+  });
+
+  it('the same with a CollisionCollection', async () => {
+    const { page } = await show(FALLING + COLLECTION);
+    expect(has(page, CONTACTS)).to.equal(true);
+  });
+
+  it('the code of meshes with a geometry that Bullet has no shape for', async () => {
+    const { page } = await show(FALLING + EGG);
+    expect([has(page, MESHES), has(page, JOINTS)]).to.eql([true, false]);
+  });
+
+  it('all that the markup calls for at the same time as the engine', async () => {
+    const faces =
+      '<indexedtriangleset index="0 1 2"><coordinate point="0 0 0 1 0 0 0 1 0"></coordinate></indexedtriangleset>';
+    const table = `<transform><shape>${faces}</shape><x3d-rigid-body fixed="true"></x3d-rigid-body></transform>`;
+    const { page } = await show(FALLING + table + JOINT);
+    const [wasm] = page.performance.getEntriesByName(
+      new URL('/dist/ammo.wasm', location.href).href,
+    );
+    const begun = (part: RegExp): number =>
+      page.performance.getEntriesByType('resource').find(({ name }) => part.test(name))!.startTime;
+    const end = (wasm as PerformanceResourceTiming).responseEnd;
+    for (const part of [CONTACTS, JOINTS, MESHES, /ammo\.wasm-.*\.js/])
+      expect(begun(part), String(part)).to.be.below(end);
+  });
+
+  it('the code of joints with a joint, before the first step', async () => {
+    const { page } = await show(FALLING + JOINT);
+    expect([has(page, JOINTS), has(page, CONTACTS)]).to.eql([true, false]);
+  });
+});
+
+describe('a node that comes late, with the first of its code', () => {
+  for (const [what, added, code] of [
+    ['joint', JOINT, JOINTS],
+    ['second body', FLOOR, CONTACTS],
+    ['mesh', EGG, MESHES],
+  ] as const) {
+    it(`has the world wait for that: ${what}`, async () => {
+      const { page, world, scene } = await show(FALLING);
+      world.paused = true;
+      const parts = (): number => world.stats.bodies + world.stats.joints;
+      expect(parts()).to.equal(1);
+      scene.insertAdjacentHTML('beforeend', added);
+      expect(world.step(3)).to.equal(0);
+      expect(world.problems.map(({ code: name }) => name)).to.eql(['waiting-for-effect']);
+      await until(() => has(page, code), 5000);
+      await until(() => world.step(1) > 0, 5000);
+      expect(parts()).to.equal(2);
+      expect(world.problems).to.eql([]);
+    });
+  }
+
+  it('makes what was there before cause effects of that code, too', async () => {
+    const log =
+      '<transform><shape><cylinder></cylinder></shape><x3d-rigid-body id="b"></x3d-rigid-body></transform>';
+    const { world, scene } = await show(log);
+    const shapes = () => world.effects.find(({ name }) => name === 'contact shapes')!;
+    expect(shapes().active).to.equal(false);
+    scene.insertAdjacentHTML('beforeend', FLOOR);
+    await until(() => shapes().active, 5000);
+    expect((shapes().because!.element as Element).id).to.equal('b');
+  });
+});

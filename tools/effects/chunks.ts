@@ -1,0 +1,73 @@
+// docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
+import { readdirSync, readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+import { contacts, joints, meshes } from '../../physics-core/inside.js';
+
+export const PAGE = 'docs/chunks.md';
+
+/** Files by how their names begin, and what has them fetched. */
+const FILES: readonly [name: string, causes: string][] = [
+  ['x3d-physics.js', 'every page: the entry'],
+  ['chunk-page', 'every page: elements, and the bridge to x3dom'],
+  ['chunk-core', 'every page: worlds and bodies'],
+  ['chunk-ammo.wasm', 'the first physics element: Bullet’s glue'],
+  ['ammo.wasm', 'the first physics element: Bullet'],
+  ['chunk-contact-code', contacts.causes],
+  ['chunk-joint-code', joints.causes],
+  ['chunk-mesh-code', meshes.causes],
+  ['chunk-hands', 'a body that may be dragged'],
+  ['chunk-sketch', 'debug of a RigidBodyCollection'],
+  ['chunk-debug-lines', 'the same, or `debugLines()`'],
+  ['chunk-measure-', '`measureAccuracy()`'],
+  ['chunk-measurement', 'the same'],
+  ['accuracy-worker.js', 'the same, where there are workers'],
+  ['ui/monitor.js', 'an `<x3d-physics-monitor>` in sight'],
+  ['ui/chart.js', 'an `<x3d-accuracy-chart>` in sight'],
+  ['ui/chunk-styles', 'either of these two'],
+  ['chunk-ammo-wasm-as-text', 'an ammo.wasm that can’t be had'],
+];
+
+/** Not of the module build, or fetched by who imports them alone. */
+const OTHERS = /^(elements\/|core\.js|x3d-physics\.(classic|single)\.js|types\/)/;
+
+const HEAD = `# Files
+
+Written by \`npm run docs:chunks\` from the module build; kilobytes of 1000 bytes, as a server sends them (gzip).
+
+A page pays for what stands in it: the first rows come with every page that has physics, the others with the first thing
+that calls for them. Where that stands in the markup its files are fetched together with the engine, and the world starts
+when they are there. Where it comes later, time stands still until they are (\`waiting-for-effect\`). The classic scripts
+have all but the engine and the ui in one file; in Node all of it is there when \`createWorld\` answers.
+
+| file | kB | fetched by |
+| --- | ---: | --- |
+`;
+
+export interface BuiltFile {
+  name: string;
+  causes: string;
+  bytes: number;
+}
+
+/** The files of the module build; throws where one is not known here. */
+export function builtFiles(dist = 'dist'): BuiltFile[] {
+  const names = readdirSync(dist, { recursive: true, encoding: 'utf8' })
+    .map((name) => name.replaceAll('\\', '/'))
+    .filter((name) => /\.(js|wasm)$/.test(name) && !OTHERS.test(name));
+  const strangers = names.filter((name) => !FILES.some(([begin]) => name.startsWith(begin)));
+  if (strangers.length > 0) throw new Error(`tools/effects/chunks.ts does not know ${strangers}`);
+  return FILES.flatMap(([begin, causes]) => {
+    const found = names.filter((name) => name.startsWith(begin));
+    const bytes = found.map((name) => gzipSync(readFileSync(`${dist}/${name}`)).length);
+    const name = begin.replace(/-$/, '');
+    return found.length > 0 ? [{ name, causes, bytes: bytes.reduce((a, b) => a + b) }] : [];
+  });
+}
+
+const kilobytes = (bytes: number): string => (bytes / 1000).toFixed(bytes < 10_000 ? 1 : 0);
+
+export const chunksPage = (): string =>
+  HEAD +
+  builtFiles()
+    .map(({ name, causes, bytes }) => `| ${name} | ${kilobytes(bytes)} | ${causes} |\n`)
+    .join('');
