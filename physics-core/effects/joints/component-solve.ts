@@ -59,6 +59,8 @@ export class ComponentSolve {
   readonly torn = new Set<Component>();
   /** Loops that an edit had torn a few steps ago. */
   readonly #mended = new Recent();
+  /** Those that contacts moved in the last step: gaps of theirs are no edit's. */
+  readonly #disturbed = new Set<Component>();
 
   constructor(simulation: Simulation) {
     this.bodies = new JointedBodies(simulation, this.#system);
@@ -105,6 +107,7 @@ export class ComponentSolve {
     this.#budget.forget();
     this.#search.taut.forget();
     this.#mended.forget();
+    this.#disturbed.clear();
   }
 
   /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */
@@ -150,7 +153,8 @@ export class ComponentSolve {
    * have to go far sideways for it (measured: 0.6 m/s for 10 µm at `reference`).
    */
   #isTorn(component: Component, error: number): boolean {
-    if (error > TORN && component.loops.length > 0) this.#mended.begin(component);
+    const byEdit = error > TORN && !this.#disturbed.has(component);
+    if (byEdit && component.loops.length > 0) this.#mended.begin(component);
     return guards.torn(error, this.#mended.goesOn(component) ? NO_MISS : TORN);
   }
 
@@ -186,6 +190,8 @@ export class ComponentSolve {
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. False: nothing but joints and forces acted. */
   settle(component: Component, dt: number): boolean {
     const disturbed = this.#stabilization.disturbed(component, dt);
+    if (disturbed) this.#disturbed.add(component);
+    else this.#disturbed.delete(component);
     const torn = this.torn.has(component);
     if (torn) this.#tornJoints.close(component, dt);
     this.#system.firm = this.#search.taut.has(component);
@@ -197,7 +203,7 @@ export class ComponentSolve {
   /** What was moved together again shall not go on moving. `tell`: where more than that had to be taken, m/s. */
   takeBack(tell: (component: Component, speed: number) => void): void {
     for (const component of this.#repaired) {
-      const speed = this.#stabilization.takeBack(component);
+      const speed = this.#stabilization.takeBack(component, this.torn.has(component));
       if (speed > 0) tell(component, speed);
     }
     for (const component of this.torn) this.#tornJoints.turnSpins(component);

@@ -62,11 +62,14 @@ export class PostStabilization {
       for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#kept[x]! -= velocity[x]!;
   }
 
-  /** Returns the greatest speed (m/s, rad/s) that the way together left beyond what could be motion: it goes, too. */
-  takeBack({ bodies }: Component): number {
+  /**
+   * Returns the greatest speed (m/s, rad/s) that the way together left beyond what could be motion: it goes, too. `apart`:
+   * Bullet's step did not see that way, and all it left is motion.
+   */
+  takeBack({ bodies }: Component, apart: boolean): number {
     const { engine, bodies: all } = this.#simulation;
     const now = this.#now;
-    const most = this.#mostSpeed(bodies);
+    const most = apart ? Infinity : this.#mostSpeed(bodies);
     let left = 0;
     for (const i of bodies) {
       const node = this.#jointed.bodies[i]!;
