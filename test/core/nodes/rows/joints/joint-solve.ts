@@ -84,6 +84,26 @@ export const jointSolveRows: Row[] = [
   },
   {
     effect: 'joint solve',
+    fact: 'a rod that spins about its length, torn off its joint, turns back to it and takes its spin along',
+    run: async () => {
+      const w = await world(WEIGHTLESS);
+      const rod = addBody(w, {
+        position: [1, 0, 0],
+        geometry: [box(2, 0.1, 0.1)],
+        angularVelocity: [20, 0, 0],
+      });
+      addJoint(w, 'BallJoint', { body1: rod, anchorPoint: [0, 0, 0] });
+      w.step();
+      rod.event('position', [1, 0.1, 0]);
+      w.step();
+      below(0.07, position(rod)[1], 'm, turned aside');
+      // As much as the rod itself turns would be 1.6.
+      below(1, spin(rod)[1], 'rad/s, turned along');
+      close(Math.hypot(...spin(rod)), 20, 0.01, 'rad/s in all');
+    },
+  },
+  {
+    effect: 'joint solve',
     fact: 'what lies heavily on a light body is held up by its joint, too',
     run: async () => {
       // Directly, and by the iterations of whoever asks for some.
