@@ -147,9 +147,17 @@ export const heaps: StabilityCase[] = [
       return { after, measured: () => (nearest(boxes.map(position)) > 0.95 ? measured() : NaN) };
     },
   },
-  rests('heap of boxes', 'a hundred boxes poured into a pit come to rest in it', 100, 1e-3, () =>
-    box(0.35, 0.3, 0.4),
-  ),
+  {
+    ...rests(
+      'heap of boxes',
+      'a hundred boxes poured into a pit come to rest in it',
+      100,
+      1e-3,
+      () => box(0.35, 0.3, 0.4),
+    ),
+    // One box still rocks there, at 7 mm/s.
+    refutedAt: ['fine'],
+  },
   rests(
     'heap of balls',
     'forty balls poured into a pit settle in it, and roll about slowly',
