@@ -33,9 +33,8 @@ const SLOW = 0.25;
  */
 const TURNED = 0.1;
 
-/** Pairs in touch in a world that is so busy that only small parts get one whose bodies are slower than this, m/s. */
+/** Pairs in touch in a world that is so busy that larger parts get none. */
 const BUSY = 400;
-const CALM = 0.05;
 
 /** Share of bodies that are not slow from which on a part is Bullet's. */
 const FAST = 0.25;
@@ -223,12 +222,10 @@ export class ContactSolve extends Effect {
    * that contacts last from step to step. Undefined: Bullet's iterations.
    */
   #solverOf({ bodies }: Part): Solver | undefined {
-    const busy = this.#isBusy();
-    if (bodies.length <= FEW)
-      return busy && this.#fastOf(bodies, CALM) > 0 ? undefined : this.#newton;
+    if (bodies.length <= FEW) return this.#newton;
     if (bodies.length > MOST) return undefined;
-    const fast = this.#fastOf(bodies, SLOW);
-    if (fast === 0 && !busy) return this.#newton;
+    const fast = this.#fastOf(bodies);
+    if (fast === 0 && !this.#isBusy()) return this.#newton;
     return fast < FAST * bodies.length ? this.#sweeps : undefined;
   }
 
@@ -236,12 +233,12 @@ export class ContactSolve extends Effect {
     return this.#parts.manifolds.length > BUSY;
   }
 
-  /** How many of them are faster than this, m/s. */
-  #fastOf(bodies: readonly number[], speed: number): number {
+  /** How many of them are not slow. */
+  #fastOf(bodies: readonly number[]): number {
     const { ammo } = this.#simulation.engine;
     let fast = 0;
     for (const body of bodies)
-      if (speedSquared(ammo, this.#bodies.pointers[body]!) > speed ** 2) fast++;
+      if (speedSquared(ammo, this.#bodies.pointers[body]!) > SLOW ** 2) fast++;
     return fast;
   }
 
