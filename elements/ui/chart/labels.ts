@@ -23,8 +23,11 @@ interface Box {
 const LINE = 14;
 const DOT = 8;
 
-/** Of a name, pixels: 8 for a letter, as broad fonts have it that are bold, and room beside it. */
-const widthOf = (text: string): number => 8 * text.length + 8;
+/** Of a name, pixels: 8 for a letter, as broad fonts have it that are bold. */
+const widthOf = (text: string): number => 8 * text.length;
+
+/** Pixels on either side of a name, for its halo: 1.5, of which Firefox makes 2.5 where it says how wide a name is. */
+const BESIDE = 4;
 
 /** From a dot's middle to the base line of its name: above it, below it, and farther, at last anywhere, where dots are close. */
 const LINES = [-6, 16, -20, 30, -34, 44];
@@ -32,7 +35,8 @@ for (let more = 4; more < 96; more += 4) LINES.push(-34 - more, 44 + more);
 
 const boxOf = ({ text, x, y, anchor }: Label): Box => {
   const left = anchor === 'start' ? x : x - widthOf(text);
-  return { left, right: left + widthOf(text), top: y - LINE + 3, bottom: y + 3 };
+  const right = left + widthOf(text);
+  return { left: left - BESIDE, right: right + BESIDE, top: y - LINE + 3, bottom: y + 3 };
 };
 
 const boxAround = ({ x, y }: Place): Box => ({

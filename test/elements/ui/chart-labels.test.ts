@@ -8,10 +8,13 @@ const LEVELS = ['game', 'standard', 'fine', 'precise', 'reference'];
 /** Pixels: of a letter at most, of a line. */
 const LETTER = 6.5;
 const LINE = 11;
+/** Of the halo around the letters, as Firefox counts it, pixels. */
+const HALO = 2.5;
 
 const ends = ({ text, x, anchor }: Label): [number, number] => {
   const width = LETTER * text.length;
-  return anchor === 'start' ? [x, x + width] : [x - width, x];
+  const [left, right] = anchor === 'start' ? [x, x + width] : [x - width, x];
+  return [left - HALO, right + HALO];
 };
 
 const hide = (a: Label, b: Label): boolean => {
