@@ -1,7 +1,12 @@
+import type { MovingBodies } from '../engine/moving-bodies.js';
 import type { Body } from './body.js';
 
 /** The built bodies of a simulation, by slot. */
 export interface Bodies extends Iterable<Body> {
+  /** What passes over all of them ask of each, by slot. */
+  readonly moving: MovingBodies;
+  /** The author's body in a slot, or what the world stands for a collidable. */
+  in(slot: number): Body | undefined;
   /** Of all slots, linear then angular, as they were read last: at the end of the last step, or after an edit. */
   readonly velocities: Float64Array;
   velocityOf(body: Body): Float64Array;

@@ -1,3 +1,5 @@
+import { MOVED } from '../engine/state-pass.js';
+
 /** Numbers per pose: x y z, then the quaternion x y z w. */
 export const POSE = 7;
 
@@ -13,8 +15,8 @@ export class Poses {
   /** Slots to draw; the first `movedCount` count. */
   moved = new Int32Array(16);
   movedCount = 0;
-  /** What is still to be drawn of a slot: 2 when it just moved, 1 when it stands where it came to, 0 when that is drawn. */
-  #dirty = new Uint8Array(16);
+  /** What is still to be drawn of a slot: MOVED, 1 when it stands where it came to, 0 when that is drawn. */
+  marks = new Uint8Array(16);
   readonly #free: number[] = [];
   #count = 0;
 
@@ -25,7 +27,7 @@ export class Poses {
   }
 
   release(slot: number): void {
-    this.#dirty[slot] = 0;
+    this.marks[slot] = 0;
     this.#free.push(slot);
   }
 
@@ -39,15 +41,15 @@ export class Poses {
     this.previous = larger(this.previous);
     this.current = larger(this.current);
     this.data = larger(this.data);
-    const dirty = new Uint8Array(room);
-    dirty.set(this.#dirty);
-    this.#dirty = dirty;
+    const marks = new Uint8Array(room);
+    marks.set(this.marks);
+    this.marks = marks;
     this.moved = new Int32Array(room);
   }
 
   /** The body will be drawn in the next frame. */
   mark(slot: number): void {
-    this.#dirty[slot] = 2;
+    this.marks[slot] = MOVED;
   }
 
   /** A jump: nothing lies between the old pose and the new one. */
@@ -59,22 +61,19 @@ export class Poses {
 
   /** A step begins: it starts where the last one ended. */
   shift(): void {
-    for (let slot = 0; slot < this.#count; slot++) {
-      if (!this.#dirty[slot]) continue;
-      this.#dirty[slot] = 1;
-      const at = slot * POSE;
-      for (let i = at; i < at + POSE; i++) this.previous[i] = this.current[i]!;
-    }
+    this.previous.set(this.current);
+    const { marks } = this;
+    for (let slot = 0; slot < this.#count; slot++) if (marks[slot] === MOVED) marks[slot] = 1;
   }
 
   /** Fills `data` and `moved`: `fraction` 0 is the last step but one, 1 the last. */
   interpolate(fraction: number): void {
     this.movedCount = 0;
     for (let slot = 0; slot < this.#count; slot++) {
-      if (!this.#dirty[slot]) continue;
+      if (!this.marks[slot]) continue;
       this.#between(slot * POSE, fraction);
       this.moved[this.movedCount++] = slot;
-      if (fraction >= 1 || this.#dirty[slot] === 1) this.#dirty[slot] = 0;
+      if (fraction >= 1 || this.marks[slot] === 1) this.marks[slot] = 0;
     }
   }
 

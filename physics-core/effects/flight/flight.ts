@@ -7,23 +7,14 @@ import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { carrying } from '../drag/carrying.js';
 import { dragging } from '../drag/dragging.js';
+import { EVEN, FreeFall, MOTION, RESTING, same } from '../../engine/free-fall.js';
+import { VELOCITY } from '../../engine/moving-bodies.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { impactPropagation } from '../hits/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import { forces } from './forces.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
-
-const VELOCITY = 6;
-
-/** Share of a velocity and of its change that single precision may take or add in a step. */
-const SAME = 1e-6;
-
-/** What rests trembles; stacks take longer to calm down where that is led on evenly, m/s (measured). */
-const RESTING = 0.01;
-
-/** How much more than by itself a body may speed up where it is pushed evenly, as a square: rounding. */
-const EVEN = 1.02;
 
 /** A body that something known pulls or turns: linear parts, then angular ones. */
 interface Flyer {
@@ -46,7 +37,11 @@ interface Flyer {
 export class Flight extends Effect {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
-  readonly #flyers = new Map<Body, Flyer>();
+  /** By slot. */
+  readonly #flyers: (Flyer | undefined)[] = [];
+  readonly #fall = new FreeFall();
+  /** Those whose forces are others than in the step before. */
+  readonly #varying: Flyer[] = [];
   readonly #now = new Float64Array(VELOCITY);
   /** What is to be added to the place and the orientation, and whether velocities are others than Bullet's. */
   readonly #displacement = new Float64Array(VELOCITY);
@@ -63,34 +58,58 @@ export class Flight extends Effect {
 
   /** Its gravity, forces, damping, mass or mobility may be others. */
   override need(body: Body, reason: string): void {
-    const before = this.#flyers.get(body);
+    const before = this.#flyers[body.slot];
     const { force } = body.constantLoad;
     const acceleration = accelerationOf(body);
     const turns = isTurned(body, acceleration);
     const varies = before !== undefined && (before.varies || other(before.load, force));
-    this.#flyers.set(body, { body, acceleration, load: force, turns, varies });
+    const flyer = { body, acceleration, load: force, turns, varies };
+    this.#flyers[body.slot] = flyer;
+    if (varies) this.#varying.push(flyer);
+    this.#fall.set(body.slot, motionOf(flyer), acceleration);
     super.need(body, reason);
   }
 
   override release(node: Cause): void {
     super.release(node);
-    this.#flyers.delete(node as Body);
+    const { slot } = node as Body;
+    if (this.#flyers[slot]?.body !== node) return;
+    this.#flyers[slot] = undefined;
+    this.#fall.set(slot, MOTION.unknown);
   }
 
   override settle(dt: number): void {
-    const { bodies } = this.#simulation;
-    for (const flyer of this.#flyers.values()) {
-      const { body, varies } = flyer;
-      flyer.varies = false;
-      // `sleeping` asks more than it takes, for every body in every step.
-      if (body.active && !bodies.asleep(body) && !varies && !this.#held(body)) this.#fly(flyer, dt);
+    const { engine, bodies } = this.#simulation;
+    const joints = this.#effects.caused(jointSolve);
+    const fall = this.#fall;
+    joints?.eachMoved(this.#standAside);
+    if (engine.heapTrusted) fall.all(engine.ammo, bodies.moving, dt);
+    else fall.none(bodies.moving);
+    for (let i = 0; i < fall.asideCount; i++) {
+      const flyer = this.#flyers[fall.aside[i]!]!;
+      // The joint solve keeps its velocity in the middle of each step, which is exact enough.
+      if (!flyer.varies && !joints?.lastStep(flyer.body)) this.#fly(flyer, dt);
     }
+    joints?.eachMoved(this.#comeBack);
+    if (this.#varying.length > 0) this.#steady();
   }
 
-  /** The joint solve keeps its velocity in the middle of each step, which is exact enough. */
-  #held(body: Body): boolean {
-    const joints = this.#effects.caused(jointSolve);
-    return joints !== undefined && joints.lastStep(body) > 0;
+  readonly #standAside = ({ slot }: Body): void => {
+    if (this.#flyers[slot]) this.#fall.set(slot, MOTION.other);
+  };
+
+  readonly #comeBack = ({ slot }: Body): void => {
+    const flyer = this.#flyers[slot];
+    if (flyer) this.#fall.set(slot, motionOf(flyer));
+  };
+
+  /** Forces are those of the step before. */
+  #steady(): void {
+    for (const flyer of this.#varying) {
+      flyer.varies = false;
+      if (this.#flyers[flyer.body.slot] === flyer) this.#fall.set(flyer.body.slot, motionOf(flyer));
+    }
+    this.#varying.length = 0;
   }
 
   #fly(flyer: Flyer, dt: number): void {
@@ -98,7 +117,7 @@ export class Flight extends Effect {
     const { linear, angular } = body.dampedShare;
     this.#simulation.engine.reader.velocity(body.body, body.pointer, this.#now, 0);
     if (!turns && linear === 0) {
-      this.#fall(flyer, dt);
+      this.#drop(flyer, dt);
       return;
     }
     this.#displacement.fill(0);
@@ -116,7 +135,7 @@ export class Flight extends Effect {
   }
 
   /** What most do: the rest in one go, for its speed (measured: 35 ns instead of 110). */
-  #fall({ body, acceleration }: Flyer, dt: number): void {
+  #drop({ body, acceleration }: Flyer, dt: number): void {
     const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY;
     const x = acceleration[0]! * dt;
@@ -209,6 +228,10 @@ function accelerationOf({ gravity, mass: { mass, moments }, constantLoad }: Body
   ]);
 }
 
+/** What only falls is no work. */
+const motionOf = ({ body: { dampedShare }, turns, varies }: Flyer): number =>
+  turns || varies || dampedShare.linear > 0 ? MOTION.other : MOTION.falls;
+
 const isTurned = ({ dampedShare }: Body, acceleration: Float64Array): boolean =>
   dampedShare.angular > 0 || acceleration.subarray(3).some(Boolean);
 
@@ -220,13 +243,6 @@ const isLed = ({ movable, gravity, mass, constantLoad, dampedShare }: Body): boo
     (constantLoad.torque.some(Boolean) && turnsAlike(mass.moments)) ||
     dampedShare.linear > 0 ||
     dampedShare.angular > 0);
-
-/** Whether a velocity is what it was and what it gained. */
-const same = (now: number, before: number, gained: number): boolean =>
-  Math.abs(now - before - gained) <= SAME * (Math.abs(before) + Math.abs(gained)) + TINY;
-
-/** m/s: rounding of what is nearly nothing. */
-const TINY = 1e-12;
 
 /** Whether one force gave way to another: one that begins or ends is none that follows the motion. */
 const other = (a: Vec3, b: Vec3): boolean =>

@@ -118,6 +118,11 @@ export class JointSolve extends Effect {
     return this.#bodies.lastStep(body);
   }
 
+  /** Visits those that it ever moved. */
+  eachMoved(visit: (body: Body) => void): void {
+    this.#bodies.eachMoved(visit);
+  }
+
   setLastStep(body: Body, seconds: number): void {
     this.#bodies.setLastStep(body, seconds);
   }

@@ -89,6 +89,10 @@ export class JointedBodies {
     return moved && moved.step >= this.#simulation.stepsTaken ? moved.seconds : 0;
   }
 
+  eachMoved(visit: (body: Body) => void): void {
+    for (const body of this.#moved.keys()) visit(body);
+  }
+
   setLastStep(body: Body, seconds: number): void {
     this.#note(body, this.#simulation.stepsTaken, seconds);
   }

@@ -18,6 +18,7 @@ export class BodyBuild {
   shapeChanges(): void {
     const node = this.#node;
     node.isDynamic = node.movable;
+    node.world.bodies.review(node);
     node.world.registry.find(pairFilter)?.forget();
   }
 
@@ -62,6 +63,7 @@ export class BodyBuild {
   #applyMass(): void {
     const node = this.#node;
     node.object.setMass();
+    node.world.bodies.review(node);
     node.world.bullet.forgetImpulsesOf(node.pointer);
     node.loads.applyDamping();
     node.loads.applyGravity();

@@ -38,6 +38,7 @@ export class BodyLoads {
     const { gravity } = this;
     if (!gravity.every((value, i) => value === this.appliedGravity[i])) this.#node.wake();
     this.appliedGravity = gravity;
+    this.#node.world.bodies.review(this.#node);
     this.#node.body.setGravity(this.#node.world.engine.scratch.vector(...gravity));
   }
 

@@ -106,6 +106,7 @@ export class BodyObject {
     this.setFlags();
     this.#node.world.bullet.addBody(this.body, ...groups);
     this.inWorld = true;
+    this.#node.world.bodies.review(this.#node);
   }
 
   leave(): void {
@@ -114,6 +115,7 @@ export class BodyObject {
     wakeTouching(world, world.registry, this.#node);
     world.bullet.removeBody(this.body);
     this.inWorld = false;
+    world.bodies.review(this.#node);
   }
 
   /** Lets go of what it touches: Bullet keeps the contacts of a pair that is no longer to be tested. */

@@ -37,6 +37,8 @@ export interface BodyTable extends Bodies {
   /** A slot for a body that is being made. */
   take(body: Body): number;
   register(body: Body): void;
+  /** Whether Bullet has it among what moves may be another, and so may its size, mass, centre of mass and gravity. */
+  review(body: Body): void;
   release(body: Body): void;
   wake(body: Body): void;
   sleep(body: Body): void;

@@ -1,16 +1,16 @@
+import { carrying } from '../../effects/drag/carrying.js';
 import { debugging } from '../../effects/debug/debugging.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { continuousCollision, FAR } from '../../effects/hits/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
+import { MovingBodies, VELOCITY } from '../../engine/moving-bodies.js';
+import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
 import { compose, invert, type Pose } from '../../base/math.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import { POSE, type Poses } from '../../dynamics/poses.js';
 import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
-
-/** Numbers per velocity: linear, then angular. */
-const VELOCITY = 6;
 
 /** No body is sane at this speed or spin, m/s or rad/s. */
 const WILD = 1e6;
@@ -21,8 +21,8 @@ export class BodySlots implements BodyTable {
   readonly #poses: Poses;
   readonly #bySlot: (BodyNode | undefined)[] = [];
   readonly #byPointer = new Map<number, BodyNode>();
-  #velocities = new Float64Array(VELOCITY * 16);
-  #asleep = new Uint8Array(16);
+  readonly moving = new MovingBodies();
+  readonly #pass = new StatePass();
   readonly #centre = new Float64Array(POSE);
   readonly #velocity = new Float64Array(VELOCITY);
   awake = 0;
@@ -59,6 +59,10 @@ export class BodySlots implements BodyTable {
     return awake;
   }
 
+  in(slot: number): BodyNode | undefined {
+    return this.#bySlot[slot];
+  }
+
   /** The author's body in a slot. */
   at(slot: number): BodyNode | undefined {
     const body = this.#bySlot[slot];
@@ -68,40 +72,38 @@ export class BodySlots implements BodyTable {
   take(body: BodyNode): number {
     const slot = this.#poses.take();
     this.#bySlot[slot] = body;
-    if (slot >= this.#asleep.length) this.#grow();
-    this.#asleep[slot] = 0;
-    this.#velocities.fill(0, slot * VELOCITY, (slot + 1) * VELOCITY);
+    this.moving.take(slot);
     return slot;
+  }
+
+  /** Whether Bullet has it among what moves may be another, and so may its size, mass, centre of mass and gravity. */
+  review({ slot, object, isDynamic }: BodyNode): void {
+    if (slot < 0) return;
+    this.moving.reviews++;
+    this.moving.pointers[slot] = object.inWorld && isDynamic ? object.pointer : 0;
+    this.moving.limits[slot] = NaN;
   }
 
   release(body: BodyNode): void {
     if (this.#byPointer.get(body.pointer) === body) this.#byPointer.delete(body.pointer);
     if (body.slot < 0) return;
     this.#bySlot[body.slot] = undefined;
+    this.moving.pointers[body.slot] = 0;
     this.#poses.release(body.slot);
   }
 
-  #grow(): void {
-    const velocities = new Float64Array(this.#velocities.length * 2);
-    velocities.set(this.#velocities);
-    this.#velocities = velocities;
-    const asleep = new Uint8Array(this.#asleep.length * 2);
-    asleep.set(this.#asleep);
-    this.#asleep = asleep;
-  }
-
   velocityOf(body: BodyNode): Float64Array {
-    return this.#velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
+    return this.moving.velocities.subarray(body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
   }
 
   /** Of all slots, as they were read last: at the end of the last step, or after an edit. */
   get velocities(): Float64Array {
-    return this.#velocities;
+    return this.moving.velocities;
   }
 
   /** Whether a body's speeds lie below both limits. */
   slower(slot: number, linear: number, angular: number): boolean {
-    const v = this.#velocities;
+    const v = this.moving.velocities;
     const at = slot * VELOCITY;
     const speed = v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2;
     const spin = v[at + 3]! ** 2 + v[at + 4]! ** 2 + v[at + 5]! ** 2;
@@ -119,7 +121,7 @@ export class BodySlots implements BodyTable {
     this.#world.engine.reader.velocity(
       body.body,
       body.pointer,
-      this.#velocities,
+      this.moving.velocities,
       body.slot * VELOCITY,
     );
     this.#judge(this.#bySlot[body.slot]!, body.slot);
@@ -128,7 +130,7 @@ export class BodySlots implements BodyTable {
   /** What goes far in a step is looked after. */
   #judge(body: BodyNode, slot: number): void {
     const { timeStep, registry: effects } = this.#world;
-    const v = this.#velocities;
+    const v = this.moving.velocities;
     const at = slot * VELOCITY;
     const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
     const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
@@ -139,13 +141,13 @@ export class BodySlots implements BodyTable {
   // ---- sleep ----------------------------------------------------------------------------------------------------
 
   asleep(body: BodyNode): boolean {
-    return this.#asleep[body.slot] === 1;
+    return this.moving.asleep[body.slot] === 1;
   }
 
   wake(body: BodyNode): void {
     keepAwake(body.body);
     this.#world.registry.find(resting)?.restart(body.slot);
-    if (this.#asleep[body.slot]) this.#setAsleep(body, false);
+    if (this.moving.asleep[body.slot]) this.#setAsleep(body, false);
     // So that the page's loop starts again at once, not at the next step.
     this.awake = Math.max(this.awake, 1);
     this.#world.work();
@@ -154,20 +156,22 @@ export class BodySlots implements BodyTable {
   sleep(body: BodyNode): void {
     putToSleep(body.body);
     this.#world.registry.find(resting)?.leaveIsland(body.slot);
-    if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
+    if (!this.moving.asleep[body.slot]) this.#setAsleep(body, true);
   }
 
   /** Falls asleep without a word, if it was asleep before the world was restored. */
   restoreSleep(body: BodyNode): void {
     putToSleep(body.body);
-    this.#asleep[body.slot] = 1;
+    this.moving.asleep[body.slot] = 1;
+    this.moving.limits[body.slot] = NaN;
   }
 
   #setAsleep(body: BodyNode, asleep: boolean): void {
-    this.#asleep[body.slot] = asleep ? 1 : 0;
+    this.moving.asleep[body.slot] = asleep ? 1 : 0;
+    this.moving.limits[body.slot] = NaN;
     this.#world.registry.find(debugging)?.stale();
     if (asleep) {
-      this.#velocities.fill(0, body.slot * VELOCITY, (body.slot + 1) * VELOCITY);
+      this.moving.stop(body.slot);
       body.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });
     }
     body.emit(asleep ? 'sleep' : 'wake', { time: this.#world.time });
@@ -186,19 +190,44 @@ export class BodySlots implements BodyTable {
 
   /** Reads poses and velocities of everything awake; parks what is no longer finite. */
   read(): void {
-    let awake = 0;
+    const pass = this.#pass;
+    const { engine, timeStep } = this.#world;
+    if (engine.heapTrusted) pass.all(engine.ammo, this.moving, this.#poses, timeStep);
+    else pass.none(this.moving);
+    let awake = pass.count;
     let broken: BodyNode[] | undefined;
-    for (let slot = 0; slot < this.#bySlot.length; slot++) {
-      const body = this.#bySlot[slot];
-      if (!body?.active) continue;
-      if (body.kinematic) awake++;
-      if (!body.isDynamic) continue;
+    for (let i = 0; i < pass.asideCount; i++) {
+      const slot = pass.aside[i]!;
+      const body = this.#bySlot[slot]!;
       if (!this.#stayedAwake(body, slot)) continue;
       if (this.#readBody(body, slot)) awake++;
       else (broken ??= []).push(body);
     }
-    this.awake = awake;
+    this.#judgeFast();
+    this.awake = awake + this.#countCarried();
     if (broken) this.#mend(broken);
+  }
+
+  /** Who went far in the step before may do so no more. */
+  #judgeFast(): void {
+    const fast = this.#world.registry.caused(continuousCollision);
+    if (!fast) return;
+    for (const node of fast.causes) {
+      const body = node as BodyNode;
+      if (body.active && body.isDynamic && !this.asleep(body)) this.#judge(body, body.slot);
+    }
+  }
+
+  /** What is carried along may push others. */
+  #countCarried(): number {
+    const effect = this.#world.registry.caused(carrying);
+    if (!effect) return 0;
+    let count = 0;
+    for (const node of effect.causes) {
+      const { active, kinematic } = node as BodyNode;
+      if (active && kinematic) count++;
+    }
+    return count;
   }
 
   /**
@@ -216,7 +245,7 @@ export class BodySlots implements BodyTable {
   /** Bullet wakes a sleeping island that something hits by changing its state. */
   #stayedAwake(body: BodyNode, slot: number): boolean {
     if (this.#world.engine.reader.sleeps(body.body, body.pointer)) return false;
-    if (this.#asleep[slot]) this.wake(body);
+    if (this.moving.asleep[slot]) this.wake(body);
     return true;
   }
 
@@ -230,9 +259,13 @@ export class BodySlots implements BodyTable {
     for (let i = 0; i < POSE; i++) sum += centre[i]!;
     for (let i = 0; i < VELOCITY; i++) sum += this.#velocity[i]!;
     if (!guards.finiteState(sum)) return false;
-    this.#velocities.set(this.#velocity, slot * VELOCITY);
+    this.moving.velocities.set(this.#velocity, slot * VELOCITY);
     this.#judge(body, slot);
-    this.#store(body.centerOfMass, slot * POSE);
+    const { centerOfMass } = body;
+    const centred = isCentred(centerOfMass);
+    this.moving.limits[slot] = centred ? (FAR * body.leastExtent) ** 2 : NaN;
+    if (centred) this.#poses.current.set(this.#centre, slot * POSE);
+    else this.#store(centerOfMass, slot * POSE);
     this.#poses.mark(slot);
     return true;
   }
@@ -241,11 +274,6 @@ export class BodySlots implements BodyTable {
   #store(centerOfMass: Pose, at: number): void {
     const c = this.#centre;
     const { current } = this.#poses;
-    const { p, q } = centerOfMass;
-    if (p[0] === 0 && p[1] === 0 && p[2] === 0 && q[3] === 1) {
-      current.set(c, at);
-      return;
-    }
     const pose = compose(
       { p: [c[0]!, c[1]!, c[2]!], q: [c[3]!, c[4]!, c[5]!, c[6]!] },
       invert(centerOfMass),
@@ -254,3 +282,6 @@ export class BodySlots implements BodyTable {
     for (let i = 0; i < 4; i++) current[at + 3 + i] = pose.q[i]!;
   }
 }
+
+/** Whether the centre of mass is the body's origin, and its axes are the body's. */
+const isCentred = ({ p, q }: Pose): boolean => p[0] === 0 && p[1] === 0 && p[2] === 0 && q[3] === 1;

@@ -29,6 +29,11 @@ export class HardContacts {
   #point: ContactPoint | undefined;
   #since = Infinity;
   #strong = false;
+  /** When all were weighed, and steps so long: the greatest mass and the smallest one, kg. */
+  #reviews = -1;
+  #dt = 0;
+  #most = 0;
+  #least = Infinity;
   /** Something is on the way to be told of. */
   #sinking = false;
 
@@ -40,6 +45,7 @@ export class HardContacts {
   /** Nothing is known of what was before. */
   forget(): void {
     this.#since = Infinity;
+    this.#reviews = -1;
     this.#unlike.forget();
     this.#sunk.forget();
   }
@@ -54,18 +60,30 @@ export class HardContacts {
 
   #weigh(dt: number): void {
     this.#since = 0;
+    const { reviews } = this.#simulation.bodies.moving;
+    if (this.#strong || reviews !== this.#reviews || dt !== this.#dt) this.#weighAll(dt);
+    this.#reviews = reviews;
+    this.#dt = dt;
+    this.#unlike.look(this.#most, this.#least);
+  }
+
+  #weighAll(dt: number): void {
     this.#strong = false;
     let [most, least] = [0, Infinity];
     for (const body of this.#simulation.bodies) {
-      if (!body.movable) continue;
-      most = Math.max(most, body.mass.mass);
-      least = Math.min(least, body.mass.mass);
-      const gravity = length(body.gravity);
-      if (gravity < STRONG_GRAVITY) continue;
+      // `movable` asks two fields and `gravity` a third: only of few.
+      if (!body.isDynamic) continue;
+      const { mass } = body.mass;
+      if (mass > most) most = mass;
+      if (mass < least) least = mass;
+      const { appliedGravity } = body;
+      if (dot(appliedGravity, appliedGravity) < STRONG_GRAVITY ** 2 || !body.movable) continue;
       this.#strong = true;
+      const gravity = length(body.gravity);
       if (gravity * dt * dt > FAR * body.leastExtent) this.#tellFar(body, gravity, dt);
     }
-    this.#unlike.look(most, least);
+    this.#most = most;
+    this.#least = least;
   }
 
   #findSunk(): void {

@@ -51,3 +51,16 @@ fact('a fixed body that jumps is drawn where it is, however many steps a frame t
     assert.ok(![...w.poses.moved.slice(0, w.poses.movedCount)].includes(post.slot), 'drawn once');
   }
 });
+
+fact('what wakes is drawn on its way from where it slept', async () => {
+  const w = await world();
+  const body = addBody(w, { position: [0, 5, 0] });
+  w.step(30);
+  body.sleep();
+  w.poses.interpolate(1);
+  const [, slept] = body.readPose([]);
+  body.wake();
+  w.step();
+  w.poses.interpolate(0);
+  close(drawn(w, body)[1]!, slept!, 1e-12, 'm');
+});

@@ -1,0 +1,118 @@
+import type { Ammo } from './ammo.js';
+import { VELOCITY, type MovingBodies } from './moving-bodies.js';
+import { BODY } from './offsets.js';
+
+/** Share of a velocity and of its change that single precision may take or add in a step. */
+const SAME = 1e-6;
+
+/** m/s: rounding of what is nearly nothing. */
+const TINY = 1e-12;
+
+/** What rests trembles; stacks take longer to calm down where that is led on evenly, m/s (measured). */
+export const RESTING = 0.01;
+
+/** How much more than by itself a body may speed up where it is pushed evenly, as a square: rounding. */
+export const EVEN = 1.02;
+
+/** Whether a velocity is what it was and what it gained. */
+export const same = (now: number, before: number, gained: number): boolean =>
+  Math.abs(now - before - gained) <= SAME * (Math.abs(before) + Math.abs(gained)) + TINY;
+
+/** What is known of the motion of a slot's body: nothing, an even acceleration, or more than that. */
+export const MOTION = { unknown: 0, falls: 1, other: 2 } as const;
+
+/**
+ * Most bodies only fall: Bullet has taken them ½ a dt² too far in its step, and they are put back in one pass over the
+ * heap. Who rests, or was hit, stays as it is. All others are left aside.
+ */
+export class FreeFall {
+  /** `MOTION`, and m/s², by slot. */
+  motions = new Uint8Array(16);
+  accelerations = new Float64Array(16 * 3);
+  /** Slots that were left aside; the first `asideCount` count. */
+  aside = new Int32Array(16);
+  asideCount = 0;
+
+  set(slot: number, motion: number, acceleration?: Float64Array): void {
+    if (slot >= this.motions.length) this.#grow(slot);
+    this.motions[slot] = motion;
+    for (let i = 0; i < 3 && acceleration; i++) this.accelerations[slot * 3 + i] = acceleration[i]!;
+  }
+
+  #grow(slot: number): void {
+    const room = 2 * (slot + 1);
+    const motions = new Uint8Array(room);
+    motions.set(this.motions);
+    this.motions = motions;
+    const accelerations = new Float64Array(3 * room);
+    accelerations.set(this.accelerations);
+    this.accelerations = accelerations;
+    this.aside = new Int32Array(room);
+  }
+
+  /** Leaves all aside: where the heap is not trusted, each is asked by itself. */
+  none({ pointers, asleep }: MovingBodies): void {
+    this.asideCount = 0;
+    for (let slot = 0; slot < this.motions.length; slot++)
+      if (this.motions[slot] !== MOTION.unknown && pointers[slot]! > 0 && asleep[slot] === 0)
+        this.aside[this.asideCount++] = slot;
+  }
+
+  /** After a step of `dt` seconds. No call within the loop, as in `StatePass`. */
+  all({ HEAPF32 }: Ammo, moving: MovingBodies, dt: number): void {
+    const { pointers, asleep, velocities } = moving;
+    const { motions, accelerations, aside } = this;
+    const slots = Math.min(moving.slots, motions.length);
+    const half = dt / 2;
+    const { origin, linearVelocity } = BODY;
+    const { unknown, other } = MOTION;
+    let asideCount = 0;
+    for (let slot = 0; slot < slots; slot++) {
+      const pointer = pointers[slot]!;
+      const motion = motions[slot]!;
+      if (motion === unknown || pointer === 0 || asleep[slot] !== 0) continue;
+      if (motion === other) {
+        aside[asideCount++] = slot;
+        continue;
+      }
+      const at = slot * VELOCITY;
+      const v = (pointer + linearVelocity) >> 2;
+      const x = accelerations[slot * 3]! * dt;
+      const y = accelerations[slot * 3 + 1]! * dt;
+      const z = accelerations[slot * 3 + 2]! * dt;
+      if (
+        !same(HEAPF32[v]!, velocities[at]!, x) ||
+        !same(HEAPF32[v + 1]!, velocities[at + 1]!, y) ||
+        !same(HEAPF32[v + 2]!, velocities[at + 2]!, z)
+      ) {
+        aside[asideCount++] = slot;
+        continue;
+      }
+      const o = (pointer + origin) >> 2;
+      // Mostly along one axis.
+      if (x !== 0) HEAPF32[o]! -= x * half;
+      if (y !== 0) HEAPF32[o + 1]! -= y * half;
+      if (z !== 0) HEAPF32[o + 2]! -= z * half;
+    }
+    this.asideCount = asideCount;
+    this.#leaveOutResting(HEAPF32, moving, dt);
+  }
+
+  /** Nothing is to be done for who rests, or gained more speed than by what acts on it. */
+  #leaveOutResting(heap: Float32Array, { pointers, velocities }: MovingBodies, dt: number): void {
+    let kept = 0;
+    for (let i = 0; i < this.asideCount; i++) {
+      const slot = this.aside[i]!;
+      let [speed, change, most] = [0, 0, 0];
+      for (let j = 0; j < 3; j++) {
+        const now = heap[((pointers[slot]! + BODY.linearVelocity) >> 2) + j]!;
+        speed += now ** 2;
+        change += (now - velocities[slot * VELOCITY + j]!) ** 2;
+        most += (this.accelerations[slot * 3 + j]! * dt) ** 2;
+      }
+      const idle = speed < RESTING ** 2 || change > most * EVEN;
+      if (!idle || this.motions[slot] === MOTION.other) this.aside[kept++] = slot;
+    }
+    this.asideCount = kept;
+  }
+}
