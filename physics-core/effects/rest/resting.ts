@@ -2,6 +2,7 @@ import { dot4 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { VELOCITY } from '../../engine/moving-bodies.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /**
@@ -13,12 +14,16 @@ const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
 /** Islands are looked at this often, seconds of simulated time. */
 const LOOK = 0.25;
 
+const limitsOf = ({ rest }: Body) => (rest.mode === 'library' ? LIBRARY : rest);
+
 /** Puts islands to sleep whose bodies all ask for it. Bullet itself wakes them when something touches them. */
 export class Resting extends Effect {
   readonly #simulation: Simulation;
   /** Seconds each body was slow, and the pose it was slow at, by slot. */
   #quiet = new Float64Array(16);
   #anchor = new Float64Array(16 * POSE);
+  /** Square of the speed below which each body that asks for it may rest, m²/s²; -1: it does not ask. */
+  #limits = new Float64Array(16).fill(-1);
   /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
   readonly #islands: (readonly Body[] | undefined)[] = [];
   /** Seconds since islands were looked at. */
@@ -33,11 +38,14 @@ export class Resting extends Effect {
   override need(body: Body, reason: string): void {
     this.leaveIsland(body.slot);
     if (body.slot >= this.#quiet.length) this.#grow(body.slot);
+    this.#limits[body.slot] = limitsOf(body).linearSpeed ** 2;
     super.need(body, reason);
   }
 
   override release(node: Cause): void {
-    this.leaveIsland((node as Body).slot);
+    const { slot } = node as Body;
+    this.leaveIsland(slot);
+    if (this.isNeededBy(node)) this.#limits[slot] = -1;
     super.release(node);
   }
 
@@ -49,6 +57,9 @@ export class Resting extends Effect {
     anchor.set(this.#anchor);
     this.#quiet = quiet;
     this.#anchor = anchor;
+    const limits = new Float64Array(room).fill(-1);
+    limits.set(this.#limits);
+    this.#limits = limits;
   }
 
   /** Seconds a body has been slow, and the pose it was slow at. */
@@ -79,11 +90,19 @@ export class Resting extends Effect {
 
   override afterStep(dt: number): void {
     const { bodies } = this.#simulation;
+    const { slots, pointers, asleep, velocities } = bodies.moving;
+    const limits = this.#limits;
     let ready = false;
-    for (const node of this.causes) {
-      const body = node as Body;
-      if (body.active && body.isDynamic && !bodies.asleep(body))
-        ready = this.#watch(body, dt) || ready;
+    for (let slot = 0; slot < slots; slot++) {
+      const limit = limits[slot];
+      if (pointers[slot] === 0 || asleep[slot] === 1 || !(limit! >= 0)) continue;
+      const at = slot * VELOCITY;
+      const x = velocities[at]!;
+      const y = velocities[at + 1]!;
+      const z = velocities[at + 2]!;
+      // Most are: none of the rest is asked of them.
+      if (x * x + y * y + z * z >= limit!) this.#quiet[slot] = 0;
+      else ready = this.#watch(bodies.in(slot)!, dt) || ready;
     }
     this.sinceLook += dt;
     if (!ready || this.sinceLook < LOOK) return;
@@ -95,7 +114,7 @@ export class Resting extends Effect {
   #watch(body: Body, dt: number): boolean {
     const slot = body.slot;
     const library = body.rest.mode === 'library';
-    const limit = library ? LIBRARY : body.rest;
+    const limit = limitsOf(body);
     const slow = this.#simulation.bodies.slower(slot, limit.linearSpeed, limit.angularSpeed);
     if (!slow || (library && this.#drifted(slot))) {
       this.#quiet[slot] = 0;
