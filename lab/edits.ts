@@ -20,6 +20,8 @@ interface Scene {
   body: BodyNode;
   /** As many more on the ground as are timed at once. */
   lying: BodyNode[];
+  /** Is fixed; a box lies on it. */
+  stone: BodyNode;
   shape: PhysicsNode;
   joint: PhysicsNode;
 }
@@ -41,8 +43,14 @@ async function scene(bodies: number, rest: 'auto' | 'never'): Promise<Scene> {
     { length: BATCH },
     (_, i) => world.add('RigidBody', { position: [-8 - i, 0.25, 0], geometry: [BOX] }) as BodyNode,
   );
+  const stone = world.add('RigidBody', {
+    fixed: true,
+    position: [-15, 0.25, 0],
+    geometry: [BOX],
+  }) as BodyNode;
+  world.add('RigidBody', { position: [-15, 0.75, 0], geometry: [BOX] });
   world.advance(0.5);
-  return { world, body, lying, shape, joint };
+  return { world, body, lying, stone, shape, joint };
 }
 
 function pile(world: World, i: number): void {
@@ -64,6 +72,17 @@ const EDITS: Record<string, (scene: Scene, i: number) => void> = {
     const body = world.add('RigidBody', { position: [-20, 0.25, 0], geometry: [BOX] });
     world.step(0);
     body.remove();
+  },
+  'position of a fixed body, a jump': ({ stone }, i) =>
+    stone.teleport([-15, 0.25 - (i % 7) / 100, 0]),
+  'a fixed body added and removed': ({ world }) => {
+    const body = world.add('RigidBody', { fixed: true, position: [-20, 0.25, 0], geometry: [BOX] });
+    world.step(0);
+    body.remove();
+  },
+  'position, a jump of who was put to sleep': ({ lying }, i) => {
+    lying[0]!.sleep();
+    lying[0]!.set('position', [-8, 0.25 + (i % 7) / 100, 0]);
   },
 };
 

@@ -5,6 +5,8 @@ import { writeAxes } from './matrix.js';
 /** Vectors inside flat arrays, three numbers each from an index on: nothing is allocated. */
 type Numbers = Float64Array;
 
+const product = new Float64Array(4);
+
 export const dot3 = (a: Numbers, i: number, b: Numbers, j: number): number =>
   a[i]! * b[j]! + a[i + 1]! * b[j + 1]! + a[i + 2]! * b[j + 2]!;
 
@@ -47,6 +49,22 @@ export function multiply4(
   out[3] = aw * bw - ax * bx - ay * by - az * bz;
 }
 
+/** out = the pose of a frame given in a body, where the body is: as `compose`. */
+export function compose7(out: Numbers, o: number, body: Numbers, i: number, { p, q }: Pose): void {
+  const x = body[i + 3]!;
+  const y = body[i + 4]!;
+  const z = body[i + 5]!;
+  const w = body[i + 6]!;
+  const u = (y * p[2] - z * p[1]) * 2;
+  const v = (z * p[0] - x * p[2]) * 2;
+  const t = (x * p[1] - y * p[0]) * 2;
+  out[o] = body[i]! + (p[0] + u * w + (y * t - z * v));
+  out[o + 1] = body[i + 1]! + (p[1] + v * w + (z * u - x * t));
+  out[o + 2] = body[i + 2]! + (p[2] + t * w + (x * v - y * u));
+  multiply4(product, body, i + 3, q, 0);
+  for (let k = 0; k < 4; k++) out[o + 3 + k] = product[k]!;
+}
+
 /** The quaternion of a turn by `time` seconds at `spin`, rad/s about each axis. */
 export function writeTurn(out: Numbers, spin: Numbers, time: number): void {
   const speed = hypot(spin[0]!, spin[1]!, spin[2]!);
@@ -54,8 +72,6 @@ export function writeTurn(out: Numbers, spin: Numbers, time: number): void {
   for (let i = 0; i < 3; i++) out[i] = spin[i]! * s;
   out[3] = cos((speed * time) / 2);
 }
-
-const product = new Float64Array(4);
 
 /** Origin and axes, in the world, of a frame given in a body: `centre` is the body's pose, `principal` its axes. */
 export function place(

@@ -75,14 +75,10 @@ export function writeDeepestNormal(
 }
 
 /** The solver's next step does not start from what went through its points in the last one. */
-export function forgetImpulses(ammo: Ammo, manifold: Manifold): void {
+export function forgetImpulses(ammo: Ammo, manifold: number): void {
   const { HEAPF32 } = ammo;
-  const count = manifold.getNumContacts();
-  if (count === 0) return;
-  const first = firstPoint(ammo, manifold);
-  for (let i = 0; i < count; i++) {
-    const point = pointAfter(first, i);
+  eachPoint(ammo, manifold, (point) => {
     for (const at of [POINT.impulse, POINT.lateralImpulse1, POINT.lateralImpulse2])
       HEAPF32[(point + at) >> 2] = guards.impulseOfOtherMass(HEAPF32[(point + at) >> 2]!);
-  }
+  });
 }

@@ -17,14 +17,7 @@ export function wakeTouching(simulation: Simulation, effects: Effects, body: Bod
   }
   for (const { attached, body1, body2 } of joints)
     if (attached) for (const end of [body1, body2]) end?.wake();
-  wakeByContacts(simulation, body);
-}
-
-function wakeByContacts(simulation: Simulation, { pointer }: Body): void {
-  simulation.bullet.eachManifold((manifold, a, b) => {
-    if (manifold.getNumContacts() === 0 || (a !== pointer && b !== pointer)) return;
-    simulation.bodyAt(a === pointer ? b : a)?.wake();
-  });
+  simulation.bullet.eachTouching(body.pointer, (other) => simulation.bodyAt(other)?.wake());
 }
 
 /** Whether Bullet watches for contacts of two bodies: they are near each other. */

@@ -7,7 +7,8 @@ import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { MovingBodies, VELOCITY } from '../../engine/moving-bodies.js';
 import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
-import { compose, invert, type Pose } from '../../base/math.js';
+import { compose7 } from '../../base/flat-math.js';
+import { invert, type Pose } from '../../base/math.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import { POSE, type Poses } from '../../dynamics/poses.js';
 import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
@@ -25,6 +26,8 @@ export class BodySlots implements BodyTable {
   readonly #pass = new StatePass();
   readonly #centre = new Float64Array(POSE);
   readonly #velocity = new Float64Array(VELOCITY);
+  /** Of bodies in the frame of their centre of mass, by slot, once that was asked for. */
+  readonly #origins: (Pose | undefined)[] = [];
   awake = 0;
 
   constructor(world: NodeWorld, poses: Poses) {
@@ -82,6 +85,7 @@ export class BodySlots implements BodyTable {
     this.moving.reviews++;
     this.moving.pointers[slot] = object.inWorld && isDynamic ? object.pointer : 0;
     this.moving.limits[slot] = NaN;
+    this.#origins[slot] = undefined;
   }
 
   release(body: BodyNode): void {
@@ -262,24 +266,17 @@ export class BodySlots implements BodyTable {
     this.moving.velocities.set(this.#velocity, slot * VELOCITY);
     this.#judge(body, slot);
     const { centerOfMass } = body;
-    const centred = isCentred(centerOfMass);
-    this.moving.limits[slot] = centred ? (FAR * body.leastExtent) ** 2 : NaN;
-    if (centred) this.#poses.current.set(this.#centre, slot * POSE);
-    else this.#store(centerOfMass, slot * POSE);
+    const { current } = this.#poses;
+    if (isCentred(centerOfMass)) {
+      this.moving.limits[slot] = (FAR * body.leastExtent) ** 2;
+      current.set(centre, slot * POSE);
+    } else {
+      // From the centre of mass, which Bullet moves, to the body's origin.
+      const origin = (this.#origins[slot] ??= invert(centerOfMass));
+      compose7(current, slot * POSE, centre, 0, origin);
+    }
     this.#poses.mark(slot);
     return true;
-  }
-
-  /** From the centre of mass, which Bullet moves, to the body's origin. */
-  #store(centerOfMass: Pose, at: number): void {
-    const c = this.#centre;
-    const { current } = this.#poses;
-    const pose = compose(
-      { p: [c[0]!, c[1]!, c[2]!], q: [c[3]!, c[4]!, c[5]!, c[6]!] },
-      invert(centerOfMass),
-    );
-    for (let i = 0; i < 3; i++) current[at + i] = pose.p[i]!;
-    for (let i = 0; i < 4; i++) current[at + 3 + i] = pose.q[i]!;
   }
 }
 
