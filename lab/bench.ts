@@ -1,107 +1,171 @@
-// npm run bench: what our step costs above Bullet's own, on the paper's scenes, in one process and interleaved.
-//   --pairs <n>     pairs of runs to take the median of (9)
+// npm run bench: what our step and our frame cost above Bullet's own step, and whether a body costs the same in a large
+// scene, in one process and interleaved.
+//   --pairs <n>     pairs of runs to take the median of (15)
 //   --seconds <s>   simulated seconds per run (2)
+//   --scene <name>  only scenes whose name has this in it
 //   --json <file>   also write the result there
 import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { columnsOf } from './draw/table.js';
 import { leaveJointsToBullet } from './engines/ours.js';
+import { medianInterval } from './run/bootstrap.js';
+import { interleaved } from './run/interleaved.js';
 import { machine } from './run/machine.js';
 import { median } from './run/median.js';
-import { scenes, started, type Scene } from './scenes.js';
+import { falling, scenes, started, type Scene } from './scenes.js';
 
 const { values: options } = parseArgs({
   options: {
-    pairs: { type: 'string', default: '9' },
+    pairs: { type: 'string', default: '15' },
     seconds: { type: 'string', default: '2' },
+    scene: { type: 'string', default: '' },
     json: { type: 'string' },
   },
 });
 const PAIRS = Number(options.pairs);
 const SECONDS = Number(options.seconds);
 
+/** Frames of pages, seconds: at `standard` two steps. */
+const FRAME = 1 / 60;
+
+/** A median of the pairs, in which the machine's mood cancels, and its 95 % interval. */
+interface Ratio {
+  median: number;
+  interval: [number, number];
+}
+
+const ratioOf = (values: readonly number[]): Ratio => ({
+  median: median(values),
+  interval: medianInterval(values),
+});
+
 interface Result {
   scene: string;
   bodies: number;
   joints: number;
   contacts: number;
-  /** Milliseconds of work per simulated second: medians. */
+  /** Milliseconds per step: medians. */
   ours: number;
   bullet: number;
-  /** Median of ours / bullet of each pair: the machine's mood cancels. */
-  ratio: number;
-  /** Least and greatest ratio of a pair. */
-  spread: [number, number];
+  /** Our step to Bullet's. */
+  step: Ratio;
+  /** All that is ours in a frame, what is drawn between two steps included, to the Bullet steps of that frame. */
+  frame: Ratio;
 }
 
-/** Steps that one side takes before the other has its turn: short, so that the machine's mood hits both alike. */
-const TURN = 10;
-
-/** The same scene built twice by us; the second is stepped by Bullet alone, through none of our code. */
-async function pair(scene: Scene, oursFirst: boolean) {
-  const [ours, raw] = [await started(scene), await started(scene)];
+/** The same scene built three times by us; one is stepped by Bullet alone, through none of our code. */
+async function pair(scene: Scene, first: number) {
+  const [ours, drawn, raw] = [await started(scene), await started(scene), await started(scene)];
   const { bullet } = raw.bullet;
   // Its own rows of joints hold from here on.
   leaveJointsToBullet(raw);
   raw.step();
-  const step = {
+  const { timeStep } = ours;
+  const perFrame = Math.round(FRAME / timeStep);
+  const sides = {
     ours: () => ours.step(),
-    bullet: () => bullet.stepSimulation(raw.timeStep, 0),
+    frame: () => drawn.frame(FRAME),
+    bullet: () => bullet.stepSimulation(timeStep, 0),
   };
-  const order = oursFirst ? (['ours', 'bullet'] as const) : (['bullet', 'ours'] as const);
-  const times = { ours: 0, bullet: 0 };
-  const turns = Math.round(SECONDS / ours.timeStep / TURN);
-  for (let turn = 0; turn < turns; turn++) {
-    for (const name of order) {
-      const start = performance.now();
-      for (let i = 0; i < TURN; i++) step[name]();
-      times[name] += (performance.now() - start) / (turns * TURN * ours.timeStep);
-    }
-  }
+  const times = interleaved(sides, SECONDS / timeStep, first);
   const { bodies, joints, contacts } = ours.stats;
-  ours.destroy();
-  raw.destroy();
-  return { ...times, bodies, joints, contacts };
+  for (const world of [ours, drawn, raw]) world.destroy();
+  const frame = (times.frame - perFrame * times.bullet) / (perFrame * times.bullet);
+  return { ...times, step: times.ours / times.bullet, share: frame, bodies, joints, contacts };
+}
+
+async function pairs<T>(name: string, one: (first: number) => Promise<T>): Promise<T[]> {
+  const all: T[] = [];
+  await one(0); // The compiler's warm-up.
+  for (let i = 0; i < PAIRS; i++) {
+    process.stderr.write(`\r${name}: pair ${i + 1} of ${PAIRS} `);
+    all.push(await one(i));
+  }
+  process.stderr.write('\r\x1b[K');
+  return all;
 }
 
 async function measured(scene: Scene): Promise<Result> {
-  const pairs: Awaited<ReturnType<typeof pair>>[] = [];
-  await pair(scene, true); // The compiler's warm-up.
-  for (let i = 0; i < PAIRS; i++) {
-    process.stderr.write(`\r${scene.name}: pair ${i + 1} of ${PAIRS} `);
-    pairs.push(await pair(scene, i % 2 === 0));
-  }
-  process.stderr.write('\r\x1b[K');
-  const ratios = pairs.map(({ ours, bullet }) => ours / bullet);
-  const { bodies, joints, contacts } = pairs[0]!;
+  const all = await pairs(scene.name, (first) => pair(scene, first));
+  const { bodies, joints, contacts } = all[0]!;
   return {
     scene: scene.name,
     bodies,
     joints,
     contacts,
-    ours: median(pairs.map(({ ours }) => ours)),
-    bullet: median(pairs.map(({ bullet }) => bullet)),
-    ratio: median(ratios),
-    spread: [Math.min(...ratios), Math.max(...ratios)],
+    ours: median(all.map(({ ours }) => ours)),
+    bullet: median(all.map(({ bullet }) => bullet)),
+    step: ratioOf(all.map(({ step }) => step)),
+    frame: ratioOf(all.map(({ share }) => share)),
   };
 }
 
-const results: Result[] = [];
-for (const scene of scenes) results.push(await measured(scene));
+const SIZES = [500, 5000] as const;
 
-const columns = ['scene', 'bodies', 'joints', 'contacts', 'ours', 'bullet', 'ratio'] as const;
-console.log(`milliseconds per simulated second, median of ${PAIRS} interleaved pairs`);
+/** What a falling body costs in a step, in a large scene to in a small one: with us, and by Bullet alone. */
+async function perBody() {
+  const [few, many] = SIZES;
+  const all = await pairs(`${many} to ${few} falling boxes`, async (first) => {
+    const worlds = await Promise.all(
+      SIZES.flatMap((n) => [started(falling(n)), started(falling(n))]),
+    );
+    const [small, rawSmall, large, rawLarge] = worlds;
+    const alone = (world: typeof small) => () =>
+      world!.bullet.bullet.stepSimulation(world!.timeStep, 0);
+    const sides = {
+      small: () => small!.step(),
+      large: () => large!.step(),
+      rawSmall: alone(rawSmall),
+      rawLarge: alone(rawLarge),
+    };
+    const times = interleaved(sides, 40, first);
+    for (const world of worlds) world.destroy();
+    const scale = few / many;
+    return {
+      ours: (scale * times.large) / times.small,
+      bullet: (scale * times.rawLarge) / times.rawSmall,
+    };
+  });
+  return {
+    ours: ratioOf(all.map(({ ours }) => ours)),
+    bullet: ratioOf(all.map(({ bullet }) => bullet)),
+  };
+}
+
+const chosen = scenes.filter(({ name }) => name.includes(options.scene));
+const results: Result[] = [];
+for (const scene of chosen) results.push(await measured(scene));
+const bodies = options.scene ? undefined : await perBody();
+
+const COLUMNS = ['scene', 'bodies', 'joints', 'contacts', 'ours', 'bullet'] as const;
 const cell = (value: string | number) =>
-  typeof value === 'number' && !Number.isInteger(value) ? value.toFixed(2) : String(value);
+  typeof value === 'number' && !Number.isInteger(value) ? value.toFixed(3) : String(value);
+const shown = ({ median: middle, interval: [low, high] }: Ratio): string =>
+  `${cell(middle)} (${cell(low)} – ${cell(high)})`;
+console.log(
+  `milliseconds per step, and ratios: medians of ${PAIRS} interleaved pairs (95 %)`,
+);
 const rows = [
-  [...columns, 'spread'],
+  [...COLUMNS, 'step to Bullet’s', 'ours in a frame to Bullet’s'],
   ...results.map((result) => [
-    ...columns.map((column) => cell(result[column])),
-    result.spread.map(cell).join(' – '),
+    ...COLUMNS.map((column) => cell(result[column])),
+    shown(result.step),
+    shown(result.frame),
   ]),
 ];
 console.log(columnsOf(rows, 1));
+if (bodies)
+  console.log(
+    `a falling body of ${SIZES[1]} to one of ${SIZES[0]}: ${shown(bodies.ours)}; Bullet’s ${shown(bodies.bullet)}`,
+  );
 
-const report = { date: new Date().toISOString(), machine, pairs: PAIRS, seconds: SECONDS, results };
+const report = {
+  date: new Date().toISOString(),
+  machine,
+  pairs: PAIRS,
+  seconds: SECONDS,
+  results,
+  bodies,
+};
 if (options.json) writeFileSync(options.json, `${JSON.stringify(report, null, 2)}\n`);
 console.log(JSON.stringify(report));

@@ -118,7 +118,25 @@ const hinges =
     }
   };
 
+/** Boxes in the air that touch nothing, in a world whose bodies may rest as by default. */
+export const falling = (count: number): Scene => ({
+  name: `${count} falling boxes`,
+  fields: { rest: 'auto' },
+  warmUp: 0.1,
+  build(world) {
+    const side = Math.ceil(Math.cbrt(count));
+    for (let i = 0; i < count; i++)
+      world.add('RigidBody', {
+        position: [i % side, Math.floor(i / side) % side, Math.floor(i / side ** 2)].map(
+          (k) => 3 * k,
+        ),
+        geometry: [box(1, 1, 1)],
+      });
+  },
+});
+
 export const scenes: readonly Scene[] = [
+  falling(1000),
   { name: 'chain of 8', warmUp: 0.1, build: chain },
   { name: 'pile of 500', warmUp: 2, build: pile(500) },
   { name: 'row of 200 hinges', warmUp: 1, build: hinges(200) },

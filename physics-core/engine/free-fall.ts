@@ -103,7 +103,9 @@ export class FreeFall {
     let kept = 0;
     for (let i = 0; i < this.asideCount; i++) {
       const slot = this.aside[i]!;
-      let [speed, change, most] = [0, 0, 0];
+      let speed = 0;
+      let change = 0;
+      let most = 0;
       for (let j = 0; j < 3; j++) {
         const now = heap[((pointers[slot]! + BODY.linearVelocity) >> 2) + j]!;
         speed += now ** 2;
