@@ -9,6 +9,7 @@ import { parseArgs } from 'node:util';
 import { columnsOf } from './draw/table.js';
 import { leaveJointsToBullet } from './engines/ours.js';
 import { medianInterval } from './run/bootstrap.js';
+import { collect } from './run/collect.js';
 import { interleaved } from './run/interleaved.js';
 import { machine } from './run/machine.js';
 import { median } from './run/median.js';
@@ -71,6 +72,7 @@ async function pair(scene: Scene, first: number) {
     },
     bullet: () => bullet.stepSimulation(timeStep, 0),
   };
+  collect();
   const times = interleaved(sides, SECONDS / timeStep, first);
   const { bodies, joints, contacts } = ours.stats;
   for (const world of [ours, drawn, raw]) world.destroy();
@@ -128,6 +130,7 @@ async function perBody() {
       rawSmall: alone(rawSmall),
       rawLarge: alone(rawLarge),
     };
+    collect();
     const times = interleaved(sides, 40, first);
     for (const world of worlds) world.destroy();
     const scale = few / many;
