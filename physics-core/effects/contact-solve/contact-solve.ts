@@ -2,7 +2,6 @@ import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
-import { speedSquared } from '../../engine/solver-body.js';
 import { contactShapes } from '../manifolds/effects.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
@@ -18,14 +17,10 @@ import { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
 import { Sweeps } from './sweeps.js';
 import { TouchingParts } from './touching-parts.js';
+import { Ways, type Way } from './ways.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
-
-/** Bodies of one part that always get a matrix; and those that may, once all are slower than this, m/s. */
-const FEW = 24;
-const MOST = 600;
-const SLOW = 0.25;
 
 /**
  * What is turned farther than this in a step where overlaps are taken out takes its spin along, radians. Below, its momentum
@@ -33,19 +28,9 @@ const SLOW = 0.25;
  */
 const TURNED = 0.1;
 
-/** Pairs in touch in a world that is so busy that larger parts get none. */
-const BUSY = 400;
-
-/** Share of bodies that are not slow from which on a part is Bullet's. */
-const FAST = 0.25;
-
-/** Share of the bodies that parts solved here have to have at least, in a busy world. */
-const WORTH = 0.1;
-
 /** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
 
-/** How a part is solved: `newton` or `sweeps`. */
 interface Solver {
   /** False: it finds no end. */
   solve(part: Part): boolean;
@@ -66,12 +51,11 @@ export class ContactSolve extends Effect {
   readonly #bodies: SolveBodies;
   readonly #parts: TouchingParts;
   readonly #reader: PartReader;
-  readonly #newton: Newton;
-  readonly #sweeps: Sweeps;
+  readonly #ways: Ways;
+  readonly #solvers: Record<Way, Solver>;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
-  /** Those that are solved directly, and those that were. */
-  readonly #chosen: Part[] = [];
+  /** Those that were solved directly. */
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
   readonly #direct = new Set<number>();
@@ -98,8 +82,11 @@ export class ContactSolve extends Effect {
     };
     const { ammo } = simulation.engine;
     this.#bodies = new SolveBodies(ammo);
-    this.#newton = new Newton(this.#contacts, this.#rows, this.#bodies);
-    this.#sweeps = new Sweeps(this.#contacts, this.#bodies);
+    this.#ways = new Ways(simulation, this.#bodies);
+    this.#solvers = {
+      matrix: new Newton(this.#contacts, this.#rows, this.#bodies),
+      sweeps: new Sweeps(this.#contacts, this.#bodies),
+    };
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
@@ -164,7 +151,8 @@ export class ContactSolve extends Effect {
     if (this.#simulation.stepsTaken < this.#again) return;
     this.#parts.gather();
     if (this.#parts.manifolds.length === 0) return this.#letGo();
-    const worth = this.#choose();
+    const worth = this.#ways.choose(this.#parts);
+    this.#noteDirect();
     this.#needPoints(worth);
     if (!worth) {
       this.#again = this.#simulation.stepsTaken + PAUSE;
@@ -172,32 +160,24 @@ export class ContactSolve extends Effect {
     }
     this.#contacts.count = this.#rows.count = 0;
     this.#reader.begin(dt);
-    for (const part of this.#chosen) if (this.#reader.read(part)) this.#try(part);
+    const { parts, ways } = this.#ways;
+    for (const [i, part] of parts.entries()) if (this.#reader.read(part)) this.#try(part, ways[i]!);
   }
 
-  /** Which parts are solved directly. False: too few of what a busy world has. */
-  #choose(): boolean {
-    const [chosen, direct] = [this.#chosen, this.#direct];
-    const { pointers, count } = this.#bodies;
-    chosen.length = 0;
-    direct.clear();
-    for (let i = 0; i < this.#parts.count; i++) {
-      const part = this.#parts.at(i);
-      if (part.manifolds.length === 0 || !this.#solverOf(part)) continue;
-      chosen.push(part);
-      for (const body of part.bodies) direct.add(pointers[body]!);
-    }
-    return !this.#isBusy() || direct.size > WORTH * count;
+  #noteDirect(): void {
+    this.#direct.clear();
+    for (const { bodies } of this.#ways.parts)
+      for (const body of bodies) this.#direct.add(this.#bodies.pointers[body]!);
   }
 
   /** What found no end is left to Bullet for some steps. */
-  #try(part: Part): void {
+  #try(part: Part, way: Way): void {
     const { stepsTaken } = this.#simulation;
     const pointer = this.#bodies.pointers[part.bodies[0]!]!;
     if (this.#failed.get(pointer)! > stepsTaken) return;
-    const solver = this.#solverOf(part)!;
     // Joints are stiff: sweeps would leave them open.
-    if (solver === this.#sweeps && part.rows.length > 0) return;
+    if (way === 'sweeps' && part.rows.length > 0) return;
+    const solver = this.#solvers[way];
     if (solver.solve(part)) {
       this.#failed.delete(pointer);
       this.#take(part, solver);
@@ -215,31 +195,6 @@ export class ContactSolve extends Effect {
       this.#distances[i] = solverDistanceAt(ammo, point);
       setSolverDistanceAt(ammo, point, ASIDE);
     }
-  }
-
-  /**
-   * A matrix where that is cheaper than the iterations that it saves; sweeps where it is not, but most bodies are so slow
-   * that contacts last from step to step. Undefined: Bullet's iterations.
-   */
-  #solverOf({ bodies }: Part): Solver | undefined {
-    if (bodies.length <= FEW) return this.#newton;
-    if (bodies.length > MOST) return undefined;
-    const fast = this.#fastOf(bodies);
-    if (fast === 0 && !this.#isBusy()) return this.#newton;
-    return fast < FAST * bodies.length ? this.#sweeps : undefined;
-  }
-
-  #isBusy(): boolean {
-    return this.#parts.manifolds.length > BUSY;
-  }
-
-  /** How many of them are not slow. */
-  #fastOf(bodies: readonly number[]): number {
-    const { ammo } = this.#simulation.engine;
-    let fast = 0;
-    for (const body of bodies)
-      if (speedSquared(ammo, this.#bodies.pointers[body]!) > SLOW ** 2) fast++;
-    return fast;
   }
 
   override solved(): void {

@@ -1,0 +1,92 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import { speedSquared } from '../../engine/solver-body.js';
+import type { Part } from './part.js';
+import type { SolveBodies } from './solve-bodies.js';
+import type { TouchingParts } from './touching-parts.js';
+
+/** Bodies of one part that get a matrix, however fast they are; and those that may, once all are slower than this, m/s. */
+const FEW = 24;
+const MOST = 600;
+const SLOW = 0.25;
+
+/** Share of bodies that are not slow from which on a part is Bullet's. */
+const FAST = 0.25;
+
+/** Pairs in touch in a world that is so busy that larger parts get no matrix. */
+const BUSY = 400;
+
+/**
+ * Where small parts of a busy world have so many bodies that are not calm, it tumbles: only those of them get a matrix whose
+ * bodies are all slower than this, m/s. Fewer are the last ones of a heap to lie down.
+ */
+const TUMBLING = 100;
+const CALM = 0.05;
+
+/** Share of the bodies that parts solved here have to have at least, in a busy world. */
+const WORTH = 0.1;
+
+/** How a part is solved; what neither suits has Bullet's iterations. */
+export type Way = 'matrix' | 'sweeps';
+
+/** Which parts of a step are solved directly, and how. */
+export class Ways {
+  readonly parts: Part[] = [];
+  /** Of each of them. */
+  readonly ways: Way[] = [];
+  readonly #simulation: Simulation;
+  readonly #bodies: SolveBodies;
+
+  constructor(simulation: Simulation, bodies: SolveBodies) {
+    this.#simulation = simulation;
+    this.#bodies = bodies;
+  }
+
+  /** False: too few of what a busy world has to be worth it. */
+  choose(all: TouchingParts): boolean {
+    this.parts.length = this.ways.length = 0;
+    const busy = all.manifolds.length > BUSY;
+    const tumbling = busy && this.#restlessOf(all) > TUMBLING;
+    let direct = 0;
+    for (let i = 0; i < all.count; i++) {
+      const part = all.at(i);
+      const way = part.manifolds.length > 0 ? this.#wayOf(part, busy, tumbling) : undefined;
+      if (!way) continue;
+      this.parts.push(part);
+      this.ways.push(way);
+      direct += part.bodies.length;
+    }
+    return !busy || direct > WORTH * this.#bodies.count;
+  }
+
+  /**
+   * A matrix where that is cheaper than the iterations that it saves; sweeps where it is not, but most bodies are so slow
+   * that contacts last from step to step.
+   */
+  #wayOf({ bodies }: Part, busy: boolean, tumbling: boolean): Way | undefined {
+    if (bodies.length <= FEW)
+      return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
+    if (bodies.length > MOST) return undefined;
+    const fast = this.#fasterOf(bodies, SLOW);
+    if (fast === 0 && !busy) return 'matrix';
+    return fast < FAST * bodies.length ? 'sweeps' : undefined;
+  }
+
+  /** Bodies of small parts that are not calm. */
+  #restlessOf(all: TouchingParts): number {
+    let restless = 0;
+    for (let i = 0; i < all.count; i++) {
+      const { bodies } = all.at(i);
+      if (bodies.length <= FEW && this.#fasterOf(bodies, CALM) > 0) restless += bodies.length;
+    }
+    return restless;
+  }
+
+  /** How many of them are faster than this, m/s. */
+  #fasterOf(bodies: readonly number[], speed: number): number {
+    const { ammo } = this.#simulation.engine;
+    let faster = 0;
+    for (const body of bodies)
+      if (speedSquared(ammo, this.#bodies.pointers[body]!) > speed ** 2) faster++;
+    return faster;
+  }
+}
