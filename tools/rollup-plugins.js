@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { transform } from 'esbuild';
+import { minify as terser } from 'terser';
 
 const TARGET = 'es2022';
 export const AMMO_WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
@@ -65,11 +66,17 @@ function walk(node, visit) {
   }
 }
 
+const ofOthers = (id) => !id.endsWith('.ts');
+
+/**
+ * Whole files. Of those that pages fetch one by one Terser leaves another 3 % less (gzip), for seconds: it calls what is
+ * used once in its place, and gives names by how often they are used.
+ */
 export function minify() {
   return {
     name: 'minify',
-    renderChunk(code, _chunk, { format }) {
-      return transform(code, {
+    async renderChunk(source, { moduleIds }, { format }) {
+      const { code, map } = await transform(source, {
         minify: true,
         target: TARGET,
         sourcemap: true,
@@ -78,6 +85,14 @@ export function minify() {
         define: { 'process.env.NODE_ENV': '"production"' },
         // Says that top-level names are private and may be shortened; in a classic script they are globals.
         format: format === 'es' ? 'esm' : undefined,
+      });
+      if (format !== 'es' || moduleIds.every(ofOthers)) return { code, map };
+      return terser(code, {
+        module: true,
+        ecma: Number(TARGET.slice(2)),
+        compress: { passes: 2 },
+        format: { comments: 'some' },
+        sourceMap: { content: map },
       });
     },
   };
