@@ -1,9 +1,7 @@
 import type { Chunk } from '../base/chunk.js';
 import { meshes } from '../shapes/meshes.js';
-import { contactReader } from './contacts/contact-reader.js';
-import { contactSurface, givenContacts } from './contacts/effects.js';
+import { contactReader, contactSurface, givenContacts, pairFilter } from './contacts/effects.js';
 import { meshShapes } from './contacts/mesh-shapes.js';
-import { pairFilter } from './contacts/pair-filter.js';
 import { contactSolve } from './contact-solve/effects.js';
 import { frameCosts } from './costs/frame-costs.js';
 import { userTiming } from './costs/user-timing.js';

@@ -1,20 +1,29 @@
 // The chunk `contacts`.
+import { HardContacts } from './contact-reports/hard-contacts.js';
+import { reportOverlaps } from './contact-reports/overlaps.js';
+import { touchedBy } from './contact-reports/touched-by.js';
 import { ContactSolve } from './contact-solve/contact-solve.js';
 import { contactSolve } from './contact-solve/effects.js';
+import { ContactReader } from './contacts/contact-reader.js';
 import { ContactSurface } from './contacts/contact-surface.js';
-import { contactSurface, givenContacts } from './contacts/effects.js';
+import { contactReader, contactSurface, givenContacts, pairFilter } from './contacts/effects.js';
 import { GivenContacts } from './contacts/given-contacts.js';
+import { PairFilter } from './contacts/pair-filter.js';
+import type { ContactCode } from './effect/chunks.js';
 import { ContinuousCollision } from './hits/continuous-collision.js';
 import { continuousCollision, impactPropagation } from './hits/effects.js';
 import { ImpactPropagation } from './hits/impact-propagation.js';
 import { ContactShapes } from './manifolds/contact-shapes.js';
 import { contactShapes } from './manifolds/effects.js';
 
-export function provide(): void {
+export function provide(): ContactCode {
   contactShapes.load = (simulation, effects) => new ContactShapes(simulation, effects);
   contactSurface.load = (simulation) => new ContactSurface(simulation);
   givenContacts.load = (simulation, effects) => new GivenContacts(simulation, effects);
   contactSolve.load = (simulation, effects) => new ContactSolve(simulation, effects);
   continuousCollision.load = (simulation) => new ContinuousCollision(simulation);
   impactPropagation.load = (simulation, effects) => new ImpactPropagation(simulation, effects);
+  contactReader.load = (simulation, effects) => new ContactReader(simulation, effects);
+  pairFilter.load = (simulation) => new PairFilter(simulation);
+  return { hardContacts: (world) => new HardContacts(world), reportOverlaps, touchedBy };
 }

@@ -1,5 +1,5 @@
 import type { Pose } from '../../base/math.js';
-import { pairFilter } from '../../effects/contacts/pair-filter.js';
+import { pairFilter } from '../../effects/contacts/effects.js';
 import { carrying } from '../../effects/drag/carrying.js';
 import type { BodyNode } from './body.js';
 import { massOf, reportZeroMass } from './body-mass.js';
