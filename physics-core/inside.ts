@@ -35,6 +35,7 @@ export type { DebugLines } from './effects/debug/debug-lines.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
 export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
+export { drags } from './effects/drag/effects.js';
 export { debugging } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/effects.js';
 export type { EffectReport } from './effects/effect/effects.js';

@@ -6,7 +6,7 @@ import { contactSolve } from './contact-solve/effects.js';
 import { frameCosts } from './costs/frame-costs.js';
 import { userTiming } from './costs/user-timing.js';
 import { debugging } from './debug/debugging.js';
-import { carrying } from './drag/carrying.js';
+import { carrying, drags } from './drag/effects.js';
 import { dragging } from './drag/dragging.js';
 import { contacts, joints } from './effect/chunks.js';
 import type { EffectDescriptor } from './effect/effect.js';
@@ -24,6 +24,7 @@ import { resting } from './rest/resting.js';
 export const chunks: readonly Chunk<unknown>[] = [
   joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
+  drags.comesFrom(() => import('./drag-code.js')),
   meshes.comesFrom(() => import('../shapes/mesh-code.js')),
 ];
 

@@ -9,6 +9,8 @@ import { ContactSurface } from './contacts/contact-surface.js';
 import { contactReader, contactSurface, givenContacts, pairFilter } from './contacts/effects.js';
 import { GivenContacts } from './contacts/given-contacts.js';
 import { PairFilter } from './contacts/pair-filter.js';
+import { Carrying } from './drag/carrying.js';
+import { carrying } from './drag/effects.js';
 import type { ContactCode } from './effect/chunks.js';
 import { ContinuousCollision } from './hits/continuous-collision.js';
 import { continuousCollision, impactPropagation } from './hits/effects.js';
@@ -23,6 +25,7 @@ export function provide(): ContactCode {
   contactSolve.load = (simulation, effects) => new ContactSolve(simulation, effects);
   continuousCollision.load = (simulation) => new ContinuousCollision(simulation);
   impactPropagation.load = (simulation, effects) => new ImpactPropagation(simulation, effects);
+  carrying.load = (simulation, effects) => new Carrying(simulation, effects);
   contactReader.load = (simulation, effects) => new ContactReader(simulation, effects);
   pairFilter.load = (simulation) => new PairFilter(simulation);
   return { hardContacts: (world) => new HardContacts(world), reportOverlaps, touchedBy };

@@ -1,7 +1,7 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import { contacts, joints, meshes } from '../../physics-core/inside.js';
+import { contacts, drags, joints, meshes } from '../../physics-core/inside.js';
 
 export const PAGE = 'docs/chunks.md';
 
@@ -15,6 +15,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-contact-code', contacts.causes],
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
+  ['chunk-drag-code', drags.causes],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-debug-lines', 'the same, or `debugLines()`'],

@@ -32,5 +32,5 @@ export const joints = new Chunk('joints', 'a joint');
 
 export const contacts = new Chunk<ContactCode>(
   'contacts',
-  'a second RigidBody in the same world, a CollisionCollection, a CollisionSensor or a Contact',
+  'a second RigidBody in the same world, or a fixed one, a CollisionCollection, a CollisionSensor or a Contact',
 );

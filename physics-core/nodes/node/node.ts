@@ -138,7 +138,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
   /** Code that it is neither made nor patched without. */
   get needs(): Chunk<unknown>[] {
     const { type } = this;
-    return [type.chunk, type.needs?.(this)].filter((chunk) => chunk !== undefined);
+    return [type.chunk, ...(type.needs?.(this) ?? [])].filter((chunk) => chunk !== undefined);
   }
 
   // ---- life ---------------------------------------------------------------------------------------------------
