@@ -1,14 +1,14 @@
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
-import { boundsOf } from '../../shapes/mass.js';
-import { tessellate } from '../../shapes/tessellate.js';
+import type { Bounds } from '../../shapes/bounds.js';
+import { boxAround } from '../../shapes/meshes.js';
 
 /** Boxes around parts, each in its own frame. A body whose shape changes has new parts. */
-const boxes = new WeakMap<CollidablePart, ReturnType<typeof boundsOf>>();
+const boxes = new WeakMap<CollidablePart, Bounds>();
 
-export function boxOf(part: CollidablePart): ReturnType<typeof boundsOf> {
+export function boxOf(part: CollidablePart): Bounds {
   let box = boxes.get(part);
-  if (!box) boxes.set(part, (box = boundsOf(tessellate(part.geometry).points)));
+  if (!box) boxes.set(part, (box = boxAround(part.geometry)));
   return box;
 }
 
