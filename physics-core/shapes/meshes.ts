@@ -16,10 +16,11 @@ export interface MeshCode {
   shapeOf(geometry: Geometry, exact: boolean, workshop: Workshop): Shaped | undefined;
 }
 
-export const meshes = new Chunk<MeshCode>(
-  'meshes',
-  'geometry that collides and is no whole Box, Sphere, Cylinder or Cone, or is scaled unevenly',
-);
+export const meshes = new Chunk<MeshCode>({
+  name: 'meshes',
+  causes:
+    'geometry that collides and is no whole Box, Sphere, Cylinder or Cone, or is scaled unevenly',
+});
 
 /** What these need. */
 export const codeFor = (geometries: readonly (Geometry | null)[]): Chunk<MeshCode> | undefined =>

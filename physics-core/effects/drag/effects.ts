@@ -16,10 +16,10 @@ interface DragCode {
   spring(simulation: Simulation, body: Body, grip: Vec3): DragSpring;
 }
 
-export const drags = new Chunk<DragCode>(
-  'drags',
-  'a body that may be dragged, or that `drag()` takes hold of',
-);
+export const drags = new Chunk<DragCode>({
+  name: 'drags',
+  causes: 'a body that may be dragged, or that `drag()` takes hold of',
+});
 
 /** What is moved along pushes and takes along what it touches. */
 export const carrying: EffectDescriptor<Carrying> = {

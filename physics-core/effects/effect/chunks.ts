@@ -63,9 +63,10 @@ export interface JointCode {
   reportMassRatio(joint: ReportedJoint): void;
 }
 
-export const joints = new Chunk<JointCode>('joints', 'a joint');
+export const joints = new Chunk<JointCode>({ name: 'joints', causes: 'a joint' });
 
-export const contacts = new Chunk<ContactCode>(
-  'contacts',
-  'a second RigidBody in the same world, or a fixed one, a CollisionCollection, a CollisionSensor or a Contact',
-);
+export const contacts = new Chunk<ContactCode>({
+  name: 'contacts',
+  causes:
+    'a second RigidBody in the same world, or a fixed one, a CollisionCollection, a CollisionSensor or a Contact',
+});

@@ -48,6 +48,9 @@ export interface Field<N = unknown> {
   doc: string;
 }
 
+/** What tells people of a field, by itself: builds for pages leave it out. */
+export type Doc = Pick<Field, 'doc'>;
+
 export interface NodeType<N = unknown> {
   /** X3D node name. */
   name: string;
