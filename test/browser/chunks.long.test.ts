@@ -2,6 +2,7 @@ import { expect } from 'chai';
 import './console.js';
 import { openText, type PageWindow } from './page.js';
 import { until } from './scene.js';
+import { nodeTypes } from '../../physics-core/inside.js';
 import type { World } from './inside.js';
 
 const FALLING = `<transform translation="0 5 0">
@@ -64,10 +65,22 @@ describe('what a page fetches', () => {
     const { page, world } = await show(FALLING);
     await until(() => world.time > 0, 5000);
     expect(fetched(page).length, fetched(page).join(' ')).to.be.at.most(6);
-    // 89.5 kB, of which 61 are the core; 4 of these are sines and their like, the same in every browser. What the box
+    // 85.3 kB, of which 57 are the core; 4 of these are sines and their like, the same in every browser. What the box
     // runs of all that, function by function, is 41.
-    expect(await zipped(fetched(page))).to.be.below(90_500);
+    expect(await zipped(fetched(page))).to.be.below(86_000);
     expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([]);
+  });
+
+  it('no text that only the docs of fields read', async () => {
+    const { page } = await show(FALLING);
+    const files = await Promise.all(fetched(page).map(async (path) => (await fetch(path)).text()));
+    const docs = Object.values(nodeTypes).flatMap(({ doc, fields }) => [
+      doc,
+      ...Object.values(fields).map((field) => field.doc),
+    ]);
+    // Enough of each to know it by.
+    const begins = docs.map((text) => text.slice(0, 16));
+    expect(begins.filter((text) => files.some((file) => file.includes(text)))).to.eql([]);
   });
 
   it('the code of drags with a body that may be dragged', async () => {

@@ -12,7 +12,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-core', 'every page: worlds and bodies'],
   ['chunk-ammo.wasm', 'the first physics element: Bullet’s glue'],
   ['ammo.wasm', 'the first physics element: Bullet'],
-  ['chunk-contact-code', contacts.causes],
+  ['chunk-contact-code', `${contacts.causes}; debug lines and measurement look at contacts, too`],
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],

@@ -1,4 +1,5 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
+import { pairTestOf } from '../../engine/pair-test.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -147,7 +148,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const struck = this.#blow.strikes > 0;
     for (const link of this.#touched) link.weigh(dt);
     this.#makeUpAll(dt);
-    engine.pairTest.clear(bullet.bullet);
+    pairTestOf(engine).clear(bullet.bullet);
     this.#until = 0;
     if (struck || anyFast(this.#simulation, dt)) this.#lookAgain(dt);
     this.#noteImpulses();
@@ -207,7 +208,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
     this.#seen.add(key);
-    const { pairTest } = engine;
+    const pairTest = pairTestOf(engine);
     const from = pairTest.count;
     pairTest.touch(first.body, second.body);
     pairTest.each(bullet.bullet, this.#process, from);
