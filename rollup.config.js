@@ -44,7 +44,7 @@ const together = (id) => {
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
   if (/\/physics-core\/(inside|face\/shown|base\/cholesky|effects\/joints\/blocks)\.ts$/.test(id))
     return 'core';
-  return id.endsWith('/effects/contact-code.ts') ? 'contact-code' : undefined;
+  return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;
 };
 
 /** One build for all modules, so that the page's entry, the core and each element share their chunks. */

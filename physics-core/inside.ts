@@ -3,14 +3,14 @@ import type { DebugLines } from './effects/debug/debug-lines.js';
 import { loadEngine as loadBullet, type Engine } from './engine/engine.js';
 import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
-import { chunks } from './effects/all.js';
+import { chunks } from './world/chunks/all.js';
 import { JointNode } from './nodes/joints/joint.js';
 import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
 export type { Chunk } from './base/chunk.js';
-export { chunks } from './effects/all.js';
+export { chunks } from './world/chunks/all.js';
 export { contacts, joints } from './effects/effect/chunks.js';
 export { meshes } from './shapes/meshes.js';
 export { configure, type EngineSource } from './engine/wasm.js';

@@ -1,7 +1,4 @@
-// The chunk `contacts`.
-import { HardContacts } from './contact-reports/hard-contacts.js';
-import { reportOverlaps } from './contact-reports/overlaps.js';
-import { touchedBy } from './contact-reports/touched-by.js';
+// Effects of the chunk `contacts`.
 import { ContactSolve } from './contact-solve/contact-solve.js';
 import { contactSolve } from './contact-solve/effects.js';
 import { ContactReader } from './contacts/contact-reader.js';
@@ -11,14 +8,13 @@ import { GivenContacts } from './contacts/given-contacts.js';
 import { PairFilter } from './contacts/pair-filter.js';
 import { Carrying } from './drag/carrying.js';
 import { carrying } from './drag/effects.js';
-import type { ContactCode } from './effect/chunks.js';
 import { ContinuousCollision } from './hits/continuous-collision.js';
 import { continuousCollision, impactPropagation } from './hits/effects.js';
 import { ImpactPropagation } from './hits/impact-propagation.js';
 import { ContactShapes } from './manifolds/contact-shapes.js';
 import { contactShapes } from './manifolds/effects.js';
 
-export function provide(): ContactCode {
+export function provideContactEffects(): void {
   contactShapes.load = (simulation, effects) => new ContactShapes(simulation, effects);
   contactSurface.load = (simulation) => new ContactSurface(simulation);
   givenContacts.load = (simulation, effects) => new GivenContacts(simulation, effects);
@@ -28,5 +24,4 @@ export function provide(): ContactCode {
   carrying.load = (simulation, effects) => new Carrying(simulation, effects);
   contactReader.load = (simulation, effects) => new ContactReader(simulation, effects);
   pairFilter.load = (simulation) => new PairFilter(simulation);
-  return { hardContacts: (world) => new HardContacts(world), reportOverlaps, touchedBy };
 }

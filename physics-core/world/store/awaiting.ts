@@ -1,10 +1,10 @@
 import type { Chunk } from '../../base/chunk.js';
 import type { ProblemReport } from '../../base/problems.js';
-import { chunks } from '../../effects/all.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
+import { chunks } from '../chunks/all.js';
 
 /** Code that could not be had is tried again after this long, milliseconds. */
 const AGAIN = 5000;

@@ -1,8 +1,8 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { ContactPoint } from '../../engine/contact-point.js';
-import { eachContactPoint } from '../contacts/contact-points.js';
-import { BEGIN } from '../contacts/touches.js';
+import { eachContactPoint } from '../../effects/contacts/contact-points.js';
+import { BEGIN } from '../../effects/contacts/touches.js';
 
 /** What a body touches now. */
 export function touchedBy(simulation: Simulation, body: Body): Set<Body> {

@@ -1,4 +1,4 @@
-import { isFiltered } from '../contacts/contact-points.js';
+import { isFiltered } from '../../effects/contacts/contact-points.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';

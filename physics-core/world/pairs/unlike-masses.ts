@@ -3,8 +3,8 @@ import { dot, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { isJointed } from '../../dynamics/jointed.js';
 import { levelNames, type LevelName } from '../../dynamics/levels.js';
-import { keyOf } from '../contacts/touches.js';
-import type { PiledWorld } from '../effect/chunks.js';
+import { keyOf } from '../../effects/contacts/touches.js';
+import type { PiledWorld } from '../../effects/effect/chunks.js';
 import { Streaks } from './streaks.js';
 
 /**

@@ -13,7 +13,7 @@ import {
   world,
 } from '../../helpers.js';
 import type { World } from '../../../../physics-core/inside.js';
-import { MOST_MASS_RATIO } from '../../../../physics-core/effects/contact-reports/unlike-masses.js';
+import { MOST_MASS_RATIO } from '../../../../physics-core/world/pairs/unlike-masses.js';
 
 /** Boxes of a metre on each other. */
 const pile = (w: World, masses: number[]) =>

@@ -1,11 +1,11 @@
 import { compose, dot, length, subtract } from '../../base/math.js';
-import { keyOf } from '../contacts/touches.js';
+import { keyOf } from '../../effects/contacts/touches.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { ContactPoint } from '../../engine/contact-point.js';
-import { hitShapeOf } from '../hits/hit-shape.js';
-import { eachContactPoint } from '../contacts/contact-points.js';
-import type { HardContacts as Reports, PiledWorld } from '../effect/chunks.js';
+import { hitShapeOf } from '../../effects/hits/hit-shape.js';
+import { eachContactPoint } from '../../effects/contacts/contact-points.js';
+import type { HardContacts as Reports, PiledWorld } from '../../effects/effect/chunks.js';
 import { Streaks } from './streaks.js';
 import { UnlikeMasses } from './unlike-masses.js';
 
