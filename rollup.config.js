@@ -37,11 +37,14 @@ const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\
 
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
- * also runs without one.
+ * also runs without one, with the little that joints and hands have in common. What debug drawing and measurement have in
+ * common with contacts stays in the file of these.
  */
 const together = (id) => {
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
-  return /\/physics-core\/(inside|face\/shown)\.ts$/.test(id) ? 'core' : undefined;
+  if (/\/physics-core\/(inside|face\/shown|base\/cholesky|effects\/joints\/blocks)\.ts$/.test(id))
+    return 'core';
+  return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;
 };
 
 /** One build for all modules, so that the page's entry, the core and each element share their chunks. */

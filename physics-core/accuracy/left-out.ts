@@ -1,5 +1,5 @@
 import type { PhysicsNode } from '../nodes/node/node.js';
-import { carrying } from '../effects/drag/carrying.js';
+import { carrying } from '../effects/drag/effects.js';
 import type { LeftOut } from '../world/measuring.js';
 import type { World } from '../world/world.js';
 

@@ -1,9 +1,9 @@
 import type { Vec3 } from '../fields/types.js';
 import { AXES, dot, rotate } from '../base/math.js';
+import { deepestOverlap } from '../world/pairs/overlaps.js';
 import { jointSolve } from '../effects/joints/effects.js';
 import type { BodyNode } from '../nodes/body/body.js';
 import { JointNode } from '../nodes/joints/joint.js';
-import { deepestOverlap } from '../world/pairs/overlaps.js';
 import type { World } from '../world/world.js';
 import type { Level } from '../dynamics/levels.js';
 

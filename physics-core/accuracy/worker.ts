@@ -1,5 +1,5 @@
 // Where measurements run so that the page's frames don't: the file accuracy-worker.js.
-import { chunks } from '../effects/all.js';
+import { chunks } from '../world/chunks/all.js';
 import { loadEngine } from '../engine/engine.js';
 import type { Measured } from '../world/measuring.js';
 import { Measurement, type Job } from './measurement.js';

@@ -13,7 +13,7 @@ export class Chunk<Code = void> {
   #coming: Promise<void> | undefined;
   #come: { code: Code } | undefined;
 
-  constructor(name: string, causes: string) {
+  constructor({ name, causes }: { name: string; causes: string }) {
     this.name = name;
     this.causes = causes;
   }

@@ -1,5 +1,6 @@
 import type { Pose } from '../base/math.js';
-import type { JointConstraint, Limit } from '../engine/joint-constraint.js';
+import type { JointConstraint } from '../engine/joint-constraint.js';
+import type { Limit } from '../engine/limits.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Body } from './body.js';
 import type { SimulationNode } from './node.js';

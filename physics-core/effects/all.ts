@@ -1,16 +1,11 @@
-import type { Chunk } from '../base/chunk.js';
-import { meshes } from '../shapes/meshes.js';
-import { contactReader } from './contacts/contact-reader.js';
-import { contactSurface, givenContacts } from './contacts/effects.js';
+import { contactReader, contactSurface, givenContacts, pairFilter } from './contacts/effects.js';
 import { meshShapes } from './contacts/mesh-shapes.js';
-import { pairFilter } from './contacts/pair-filter.js';
 import { contactSolve } from './contact-solve/effects.js';
 import { frameCosts } from './costs/frame-costs.js';
 import { userTiming } from './costs/user-timing.js';
 import { debugging } from './debug/debugging.js';
-import { carrying } from './drag/carrying.js';
+import { carrying } from './drag/effects.js';
 import { dragging } from './drag/dragging.js';
-import { contacts, joints } from './effect/chunks.js';
 import type { EffectDescriptor } from './effect/effect.js';
 import { axisDamping } from './flight/axis-damping.js';
 import { flight } from './flight/flight.js';
@@ -21,13 +16,6 @@ import { jointSolve, motors, stops, suspension } from './joints/effects.js';
 import { contactShapes } from './manifolds/effects.js';
 import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
-
-/** All code that pages fetch when it is needed. */
-export const chunks: readonly Chunk<unknown>[] = [
-  joints.comesFrom(() => import('./joint-code.js')),
-  contacts.comesFrom(() => import('./contact-code.js')),
-  meshes.comesFrom(() => import('../shapes/mesh-code.js')),
-];
 
 /** Every effect there is, in the order in which a step calls them. */
 export const allEffects: readonly EffectDescriptor[] = inOrder([

@@ -1,5 +1,7 @@
 import type { Ammo } from './ammo.js';
-import { ACTIVATION, BODY } from './offsets.js';
+import { BODY } from './offsets.js';
+
+export { isAwake } from './body-state.js';
 
 // Bodies by their heap pointers, for what happens between Bullet's contact search and its solver: only where the heap is
 // trusted. World frame. The views of the heap are asked for at every read, since it may have grown.
@@ -10,11 +12,6 @@ const VELOCITY = 6;
 /** One number of the centre of mass, metres. */
 export const originOf = ({ HEAPF32 }: Ammo, body: number, i: number): number =>
   HEAPF32[((body + BODY.origin) >> 2) + i]!;
-
-/** Whether Bullet moves it: it is neither immovable nor asleep. */
-export const isAwake = ({ HEAP32, HEAPF32 }: Ammo, body: number): boolean =>
-  HEAP32[(body + BODY.activationState) >> 2] !== ACTIVATION.sleeping &&
-  HEAPF32[(body + BODY.inverseMass) >> 2] !== 0;
 
 /** How fast the centres of mass of two bodies move against each other, m/s. */
 export function speedBetween({ HEAPF32 }: Ammo, a: number, b: number): number {

@@ -1,5 +1,6 @@
+import type { Ammo } from './ammo.js';
 import type { BtBody } from './heap.js';
-import { ACTIVATION, COLLISION_FLAG, RIGID_BODY_FLAG } from './offsets.js';
+import { ACTIVATION, BODY, COLLISION_FLAG, RIGID_BODY_FLAG } from './offsets.js';
 
 /** Bullet leaves it awake, however slow. */
 export const keepAwake = (body: BtBody): void => body.forceActivationState(ACTIVATION.alwaysActive);
@@ -21,3 +22,8 @@ export function setMobility(body: BtBody, mobility: Mobility): void {
   body.setCollisionFlags(FLAG[mobility]);
   body.setFlags(RIGID_BODY_FLAG.ownGravity);
 }
+
+/** Whether Bullet moves it: it is neither immovable nor asleep. By its heap pointer, where the heap is trusted. */
+export const isAwake = ({ HEAP32, HEAPF32 }: Ammo, body: number): boolean =>
+  HEAP32[(body + BODY.activationState) >> 2] !== ACTIVATION.sleeping &&
+  HEAPF32[(body + BODY.inverseMass) >> 2] !== 0;

@@ -2,7 +2,7 @@ import type { Ammo } from './ammo.js';
 import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
-import { isAwake } from './body-heap.js';
+import { isAwake } from './body-state.js';
 import { DISPATCHER, MANIFOLD, SIX_DOF, SOLVER, SOLVER_MODE } from './offsets.js';
 import { forgetImpulses, type Manifold } from './manifold.js';
 import { Owner } from './owner.js';

@@ -2,11 +2,11 @@ import { fetchGlue, loadAmmo, type Ammo } from './ammo.js';
 import { HeapExhausted } from './exhausted.js';
 import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
-import { PairTest } from './pair-test.js';
+import type { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { SolverHook } from './solver-hook.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
-import { Sweep } from './sweep.js';
+import type { Sweep } from './sweep.js';
 import { compileAmmo, type LoadOptions } from './wasm.js';
 
 /** A heap that has not even this many bytes left is full. */
@@ -21,8 +21,9 @@ export class Engine {
   readonly reader: BodyReader;
   readonly velocities: VelocityWriter;
   readonly solverHook: SolverHook;
-  #pairTest: PairTest | undefined;
-  #sweep: Sweep | undefined;
+  /** Made by those who ask first: `pairTestOf`, `sweepOf`. */
+  pairTest: PairTest | undefined;
+  sweep: Sweep | undefined;
   /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
   readonly heapTrusted: boolean;
 
@@ -40,20 +41,12 @@ export class Engine {
 
   /** A step begins: points that were found after the last one are of the past. */
   forgetFound(world: Parameters<PairTest['clear']>[0]): void {
-    this.#pairTest?.clear(world);
+    this.pairTest?.clear(world);
   }
 
   /** One more of the same wasm, with a heap of its own. */
   another(): Promise<Engine> {
     return makeEngine(this.source);
-  }
-
-  get pairTest(): PairTest {
-    return (this.#pairTest ??= new PairTest(this.ammo));
-  }
-
-  get sweep(): Sweep {
-    return (this.#sweep ??= new Sweep(this.ammo, this.scratch));
   }
 
   /** Whether that is why Ammo gave up: what runs out of room may also stop as a trap of the wasm. */

@@ -1,4 +1,5 @@
 import type { Ammo } from './ammo.js';
+import type { Engine } from './engine.js';
 import type { BtBody } from './heap.js';
 import { MANIFOLD_POINT as POINT } from './offsets.js';
 
@@ -86,3 +87,7 @@ export class PairTest {
     }
   }
 }
+
+/** The one of an engine. */
+export const pairTestOf = (engine: Engine): PairTest =>
+  (engine.pairTest ??= new PairTest(engine.ammo));

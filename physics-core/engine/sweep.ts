@@ -1,4 +1,5 @@
 import type { Ammo } from './ammo.js';
+import type { Engine } from './engine.js';
 import type { BtBody } from './heap.js';
 import type { Scratch } from './scratch.js';
 
@@ -57,3 +58,7 @@ export class Sweep {
     this.normal.set([normal.x(), normal.y(), normal.z()]);
   }
 }
+
+/** The one of an engine. */
+export const sweepOf = (engine: Engine): Sweep =>
+  (engine.sweep ??= new Sweep(engine.ammo, engine.scratch));

@@ -2,7 +2,7 @@ import type { Vec3 } from '../fields/types.js';
 import { cross, dot, length, subtract } from '../base/math.js';
 import type { Mesh } from './geometry.js';
 import type { Hull } from './hull.js';
-import { boundsOf } from './mass.js';
+import { boundsOf } from './bounds.js';
 
 /**
  * Share of its size by which a point of a convex mesh may stand out: single precision lets those of a finely divided face

@@ -2,7 +2,7 @@ import { cos, sin } from '../base/exact/index.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { trianglesOfFace } from './polygon.js';
 import { listsOf, trianglesOf } from './strips.js';
-import { SIDES, turned } from './tessellate.js';
+import { SIDES, turned } from './turned.js';
 
 const pointsOf = (coord: number[] | { point: number[] } | undefined): number[] =>
   Array.isArray(coord) ? coord : (coord?.point ?? []);

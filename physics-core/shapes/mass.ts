@@ -1,9 +1,9 @@
 import { hypot } from '../base/exact/index.js';
 import { quaternionOfRows, type Quaternion } from '../base/math.js';
 import type { Vec3 } from '../fields/types.js';
-import type { Geometry, Mesh } from './geometry.js';
+import type { Geometry } from './geometry.js';
+import { meshes } from './meshes.js';
 import { axisScale } from './scale.js';
-import { tessellate } from './tessellate.js';
 
 /** Symmetric 3 × 3: xx, yy, zz, xy, xz, yz. */
 export type Tensor = [number, number, number, number, number, number];
@@ -15,7 +15,7 @@ export interface Solid {
   inertia: Tensor;
 }
 
-const diagonal = (
+export const diagonal = (
   volume: number,
   x: number,
   y: number,
@@ -27,7 +27,7 @@ const diagonal = (
   inertia: [volume * x, volume * y, volume * z, 0, 0, 0],
 });
 
-const boxSolid = (x: number, y: number, z: number): Solid =>
+export const boxSolid = (x: number, y: number, z: number): Solid =>
   diagonal(x * y * z, (y * y + z * z) / 12, (x * x + z * z) / 12, (x * x + y * y) / 12);
 
 function cylinderSolid(r: number, h: number): Solid {
@@ -39,73 +39,6 @@ function cylinderSolid(r: number, h: number): Solid {
 function coneSolid(r: number, h: number): Solid {
   const side = (3 / 80) * (4 * r * r + h * h);
   return diagonal((Math.PI * r * r * h) / 3, side, 0.3 * r * r, side, [0, -h / 4, 0]);
-}
-
-/** Sums signed tetrahedra between the origin and each triangle (Tonon 2004); exact for closed meshes. */
-function meshSolid({ points, index }: Mesh): Solid | undefined {
-  let volume = 0;
-  const first: Vec3 = [0, 0, 0];
-  const second: Tensor = [0, 0, 0, 0, 0, 0];
-  const pairs = [
-    [0, 0],
-    [1, 1],
-    [2, 2],
-    [0, 1],
-    [0, 2],
-    [1, 2],
-  ] as const;
-  for (let t = 0; t < index.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) =>
-      points.slice(index[t + k]! * 3, index[t + k]! * 3 + 3),
-    ) as [Vec3, Vec3, Vec3];
-    const v =
-      (a[0] * (b[1] * c[2] - b[2] * c[1]) -
-        a[1] * (b[0] * c[2] - b[2] * c[0]) +
-        a[2] * (b[0] * c[1] - b[1] * c[0])) /
-      6;
-    volume += v;
-    for (let i = 0; i < 3; i++) first[i]! += (v * (a[i]! + b[i]! + c[i]!)) / 4;
-    pairs.forEach(([i, j], k) => {
-      const sum = (a[i] + b[i] + c[i]) * (a[j] + b[j] + c[j]);
-      second[k]! += (v * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum)) / 20;
-    });
-  }
-  if (!(volume > 1e-15)) return undefined;
-  const centroid = first.map((value) => value / volume) as Vec3;
-  const [xx, yy, zz, xy, xz, yz] = second.map((value, k) => {
-    const [i, j] = pairs[k]!;
-    return value - volume * centroid[i] * centroid[j];
-  }) as Tensor;
-  const inertia: Tensor = [yy + zz, xx + zz, xx + yy, -xy, -xz, -yz];
-  return isPossible(inertia) ? { volume, centroid, inertia } : undefined;
-}
-
-/** No moment of a body is larger than the other two together, but for rounding: that of an open mesh may be. */
-function isPossible(inertia: Tensor): boolean {
-  const [small, middle, large] = principal(inertia).moments.sort((a, b) => a - b) as Vec3;
-  return small > 0 && large <= (small + middle) * (1 + ROUNDING);
-}
-
-/** Of moments, as a share: a sheet's two small ones make its large one. */
-const ROUNDING = 1e-6;
-
-export function boundsOf(points: ArrayLike<number>): { min: Vec3; max: Vec3 } {
-  const min: Vec3 = [Infinity, Infinity, Infinity];
-  const max: Vec3 = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < points.length; i++) {
-    const axis = i % 3;
-    min[axis] = Math.min(min[axis]!, points[i]!);
-    max[axis] = Math.max(max[axis]!, points[i]!);
-  }
-  return { min, max };
-}
-
-/** An open or inside-out mesh encloses no volume: its bounding box stands for it. */
-function boundsSolid(points: number[]): Solid {
-  const { min, max } = boundsOf(points);
-  if (points.length === 0) return diagonal(0, 0, 0, 0);
-  const size = max.map((value, i) => Math.max(value - min[i]!, 1e-6)) as Vec3;
-  return { ...boxSolid(...size), centroid: max.map((value, i) => (value + min[i]!) / 2) as Vec3 };
 }
 
 /** The solid a geometry encloses, in the frame of its collidable before translation and rotation. */
@@ -126,8 +59,7 @@ export function solidOf(g: Geometry): Solid {
     if (g.type === 'Cone' && x === z && !g.topRadius)
       return coneSolid((g.bottomRadius ?? 1) * x, (g.height ?? 2) * y);
   }
-  const mesh = tessellate(g);
-  return meshSolid(mesh) ?? boundsSolid(mesh.points);
+  return meshes.code.solidOf(g);
 }
 
 /** Adds `volume` displaced by `d` from the reference point (parallel axes). */

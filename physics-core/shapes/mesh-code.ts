@@ -1,6 +1,11 @@
 // The chunk `meshes`.
-import { facesOf } from './faces.js';
+import { meshSolidOf } from './mesh-mass.js';
 import { meshShapeOf } from './mesh-shape.js';
 import type { MeshCode } from './meshes.js';
+import { tessellate } from './tessellate.js';
 
-export const provide = (): MeshCode => ({ trianglesOf: facesOf, shapeOf: meshShapeOf });
+export const provide = (): MeshCode => ({
+  tessellate,
+  solidOf: meshSolidOf,
+  shapeOf: meshShapeOf,
+});

@@ -3,7 +3,7 @@ import { hullMarginFor, THINNEST, type Shaped, type Workshop } from './build.js'
 import { isConvex } from './convex.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { hullOf, type Hull } from './hull.js';
-import { boundsOf } from './mass.js';
+import { boundsOf } from './bounds.js';
 import { tessellate } from './tessellate.js';
 
 type BtMesh = Ammo['btTriangleMesh']['prototype'];

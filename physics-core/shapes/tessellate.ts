@@ -1,10 +1,8 @@
 import { cos, sin } from '../base/exact/index.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry, Mesh } from './geometry.js';
-import { meshes } from './meshes.js';
-
-/** Sides of a ring: the radius of the polygon is then within 0.5 % of the circle's. */
-export const SIDES = 32;
+import { facesOf } from './faces.js';
+import { SIDES, turned } from './turned.js';
 
 /** Only triangles whose three points exist. */
 function sound(mesh: Mesh): Mesh {
@@ -15,24 +13,6 @@ function sound(mesh: Mesh): Mesh {
     if (triangle.every((k) => k >= 0 && k < count)) index.push(...triangle);
   }
   return { points: mesh.points, index };
-}
-
-/** A surface of revolution about Y: `profile` from bottom to top as [radius, y]. */
-export function turned(profile: [number, number][]): Mesh {
-  const points: number[] = [];
-  const index: number[] = [];
-  profile.forEach(([radius, y], ring) => {
-    for (let i = 0; i < SIDES; i++) {
-      const angle = (2 * Math.PI * i) / SIDES;
-      points.push(radius * cos(angle), y, -radius * sin(angle));
-      if (ring === 0) continue;
-      const next = (i + 1) % SIDES;
-      const [a, b] = [(ring - 1) * SIDES + i, (ring - 1) * SIDES + next];
-      const [c, d] = [ring * SIDES + i, ring * SIDES + next];
-      index.push(a, b, d, a, d, c);
-    }
-  });
-  return { points, index };
 }
 
 const box = ([x, y, z]: Vec3): Mesh => ({
@@ -135,7 +115,7 @@ function plain(g: Geometry): Mesh {
     case 'Cone':
       return cone(g);
     default:
-      return meshes.code.trianglesOf(g);
+      return facesOf(g);
   }
 }
 

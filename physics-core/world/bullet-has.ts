@@ -1,7 +1,5 @@
 import { POSE } from '../dynamics/poses.js';
-import { eachContactPoint } from '../effects/contacts/contact-points.js';
-import { BEGIN } from '../effects/contacts/touches.js';
-import { ContactPoint } from '../engine/contact-point.js';
+import { contacts } from '../effects/effect/chunks.js';
 import { kindOf } from '../engine/shape-kind.js';
 import { BodyNode } from '../nodes/body/body.js';
 import { CollidableNode } from '../nodes/collision/collidable.js';
@@ -97,12 +95,7 @@ function worldIn(collection: CollectionNode): Record<string, unknown> {
 export function touchedBy(node: PhysicsNode): PhysicsNode[] | undefined {
   const body = node instanceof CollidableNode ? node.obstacle : node;
   if (!(body instanceof BodyNode) || !body.built || !body.world.started) return undefined;
-  const others = new Set<PhysicsNode>();
-  const point = new ContactPoint(body.world.engine.ammo);
-  eachContactPoint(body.world, (pointer, a, b) => {
-    if (a !== body && b !== body) return;
-    if (point.at(pointer, a.pointer, b.pointer).distance <= BEGIN)
-      others.add(((a === body ? b : a) as BodyNode).standsFor);
-  });
-  return [...others];
+  // Without that code there is no second body.
+  const others = contacts.here ? contacts.code.touchedBy(body.world, body) : [];
+  return [...new Set([...others].map((other) => (other as BodyNode).standsFor))];
 }

@@ -1,7 +1,7 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import { contacts, joints, meshes } from '../../physics-core/inside.js';
+import { contacts, drags, joints, meshes } from '../../physics-core/inside.js';
 
 export const PAGE = 'docs/chunks.md';
 
@@ -12,9 +12,10 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-core', 'every page: worlds and bodies'],
   ['chunk-ammo.wasm', 'the first physics element: Bullet’s glue'],
   ['ammo.wasm', 'the first physics element: Bullet'],
-  ['chunk-contact-code', contacts.causes],
+  ['chunk-contact-code', `${contacts.causes}; debug lines and measurement look at contacts, too`],
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
+  ['chunk-drag-code', drags.causes],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-debug-lines', 'the same, or `debugLines()`'],

@@ -1,4 +1,4 @@
-import { chunks, contacts, meshes, type Chunk } from '../../../physics-core/inside.js';
+import { chunks, contacts, drags, meshes, type Chunk } from '../../../physics-core/inside.js';
 import { attribute, isPhysics, isScene, isShape, isType, lowerName, typeOf } from '../words/dom.js';
 import { prefetchEngine } from './engine.js';
 
@@ -17,6 +17,7 @@ export function prefetch(elements: Iterable<Element>): void {
     (element) => isType(element, 'RigidBody') && attribute(element, 'USE') === null,
   );
   if (bodies.length > 1) fetchCode(contacts);
+  if (physics.some((element) => attribute(element, 'draggable-body') !== null)) fetchCode(drags);
   if (all.some(isCollidingMesh)) fetchCode(meshes);
 }
 

@@ -4,8 +4,7 @@ import type { Vec3 } from '../../fields/types.js';
 import { conjugate, rotate, subtract, type Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable, CollidablePart } from '../../dynamics/collidable.js';
-import { boundsOf } from '../../shapes/mass.js';
-import { tessellate } from '../../shapes/tessellate.js';
+import { boxOf } from './part-box.js';
 
 /**
  * The number among the solid parts of a body of the one that a contact point lies on; `side` 0 is the manifold's first
@@ -39,15 +38,6 @@ export function isBallAt(point: ContactPoint, body: Body, side: 0 | 1): boolean 
 export const isRound = (body: Body): boolean =>
   body.solidParts.some(({ geometry }) => geometry.type === 'Sphere');
 
-/** Boxes around parts, each in its own frame. A body whose shape changes has new parts. */
-const boxes = new WeakMap<CollidablePart, ReturnType<typeof boundsOf>>();
-
-function boxOf(part: CollidablePart): ReturnType<typeof boundsOf> {
-  let box = boxes.get(part);
-  if (!box) boxes.set(part, (box = boundsOf(tessellate(part.geometry).points)));
-  return box;
-}
-
 /** The number of the mesh among the solid parts of a body whose box lies nearest to a point, world frame. */
 function meshNumberAt(body: Body, position: Vec3): number {
   const local = within(body.pose(), position);
@@ -67,14 +57,4 @@ function distanceTo(part: CollidablePart, point: Vec3): number {
   const { min, max } = boxOf(part);
   const local = within(part.pose, point);
   return lengthOf(local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
-}
-
-/** The least extent of anything solid of a body, metres; Infinity where it is all triangles. */
-export function thicknessOf(body: Body): number {
-  const extents = body.solidParts.flatMap((part) => {
-    if (part.mesh) return [];
-    const { min, max } = boxOf(part);
-    return max.map((value, i) => value - min[i]!);
-  });
-  return Math.min(Infinity, ...extents);
 }

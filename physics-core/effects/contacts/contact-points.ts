@@ -1,4 +1,5 @@
 import type { Ammo } from '../../engine/ammo.js';
+import { pairTestOf } from '../../engine/pair-test.js';
 import { firstPoint, pointAfter, solverDistanceAt } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -18,8 +19,9 @@ export function eachContactPoint(
   simulation: Simulation,
   visit: (pointer: number, a: Body, b: Body) => void,
 ): void {
-  const { ammo, pairTest } = simulation.engine;
-  pairTest.each(simulation.bullet.bullet, (pointer, pointerA, pointerB) => {
+  const { engine } = simulation;
+  const { ammo } = engine;
+  pairTestOf(engine).each(simulation.bullet.bullet, (pointer, pointerA, pointerB) => {
     const a = simulation.bodyAt(pointerA);
     const b = simulation.bodyAt(pointerB);
     if (a && b && !isFiltered(ammo, pointer)) visit(pointer, a, b);

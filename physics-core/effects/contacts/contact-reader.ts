@@ -7,7 +7,7 @@ import type { SimulationNode } from '../../dynamics/node.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { eachContactPoint, TOUCHING } from './contact-points.js';
 import { partAt } from './contact-part.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { givenContacts } from './effects.js';
 import { Touches, type TouchPoint } from './touches.js';
@@ -192,10 +192,3 @@ export class ContactReader extends Effect {
     return points;
   }
 }
-
-export const contactReader: EffectDescriptor<ContactReader> = {
-  name: 'contact reading',
-  causes: 'a CollisionSensor, or a listener to collisionstart or collisionend',
-  after: { 'given contacts': 'they are put back as Bullet had them before they are read' },
-  load: (simulation, effects) => new ContactReader(simulation, effects),
-};

@@ -46,12 +46,6 @@ export interface StepState {
   changes: Float64Array;
 }
 
-/** Friction direction 1 where nobody gives one. */
-export function firstDirection(point: ContactPoint): Vec3 {
-  directions.lay(point, undefined);
-  return [...directions.first] as Vec3;
-}
-
 /** The point is not there for the solver. */
 export function leaveOut(point: ContactPoint): void {
   point.solverDistance = FAR;

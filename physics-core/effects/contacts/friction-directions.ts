@@ -1,4 +1,5 @@
 import { hypot } from '../../base/exact/index.js';
+import type { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
 
 /** Above this share of x in a normal, x gives no direction in the surface. */
@@ -26,3 +27,11 @@ export function layInSurface(
   const size = hypot(out[0], out[1], out[2]) || 1;
   for (let i = 0; i < 3; i++) out[i]! /= size;
 }
+
+/** Friction direction 1 where nobody gives one. */
+export function firstDirection(point: ContactPoint): Vec3 {
+  layInSurface(first, point.normal(0), point.normal(1), point.normal(2), undefined);
+  return [first[0]!, first[1]!, first[2]!];
+}
+
+const first = new Float64Array(3);

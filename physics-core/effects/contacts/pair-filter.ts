@@ -2,7 +2,7 @@ import { ContactPoint } from '../../engine/contact-point.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 
 /** Farther than any contact that Bullet's solver looks at (its own threshold is 1e18), metres. */
 const APART = 1e30;
@@ -81,9 +81,3 @@ export class PairFilter extends Effect {
     return !first || !second || this.#simulation.pairs.meet(a, first, b, second);
   }
 }
-
-export const pairFilter: EffectDescriptor<PairFilter> = {
-  name: 'pair filter',
-  causes: 'collidables that collide or not in a way that Bullet’s 15 group bits can’t tell',
-  load: (simulation) => new PairFilter(simulation),
-};

@@ -1,7 +1,7 @@
 import type { Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import { Carried } from './carried.js';
@@ -107,9 +107,3 @@ export class Carrying extends Effect {
     }
   }
 }
-
-export const carrying: EffectDescriptor<Carrying> = {
-  name: 'carrying',
-  causes: 'a fixed body that a ROUTE, a Transform above it or a hand moves along',
-  load: (simulation, effects) => new Carrying(simulation, effects),
-};

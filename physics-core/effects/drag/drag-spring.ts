@@ -7,7 +7,8 @@ import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { BODY_BLOCK, SIDE } from '../joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../joints/row-system.js';
-import { Hand, TOP_SPEED } from './hand.js';
+import { TOP_SPEED } from './effects.js';
+import { Hand } from './hand.js';
 
 /** rad/s: the grabbed point comes within 1 % of its way in 0.22 s. */
 const SWIFTNESS = 30;

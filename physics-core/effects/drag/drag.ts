@@ -3,8 +3,8 @@ import type { Vec3 } from '../../fields/types.js';
 import { add, compose, invert, length, scale, subtract, type Pose } from '../../base/math.js';
 import type { Body, DragMode } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { DragSpring } from './drag-spring.js';
-import { TOP_SPEED } from './hand.js';
+import type { DragSpring } from './drag-spring.js';
+import { drags, TOP_SPEED } from './effects.js';
 
 /** Why a drag ended. */
 export type DragEnd = 'released' | 'cancelled' | 'removed' | 'disabled' | 'reset';
@@ -33,7 +33,9 @@ export class Drag {
   readonly #hands: Hands;
   readonly #simulation: Simulation;
   readonly body: Body;
-  readonly spring: DragSpring;
+  /** The grabbed point in the body's frame. */
+  readonly #grip: Vec3;
+  #spring: DragSpring | undefined;
   /** Where the grabbed point is to be: world frame, metres. */
   target: Vec3;
   readonly #start: Pose;
@@ -52,7 +54,9 @@ export class Drag {
     this.body = body;
     this.#start = body.pose();
     this.target = [...point];
-    this.spring = new DragSpring(simulation, body, compose(invert(body.pose()), at(point)).p);
+    this.#grip = compose(invert(body.pose()), at(point)).p;
+    // Else time stands still until its code is here.
+    if (drags.here) this.#spring = this.spring;
     this.#emitter.on('end', (reason) => onend(reason as DragEnd));
     this.engage();
   }
@@ -68,13 +72,17 @@ export class Drag {
 
   /** Where the grabbed point is: world frame, metres. */
   get point(): Vec3 {
-    return this.spring.point;
+    return compose(this.body.pose(), at(this.#grip)).p;
+  }
+
+  get spring(): DragSpring {
+    return (this.#spring ??= drags.code.spring(this.#simulation, this.body, this.#grip));
   }
 
   /** The mode begins. */
   engage(): void {
     this.#from = this.body.pose();
-    this.#point = this.spring.point;
+    this.#point = this.point;
     this.#moments = undefined;
     this.body.hold(this.mode !== 'spring');
     this.body.wake();

@@ -4,6 +4,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { isJointed } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../joints/row-system.js';
 import { Drag, type DragEnd } from './drag.js';
+import { drags } from './effects.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
@@ -78,6 +79,8 @@ export class Dragging extends Effect implements Pull {
 
   /** What is held does not sleep. A joint may have come while it is held: the first one brings the joint solve. */
   override beforeStep(dt: number): void {
+    // Taken hold of in this very step: the next one waits for that code.
+    if (!drags.here) return;
     this.#effects.caused(jointSolve)?.pulls.add(this);
     for (const drag of this.#drags) {
       if (!this.holds(drag)) this.end(drag, 'disabled');

@@ -1,9 +1,6 @@
 import type { Vec3 } from '../../fields/types.js';
 import { add, length, scale, subtract } from '../../base/math.js';
 
-/** m/s: no hand moves faster, and what it lets go of flies no faster. */
-export const TOP_SPEED = 8;
-
 /** Share of the way left that it takes per second: so it comes to rest by its strength, without overshooting. */
 const HASTE = 12.5;
 

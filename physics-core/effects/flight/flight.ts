@@ -5,7 +5,7 @@ import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { carrying } from '../drag/carrying.js';
+import { carrying } from '../drag/effects.js';
 import { dragging } from '../drag/dragging.js';
 import { EVEN, FreeFall, MOTION, RESTING, same } from '../../engine/free-fall.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';

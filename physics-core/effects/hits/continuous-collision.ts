@@ -1,4 +1,6 @@
 import { ContactPoint } from '../../engine/contact-point.js';
+import { pairTestOf } from '../../engine/pair-test.js';
+import { sweepOf } from '../../engine/sweep.js';
 import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
@@ -44,11 +46,12 @@ export class ContinuousCollision extends Effect {
       const radius = body.leastExtent / 2;
       const from = compose(body.pose(), body.centerOfMass).p;
       engine.reader.pose(body.body, body.pointer, this.#pose, 0);
-      if (!engine.sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;
-      const { met } = engine.sweep;
+      const sweep = sweepOf(engine);
+      if (!sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;
+      const { met } = sweep;
       const other = this.#simulation.bodyAt(met);
       if (other && areJoined(body, other)) continue;
-      const pointer = engine.pairTest.add(body.pointer, met);
+      const pointer = pairTestOf(engine).add(body.pointer, met);
       if (pointer === 0) return;
       this.#write(pointer, body.pointer, radius);
       visit(pointer, body.pointer, met);
@@ -58,9 +61,9 @@ export class ContinuousCollision extends Effect {
   /** The plane in which they touched; gaps count from the ball's end of the way. */
   #write(pointer: number, body: number, radius: number): void {
     const { engine } = this.#simulation;
-    const { position, normal } = engine.sweep;
+    const { met, position, normal } = sweepOf(engine);
     const point = (this.#point ??= new ContactPoint(engine.ammo));
-    point.at(pointer, body, engine.sweep.met);
+    point.at(pointer, body, met);
     let gap = -radius;
     for (let i = 0; i < 3; i++) gap += normal[i]! * (this.#pose[i]! - position[i]!);
     for (let i = 0; i < 3; i++) {

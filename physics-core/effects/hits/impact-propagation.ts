@@ -1,4 +1,5 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
+import { pairTestOf } from '../../engine/pair-test.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -9,9 +10,8 @@ import { Impact, OVER } from './impact.js';
 import { StruckBody } from './struck-body.js';
 import { isBallAt, isRound, partOf } from '../contacts/contact-part.js';
 import type { Pair } from '../contacts/contact-rows.js';
-import { contactSurface } from '../contacts/effects.js';
+import { contactSurface, pairFilter } from '../contacts/effects.js';
 import type { ContactListener, ContactSurface } from '../contacts/contact-surface.js';
-import { pairFilter } from '../contacts/pair-filter.js';
 import { Effect } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
@@ -148,7 +148,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const struck = this.#blow.strikes > 0;
     for (const link of this.#touched) link.weigh(dt);
     this.#makeUpAll(dt);
-    engine.pairTest.clear(bullet.bullet);
+    pairTestOf(engine).clear(bullet.bullet);
     this.#until = 0;
     if (struck || anyFast(this.#simulation, dt)) this.#lookAgain(dt);
     this.#noteImpulses();
@@ -208,7 +208,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
     this.#seen.add(key);
-    const { pairTest } = engine;
+    const pairTest = pairTestOf(engine);
     const from = pairTest.count;
     pairTest.touch(first.body, second.body);
     pairTest.each(bullet.bullet, this.#process, from);

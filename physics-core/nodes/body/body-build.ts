@@ -1,6 +1,6 @@
 import type { Pose } from '../../base/math.js';
-import { pairFilter } from '../../effects/contacts/pair-filter.js';
-import { carrying } from '../../effects/drag/carrying.js';
+import { pairFilter } from '../../effects/contacts/effects.js';
+import { carrying } from '../../effects/drag/effects.js';
 import type { BodyNode } from './body.js';
 import { massOf, reportZeroMass } from './body-mass.js';
 

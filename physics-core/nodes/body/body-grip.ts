@@ -1,6 +1,9 @@
+import type { Chunk } from '../../base/chunk.js';
 import { DRAG_MODES, type DragMode } from '../../dynamics/body.js';
 import type { Drag, DragEnd } from '../../effects/drag/drag.js';
 import { dragging } from '../../effects/drag/dragging.js';
+import { drags } from '../../effects/drag/effects.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from './body.js';
 
@@ -72,11 +75,22 @@ export class BodyGrip {
     this.offered = false;
   }
 
+  /** Code that it is not dragged or moved along without. */
+  get needs(): (Chunk<unknown> | undefined)[] {
+    const node = this.#node;
+    const taken = node.world.registry.find(dragging)?.isNeededBy(node);
+    const carried = !node.mayMove || this.mode === 'kinematic';
+    return [taken || this.draggable ? drags : undefined, carried ? contacts : undefined];
+  }
+
   take(point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined {
     const node = this.#node;
     node.world.flush();
     const at = node.argument<Vec3>('drag', 'SFVec3f', point);
-    return at && node.world.registry.get(dragging).grab(node, at, onend);
+    const drag = at && node.world.registry.get(dragging).grab(node, at, onend);
+    // Now it needs that.
+    if (drag && !drags.here) node.touch('draggableBody');
+    return drag;
   }
 
   /** Makes it immovable where it stands, or movable again: in Bullet the same body, and in the same joints. */

@@ -14,7 +14,8 @@ import {
 import { show } from '../../base/show.js';
 import type { Velocity } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
-import { carrying } from '../../effects/drag/carrying.js';
+import { carrying } from '../../effects/drag/effects.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { gyroscopic } from '../../effects/flight/gyroscopic.js';
 import { jointSolve } from '../../effects/joints/effects.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
@@ -107,7 +108,9 @@ export class BodyMotion {
   carryTo(pose: Pose): void {
     const node = this.#node;
     const distance = length(subtract(pose.p, this.pose().p));
-    if (node.fresh || node.movable || !node.active || distance > LONGEST_CARRY) {
+    // Without that code it is the only body: there is nothing that it could push.
+    const jumps = distance > LONGEST_CARRY || !contacts.here;
+    if (node.fresh || node.movable || !node.active || jumps) {
       this.moveTo(pose);
       return;
     }

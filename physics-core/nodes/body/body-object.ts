@@ -1,7 +1,7 @@
 import { hypot } from '../../base/exact/index.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import type { NodePart } from '../collision/collidable.js';
-import { thicknessOf } from '../../effects/contacts/contact-part.js';
+import { thicknessOf } from '../../effects/contacts/part-box.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
 import { setMobility } from '../../engine/body-state.js';
 import type { BtBody } from '../../engine/heap.js';

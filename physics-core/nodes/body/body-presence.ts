@@ -1,4 +1,4 @@
-import { contactReader } from '../../effects/contacts/contact-reader.js';
+import { contactReader } from '../../effects/contacts/effects.js';
 import { dragging } from '../../effects/drag/dragging.js';
 import { continuousCollision } from '../../effects/hits/effects.js';
 import type { BodyNode } from './body.js';

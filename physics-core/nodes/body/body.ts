@@ -8,7 +8,7 @@ import type {
   Velocity,
 } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
-import { contactReader } from '../../effects/contacts/contact-reader.js';
+import { contactReader } from '../../effects/contacts/effects.js';
 import type { Drag, DragEnd } from '../../effects/drag/drag.js';
 import type { BodyChange } from '../../effects/effect/effect.js';
 import type { BtBody } from '../../engine/heap.js';

@@ -39,7 +39,7 @@ export const rigidBody = defineNode<BodyNode>({
   doc: 'A body that moves by its mass, velocity and the forces on it.',
   rank: 2,
   bounded: true,
-  needs: (body) => codeFor([body.asked<Geometry | null>('massDensityModel')]),
+  needs: (body) => [codeFor([body.asked<Geometry | null>('massDensityModel')]), ...body.grip.needs],
   make: (context) => new BodyNode(context, (body) => new OwnedGeometry(body)),
   fields: {
     enabled: {

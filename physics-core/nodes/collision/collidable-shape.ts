@@ -43,7 +43,7 @@ export const collidableShape = defineNode<CollidableShapeNode>({
   doc: 'The shape that collides, and that is drawn where it stands in the scene.',
   rank: 1,
   bounded: true,
-  needs: (collidable) => codeFor(collidable.asked<Geometry[]>('shape')),
+  needs: (collidable) => [codeFor(collidable.asked<Geometry[]>('shape'))],
   make: (context) => new CollidableShapeNode(context),
   fields: {
     ...collidableFields,

@@ -1,7 +1,6 @@
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Sensor } from '../../dynamics/sensor.js';
-import { contactReader } from '../../effects/contacts/contact-reader.js';
-import { givenContacts } from '../../effects/contacts/effects.js';
+import { contactReader, givenContacts } from '../../effects/contacts/effects.js';
 import type { CollidableNode } from './collidable.js';
 import type { CollisionCollectionNode } from './collision-collection.js';
 import type { ContactNode } from './contact.js';

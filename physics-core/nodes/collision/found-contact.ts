@@ -3,7 +3,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import { carriedBy } from '../../dynamics/contact-order.js';
 import { PLAIN } from '../../dynamics/contact-parameters.js';
-import { firstDirection } from '../../effects/contacts/contact-rows.js';
+import { firstDirection } from '../../effects/contacts/friction-directions.js';
 import type { Value } from '../../fields/types.js';
 import type { NodeWorld } from '../node/node-world.js';
 import type { PhysicsNode } from '../node/node.js';

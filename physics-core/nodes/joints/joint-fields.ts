@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../fields/types.js';
 import { cross, length, normalize, perpendicular } from '../../base/math.js';
 import type { JointNode } from './joint.js';
-import type { Field } from '../node/table.js';
+import type { Doc, Field } from '../node/table.js';
 
 /** Fields of X3DRigidJointNode (37.3.3). */
 export const jointFields: Record<string, Field<JointNode>> = {
@@ -61,7 +61,7 @@ export const anchorFields: Record<string, Field<JointNode>> = {
 };
 
 /** A direction given in the world when the joint is made; X3D 3.x has no direction as its default. */
-export const axisField = (value: Vec3, doc: string): Field<JointNode> => ({
+export const axisField = (value: Vec3, { doc }: Doc): Field<JointNode> => ({
   type: 'SFVec3f',
   access: 'inputOutput',
   default: value,
@@ -84,7 +84,7 @@ export const axisOutput = (which: 1 | 2, column: 0 | 2): Field<JointNode> => ({
 /** A number that the simulation answers with. */
 export function output<N extends JointNode>(
   read: (joint: N) => number,
-  doc: string,
+  { doc }: Doc,
   dimension?: Field['dimension'],
 ): Field<N> {
   return {

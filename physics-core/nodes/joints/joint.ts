@@ -1,17 +1,17 @@
 import { compose, identityPose, invert, type Pose } from '../../base/math.js';
 import type { Motor, RowCorrection, Spring, Stop } from '../../dynamics/joint.js';
 import { areNear } from '../../effects/rest/touching.js';
-import { JointConstraint, type Limit, type Side } from '../../engine/joint-constraint.js';
+import { joints } from '../../effects/effect/chunks.js';
+import type { JointConstraint, Side } from '../../engine/joint-constraint.js';
+import type { Limit } from '../../engine/limits.js';
 import type { BodyNode } from '../body/body.js';
 import type { BodyJoint } from '../body/body-joint.js';
 import { correctionAt, softnessInBullet, type OwnCorrection } from './joint-corrections.js';
-import { leverRatio } from './joint-frames.js';
-import { reportBodies, reportMassRatio } from './joint-reports.js';
 import { PlacedJoint } from './placed-joint.js';
 
-export { between, FREE, LOCKED, type Limit } from '../../engine/joint-constraint.js';
+export { between, FREE, LOCKED, type Limit } from '../../engine/limits.js';
 export type { OwnCorrection } from './joint-corrections.js';
-export type { JointFrame } from './joint-frames.js';
+export type { JointFrame } from '../../effects/effect/chunks.js';
 
 /** Lever arms that differ by less than this erp ask alike: rounding is not to decide. */
 const ALIKE = 1e-3;
@@ -55,7 +55,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.body1 = this.asked<BodyNode | null>('body1') ?? undefined;
     this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
     for (const body of [this.body1, this.body2]) body?.joints.add(this);
-    reportBodies(this);
+    joints.code.reportBodies(this);
     this.attach();
     return true;
   }
@@ -118,7 +118,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.#constraint.add(this.slides);
     if (bodies.length === 2) this.#part(bodies[0]!, bodies[1]!);
     for (const body of bodies) body.wake();
-    reportMassRatio(this);
+    joints.code.reportMassRatio(this);
     this.#changed();
   }
 
@@ -171,7 +171,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   /** Bullet's rows lie along body A's frame: A is the body whose lever arm asks for it. */
   protected shouldSwap(): boolean {
     const anchor = (body: BodyNode | undefined, frame: Pose): number =>
-      body ? leverRatio(body, compose(body.pose(), frame).p) : -1;
+      body ? joints.code.leverRatio(body, compose(body.pose(), frame).p) : -1;
     const first = anchor(this.body1, this.frame1);
     return anchor(this.body2, this.frame2) > first + Math.abs(first) * ALIKE;
   }
@@ -183,7 +183,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
         : { body: this.world.bullet.ground, frame };
     const sides = [side(this.body1, this.frame1), side(this.body2, this.frame2)] as const;
     [this.centred1, this.centred2] = [sides[0].frame, sides[1].frame];
-    return new JointConstraint(this.world.bullet, ...sides, this.shouldSwap());
+    return joints.code.constraint(this.world.bullet, ...sides, this.shouldSwap());
   }
 
   // ---- limits and softness ------------------------------------------------------------------------------------------

@@ -9,10 +9,9 @@ type MotorField = Field<MotorJointNode>;
 const torque = (joint: MotorJointNode): void => joint.updateMotors();
 
 const axisOf = (n: AxisNumber, value: Vec3): MotorField =>
-  axisField(
-    value,
-    `Direction of axis ${n}, world frame when the joint is made. It turns with body1; with autoCalc axis 3 turns with body2 and axis 2 is axis 3 × axis 1. Without a direction it turns nothing. Editing it makes the joint anew.`,
-  );
+  axisField(value, {
+    doc: `Direction of axis ${n}, world frame when the joint is made. It turns with body1; with autoCalc axis 3 turns with body2 and axis 2 is axis 3 × axis 1. Without a direction it turns nothing. Editing it makes the joint anew.`,
+  });
 
 const angleOf = (n: AxisNumber): MotorField => ({
   type: 'SFFloat',
@@ -43,12 +42,14 @@ const fieldsOf = (n: AxisNumber, axis: Vec3): Record<string, MotorField> => ({
   [`stop${n}ErrorCorrection`]: idleStop(n, 'ErrorCorrection'),
   [`motor${n}Angle`]: output<MotorJointNode>(
     (joint) => joint.motorAngle(n),
-    `Angle about axis ${n}, radians: of body1 relative to body2 with autoCalc, else axis${n}Angle.`,
+    {
+      doc: `Angle about axis ${n}, radians: of body1 relative to body2 with autoCalc, else axis${n}Angle.`,
+    },
     { angle: 1 },
   ),
   [`motor${n}AngleRate`]: output<MotorJointNode>(
     (joint) => joint.motorAngleRate(n),
-    `Rate about axis ${n} of body1 relative to body2, rad/s.`,
+    { doc: `Rate about axis ${n} of body1 relative to body2, rad/s.` },
     { angle: 1 },
   ),
 });

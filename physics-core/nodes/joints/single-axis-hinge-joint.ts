@@ -76,25 +76,26 @@ export const singleAxisHingeJoint = defineNode<SingleAxisHingeJointNode>({
   fields: {
     ...jointFields,
     ...anchorFields,
-    axis: axisField(
-      [0, 1, 0],
-      'Direction of the axis, world frame, when the joint is made. Editing it makes the joint anew.',
-    ),
-    minAngle: angleStop(
-      -Math.PI,
-      stops,
-      'Lower stop, radians from the pose the joint was made at. Above maxAngle: no stops.',
-    ),
-    maxAngle: angleStop(Math.PI, stops, 'Upper stop, radians.'),
-    stopBounce: bounceField(stops, 'Share of the turning speed that comes back from a stop.'),
-    stopErrorCorrection: correctionField(
-      0.8,
-      stops,
-      'Share of an overshoot past a stop repaired per 1/60 s.',
-    ),
-    angle: output((joint) => joint.angle, 'Angle of body1 relative to body2, radians in (-π, π].', {
-      angle: 1,
+    axis: axisField([0, 1, 0], {
+      doc: 'Direction of the axis, world frame, when the joint is made. Editing it makes the joint anew.',
     }),
-    angleRate: output((joint) => joint.angleRate, 'Its rate, rad/s.', { angle: 1 }),
+    minAngle: angleStop(-Math.PI, stops, {
+      doc: 'Lower stop, radians from the pose the joint was made at. Above maxAngle: no stops.',
+    }),
+    maxAngle: angleStop(Math.PI, stops, { doc: 'Upper stop, radians.' }),
+    stopBounce: bounceField(stops, {
+      doc: 'Share of the turning speed that comes back from a stop.',
+    }),
+    stopErrorCorrection: correctionField(0.8, stops, {
+      doc: 'Share of an overshoot past a stop repaired per 1/60 s.',
+    }),
+    angle: output(
+      (joint) => joint.angle,
+      { doc: 'Angle of body1 relative to body2, radians in (-π, π].' },
+      {
+        angle: 1,
+      },
+    ),
+    angleRate: output((joint) => joint.angleRate, { doc: 'Its rate, rad/s.' }, { angle: 1 }),
   },
 });

@@ -13,7 +13,7 @@ import {
 import { direction, jointFields, output } from './joint-fields.js';
 import { bounceField, correctionField } from './stop-fields.js';
 import { defineNode } from '../node/define.js';
-import type { Field } from '../node/table.js';
+import type { Doc, Field } from '../node/table.js';
 
 /** The row along the frame's x. */
 const ALONG = 0;
@@ -117,7 +117,7 @@ export class SliderJointNode extends JointNode {
 const stops = (joint: SliderJointNode): void => joint.updateRows();
 const force = (joint: SliderJointNode): void => joint.updateMotors();
 
-const separation = (value: number, doc: string): Field<SliderJointNode> => ({
+const separation = (value: number, { doc }: Doc): Field<SliderJointNode> => ({
   type: 'SFFloat',
   access: 'inputOutput',
   default: value,
@@ -144,11 +144,10 @@ export const sliderJoint = defineNode<SliderJointNode>({
       edit: 'rebuild',
       doc: 'Direction in which they slide, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew.',
     },
-    minSeparation: separation(
-      0,
-      'Lower stop, metres from the pose the joint was made at; negative is allowed. Above maxSeparation: no stops.',
-    ),
-    maxSeparation: separation(1, 'Upper stop, metres.'),
+    minSeparation: separation(0, {
+      doc: 'Lower stop, metres from the pose the joint was made at; negative is allowed. Above maxSeparation: no stops.',
+    }),
+    maxSeparation: separation(1, { doc: 'Upper stop, metres.' }),
     sliderForce: {
       type: 'SFFloat',
       access: 'inputOutput',
@@ -158,17 +157,21 @@ export const sliderJoint = defineNode<SliderJointNode>({
       patch: force,
       doc: 'Newtons along the axis on both bodies in every step: positive pushes them apart, negative pulls them together.',
     },
-    stopBounce: bounceField(stops, 'Share of the speed that comes back from a stop.'),
-    stopErrorCorrection: correctionField(
-      1,
-      stops,
-      'Share of an overshoot past a stop repaired per 1/60 s.',
-    ),
+    stopBounce: bounceField(stops, { doc: 'Share of the speed that comes back from a stop.' }),
+    stopErrorCorrection: correctionField(1, stops, {
+      doc: 'Share of an overshoot past a stop repaired per 1/60 s.',
+    }),
     separation: output(
       (joint) => joint.separation,
-      'Metres that the bodies moved apart since the joint was made; where neither lay ahead of the other, metres that body1 moved along the axis.',
+      {
+        doc: 'Metres that the bodies moved apart since the joint was made; where neither lay ahead of the other, metres that body1 moved along the axis.',
+      },
       { length: 1 },
     ),
-    separationRate: output((joint) => joint.separationRate, 'Its rate, m/s.', { length: 1 }),
+    separationRate: output(
+      (joint) => joint.separationRate,
+      { doc: 'Its rate, m/s.' },
+      { length: 1 },
+    ),
   },
 });

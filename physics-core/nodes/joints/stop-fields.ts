@@ -1,5 +1,5 @@
 import type { JointNode } from './joint.js';
-import type { Field } from '../node/table.js';
+import type { Doc, Field } from '../node/table.js';
 
 /** Stops this near to a full turn count as none: the angle itself jumps there from one end to the other. */
 const NEARLY_PI = Math.PI - 1e-4;
@@ -13,7 +13,7 @@ type Patch<N> = (joint: N) => void;
 export const angleStop = <N extends JointNode>(
   value: number,
   patch: Patch<N>,
-  doc: string,
+  { doc }: Doc,
 ): Field<N> => ({
   type: 'SFFloat',
   access: 'inputOutput',
@@ -26,7 +26,7 @@ export const angleStop = <N extends JointNode>(
 });
 
 /** A share between 0 and 1: of a rate that comes back, or of an overshoot that is repaired. */
-const share = <N extends JointNode>(value: number, patch: Patch<N>, doc: string): Field<N> => ({
+const share = <N extends JointNode>(value: number, patch: Patch<N>, { doc }: Doc): Field<N> => ({
   type: 'SFFloat',
   access: 'inputOutput',
   default: value,
@@ -36,7 +36,7 @@ const share = <N extends JointNode>(value: number, patch: Patch<N>, doc: string)
   doc,
 });
 
-export const bounceField = <N extends JointNode>(patch: Patch<N>, doc: string): Field<N> =>
+export const bounceField = <N extends JointNode>(patch: Patch<N>, doc: Doc): Field<N> =>
   share(0, patch, doc);
 
 export const correctionField = share;

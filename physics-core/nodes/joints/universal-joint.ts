@@ -64,14 +64,12 @@ export const universalJoint = defineNode<UniversalJointNode>({
   fields: {
     ...jointFields,
     ...anchorFields,
-    axis1: axisField(
-      [1, 0, 0],
-      'First arm of the cross, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew.',
-    ),
-    axis2: axisField(
-      [0, 1, 0],
-      'Second arm, at right angles to the first, world frame, when the joint is made; body2 carries it. Editing it makes the joint anew.',
-    ),
+    axis1: axisField([1, 0, 0], {
+      doc: 'First arm of the cross, world frame, when the joint is made; body1 carries it. Editing it makes the joint anew.',
+    }),
+    axis2: axisField([0, 1, 0], {
+      doc: 'Second arm, at right angles to the first, world frame, when the joint is made; body2 carries it. Editing it makes the joint anew.',
+    }),
     stop1Bounce: idleStop(1, 'Bounce'),
     stop1ErrorCorrection: idleStop(1, 'ErrorCorrection'),
     stop2Bounce: idleStop(2, 'Bounce'),

@@ -6,7 +6,8 @@ import type { ProblemReport } from '../../base/problems.js';
 import { fieldOf } from './accept.js';
 import { Children } from './children.js';
 import type { SimulationNode } from '../../dynamics/node.js';
-import { contactReader } from '../../effects/contacts/contact-reader.js';
+import { contactReader } from '../../effects/contacts/effects.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import type { NodeData } from './node-data.js';
 import type { NodeContext, NodeWorld } from './node-world.js';
 import { FieldEdits, type EditedNode } from './field-edits.js';
@@ -137,7 +138,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
   /** Code that it is neither made nor patched without. */
   get needs(): Chunk<unknown>[] {
     const { type } = this;
-    return [type.chunk, type.needs?.(this)].filter((chunk) => chunk !== undefined);
+    return [type.chunk, ...(type.needs?.(this) ?? [])].filter((chunk) => chunk !== undefined);
   }
 
   // ---- life ---------------------------------------------------------------------------------------------------
@@ -247,8 +248,14 @@ export class PhysicsNode implements SimulationNode, EditedNode {
   protected listenersChanged(event: string): void {
     if (!COLLISION_EVENTS.includes(event)) return;
     const { registry: effects } = this.world;
-    const reader = this.heard(event) ? effects.get(contactReader) : effects.find(contactReader);
+    const heard = contacts.here && this.heard(event);
+    const reader = heard ? effects.get(contactReader) : effects.find(contactReader);
     reader?.update(this);
+  }
+
+  /** Code of effects is here that may not have been when somebody began to listen. */
+  codeCame(): void {
+    for (const event of COLLISION_EVENTS) if (this.heard(event)) this.listenersChanged(event);
   }
 
   heard(event: string): boolean {

@@ -48,6 +48,9 @@ export interface Field<N = unknown> {
   doc: string;
 }
 
+/** What tells people of a field, by itself: builds for pages leave it out. */
+export type Doc = Pick<Field, 'doc'>;
+
 export interface NodeType<N = unknown> {
   /** X3D node name. */
   name: string;
@@ -64,7 +67,7 @@ export interface NodeType<N = unknown> {
   /** Code of effects that its nodes are not made without. */
   chunk?: Chunk<unknown>;
   /** Code that one with such values needs beside that. */
-  needs?(node: N): Chunk<unknown> | undefined;
+  needs?(node: N): readonly (Chunk<unknown> | undefined)[];
 }
 
 /** What words of authors are looked up in: `constructor` is in it only where somebody put it. */

@@ -1,6 +1,5 @@
 import { contactSolve } from '../../effects/contact-solve/effects.js';
-import { contactReader } from '../../effects/contacts/contact-reader.js';
-import { givenContacts } from '../../effects/contacts/effects.js';
+import { contactReader, givenContacts } from '../../effects/contacts/effects.js';
 import { dragging } from '../../effects/drag/dragging.js';
 import { resting } from '../../effects/rest/resting.js';
 import { BulletWorld } from '../../engine/bullet-world.js';

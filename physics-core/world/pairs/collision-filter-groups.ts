@@ -1,4 +1,4 @@
-import { pairFilter } from '../../effects/contacts/pair-filter.js';
+import { pairFilter } from '../../effects/contacts/effects.js';
 import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';

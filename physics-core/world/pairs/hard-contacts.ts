@@ -5,8 +5,9 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { hitShapeOf } from '../../effects/hits/hit-shape.js';
 import { eachContactPoint } from '../../effects/contacts/contact-points.js';
+import type { HardContacts as Reports, PiledWorld } from '../../effects/effect/chunks.js';
 import { Streaks } from './streaks.js';
-import { UnlikeMasses, type PiledWorld } from './unlike-masses.js';
+import { UnlikeMasses } from './unlike-masses.js';
 
 /** Seconds between two looks, and looks in a row that must find the same: what hits is thrown out at once. */
 const PAUSE = 0.1;
@@ -22,7 +23,7 @@ const STRONG_GRAVITY = 200;
 const FAR = 0.5;
 
 /** Tells of what contacts do not hold: seldom looked for, so that it costs next to nothing. */
-export class HardContacts {
+export class HardContacts implements Reports {
   readonly #simulation: Simulation;
   readonly #unlike: UnlikeMasses;
   readonly #sunk = new Streaks();
@@ -42,7 +43,6 @@ export class HardContacts {
     this.#unlike = new UnlikeMasses(world);
   }
 
-  /** Nothing is known of what was before. */
   forget(): void {
     this.#since = Infinity;
     this.#reviews = -1;
@@ -50,7 +50,6 @@ export class HardContacts {
     this.#sunk.forget();
   }
 
-  /** After a step of `dt` seconds. */
   look(dt: number): void {
     this.#since += dt;
     const due = this.#since >= PAUSE;

@@ -1,5 +1,4 @@
-import { contactReader } from '../../effects/contacts/contact-reader.js';
-import { contactSurface } from '../../effects/contacts/effects.js';
+import { contactReader, contactSurface } from '../../effects/contacts/effects.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection.js';

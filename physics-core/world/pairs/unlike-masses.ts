@@ -3,8 +3,8 @@ import { dot, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { isJointed } from '../../dynamics/jointed.js';
 import { levelNames, type LevelName } from '../../dynamics/levels.js';
-import type { Simulation } from '../../dynamics/simulation.js';
 import { keyOf } from '../../effects/contacts/touches.js';
+import type { PiledWorld } from '../../effects/effect/chunks.js';
 import { Streaks } from './streaks.js';
 
 /**
@@ -21,13 +21,6 @@ export const MOST_MASS_RATIO: Readonly<Record<LevelName, number>> = {
 
 /** Looks in a row that must find the same: what hits is thrown out at once. */
 const LOOKS = 2;
-
-/** The world whose piles are looked at. */
-export interface PiledWorld extends Simulation {
-  /** The level in force. */
-  readonly accuracy: LevelName;
-  settle(about: unknown, attribute?: string, code?: string): void;
-}
 
 /** Bodies that hang together by contacts: the heaviest shall lie on none that is far lighter. */
 export class UnlikeMasses {

@@ -1,9 +1,8 @@
 import type { LevelName } from '../../dynamics/levels.js';
+import { contacts, type HardContacts } from '../../effects/effect/chunks.js';
 import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
-import { HardContacts } from '../pairs/hard-contacts.js';
-import { reportOverlaps } from '../pairs/overlaps.js';
 import type { PhaseCosts } from './phase-costs.js';
 import type { StepTime } from './step-time.js';
 
@@ -21,7 +20,7 @@ export class Step {
   readonly #costs: PhaseCosts;
   /** Listeners of a step may ask for another: there is none in it. */
   running = false;
-  readonly #hardContacts: HardContacts;
+  #hardContacts: HardContacts | undefined;
   /** The next step is the first one: bodies may begin inside each other. */
   #first = true;
 
@@ -29,13 +28,12 @@ export class Step {
     this.#world = world;
     this.#time = time;
     this.#costs = costs;
-    this.#hardContacts = new HardContacts(world);
   }
 
   /** A Bullet world was made: whatever overlaps in its first step was there before. `first` FALSE: it goes on from a time. */
   begin(first: boolean): void {
     this.#first = first;
-    this.#hardContacts.forget();
+    this.#hardContacts?.forget();
   }
 
   /** The road of a step, stage by stage. Returns the seconds it took: none where a listener ended the world. */
@@ -70,7 +68,8 @@ export class Step {
       effects.run('beforeStep', timeStep);
       this.#stepBullet(timeStep);
       effects.run('settle', timeStep);
-      this.#reportOverlaps();
+      this.#world.rays.moved();
+      this.#reportContacts();
       const read = this.#read();
       effects.run('afterStep', timeStep);
       effects.noteCosts();
@@ -105,10 +104,13 @@ export class Step {
     solved: () => this.#world.registry.run('solved', this.#world.timeStep),
   };
 
-  #reportOverlaps(): void {
-    this.#world.rays.moved();
-    if (this.#first) reportOverlaps(this.#world);
+  /** Where its code is not here there are no contacts. */
+  #reportContacts(): void {
+    const first = this.#first;
     this.#first = false;
+    if (!contacts.here) return;
+    if (first) contacts.code.reportOverlaps(this.#world);
+    this.#hardContacts ??= contacts.code.hardContacts(this.#world);
     this.#hardContacts.look(this.#world.timeStep);
   }
 

@@ -1,10 +1,10 @@
 import type { Chunk } from '../../base/chunk.js';
 import type { ProblemReport } from '../../base/problems.js';
-import { chunks } from '../../effects/all.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
+import { chunks } from '../chunks/all.js';
 
 /** Code that could not be had is tried again after this long, milliseconds. */
 const AGAIN = 5000;
@@ -44,6 +44,7 @@ export class Awaiting {
   /** A Bullet world was made: all that comes into it meets the code that is here. */
   begin(): void {
     this.#seen = chunksHere();
+    for (const node of this.#world.nodes) node.codeCame();
   }
 
   get waits(): boolean {
@@ -93,8 +94,10 @@ export class Awaiting {
   /** Code has come, to this world or another: what was made before may cause effects, too. */
   #look(): void {
     this.#seen = chunksHere();
-    for (const node of this.#world.nodes)
+    for (const node of this.#world.nodes) {
+      node.codeCame();
       if (node instanceof BodyNode && node.built) this.#world.registry.codeCame(node);
+    }
     // The one setting that contacts alone heed.
     if (this.#world.settings.asked<number>('maxCorrectionSpeed') >= 0) this.#world.configure();
   }

@@ -6,7 +6,7 @@ import { fact } from '../helpers.js';
 describe('code that comes when it is needed', () => {
   fact('is fetched once, however many ask for it', async () => {
     let fetched = 0;
-    const chunk = new Chunk<string>('test', 'a test').comesFrom(async () => {
+    const chunk = new Chunk<string>({ name: 'test', causes: 'a test' }).comesFrom(async () => {
       fetched++;
       return { provide: () => 'code' };
     });
@@ -18,7 +18,7 @@ describe('code that comes when it is needed', () => {
 
   fact('may be tried again when it could not be had', async () => {
     let online = false;
-    const chunk = new Chunk('test', 'a test').comesFrom(async () => {
+    const chunk = new Chunk({ name: 'test', causes: 'a test' }).comesFrom(async () => {
       if (!online) throw new Error('no network');
       return { provide: () => {} };
     });
@@ -30,7 +30,9 @@ describe('code that comes when it is needed', () => {
   });
 
   fact('is not used before it is here', () => {
-    const chunk = new Chunk('test', 'a test').comesFrom(() => new Promise(() => {}));
+    const chunk = new Chunk({ name: 'test', causes: 'a test' }).comesFrom(
+      () => new Promise(() => {}),
+    );
     void chunk.load();
     assert.throws(() => chunk.code, /"test" is asked for before it is here/);
   });

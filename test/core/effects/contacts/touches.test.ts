@@ -1,4 +1,4 @@
-import { contactReader } from '../../../../physics-core/effects/contacts/contact-reader.js';
+import { contactReader } from '../../../../physics-core/effects/contacts/effects.js';
 import assert from 'node:assert/strict';
 import type { World } from '../../../../physics-core/inside.js';
 import type { Collision } from '../../../../physics-core/effects/contacts/touches.js';

@@ -1,9 +1,9 @@
-import type { PlacedJoint } from './placed-joint.js';
+import type { ReportedJoint } from '../effect/chunks.js';
 
 /** With masses more unlike than this a chain whips faster than steps of `standard` follow (measured: 5 mm off in 1 s). */
 const HARD_MASS_RATIO = 100;
 
-export function reportBodies(joint: PlacedJoint): void {
+export function reportBodies(joint: ReportedJoint): void {
   const { body1, body2, label } = joint;
   joint.reportWhile(!body1 && !body2, {
     code: 'no-body',
@@ -20,7 +20,7 @@ export function reportBodies(joint: PlacedJoint): void {
   });
 }
 
-export function reportMassRatio(joint: PlacedJoint): void {
+export function reportMassRatio(joint: ReportedJoint): void {
   const { body1, body2, label } = joint;
   const masses = [body1, body2].map((body) => (body?.movable ? body.mass.mass : 0));
   const ratio = Math.max(...masses) / Math.min(...masses);

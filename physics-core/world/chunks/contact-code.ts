@@ -1,0 +1,11 @@
+// The chunk `contacts`.
+import { provideContactEffects } from '../../effects/contact-code.js';
+import type { ContactCode } from '../../effects/effect/chunks.js';
+import { HardContacts } from '../pairs/hard-contacts.js';
+import { reportOverlaps } from '../pairs/overlaps.js';
+import { touchedBy } from '../pairs/touched-by.js';
+
+export function provide(): ContactCode {
+  provideContactEffects();
+  return { hardContacts: (world) => new HardContacts(world), reportOverlaps, touchedBy };
+}
