@@ -59,6 +59,11 @@ export class BodySlots implements BodyTable {
     return awake;
   }
 
+  /** As the last step or `wake` left it; where that says none, counted anew. */
+  get anyAwake(): boolean {
+    return this.awake > 0 || this.countAwake() > 0;
+  }
+
   /** The author's body in a slot. */
   at(slot: number): BodyNode | undefined {
     const body = this.#bySlot[slot];
