@@ -2,7 +2,7 @@ import type { LevelMeasurement, MeasureOptions } from '../world/measuring.js';
 import type { Problem } from '../base/problems.js';
 import type { Level, LevelName } from '../dynamics/levels.js';
 import type { Costs } from '../effects/costs/frame-costs.js';
-import type { EffectReport } from '../effects/effect/effects.js';
+import type { EffectReport } from '../effects/effect/report.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Stats } from '../world/store/types.js';
@@ -121,7 +121,7 @@ export interface World {
   /** How much there is in it, and milliseconds of the last frame by phase. */
   readonly stats: Stats;
 
-  /** What it does beyond plain falling bodies, because of what, and milliseconds per step. */
+  /** What it does beyond plain falling bodies, because of what, and what that costs: in milliseconds, calls and bytes. */
   readonly effects: EffectReport[];
 
   /** What authors should know, each once, until it changes. */

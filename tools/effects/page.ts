@@ -6,23 +6,25 @@ import { createWorld } from '../../physics-core/inside.js';
 export const PAGE = 'docs/effects.md';
 
 /** What an effect may do in a step, in the order in which it comes to that. */
-const ACTS = ['beforeStep', 'contact', 'settle', 'afterStep'] as const;
+const ACTS = ['beforeStep', 'found', 'contact', 'solve', 'solved', 'settle', 'afterStep'] as const;
 
 const HEAD = `# Effects
 
 Written by \`npm run docs:effects\` from \`physics-core/effects/all.ts\`.
 
 Bullet moves bodies that fall, touch and hang together. Whatever else a scene may ask for is an effect: switched on by
-the first node that needs it, off with the last, and not called at all in between. \`world.effects\` tells which are
-on, because of which element, and what they cost.
+the first node that needs it, off with the last, and not called at all in between. \`world.effects\` tells for each
+whether it is on, because of which elements, its milliseconds and calls per step (measured in one step of 17), and the
+bytes of the file that its code came in; \`<x3d-physics-monitor>\` shows them.
 
 The table has them in the order in which they are called at each stage of a step. \`beforeStep\` is before Bullet's
-step, \`contact\` within it, at each contact point between its search and its solver; \`settle\` is right after it, before
+step. Within it, between its search and its solver, \`found\` comes first, \`contact\` then at each contact point, and
+\`solve\` when all are seen; \`solved\` is after the solver, before bodies move. \`settle\` is right after the step, before
 anybody reads where it took the bodies, and \`afterStep\` once poses and velocities are read. An effect without a stage
-is asked by others, or only told of.
+is asked by others, or only told of. What has no file ([docs/chunks.md](chunks.md)) comes with every page.
 
-| effect | on by | acts in | after |
-| --- | --- | --- | --- |
+| effect | on by | acts in | file | after |
+| --- | --- | --- | --- | --- |
 `;
 
 /** Those of one reason together; "the same" is the reason before it. */
@@ -48,6 +50,7 @@ export async function effectsPage(): Promise<string> {
       `**${descriptor.name}**`,
       descriptor.causes,
       acts(world.registry.get(descriptor)),
+      descriptor.chunk?.name ?? '',
       after(descriptor),
     ]
       .map((cell) => cell.replaceAll('|', '\\|') || '–')

@@ -59,7 +59,7 @@ export class BodySlots implements BodyTable {
     return awake;
   }
 
-  /** As the last step or `wake` left it; where that says none, counted anew. */
+  /** As the last step, `wake` and `sleep` left it; where that says none, counted anew. */
   get anyAwake(): boolean {
     return this.awake > 0 || this.countAwake() > 0;
   }
@@ -159,7 +159,10 @@ export class BodySlots implements BodyTable {
   sleep(body: BodyNode): void {
     putToSleep(body.body);
     this.#world.registry.find(resting)?.leaveIsland(body.slot);
-    if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
+    if (this.#asleep[body.slot]) return;
+    this.#setAsleep(body, true);
+    // What falls too low is counted anew.
+    this.awake = Math.max(0, this.awake - 1);
   }
 
   /** Falls asleep without a word, if it was asleep before the world was restored. */
