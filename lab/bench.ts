@@ -2,9 +2,11 @@
 //   --pairs <n>     pairs of runs to take the median of (9)
 //   --seconds <s>   simulated seconds per run (2)
 //   --json <file>   also write the result there
+// It ends with what each effect adds (lab:effects), which needs dist/.
 import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { columnsOf } from './draw/table.js';
+import { measureEffects, showEffects } from './effects/run.js';
 import { leaveJointsToBullet } from './engines/ours.js';
 import { machine } from './run/machine.js';
 import { median } from './run/median.js';
@@ -105,3 +107,6 @@ console.log(columnsOf(rows, 1));
 const report = { date: new Date().toISOString(), machine, pairs: PAIRS, seconds: SECONDS, results };
 if (options.json) writeFileSync(options.json, `${JSON.stringify(report, null, 2)}\n`);
 console.log(JSON.stringify(report));
+
+await measureEffects();
+showEffects();
