@@ -1,6 +1,11 @@
 import { gzipSync } from 'node:zlib';
 
-const zipped = (code) => gzipSync(code).length;
+/** In place of the number, until the files are written. */
+const UNKNOWN = '__CHUNK_BYTES__';
+
+/** The modules of chunks: `provide` gives their code to effects. */
+const provides = (code, id) =>
+  id.endsWith('-code.ts') && /export (const|function) provide\b/.test(code);
 
 /** Files that a file is not run without, itself included. */
 function withImports(bundle, name, found = new Set()) {
@@ -12,23 +17,26 @@ function withImports(bundle, name, found = new Set()) {
 
 /**
  * Tells each file that pages fetch with its cause, and that provides code of effects, what it weighs: `world.effects`
- * shows it. With what comes along, and without what is there already; as a server sends it (gzip).
+ * shows it. With what comes along, and without what comes with `entries`; as a server sends it (gzip).
  */
 export function chunkBytes(entries) {
   return {
     name: 'chunk-bytes',
+    transform(code, id) {
+      if (!provides(code, id)) return null;
+      return { code: `${code}\nexport const bytes = ${UNKNOWN};\n`, map: null };
+    },
     generateBundle(_, bundle) {
-      const chunks = Object.values(bundle).filter(({ type }) => type === 'chunk');
+      const files = Object.values(bundle).filter(({ type }) => type === 'chunk');
       const there = new Set();
-      for (const { name, isEntry, fileName } of chunks)
+      for (const { name, isEntry, fileName } of files)
         if (isEntry && entries.includes(name)) withImports(bundle, fileName, there);
-      for (const chunk of chunks) {
-        if (!chunk.isDynamicEntry || !chunk.exports.includes('provide')) continue;
-        const own = [...withImports(bundle, chunk.fileName)].filter((name) => !there.has(name));
-        const bytes = own.reduce((sum, name) => sum + zipped(bundle[name].code), 0);
-        const at = chunk.code.lastIndexOf('//# sourceMappingURL');
-        const end = at < 0 ? chunk.code.length : at;
-        chunk.code = `${chunk.code.slice(0, end)}export const bytes=${bytes};\n${chunk.code.slice(end)}`;
+      const weight = (name) => (there.has(name) ? 0 : gzipSync(bundle[name].code).length);
+      for (const file of files) {
+        if (!file.code.includes(UNKNOWN)) continue;
+        const all = [...withImports(bundle, file.fileName)];
+        const bytes = all.reduce((sum, name) => sum + weight(name), 0);
+        file.code = file.code.replace(UNKNOWN, bytes);
       }
     },
   };

@@ -29,13 +29,6 @@ describe('code that comes when it is needed', () => {
     assert.equal(chunk.here, true);
   });
 
-  fact('tells what it weighs, when it is here', async () => {
-    const chunk = new Chunk('test', 'a test').comesFrom(async () => ({ provide() {}, bytes: 5 }));
-    assert.equal(chunk.bytes, 0);
-    await chunk.load();
-    assert.equal(chunk.bytes, 5);
-  });
-
   fact('is not used before it is here', () => {
     const chunk = new Chunk('test', 'a test').comesFrom(() => new Promise(() => {}));
     void chunk.load();
