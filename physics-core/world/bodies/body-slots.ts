@@ -42,6 +42,11 @@ export class BodySlots implements BodyTable {
     return count;
   }
 
+  /** As the last step, `wake` and `sleep` left it; where that says none, counted anew. */
+  get anyAwake(): boolean {
+    return this.awake > 0 || this.countAwake() > 0;
+  }
+
   /** The body behind a heap pointer that Bullet hands us. */
   behind(pointer: number): BodyNode | undefined {
     return this.#byPointer.get(pointer);
@@ -57,11 +62,6 @@ export class BodySlots implements BodyTable {
     for (const body of this)
       if (body.active && (body.movable ? !this.asleep(body) : body.kinematic)) awake++;
     return awake;
-  }
-
-  /** As the last step, `wake` and `sleep` left it; where that says none, counted anew. */
-  get anyAwake(): boolean {
-    return this.awake > 0 || this.countAwake() > 0;
   }
 
   /** The author's body in a slot. */
@@ -159,10 +159,7 @@ export class BodySlots implements BodyTable {
   sleep(body: BodyNode): void {
     putToSleep(body.body);
     this.#world.registry.find(resting)?.leaveIsland(body.slot);
-    if (this.#asleep[body.slot]) return;
-    this.#setAsleep(body, true);
-    // What falls too low is counted anew.
-    this.awake = Math.max(0, this.awake - 1);
+    if (!this.#asleep[body.slot]) this.#setAsleep(body, true);
   }
 
   /** Falls asleep without a word, if it was asleep before the world was restored. */
@@ -179,6 +176,8 @@ export class BodySlots implements BodyTable {
       body.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });
     }
     body.emit(asleep ? 'sleep' : 'wake', { time: this.#world.time });
+    // What this leaves too low is counted anew.
+    if (asleep) this.awake = Math.max(0, this.awake - 1);
   }
 
   /** Those that sleep now, and what tells of them later that they were woken: by a world made again. */
