@@ -34,8 +34,6 @@ export class Effects {
   #contacts: readonly Effect[] = [];
   /** Those that a step's contacts go to. */
   readonly #seeing: Effect[] = [];
-  /** Those that a step calls. */
-  #called: readonly Effect[] = [];
   #steps = 0;
   /** Whether what the present step costs is measured. */
   #measured = false;
@@ -140,8 +138,6 @@ export class Effects {
     this.#on = this.#ordered.flatMap((each) => (this.active(each) ? [this.get(each)] : []));
     for (const stage of STAGES) this.#stages[stage] = this.#on.filter((effect) => effect[stage]);
     this.#contacts = this.#on.filter((effect) => effect.contact);
-    const called = new Set([...STAGES.flatMap((stage) => this.#stages[stage]), ...this.#contacts]);
-    this.#called = [...called];
   }
 
   /** Calls those that are on, in order. */
@@ -156,7 +152,7 @@ export class Effects {
 
   /** The step is over: what each has cost, where that was measured. */
   noteCosts(): void {
-    if (this.#measured) for (const effect of this.#called) effect.cost.note();
+    if (this.#measured) for (const effect of this.#on) if (isCalled(effect)) effect.cost.note();
     this.#measured = ++this.#steps % MEASURED_EVERY === 0;
   }
 
@@ -187,3 +183,7 @@ export class Effects {
     return this.#ordered.map((descriptor) => reportOf(descriptor, this));
   }
 }
+
+/** By steps; others note themselves what a frame of theirs costs. */
+const isCalled = (effect: Effect): boolean =>
+  effect.contact !== undefined || STAGES.some((stage) => effect[stage]);
