@@ -73,7 +73,10 @@ export interface World {
   /** Simulated seconds per second of the clock, in a page; 1 by default, 0 stands still. */
   timeScale: number;
 
-  /** Simulated seconds since the start or the last reset. */
+  /**
+   * Simulated seconds since the start or the last reset. In a page it stands while nothing is awake, and while nobody sees
+   * the scene, unless its field `runHidden` is TRUE; what begins again takes up no time that passed meanwhile.
+   */
   readonly time: number;
 
   /** Seconds of one step at the present level: 1/120 at `standard`. */

@@ -31,7 +31,8 @@ the effect and with it: what that adds to a step, as a median of ${numbers.pairs
 interval (bootstrap), at \`standard\` with all bodies awake; hollow is what can't be told from nothing. Bars are the files
 ([docs/chunks.md](chunks.md)) with their code, which come once for all effects in them, as a server sends them (gzip); 0
 comes with every page. Impact propagation comes with contact surface and continuous collision, and is in theirs.
-${numbers.date}, ${numbers.machine}. Again: \`npm run build\`, then \`npm run lab:effects\`, which \`npm run bench\` ends with; the numbers are in
+${numbers.date}, ${numbers.machine}. Again: \`npm run build\`, \`npm run lab:effects\` (\`npm run bench\` ends with it) and \`npm run docs:effects\`;
+the numbers are in
 [lab/report/effects.json](../lab/report/effects.json).
 
 Bullet moves bodies that fall, touch and hang together. Whatever else a scene may ask for is an effect: switched on by
