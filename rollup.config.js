@@ -2,6 +2,7 @@ import { basename, dirname } from 'node:path';
 import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/ammo-module.js';
+import { chunkBytes } from './tools/chunk-bytes.js';
 import { cssText } from './tools/css-text.js';
 import {
   copyWasm,
@@ -69,7 +70,7 @@ const modules = {
     chunkFileNames: ({ moduleIds }) =>
       `${moduleIds.every(ofViews) ? 'ui/' : ''}chunk-[name]-[hash].js`,
   },
-  plugins: [...common.plugins, copyWasm()],
+  plugins: [...common.plugins, copyWasm(), chunkBytes(['x3d-physics', 'core'])],
 };
 
 /** The views of the ui are no part of the classic scripts, which load them from beside themselves. */

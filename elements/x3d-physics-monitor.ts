@@ -19,7 +19,7 @@ export class X3DPhysicsMonitorElement extends X3DUIElement {
       button: 'Each button.',
       counts: 'The list of counts.',
       costs: 'The table of milliseconds.',
-      effects: 'The list of effects in use.',
+      effects: 'The table of effects in use.',
       problems: 'The list of problems.',
     },
   };

@@ -4,9 +4,11 @@
 //   --seconds <s>   simulated seconds per run (2)
 //   --scene <name>  only scenes whose name has this in it
 //   --json <file>   also write the result there
+// It ends with what each effect adds (lab:effects), which needs dist/.
 import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { columnsOf } from './draw/table.js';
+import { measureEffects, showEffects } from './effects/run.js';
 import { leaveJointsToBullet } from './engines/ours.js';
 import { medianInterval } from './run/bootstrap.js';
 import { collect } from './run/collect.js';
@@ -180,3 +182,6 @@ const report = {
 };
 if (options.json) writeFileSync(options.json, `${JSON.stringify(report, null, 2)}\n`);
 console.log(JSON.stringify(report));
+
+await measureEffects();
+showEffects();

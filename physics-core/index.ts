@@ -17,7 +17,7 @@ export type { Problem, Severity } from './base/problems.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
 export type { DragMode } from './dynamics/body.js';
 export type { DragEnd } from './effects/drag/drag.js';
-export type { EffectReport } from './effects/effect/effects.js';
+export type { EffectReport } from './effects/effect/report.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
 export type { Geometry } from './shapes/geometry.js';

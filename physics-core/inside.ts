@@ -38,7 +38,7 @@ export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { drags } from './effects/drag/effects.js';
 export { debugging } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/effects.js';
-export type { EffectReport } from './effects/effect/effects.js';
+export type { EffectReport } from './effects/effect/report.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';

@@ -2,6 +2,8 @@
 export interface ChunkFile<Code> {
   /** Called once, when it is here. */
   provide(): Code;
+  /** What came with it, bytes as a server sends them (gzip): the build says so. */
+  readonly bytes?: number;
 }
 
 /** Code that a scene may do without: a file of its own, fetched when its cause stands in a scene. */
@@ -11,7 +13,7 @@ export class Chunk<Code = void> {
   readonly causes: string;
   #fetch: (() => Promise<ChunkFile<Code>>) | undefined;
   #coming: Promise<void> | undefined;
-  #come: { code: Code } | undefined;
+  #come: { code: Code; bytes: number } | undefined;
 
   constructor({ name, causes }: { name: string; causes: string }) {
     this.name = name;
@@ -28,6 +30,11 @@ export class Chunk<Code = void> {
     return this.#come !== undefined;
   }
 
+  /** What was fetched for it: nothing before it is here, and where all code is one file. */
+  get bytes(): number {
+    return this.#come?.bytes ?? 0;
+  }
+
   /** For those that are not made before it is here. */
   get code(): Code {
     if (!this.#come) throw new Error(`the code of "${this.name}" is asked for before it is here`);
@@ -41,8 +48,8 @@ export class Chunk<Code = void> {
 
   async #load(): Promise<void> {
     try {
-      const { provide } = await this.#fetch!();
-      this.#come = { code: provide() };
+      const file = await this.#fetch!();
+      this.#come = { code: file.provide(), bytes: file.bytes ?? 0 };
     } catch (error) {
       this.#coming = undefined;
       throw error;

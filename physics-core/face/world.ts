@@ -2,7 +2,7 @@ import type { LevelMeasurement, MeasureOptions } from '../world/measuring.js';
 import type { Problem } from '../base/problems.js';
 import type { Level, LevelName } from '../dynamics/levels.js';
 import type { Costs } from '../effects/costs/frame-costs.js';
-import type { EffectReport } from '../effects/effect/effects.js';
+import type { EffectReport } from '../effects/effect/report.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Stats } from '../world/store/types.js';
@@ -73,7 +73,10 @@ export interface World {
   /** Simulated seconds per second of the clock, in a page; 1 by default, 0 stands still. */
   timeScale: number;
 
-  /** Simulated seconds since the start or the last reset. */
+  /**
+   * Simulated seconds since the start or the last reset. In a page it stands while nothing is awake, and while nobody sees
+   * the scene, unless its field `runHidden` is TRUE; what begins again takes up no time that passed meanwhile.
+   */
   readonly time: number;
 
   /** Seconds of one step at the present level: 1/120 at `standard`. */
@@ -121,7 +124,7 @@ export interface World {
   /** How much there is in it, and milliseconds of the last frame by phase. */
   readonly stats: Stats;
 
-  /** What it does beyond plain falling bodies, because of what, and milliseconds per step. */
+  /** What it does beyond plain falling bodies, because of what, and what that costs: in milliseconds, calls and bytes. */
   readonly effects: EffectReport[];
 
   /** What authors should know, each once, until it changes. */

@@ -140,6 +140,24 @@ describe('what a page fetches', () => {
   });
 });
 
+describe('world.effects', () => {
+  for (const [name, added, file] of [
+    ['joint solve', JOINT, JOINTS],
+    ['contact solve', FLOOR, CONTACTS],
+    ['mesh shapes', EGG, MESHES],
+  ] as const)
+    it(`has no bytes of a chunk before its cause is there: ${name}`, async () => {
+      const { page, world, scene } = await show(FALLING);
+      const bytes = (): number => world.effects.find((effect) => effect.name === name)!.bytes;
+      expect(bytes()).to.equal(0);
+      scene.insertAdjacentHTML('beforeend', added);
+      await until(() => bytes() > 0, 5000);
+      // Another zip, without the line that tells the number.
+      const weight = await zipped(fetched(page).filter((path) => file.test(path)));
+      expect(bytes()).to.be.closeTo(weight, 0.02 * weight);
+    });
+});
+
 describe('a node that comes late, with the first of its code', () => {
   for (const [what, added, code] of [
     ['joint', JOINT, JOINTS],

@@ -86,7 +86,6 @@ fact('a step of two free bodies makes no effect but free flight, and calls no ot
   assert.deepEqual([...new Set(made.map(({ file }) => file))], ['effects/flight/flight.ts']);
   const ofEffects = (await callsOf(walks.step)).filter((call) => roomOf(call) === 'effects');
   assert.deepEqual([...new Set(ofEffects.map(({ file }) => file))].sort(), [
-    'effects/effect/effect.ts',
     'effects/effect/effects.ts',
     'effects/flight/flight.ts',
   ]);

@@ -5,7 +5,7 @@ const HIDDEN_INTERVAL = 1000;
 
 /** What the loop drives. */
 export interface Driven {
-  /** Advances and draws; whether it needs another frame. */
+  /** Advances and draws; whether it needs another frame. `hidden`: nobody sees the page. */
   frame(seconds: number, hidden: boolean): boolean;
 }
 
@@ -32,17 +32,17 @@ class Loop {
     else if (!this.#request) this.#request = requestAnimationFrame(this.#frame);
   }
 
-  /** The page was hidden or shown: what passed meanwhile is not caught up. */
+  /** The page was hidden or shown: what runs all the same has run until now, what does not has stood since its last frame. */
   readonly turn = (): void => {
-    if (this.#timer) clearTimeout(this.#timer);
+    clearTimeout(this.#timer);
     this.#timer = undefined;
-    this.#last = undefined;
+    if (this.#last !== undefined) this.#run(performance.now(), true);
     this.wake();
   };
 
   readonly #frame = (now: number): void => {
     this.#request = 0;
-    this.#run(now, false);
+    this.#run(now, document.hidden);
   };
 
   readonly #hiddenFrame = (): void => {

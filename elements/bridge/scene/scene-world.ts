@@ -17,13 +17,20 @@ export class SceneWorld extends World implements PageWorld {
   /** Those of them that make a world; the others go where those are. */
   #founders = 0;
   readonly collections = new Set<Binding>();
+  /** Something came since the last frame that the next one is to look at. */
+  #work = true;
+  /** It took no part in the last frame: what time passed before the next one is not its own. */
+  #stood = true;
   /** Edits of plain tags are seen by an observer that has not run yet: has it run now. */
   onflush?: () => void;
 
   constructor(scopes: Scopes) {
     super({ console: (problem) => logInPage(problem, problem.element) });
     this.#scopes = scopes;
-    this.onwork = () => loop.wake();
+    this.onwork = () => {
+      this.#work = true;
+      loop.wake();
+    };
   }
 
   override flush(): void {
@@ -94,9 +101,22 @@ export class SceneWorld extends World implements PageWorld {
     return undefined;
   }
 
+  // ---- frames -----------------------------------------------------------------------------------------------------
+
+  /** Nothing in it is awake or has changed: a frame would do nothing. */
+  get atRest(): boolean {
+    return !this.#work && !this.stepping.needsFrame;
+  }
+
+  /** A frame passes it by. */
+  stand(): void {
+    this.#stood = true;
+  }
+
   /** Time passes, in seconds; a hidden page gets a frame per second, which is taken in pieces. */
   pass(seconds: number, hidden: boolean): boolean {
-    let left = seconds;
+    let left = this.#stood ? 0 : seconds;
+    this.#work = this.#stood = false;
     for (; hidden && left > STRETCH; left -= STRETCH) this.frame(STRETCH, false);
     return this.frame(left, !hidden);
   }

@@ -68,7 +68,9 @@ export class Scene implements Driven, Site, Stage {
 
   #viewed(inView: boolean): void {
     this.inView = inView;
-    if (inView) loop.turn();
+    if (!inView) return;
+    this.requestRender();
+    loop.wake();
   }
 
   // ---- what stands in it ------------------------------------------------------------------------------------------
@@ -202,12 +204,13 @@ export class Scene implements Driven, Site, Stage {
 
   routed(node: PhysicsX3DNode): void {
     this.routes.add(node);
-    loop.wake();
+    for (const world of this.worlds.all) world.work();
   }
 
+  /** What nobody sees is drawn when it comes into view. */
   requestRender(): void {
     const { document } = this;
-    if (document) document.needRender = true;
+    if (document && this.inView) document.needRender = true;
   }
 
   // ---- frames -----------------------------------------------------------------------------------------------------
@@ -215,8 +218,12 @@ export class Scene implements Driven, Site, Stage {
   frame(seconds: number, hidden: boolean): boolean {
     let again = false;
     if (this.live) this.worlds.endDeserted();
+    const seen = this.inView && !hidden;
     for (const world of this.worlds.all) {
-      if (!world.started || ((hidden || !this.inView) && !world.runsHidden)) continue;
+      if (!world.started || world.atRest || !(seen || world.runsHidden)) {
+        world.stand();
+        continue;
+      }
       if (world.pass(seconds, hidden)) again = true;
       this.#show(world);
     }

@@ -2,10 +2,8 @@ import type { Chunk } from '../../base/chunk.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { EffectCost } from './cost.js';
 import type { Effects } from './effects.js';
-
-/** Weight of the newest step in the running mean of an effect's cost. */
-const NEWEST = 0.05;
 
 /** Who needs an effect: a node, or something outside the world that `world.effects` is to name. */
 export interface Cause {
@@ -37,7 +35,7 @@ export interface EffectDescriptor<E extends Effect = Effect> {
   readonly joint?: (joint: Joint) => string | undefined;
   /** Looked at in each step in which Bullet finds bodies near each other. */
   readonly found?: (simulation: Simulation, effects: Effects) => void;
-  /** The chunk that its code comes in, which gives `load`; undefined: it is always there. */
+  /** The chunk that its code comes in, which gives `load` where there is none before; undefined: it is always there. */
   readonly chunk?: Chunk<unknown>;
   /** Makes it for one world, when it is needed first. */
   load?: (simulation: Simulation, effects: Effects) => E;
@@ -51,9 +49,7 @@ export type Stage = (typeof STAGES)[number];
 export abstract class Effect {
   /** Why it is on: the nodes that need it, and what of them. */
   readonly #causes = new Map<Cause, string>();
-  /** Milliseconds per step, a running mean, and those of the present step. */
-  ms = 0;
-  spent = 0;
+  readonly cost = new EffectCost();
   /** Told when it comes on and when it goes off. */
   onswitch?: (on: boolean) => void;
 
@@ -69,12 +65,6 @@ export abstract class Effect {
 
   get causes(): IterableIterator<Cause> {
     return this.#causes.keys();
-  }
-
-  /** The step is over. */
-  noteCost(): void {
-    this.ms += (this.spent - this.ms) * NEWEST;
-    this.spent = 0;
   }
 
   isNeededBy(node: Cause): boolean {

@@ -2,6 +2,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { eachPoint } from '../../engine/manifold.js';
+import { MEASURED_EVERY } from './cost.js';
 import {
   STAGES,
   type BodyChange,
@@ -10,16 +11,7 @@ import {
   type EffectDescriptor,
   type Stage,
 } from './effect.js';
-
-/** What `world.effects` shows. */
-export interface EffectReport {
-  name: string;
-  active: boolean;
-  /** Which element switched it on, and by what. */
-  because: { element: unknown; reason: string } | null;
-  /** Milliseconds per step, a running mean. */
-  ms: number;
-}
+import { reportOf, type EffectReport } from './report.js';
 
 /**
  * The effects of one world. Each is made when it is first needed; the lists of what is called in a step hold those that
@@ -42,6 +34,9 @@ export class Effects {
   #contacts: readonly Effect[] = [];
   /** Those that a step's contacts go to. */
   readonly #seeing: Effect[] = [];
+  #steps = 0;
+  /** Whether what the present step costs is measured. */
+  #measured = false;
 
   /** `ordered`: as `inOrder` has them. */
   constructor(simulation: Simulation, ordered: readonly EffectDescriptor[]) {
@@ -149,15 +144,16 @@ export class Effects {
   run(stage: Stage, dt: number): void {
     this.#refresh();
     for (const effect of this.#stages[stage]) {
-      const start = performance.now();
+      const start = this.#measured ? performance.now() : 0;
       effect[stage]!(dt);
-      effect.spent += performance.now() - start;
+      if (this.#measured) effect.cost.add(start);
     }
   }
 
-  /** The step is over: what each has cost. */
+  /** The step is over: what each has cost, where that was measured. */
   noteCosts(): void {
-    for (const effect of this.#on) effect.noteCost();
+    if (this.#measured) for (const effect of this.#on) if (isCalled(effect)) effect.cost.note();
+    this.#measured = ++this.#steps % MEASURED_EVERY === 0;
   }
 
   /** Shows every contact point of the step to those that see contacts; between Bullet's search and its solver. */
@@ -173,26 +169,21 @@ export class Effects {
   };
 
   #seePoint(point: number, a: number, b: number): void {
-    for (const effect of this.#seeing) if (!effect.contact!(point, a, b)) return;
+    for (const effect of this.#seeing) {
+      const start = this.#measured ? performance.now() : 0;
+      const stands = effect.contact!(point, a, b);
+      if (this.#measured) effect.cost.add(start);
+      if (!stands) return;
+    }
   }
 
   // ---- looking in -------------------------------------------------------------------------------------------------
 
   report(): EffectReport[] {
-    return this.#ordered.map((descriptor) => this.#reportOf(descriptor));
-  }
-
-  #reportOf(descriptor: EffectDescriptor): EffectReport {
-    const { name } = descriptor;
-    const because = this.#because(descriptor);
-    if (!because) return { name, active: false, because: null, ms: 0 };
-    const element = because.node.host;
-    const ms = this.find(descriptor)?.ms ?? 0;
-    return { name, active: true, because: { element, reason: because.reason }, ms };
-  }
-
-  #because(descriptor: EffectDescriptor): Effect['because'] {
-    if (!descriptor.with) return this.find(descriptor)?.because;
-    return descriptor.with.map((each) => this.#because(each)).find(Boolean);
+    return this.#ordered.map((descriptor) => reportOf(descriptor, this));
   }
 }
+
+/** By steps; others note themselves what a frame of theirs costs. */
+const isCalled = (effect: Effect): boolean =>
+  effect.contact !== undefined || STAGES.some((stage) => effect[stage]);

@@ -99,6 +99,8 @@ export class BodyMotion {
     node.world.registry.find(gyroscopic)?.forget(node);
     if (node.centerOfMass.p.some(Boolean)) this.setVelocityAtOrigin(velocity);
     node.wake();
+    // What never wakes is to be drawn there all the same.
+    node.world.work();
   }
 
   /**

@@ -1,4 +1,4 @@
-import { carrying } from '../../effects/drag/carrying.js';
+import { carrying } from '../../effects/drag/effects.js';
 import { debugging } from '../../effects/debug/debugging.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { continuousCollision, FAR } from '../../effects/hits/effects.js';
@@ -43,6 +43,11 @@ export class BodySlots implements BodyTable {
     let count = 0;
     for (const body of this.#bySlot) if (body && !body.isObstacle) count++;
     return count;
+  }
+
+  /** As the last step, `wake` and `sleep` left it; where that says none, counted anew. */
+  get anyAwake(): boolean {
+    return this.awake > 0 || this.countAwake() > 0;
   }
 
   /** The body behind a heap pointer that Bullet hands us. */
@@ -179,6 +184,8 @@ export class BodySlots implements BodyTable {
       body.setVelocityAtOrigin({ linear: [0, 0, 0], angular: [0, 0, 0] });
     }
     body.emit(asleep ? 'sleep' : 'wake', { time: this.#world.time });
+    // What this leaves too low is counted anew.
+    if (asleep) this.awake = Math.max(0, this.awake - 1);
   }
 
   /** Those that sleep now, and what tells of them later that they were woken: by a world made again. */

@@ -152,8 +152,8 @@ export class Stepping {
   // ---- frames -----------------------------------------------------------------------------------------------------
 
   /**
-   * Advances by wall time in fixed steps and places what is drawn between the last two. Returns `needsFrame`. `seen`:
-   * somebody waits for the frame, so that accuracy auto is to judge by it.
+   * Advances by wall time in fixed steps and places what is drawn between the last two; where nothing is awake, time
+   * stands. Returns `needsFrame`. `seen`: somebody waits for the frame, so that accuracy auto is to judge by it.
    */
   frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
@@ -164,7 +164,7 @@ export class Stepping {
     world.flush();
     this.#singly = false;
     if (seen && this.#moving) world.control.noteFrame(ms, seconds);
-    if (this.running) this.#run(seconds);
+    if (this.#moving) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
     world.poses.interpolate(this.#moving ? fraction : 1);
     return this.needsFrame;
@@ -217,10 +217,12 @@ export class Stepping {
   }
 
   get #moving(): boolean {
-    return this.running && this.#world.bodies.awake > 0;
+    return this.running && this.#world.bodies.anyAwake;
   }
 
+  /** While code is on its way, edits wait for that and not for frames. */
   get needsFrame(): boolean {
-    return this.#world.started && (this.#moving || this.#world.edits.pending);
+    const { started, awaiting, edits } = this.#world;
+    return started && !awaiting.waits && (this.#moving || edits.pending);
   }
 }

@@ -151,6 +151,15 @@ describe('the monitor', () => {
     const shown = addMonitor();
     await until(() => !!shown.part('problems')?.children.length);
     expect(shown.part('effects')!.textContent).to.match(/rigid-body "ball": torques/);
+    const row = (): string[] => {
+      const all = [...shown.part('effects')!.querySelectorAll('tr')];
+      const cells = all.find((each) => each.firstElementChild!.textContent === 'forces')!.children;
+      return [...cells].map((cell) => cell.textContent!);
+    };
+    // Called before and after each step, by code that every page has.
+    await until(() => row()[2] === '2', 5000);
+    expect(row()[1]).to.match(/^\d+\.\d\d$/);
+    expect(row()[3]).to.equal('–');
     const problem = shown.part('problems')!.textContent!.replace(/\s+/g, ' ');
     expect(problem).to.contain('warning').and.to.contain('mass="many"').and.to.contain('Used: 1');
   });

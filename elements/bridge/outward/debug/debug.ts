@@ -1,5 +1,4 @@
 import { debugging } from '../../../../physics-core/inside.js';
-import { loop } from '../../drawing/loop.js';
 import type { PageWorld } from '../../nodes/surroundings.js';
 import type { Stage } from '../stage.js';
 import type { Sketch } from './sketch.js';
@@ -29,7 +28,7 @@ export class Debug {
     // It may have been switched off and on meanwhile.
     if (!world.registry.active(debugging) || this.#sketches.has(world)) return sketch.remove();
     this.#sketches.set(world, sketch);
-    loop.wake();
+    world.work();
   }
 
   #end(world: PageWorld): void {

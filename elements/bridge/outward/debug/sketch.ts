@@ -26,7 +26,9 @@ export class Sketch {
     this.#inFileUnits();
     this.#stand()?.show(this.#lines);
     this.#stage.requestRender();
-    this.#world.registry.get(debugging).spent += performance.now() - start;
+    const { cost } = this.#world.registry.get(debugging);
+    cost.add(start);
+    cost.note();
   }
 
   #inFileUnits(): void {

@@ -105,16 +105,33 @@ describe('an x3d', () => {
     expect(still.time - stood).to.be.below((performance.now() - back) / 1000 + 0.1);
   });
 
+  it('misses no time when another scrolls in and out of view', async () => {
+    document.body.innerHTML = [0, 1]
+      .map((i) => `<x3d id="x${i}" width="50px" height="50px"><scene>${ball}</scene></x3d>`)
+      .join('');
+    const [x0, x1] = [...document.body.children] as HTMLElement[];
+    const [world, other] = [x0, x1].map((x3d) => worldOf(x3d!.querySelector('#ball')!)!);
+    await Promise.all([world!.ready, other!.ready]);
+    let dropped = 0;
+    world!.on('lag', (lag) => (dropped += (lag as { dropped: number }).dropped));
+    await until(() => world!.time > 0.1);
+    const [time, from] = [world!.time, performance.now()];
+    for (let i = 0; i < 20; i++) {
+      x1!.style.cssText = i % 2 ? '' : 'position: absolute; left: -5000px';
+      await wait(70);
+    }
+    await nextFrame();
+    const passed = (performance.now() - from) / 1000;
+    // A frame and a step at either end; each return used to cost a frame, 0.17 s of these.
+    expect(world!.time + dropped - time).to.be.closeTo(passed, 0.06);
+  });
+
   it('in a hidden page stands still, unless run-hidden', async () => {
     const x3d = place(`
       <x3d-rigid-body-collection id="still"><x3d-rigid-body></x3d-rigid-body></x3d-rigid-body-collection>
       <x3d-rigid-body-collection id="runs" run-hidden><x3d-rigid-body></x3d-rigid-body></x3d-rigid-body-collection>`);
     const [still, runs] = ['#still', '#runs'].map((id) => worldOf(x3d.querySelector(id)!)!);
     await Promise.all([still.ready, runs.ready]);
-    const hide = (hidden: boolean): void => {
-      Object.defineProperty(document, 'hidden', { configurable: true, value: hidden });
-      document.dispatchEvent(new Event('visibilitychange'));
-    };
     hide(true);
     try {
       await nextFrame();
@@ -129,4 +146,56 @@ describe('an x3d', () => {
       delete (document as { hidden?: boolean }).hidden;
     }
   });
+
+  it('hidden for a moment goes on without a jump, and with run-hidden misses nothing', async () => {
+    const x3d = place(`
+      <x3d-rigid-body-collection id="still"><x3d-rigid-body></x3d-rigid-body></x3d-rigid-body-collection>
+      <x3d-rigid-body-collection id="runs" run-hidden><x3d-rigid-body></x3d-rigid-body></x3d-rigid-body-collection>`);
+    const [still, runs] = ['#still', '#runs'].map((id) => worldOf(x3d.querySelector(id)!)!);
+    await Promise.all([still.ready, runs.ready]);
+    await until(() => still.time > 0.1);
+    for (const away of [300, 1500])
+      try {
+        hide(true);
+        const [stood, ran, from] = [still.time, runs.time, performance.now()];
+        await wait(away);
+        hide(false);
+        expect(still.time).to.equal(stood);
+        // A step, and the clock of frames.
+        const hidden = (performance.now() - from) / 1000;
+        expect(runs.time - ran).to.be.closeTo(hidden, 0.03);
+        const back = performance.now();
+        await until(() => still.time > stood);
+        expect(still.time - stood).to.be.at.most((performance.now() - back) / 1000 + 1 / 60);
+      } finally {
+        delete (document as { hidden?: boolean }).hidden;
+      }
+  });
+
+  it('in a hidden page asks for nothing at all, unless run-hidden', async () => {
+    const { world } = await show(ball, '#ball');
+    const { setTimeout } = window;
+    let timers = 0;
+    try {
+      hide(true);
+      await wait(1200);
+      window.setTimeout = ((...args: Parameters<typeof setTimeout>) => {
+        timers++;
+        return setTimeout(...args);
+      }) as typeof setTimeout;
+      const time = world.time;
+      await new Promise((resolve) => setTimeout(resolve, 1200));
+      expect([timers, world.time]).to.eql([0, time]);
+    } finally {
+      window.setTimeout = setTimeout;
+      delete (document as { hidden?: boolean }).hidden;
+      document.dispatchEvent(new Event('visibilitychange'));
+    }
+  });
 });
+
+/** As the browser tells it. */
+function hide(hidden: boolean): void {
+  Object.defineProperty(document, 'hidden', { configurable: true, value: hidden });
+  document.dispatchEvent(new Event('visibilitychange'));
+}

@@ -108,9 +108,27 @@ fact(
 
 fact('in slow motion a slow frame loses nothing', async () => {
   const w = await world();
+  addBody(w);
   w.timeScale = 0.1;
   w.frame(0.5);
   close(w.time, 0.05, 1e-9, 's');
+});
+
+fact('frames take no step where nothing is awake, and what wakes goes on from there', async () => {
+  const w = await world();
+  const ball = addBody(w, { linearVelocity: [1, 0, 0] });
+  for (let i = 0; i < 60; i++) w.frame(1 / 60);
+  ball.sleep();
+  let told = 0;
+  w.on('beforestep', () => told++);
+  for (let i = 0; i < 60; i++) w.frame(1 / 60);
+  assert.deepEqual([w.time, w.stepsTaken, told], [1, 120, 0]);
+  assert.equal(w.poses.movedCount, 0);
+  assert.equal(w.step(12), 0.1, 'steps by hand only pass time');
+  ball.wake();
+  assert.equal(w.frame(1 / 60), true);
+  assert.deepEqual([told, w.stepsTaken], [14, 122]);
+  close(w.time, 1.1 + 1 / 60, 1e-9, 's');
 });
 
 fact(
