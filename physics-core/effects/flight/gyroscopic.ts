@@ -1,4 +1,4 @@
-import { atan2, hypot, log } from '../../base/exact/index.js';
+import { atan2, hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
 import { POSE } from '../../dynamics/poses.js';
@@ -15,6 +15,7 @@ import {
   writeTurn,
 } from '../../base/flat-math.js';
 import { writeAxes } from '../../base/matrix.js';
+import { topOf, type Top } from './top.js';
 
 /** Radians per step below which the torque is left out: it grows with the square. */
 const SLOW = 1e-3;
@@ -27,19 +28,6 @@ const MOST_TURN = 1;
 
 /** Bullet turns a body by no more than this in a step, radians. */
 const FARTHEST_TURN = Math.PI / 4;
-
-/** How a body with these moments turns freely: nearly as a top that is round about `axis`. */
-interface Top {
-  axis: number;
-  /** Turns about the angular momentum at L / across, and about its own axis at this times its share of L. */
-  across: number;
-  own: number;
-  /** What is not round about it: a turn about `other` at this times its share of L. */
-  other: number;
-  uneven: number;
-  /** Its largest moment by its smallest. */
-  thinness: number;
-}
 
 /** Of a body in this step. */
 interface Spin {
@@ -248,22 +236,6 @@ export class Gyroscopic extends Effect {
   #give({ body }: Body, spin: Float64Array): void {
     body.setAngularVelocity(this.#simulation.engine.scratch.vector(spin[0]!, spin[1]!, spin[2]!));
   }
-}
-
-/** Round about the axis that leaves the two most like moments across. */
-function topOf(moments: readonly number[]): Top {
-  const apart = (i: number): number => Math.abs(log(moments[(i + 1) % 3]! / moments[(i + 2) % 3]!));
-  const axis = [0, 1, 2].reduce((best, i) => (apart(i) < apart(best) ? i : best), 0);
-  const other = (axis + 2) % 3;
-  const across = moments[(axis + 1) % 3]!;
-  return {
-    axis,
-    across,
-    own: 1 / moments[axis]! - 1 / across,
-    other,
-    uneven: 1 / moments[other]! - 1 / across,
-    thinness: Math.max(...moments) / Math.min(...moments),
-  };
 }
 
 /** Twice the energy of a spin. */
