@@ -45,6 +45,7 @@ export class ConeContacts {
   b = new Int32Array(64);
   /** On Bullet's heap. */
   pointers = new Int32Array(64);
+  #kept = new Float64Array(0);
 
   /** Room for one more; returns where its numbers begin. */
   add(pointer: number, a: number, b: number): number {
@@ -54,6 +55,20 @@ export class ConeContacts {
     this.b[i] = b;
     this.pointers[i] = pointer;
     return i * C.size;
+  }
+
+  /** Impulses as they are now, for `putBack`. */
+  keep(contacts: readonly number[]): void {
+    if (this.#kept.length < 3 * contacts.length) this.#kept = new Float64Array(6 * contacts.length);
+    const c = this.values;
+    for (const [j, i] of contacts.entries())
+      for (let k = 0; k < 3; k++) this.#kept[3 * j + k] = c[i * C.size + C.impulse + k]!;
+  }
+
+  putBack(contacts: readonly number[]): void {
+    const c = this.values;
+    for (const [j, i] of contacts.entries())
+      for (let k = 0; k < 3; k++) c[i * C.size + C.impulse + k] = this.#kept[3 * j + k]!;
   }
 
   #grow(): void {

@@ -6,6 +6,7 @@ import { contactShapes } from '../manifolds/effects.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
+import { resting } from '../rest/resting.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
@@ -13,6 +14,7 @@ import { Newton } from './newton.js';
 import type { Part } from './part.js';
 import { PartReader } from './part-reader.js';
 import { ContactPort } from './read-contact.js';
+import { Savings } from './savings.js';
 import { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
 import { Sweeps } from './sweeps.js';
@@ -52,13 +54,16 @@ export class ContactSolve extends Effect {
   readonly #parts: TouchingParts;
   readonly #reader: PartReader;
   readonly #ways: Ways;
-  readonly #solvers: Record<Way, Solver>;
+  readonly #solvers: { readonly matrix: Newton; readonly sweeps: Sweeps };
+  readonly #savings = new Savings();
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   /** Those that were solved directly. */
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
   readonly #direct = new Set<number>();
+  /** And of those whose contacts were gone over one at a time. */
+  readonly #swept = new Set<number>();
   /** The step from which on a part may be tried again, by pointer of its first body. */
   readonly #failed = new Map<number, number>();
   /** The step from which on contacts are looked at again. */
@@ -121,6 +126,8 @@ export class ContactSolve extends Effect {
     super.release(node);
     if (node !== this.#cause) return;
     this.#cause = undefined;
+    this.#direct.clear();
+    this.#swept.clear();
     this.#needPoints(false);
   }
 
@@ -134,6 +141,8 @@ export class ContactSolve extends Effect {
   reset(): void {
     this.#failed.clear();
     this.#direct.clear();
+    this.#swept.clear();
+    this.#savings.forget();
     this.#again = 0;
     this.#letGo();
   }
@@ -150,7 +159,10 @@ export class ContactSolve extends Effect {
     if (!this.#simulation.bullet.settings.direct) return this.#letGo();
     if (this.#simulation.stepsTaken < this.#again) return;
     this.#parts.gather();
-    if (this.#parts.manifolds.length === 0) return this.#letGo();
+    if (this.#parts.manifolds.length === 0) {
+      if (!this.#anyInTouch()) this.#letGo();
+      return;
+    }
     const worth = this.#ways.choose(this.#parts);
     this.#noteDirect();
     this.#needPoints(worth);
@@ -164,10 +176,30 @@ export class ContactSolve extends Effect {
     for (const [i, part] of parts.entries()) if (this.#reader.read(part)) this.#try(part, ways[i]!);
   }
 
+  /** What sleeps is to wake with the points that it fell asleep with. */
+  #anyInTouch(): boolean {
+    const { bullet } = this.#simulation;
+    let any = false;
+    bullet.eachManifold((manifold) => (any ||= manifold.getNumContacts() > 0));
+    return any;
+  }
+
+  /** Those that sleep stay what they were. */
   #noteDirect(): void {
-    this.#direct.clear();
-    for (const { bodies } of this.#ways.parts)
-      for (const body of bodies) this.#direct.add(this.#bodies.pointers[body]!);
+    const [direct, swept] = [this.#direct, this.#swept];
+    const { pointers, count } = this.#bodies;
+    for (let i = 0; i < count; i++) {
+      direct.delete(pointers[i]!);
+      swept.delete(pointers[i]!);
+    }
+    const { parts, ways } = this.#ways;
+    for (const [i, { bodies }] of parts.entries())
+      for (const body of bodies) {
+        direct.add(pointers[body]!);
+        if (ways[i] !== 'matrix') swept.add(pointers[body]!);
+      }
+    const rest = this.#effects.caused(resting);
+    if (rest) rest.heaps = this.#swept;
   }
 
   /** What found no end is left to Bullet for some steps. */
@@ -175,13 +207,28 @@ export class ContactSolve extends Effect {
     const { stepsTaken } = this.#simulation;
     const pointer = this.#bodies.pointers[part.bodies[0]!]!;
     if (this.#failed.get(pointer)! > stepsTaken) return;
+    if (way === 'either' && this.#settle(part)) return;
     // Joints are stiff: sweeps would leave them open.
-    if (way === 'sweeps' && part.rows.length > 0) return;
-    const solver = this.#solvers[way];
+    if (way !== 'matrix' && part.rows.length > 0) return;
+    const solver = way === 'matrix' ? this.#solvers.matrix : this.#solvers.sweeps;
     if (solver.solve(part)) {
       this.#failed.delete(pointer);
       this.#take(part, solver);
     } else this.#failed.set(pointer, stepsTaken + PAUSE);
+  }
+
+  /** A matrix for what sweeps would be enough for, with what is saved up. */
+  #settle(part: Part): boolean {
+    const { matrix } = this.#solvers;
+    const { stepsTaken } = this.#simulation;
+    const settled = this.#savings.spend(stepsTaken, this.#ways.sways(part), (most) => {
+      this.#contacts.keep(part.contacts);
+      const done = matrix.solve(part, most);
+      if (!done) this.#contacts.putBack(part.contacts);
+      return { done, used: matrix.used };
+    });
+    if (settled) this.#take(part, matrix);
+    return settled;
   }
 
   /** Bullet's solver is to leave it alone. */

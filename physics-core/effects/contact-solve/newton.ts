@@ -66,6 +66,9 @@ export class Newton {
   #creeping = CREEPING;
   #miss = MISS;
   #still = STILL;
+  /** Matrices that it may factor, and did. */
+  #most = Infinity;
+  used = 0;
 
   constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
     this.#contacts = contacts;
@@ -74,9 +77,11 @@ export class Newton {
     this.#matrix = new PartMatrix(contacts, rows, bodies);
   }
 
-  /** False: Bullet's iterations are cheaper, or this finds no end. */
-  solve(part: Part): boolean {
+  /** False: Bullet's iterations are cheaper, or this finds no end, or none with so many matrices. */
+  solve(part: Part, matrices = Infinity): boolean {
     this.#begin(part);
+    this.#most = matrices;
+    this.used = 0;
     if (this.#readSlope() < this.#still) return true;
     let before = Infinity;
     let share = 1;
@@ -142,7 +147,7 @@ export class Newton {
     this.#readMisses();
     for (let step = 0; step < STEPS; step++) {
       if (this.#readSlope() < this.#still) return true;
-      if (!this.#matrix.factor()) return false;
+      if (this.used++ >= this.#most || !this.#matrix.factor()) return false;
       // Newton's direction goes to `change`.
       const size = this.#matrix.solve();
       // However small it is: contacts are stiff, and what it changes in what they push is not.

@@ -25,8 +25,11 @@ const CALM = 0.05;
 /** Share of the bodies that parts solved here have to have at least, in a busy world. */
 const WORTH = 0.1;
 
-/** How a part is solved; what neither suits has Bullet's iterations. */
-export type Way = 'matrix' | 'sweeps';
+/** Where so many bodies of a large part are faster than this, m/s, it sways: sweeps alone do not hold it. Fewer slip. */
+const SWAYING = { speed: 0.02, share: 0.1 };
+
+/** How a part is solved, by a matrix as long as one is to be had in `either`; what none suits has Bullet's iterations. */
+export type Way = 'matrix' | 'sweeps' | 'either';
 
 /** Which parts of a step are solved directly, and how. */
 export class Ways {
@@ -67,8 +70,12 @@ export class Ways {
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
     if (bodies.length > MOST) return undefined;
     const fast = this.#fasterOf(bodies, SLOW);
-    if (fast === 0 && !busy) return 'matrix';
+    if (fast === 0) return busy ? 'either' : 'matrix';
     return fast < FAST * bodies.length ? 'sweeps' : undefined;
+  }
+
+  sways({ bodies }: Part): boolean {
+    return this.#fasterOf(bodies, SWAYING.speed) > SWAYING.share * bodies.length;
   }
 
   /** Bodies of small parts that are not calm. */

@@ -11,10 +11,24 @@ import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
  */
 const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
 
+/**
+ * In a heap so large that contacts are gone over one at a time single bodies slip for long, and all creep a little. There this
+ * is no drift, and so many of a hundred may have slipped within the time, as long as they are slow again.
+ */
+const HEAP = { drift: 5e-4, slipped: 0.01 };
+
 /** Islands are looked at this often, seconds of simulated time. */
 const LOOK = 0.25;
 
 const limitsOf = ({ rest }: Body) => (rest.mode === 'library' ? LIBRARY : rest);
+
+interface Island {
+  bodies: Body[];
+  /** Not all of them may sleep. */
+  awake: boolean;
+  /** How many of them are slow, but were not for long enough. */
+  slipped: number;
+}
 
 /** Puts islands to sleep whose bodies all ask for it. Bullet itself wakes them when something touches them. */
 export class Resting extends Effect {
@@ -26,6 +40,8 @@ export class Resting extends Effect {
   #limits = new Float64Array(16).fill(-1);
   /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
   readonly #islands: (readonly Body[] | undefined)[] = [];
+  /** Pointers of bodies in heaps whose contacts the last step went over one at a time. */
+  heaps: ReadonlySet<number> = new Set();
   /** Seconds since islands were looked at. */
   sinceLook = 0;
 
@@ -116,13 +132,15 @@ export class Resting extends Effect {
     const library = body.rest.mode === 'library';
     const limit = limitsOf(body);
     const slow = this.#simulation.bodies.slower(slot, limit.linearSpeed, limit.angularSpeed);
-    if (!slow || (library && this.#drifted(slot))) {
+    if (!slow || (library && this.#drifted(body))) {
       this.#quiet[slot] = 0;
       return false;
     }
-    if (this.#quiet[slot] === 0) this.#setAnchor(slot);
-    this.#quiet[slot]! += dt;
-    return this.#quiet[slot]! >= limit.time;
+    const before = this.#quiet[slot]!;
+    const now = (this.#quiet[slot] = before + dt);
+    // What drifts is measured against where it was at most so long ago.
+    if (before === 0 || windowsIn(now) > windowsIn(before)) this.#setAnchor(slot);
+    return now >= limit.time;
   }
 
   #setAnchor(slot: number): void {
@@ -130,17 +148,24 @@ export class Resting extends Effect {
     for (let i = slot * POSE; i < (slot + 1) * POSE; i++) this.#anchor[i] = current[i]!;
   }
 
-  #drifted(slot: number): boolean {
-    if (this.#quiet[slot] === 0) return false;
+  #drifted(body: Body): boolean {
+    if (this.#quiet[body.slot] === 0) return false;
+    const drift = this.#driftOf(body.slot);
+    return drift > LIBRARY.drift && (drift > HEAP.drift || !this.heaps.has(body.pointer));
+  }
+
+  /** Since it was slow, metres, or of its quaternion. */
+  #driftOf(slot: number): number {
     const { current } = this.#simulation.poses;
     const at = slot * POSE;
     // A quaternion and its opposite are the same orientation; Bullet's goes over where its matrix has no trace, at 120°.
     const sign = dot4(current, at + 3, this.#anchor, at + 3) < 0 ? -1 : 1;
+    let drift = 0;
     for (let i = at; i < at + POSE; i++) {
       const now = i < at + 3 ? current[i]! : sign * current[i]!;
-      if (Math.abs(now - this.#anchor[i]!) > LIBRARY.drift) return true;
+      drift = Math.max(drift, Math.abs(now - this.#anchor[i]!));
     }
-    return false;
+    return drift;
   }
 
   #mayRest(body: Body): boolean {
@@ -149,21 +174,30 @@ export class Resting extends Effect {
     return this.#quiet[body.slot]! > 0 && this.#quiet[body.slot]! >= time;
   }
 
+  /** Slow again, in a heap where single bodies slip. */
+  #slipped(body: Body): boolean {
+    return (
+      body.rest.mode === 'library' && this.#quiet[body.slot]! > 0 && this.heaps.has(body.pointer)
+    );
+  }
+
   #sleepReadyIslands(): void {
     const { reader } = this.#simulation.engine;
-    const awake = new Set<number>();
-    const islands = new Map<number, Body[]>();
+    const islands = new Map<number, Island>();
     for (const body of this.#simulation.bodies) {
       if (!body.active || !body.movable) continue;
-      const island = reader.island(body.body, body.pointer);
-      if (!body.sleeping && (island < 0 || !this.#mayRest(body))) {
-        awake.add(island);
-        continue;
-      }
-      islands.set(island, [...(islands.get(island) ?? []), body]);
+      const number = reader.island(body.body, body.pointer);
+      let island = islands.get(number);
+      if (!island) islands.set(number, (island = { bodies: [], awake: number < 0, slipped: 0 }));
+      island.bodies.push(body);
+      if (body.sleeping || this.#mayRest(body)) continue;
+      if (this.#slipped(body)) island.slipped++;
+      else island.awake = true;
     }
-    for (const [island, bodies] of islands)
-      if (!awake.has(island) && bodies.some((body) => !body.sleeping)) this.#sleep(bodies);
+    for (const { bodies, awake, slipped } of islands.values()) {
+      if (awake || slipped > HEAP.slipped * bodies.length) continue;
+      if (bodies.some((body) => !body.sleeping)) this.#sleep(bodies);
+    }
   }
 
   /** Those that slept already belong to it, too. */
@@ -174,6 +208,8 @@ export class Resting extends Effect {
     }
   }
 }
+
+const windowsIn = (seconds: number): number => Math.floor(seconds / LIBRARY.time);
 
 const REASONS = {
   never: undefined,
