@@ -33,6 +33,9 @@ const TURNED = 0.1;
 /** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
 
+/** Bodies of a part, from which on it is a heap of which not all need rest before it may. */
+const HEAP = 100;
+
 interface Solver {
   /** False: it finds no end. */
   solve(part: Part): boolean;
@@ -62,8 +65,8 @@ export class ContactSolve extends Effect {
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
   readonly #direct = new Set<number>();
-  /** And of those whose contacts were gone over one at a time. */
-  readonly #swept = new Set<number>();
+  /** And of those of large heaps that hang on no joints. */
+  readonly #heaps = new Set<number>();
   /** The step from which on a part may be tried again, by pointer of its first body. */
   readonly #failed = new Map<number, number>();
   /** The step from which on contacts are looked at again. */
@@ -127,7 +130,7 @@ export class ContactSolve extends Effect {
     if (node !== this.#cause) return;
     this.#cause = undefined;
     this.#direct.clear();
-    this.#swept.clear();
+    this.#heaps.clear();
     this.#needPoints(false);
   }
 
@@ -141,7 +144,7 @@ export class ContactSolve extends Effect {
   reset(): void {
     this.#failed.clear();
     this.#direct.clear();
-    this.#swept.clear();
+    this.#heaps.clear();
     this.#savings.forget();
     this.#again = 0;
     this.#letGo();
@@ -186,20 +189,16 @@ export class ContactSolve extends Effect {
 
   /** Those that sleep stay what they were. */
   #noteDirect(): void {
-    const [direct, swept] = [this.#direct, this.#swept];
+    const [direct, heaps] = [this.#direct, this.#heaps];
     const { pointers, count } = this.#bodies;
     for (let i = 0; i < count; i++) {
       direct.delete(pointers[i]!);
-      swept.delete(pointers[i]!);
+      heaps.delete(pointers[i]!);
     }
-    const { parts, ways } = this.#ways;
-    for (const [i, { bodies }] of parts.entries())
-      for (const body of bodies) {
-        direct.add(pointers[body]!);
-        if (ways[i] !== 'matrix') swept.add(pointers[body]!);
-      }
+    for (const { bodies } of this.#ways.parts)
+      for (const body of bodies) direct.add(pointers[body]!);
     const rest = this.#effects.caused(resting);
-    if (rest) rest.heaps = this.#swept;
+    if (rest) rest.heaps = this.#heaps;
   }
 
   /** What found no end is left to Bullet for some steps. */
@@ -236,6 +235,8 @@ export class ContactSolve extends Effect {
     if (!solver.pushApart())
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
     this.#solved.push(part);
+    if (part.bodies.length > HEAP && part.rows.length === 0)
+      for (const body of part.bodies) this.#heaps.add(this.#bodies.pointers[body]!);
     const { ammo } = this.#simulation.engine;
     for (const i of part.contacts) {
       const point = this.#contacts.pointers[i]!;

@@ -9,10 +9,13 @@ const FEW = 24;
 const MOST = 600;
 const SLOW = 0.25;
 
+/** Bodies of one part that is slow from which on a matrix is too dear for each step of a busy world. */
+const LARGE = 200;
+
 /** Share of bodies that are not slow from which on a part is Bullet's. */
 const FAST = 0.25;
 
-/** Pairs in touch in a world that is so busy that larger parts get no matrix. */
+/** Pairs in touch that make a busy world. */
 const BUSY = 400;
 
 /**
@@ -70,7 +73,7 @@ export class Ways {
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
     if (bodies.length > MOST) return undefined;
     const fast = this.#fasterOf(bodies, SLOW);
-    if (fast === 0) return busy ? 'either' : 'matrix';
+    if (fast === 0) return busy && bodies.length > LARGE ? 'either' : 'matrix';
     return fast < FAST * bodies.length ? 'sweeps' : undefined;
   }
 
