@@ -1,5 +1,5 @@
 import '../../elements/index.js';
-import { nodeTypes, type FieldType, type World } from '../../physics-core/inside.js';
+import { contacts, nodeTypes, type FieldType, type World } from '../../physics-core/inside.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { markup, nodesIn, typesByName, type Spelling } from './markup.js';
@@ -67,10 +67,10 @@ class PageStage implements Stage {
     this.#worlds = names.map((name) => worldOf(this.#element(name))! as unknown as World);
   }
 
-  /** Nothing moves but by `advance`. */
+  /** Nothing moves but by `advance`. What a fact adds later would have code fetched, and hold time still meanwhile. */
   async ready(): Promise<void> {
     for (const world of this.#worlds) world.paused = true;
-    await Promise.all(this.#worlds.map((world) => world.ready));
+    await Promise.all([contacts.load(), ...this.#worlds.map((world) => world.ready)]);
   }
 
   #element(def: string): X3DElement {

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
 import { worldOf } from '../../../../elements/index.js';
-import { nodeTypes, type Problem } from '../../../../physics-core/inside.js';
+import { drags, nodeTypes, type Problem } from '../../../../physics-core/inside.js';
 import type { NodeData } from '../../../conformance/fact.js';
 import { fieldText, markup, nodesIn, typesByName } from '../../../conformance/markup.js';
 import { kebab, tags } from '../../../conformance/page-driver.js';
@@ -56,8 +56,9 @@ class PageEditor implements Editor {
     this.world.on('problem', (problem) => this.#told.push((problem as Problem).code));
   }
 
+  /** An edit that has code fetched would hold time still. */
   async ready(): Promise<void> {
-    await this.world.ready;
+    await Promise.all([this.world.ready, drags.load()]);
   }
 
   /** As the walk finds it. */
