@@ -125,6 +125,17 @@ export class BulletWorld {
     }
   }
 
+  /** Whether any two bodies touch, asleep or not; only where the heap is trusted. */
+  get anyTouching(): boolean {
+    const { HEAP32 } = this.engine.ammo;
+    const dispatcher = this.engine.ammo.getPointer(this.#dispatcher);
+    const count = HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
+    const first = HEAP32[(dispatcher + DISPATCHER.manifolds) >> 2]! >> 2;
+    for (let i = 0; i < count; i++)
+      if (HEAP32[(HEAP32[first + i]! + MANIFOLD.pointCount) >> 2] !== 0) return true;
+    return false;
+  }
+
   /** Calls `visit` for each pair of a body that has contact points, with the other one's pointer. */
   eachTouching(body: number, visit: (other: number, manifold: number) => void): void {
     const { ammo, heapTrusted } = this.engine;

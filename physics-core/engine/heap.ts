@@ -20,6 +20,29 @@ export interface BodyReader {
   island(body: BtBody, pointer: number): number;
 }
 
+/** The quaternion of the btRigidBody at a pointer, from Bullet's matrix. */
+export function writeOrientation(
+  heap: Float32Array,
+  pointer: number,
+  out: Float64Array,
+  at: number,
+): void {
+  const b = (pointer + BODY.basis) >> 2;
+  writeQuaternion(
+    out,
+    at,
+    heap[b]!,
+    heap[b + 1]!,
+    heap[b + 2]!,
+    heap[b + 4]!,
+    heap[b + 5]!,
+    heap[b + 6]!,
+    heap[b + 8]!,
+    heap[b + 9]!,
+    heap[b + 10]!,
+  );
+}
+
 /** After a heap growth `HEAPF32` is another array, so it is asked for at every read. */
 export class HeapReader implements BodyReader {
   readonly #ammo: Ammo;
@@ -34,20 +57,7 @@ export class HeapReader implements BodyReader {
     out[at] = heap[o]!;
     out[at + 1] = heap[o + 1]!;
     out[at + 2] = heap[o + 2]!;
-    const b = (pointer + BODY.basis) >> 2;
-    writeQuaternion(
-      out,
-      at + 3,
-      heap[b]!,
-      heap[b + 1]!,
-      heap[b + 2]!,
-      heap[b + 4]!,
-      heap[b + 5]!,
-      heap[b + 6]!,
-      heap[b + 8]!,
-      heap[b + 9]!,
-      heap[b + 10]!,
-    );
+    writeOrientation(heap, pointer, out, at + 3);
   }
 
   velocity(_: BtBody, pointer: number, out: Float64Array, at: number): void {

@@ -1,5 +1,5 @@
-import { writeQuaternion } from '../base/math.js';
 import type { Ammo } from './ammo.js';
+import { writeOrientation } from './heap.js';
 import { VELOCITY, type MovingBodies } from './moving-bodies.js';
 import { ACTIVATION, BODY } from './offsets.js';
 
@@ -25,7 +25,7 @@ export class StatePass {
   /** Slots of the others that Bullet has awake; the first `asideCount` count. */
   aside = new Int32Array(16);
   asideCount = 0;
-  /** Those whose quaternion is still to be written. */
+  /** Those that have turned by more than 120°: their quaternion is still to be written. */
   #turned = new Int32Array(16);
 
   /** Leaves all aside: where the heap is not trusted, each is asked by itself. */
@@ -105,24 +105,6 @@ export class StatePass {
     this.count = count;
     this.asideCount = asideCount;
     for (let i = 0; i < turnedCount; i++)
-      writeTurned(HEAPF32, pointers[turned[i]!]!, current, turned[i]! * POSE + 3);
+      writeOrientation(HEAPF32, pointers[turned[i]!]!, current, turned[i]! * POSE + 3);
   }
-}
-
-/** The orientation of what has turned by more than 120°. */
-function writeTurned(heap: Float32Array, pointer: number, out: Float64Array, at: number): void {
-  const b = (pointer + BODY.basis) >> 2;
-  writeQuaternion(
-    out,
-    at,
-    heap[b]!,
-    heap[b + 1]!,
-    heap[b + 2]!,
-    heap[b + 4]!,
-    heap[b + 5]!,
-    heap[b + 6]!,
-    heap[b + 8]!,
-    heap[b + 9]!,
-    heap[b + 10]!,
-  );
 }

@@ -61,14 +61,14 @@ export class ConeContacts {
   keep(contacts: readonly number[]): void {
     if (this.#kept.length < 3 * contacts.length) this.#kept = new Float64Array(6 * contacts.length);
     const c = this.values;
-    for (const [j, i] of contacts.entries())
-      for (let k = 0; k < 3; k++) this.#kept[3 * j + k] = c[i * C.size + C.impulse + k]!;
+    for (let j = 0; j < contacts.length; j++)
+      for (let k = 0; k < 3; k++) this.#kept[3 * j + k] = c[contacts[j]! * C.size + C.impulse + k]!;
   }
 
   putBack(contacts: readonly number[]): void {
     const c = this.values;
-    for (const [j, i] of contacts.entries())
-      for (let k = 0; k < 3; k++) c[i * C.size + C.impulse + k] = this.#kept[3 * j + k]!;
+    for (let j = 0; j < contacts.length; j++)
+      for (let k = 0; k < 3; k++) c[contacts[j]! * C.size + C.impulse + k] = this.#kept[3 * j + k]!;
   }
 
   #grow(): void {

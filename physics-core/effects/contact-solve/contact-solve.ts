@@ -163,7 +163,8 @@ export class ContactSolve extends Effect {
     if (this.#simulation.stepsTaken < this.#again) return;
     this.#parts.gather();
     if (this.#parts.manifolds.length === 0) {
-      if (!this.#anyInTouch()) this.#letGo();
+      // What sleeps is to wake with the points that it fell asleep with.
+      if (!this.#simulation.bullet.anyTouching) this.#letGo();
       return;
     }
     const worth = this.#ways.choose(this.#parts);
@@ -176,15 +177,8 @@ export class ContactSolve extends Effect {
     this.#contacts.count = this.#rows.count = 0;
     this.#reader.begin(dt);
     const { parts, ways } = this.#ways;
-    for (const [i, part] of parts.entries()) if (this.#reader.read(part)) this.#try(part, ways[i]!);
-  }
-
-  /** What sleeps is to wake with the points that it fell asleep with. */
-  #anyInTouch(): boolean {
-    const { bullet } = this.#simulation;
-    let any = false;
-    bullet.eachManifold((manifold) => (any ||= manifold.getNumContacts() > 0));
-    return any;
+    for (let i = 0; i < parts.length; i++)
+      if (this.#reader.read(parts[i]!)) this.#try(parts[i]!, ways[i]!);
   }
 
   /** Those that sleep stay what they were. */
