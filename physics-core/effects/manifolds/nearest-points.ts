@@ -14,6 +14,9 @@ const APART = 1e-2;
 const MOST_TURNS = 8;
 const MOST_TRIES = 12;
 
+/** Nor is it looked for on, where it is better by less, metres. */
+const NO_FARTHER = 1e-10;
+
 /** A direction that turns less is found, radians. */
 const STEADY = 1e-7;
 
@@ -23,31 +26,52 @@ const STEADY = 1e-7;
  */
 export class NearestPoints {
   readonly #simplex = new Simplex();
-  /** From B to A, a unit vector, and the points, A's still drawn apart. */
+  /** From B to A, a unit vector, and the point on B. */
   readonly normal = new Float64Array(3);
-  readonly onA = new Float64Array(3);
   readonly onB = new Float64Array(3);
   /** Along the normal, metres; below 0 they overlap. */
   distance = 0;
   readonly #shift = new Float64Array(3);
+  /** By how much what was taken may still be farther than the nearest, metres. */
+  #gap = Infinity;
+  readonly #best = { distance: -Infinity, normal: new Float64Array(3), onB: new Float64Array(3) };
 
   /** `normal` holds a guess. False: nothing was found. */
   find(a: PlacedForm, b: PlacedForm): boolean {
     const { normal } = this;
+    const best = this.#best;
+    best.distance = -Infinity;
     const size = Math.min(a.form.reach, b.form.reach);
     for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < MOST_TRIES; tries++) {
       const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
-      const height = b.height(x, y, z) + a.height(-x, -y, -z) - a.form.round - b.form.round;
-      const apart = height + APART * size * (1 + tries);
+      const apart = APART * size * (1 + tries) - this.#between(a, b) - a.form.round - b.form.round;
       for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
       if (!this.#search(a, b)) continue;
       turn++;
+      const distance = this.#between(a, b);
+      const farther = distance - best.distance;
+      if (farther > 0) this.#keepBest(distance);
       const change = Math.abs(normal[0]! - x) + Math.abs(normal[1]! - y) + Math.abs(normal[2]! - z);
-      if (change < STEADY || apart <= 0) break;
+      if (change < STEADY || apart <= 0 || farther < NO_FARTHER) break;
     }
-    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
-    this.distance = -b.height(x, y, z) - a.height(-x, -y, -z);
-    return this.#simplex.count > 0;
+    if (best.distance === -Infinity) return false;
+    normal.set(best.normal);
+    this.onB.set(best.onB);
+    this.distance = best.distance;
+    return true;
+  }
+
+  /** How far apart they are along the normal, metres: of all directions, the one of the nearest points has most. */
+  #between(a: PlacedForm, b: PlacedForm): number {
+    const [x, y, z] = [this.normal[0]!, this.normal[1]!, this.normal[2]!];
+    return -b.height(x, y, z) - a.height(-x, -y, -z);
+  }
+
+  #keepBest(distance: number): void {
+    const best = this.#best;
+    best.distance = distance;
+    best.normal.set(this.normal);
+    best.onB.set(this.onB);
   }
 
   #search(a: PlacedForm, b: PlacedForm): boolean {
@@ -55,19 +79,28 @@ export class NearestPoints {
     const { nearest } = simplex;
     nearest.set(this.normal);
     simplex.count = 0;
+    this.#gap = Infinity;
+    let before = Infinity;
     for (let round = 0; round < MOST_ROUNDS; round++) {
       const square = dot3(nearest, 0, nearest, 0);
+      // Corners too near each other no longer say where what is nearest lies: rims come so close that only rounding is left.
+      if (square >= before) break;
       const at = 3 * simplex.count;
       this.#support(a, b, at);
       const { w } = simplex;
       const along = nearest[0]! * w[at]! + nearest[1]! * w[at + 1]! + nearest[2]! * w[at + 2]!;
-      if (round > 0 && square - along <= NEAR_ENOUGH * square) break;
+      if (round > 0) {
+        const gap = (square - along) / Math.sqrt(square);
+        if (gap < this.#gap) this.#take(gap);
+        if (square - along <= NEAR_ENOUGH * square) break;
+        before = square;
+      }
       if (this.#known(at)) break;
       simplex.count++;
       if (!simplex.reduce()) return false;
       if (dot3(nearest, 0, nearest, 0) < 1e-24) return false;
     }
-    return this.#take();
+    return this.#gap < Infinity;
   }
 
   /** A corner that is there already says that no other is nearer. */
@@ -86,18 +119,14 @@ export class NearestPoints {
     for (let i = 0; i < 3; i++) w[at + i] = onA[at + i]! + this.#shift[i]! - onB[at + i]!;
   }
 
-  #take(): boolean {
-    const { nearest, share, count, a, b } = this.#simplex;
+  #take(gap: number): void {
+    const { nearest, share, count, b } = this.#simplex;
     const size = hypot(nearest[0]!, nearest[1]!, nearest[2]!);
-    if (!(size > 0)) return false;
+    this.#gap = gap;
     for (let k = 0; k < 3; k++) {
       this.normal[k] = nearest[k]! / size;
-      this.onA[k] = this.onB[k] = 0;
-      for (let i = 0; i < count; i++) {
-        this.onA[k]! += share[i]! * a[3 * i + k]!;
-        this.onB[k]! += share[i]! * b[3 * i + k]!;
-      }
+      this.onB[k] = 0;
+      for (let i = 0; i < count; i++) this.onB[k]! += share[i]! * b[3 * i + k]!;
     }
-    return true;
   }
 }
