@@ -32,6 +32,10 @@ function readTwo(f: Float32Array, first: number, second: number, out: Float64Arr
   }
 }
 
+/** Bullet's number of what it is near to, of this very step; below 0: it has none. */
+export const islandAt = ({ HEAP32 }: Ammo, body: number): number =>
+  HEAP32[(body + BODY.islandTag) >> 2]!;
+
 /** The square of its linear speed. */
 export function speedSquared({ HEAPF32 }: Ammo, body: number): number {
   const v = (body + BODY.linearVelocity) >> 2;

@@ -14,6 +14,7 @@ import { Newton } from './newton.js';
 import type { Part } from './part.js';
 import { PartReader } from './part-reader.js';
 import { ContactPort } from './read-contact.js';
+import { RollingResistance } from './rolling-resistance.js';
 import { Savings } from './savings.js';
 import { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
@@ -32,9 +33,6 @@ const TURNED = 0.1;
 
 /** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
-
-/** Bodies of a part, from which on it is a heap of which not all need rest before it may. */
-const HEAP = 100;
 
 interface Solver {
   /** False: it finds no end. */
@@ -58,6 +56,7 @@ export class ContactSolve extends Effect {
   readonly #reader: PartReader;
   readonly #ways: Ways;
   readonly #solvers: { readonly matrix: Newton; readonly sweeps: Sweeps };
+  readonly #rolling: RollingResistance;
   readonly #savings = new Savings();
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
@@ -65,7 +64,7 @@ export class ContactSolve extends Effect {
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
   readonly #direct = new Set<number>();
-  /** And of those of large heaps that hang on no joints. */
+  /** And of those of large heaps that matrices are too dear for in each step, and that hang on no joints. */
   readonly #heaps = new Set<number>();
   /** The step from which on a part may be tried again, by pointer of its first body. */
   readonly #failed = new Map<number, number>();
@@ -91,9 +90,10 @@ export class ContactSolve extends Effect {
     const { ammo } = simulation.engine;
     this.#bodies = new SolveBodies(ammo);
     this.#ways = new Ways(simulation, this.#bodies);
+    this.#rolling = new RollingResistance(simulation, this.#contacts, this.#rows, this.#bodies);
     this.#solvers = {
       matrix: new Newton(this.#contacts, this.#rows, this.#bodies),
-      sweeps: new Sweeps(this.#contacts, this.#bodies),
+      sweeps: new Sweeps(this.#contacts, this.#rows, this.#bodies),
     };
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
@@ -131,6 +131,7 @@ export class ContactSolve extends Effect {
     this.#cause = undefined;
     this.#direct.clear();
     this.#heaps.clear();
+    this.#rolling.forget();
     this.#needPoints(false);
   }
 
@@ -146,6 +147,7 @@ export class ContactSolve extends Effect {
     this.#direct.clear();
     this.#heaps.clear();
     this.#savings.forget();
+    this.#rolling.forget();
     this.#again = 0;
     this.#letGo();
   }
@@ -176,9 +178,14 @@ export class ContactSolve extends Effect {
     }
     this.#contacts.count = this.#rows.count = 0;
     this.#reader.begin(dt);
+    this.#rolling.begin();
     const { parts, ways } = this.#ways;
-    for (let i = 0; i < parts.length; i++)
-      if (this.#reader.read(parts[i]!)) this.#try(parts[i]!, ways[i]!);
+    for (let i = 0; i < parts.length; i++) {
+      const part = parts[i]!;
+      if (!this.#reader.read(part)) continue;
+      this.#rolling.add(part);
+      this.#try(part, ways[i]!);
+    }
   }
 
   /** Those that sleep stay what they were. */
@@ -200,9 +207,11 @@ export class ContactSolve extends Effect {
     const { stepsTaken } = this.#simulation;
     const pointer = this.#bodies.pointers[part.bodies[0]!]!;
     if (this.#failed.get(pointer)! > stepsTaken) return;
+    if (way === 'either' && !part.jointed)
+      for (const body of part.bodies) this.#heaps.add(this.#bodies.pointers[body]!);
     if (way === 'either' && this.#settle(part)) return;
     // Joints are stiff: sweeps would leave them open.
-    if (way !== 'matrix' && part.rows.length > 0) return;
+    if (way !== 'matrix' && part.jointed) return;
     const solver = way === 'matrix' ? this.#solvers.matrix : this.#solvers.sweeps;
     if (solver.solve(part)) {
       this.#failed.delete(pointer);
@@ -229,8 +238,6 @@ export class ContactSolve extends Effect {
     if (!solver.pushApart())
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
     this.#solved.push(part);
-    if (part.bodies.length > HEAP && part.rows.length === 0)
-      for (const body of part.bodies) this.#heaps.add(this.#bodies.pointers[body]!);
     const { ammo } = this.#simulation.engine;
     for (const i of part.contacts) {
       const point = this.#contacts.pointers[i]!;
@@ -247,7 +254,8 @@ export class ContactSolve extends Effect {
         setSolverDistanceAt(ammo, this.#contacts.pointers[i]!, this.#distances[i]!);
         this.#port.write(i);
       }
-      for (const i of part.rows) this.#joints.keep(i);
+      if (part.jointed) for (const i of part.rows) this.#joints.keep(i);
+      else this.#rolling.keep(part);
     }
   }
 

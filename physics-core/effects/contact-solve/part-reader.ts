@@ -54,6 +54,7 @@ export class PartReader {
       if (!isAwake(ammo, this.#bodies.pointers[body]!) || !this.#bodies.read(body, this.#step.dt))
         return false;
     if (!this.#readJoints(part)) return false;
+    part.jointed = part.rows.length > 0;
     for (const manifold of part.manifolds)
       if (!this.#readContacts(manifold, part.contacts)) return false;
     return part.contacts.length > 0;

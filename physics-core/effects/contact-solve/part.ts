@@ -6,8 +6,9 @@ export interface Part {
   /** Pointers of Bullet's manifolds. */
   readonly manifolds: number[];
   readonly contacts: number[];
-  /** Of joints. */
+  /** Of joints, or what keeps bodies of a heap from rolling. */
   readonly rows: number[];
+  jointed: boolean;
 }
 
 /** The parts of a step. Their arrays are kept from step to step. */
@@ -57,6 +58,7 @@ export class Parts {
       manifolds: [],
       contacts: [],
       rows: [],
+      jointed: false,
     });
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
     return this.#count++;

@@ -1,4 +1,5 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
+import { R, type BoundRows } from './bound-rows.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -26,6 +27,7 @@ const SHALLOW = 1e-6;
  */
 export class Sweeps {
   readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
   readonly #bodies: SolveBodies;
   /** By contact: how its speeds answer its impulses; the upper half of a symmetric 3 × 3. */
   #answers = new Float64Array(ANSWERS);
@@ -33,8 +35,9 @@ export class Sweeps {
   readonly #spin = new Float64Array(3);
   #part!: Part;
 
-  constructor(contacts: ConeContacts, bodies: SolveBodies) {
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
     this.#contacts = contacts;
+    this.#rows = rows;
     this.#bodies = bodies;
   }
 
@@ -60,14 +63,16 @@ export class Sweeps {
       this.#write(i, c[p]!, c[p + 1]!, c[p + 2]!);
       this.#kick(velocities, i, c[p]!, c[p + 1]!, c[p + 2]!);
     }
+    for (const i of this.#part.rows) this.#turn(i, this.#rows.values[i * R.size + R.impulse]!);
   }
 
   #sweep(back: boolean): number {
-    const { contacts } = this.#part;
+    const { contacts, rows } = this.#part;
     let worst = 0;
     const last = contacts.length - 1;
     for (let j = 0; j <= last; j++)
       worst = Math.max(worst, this.#hold(contacts[back ? last - j : j]!));
+    for (const i of rows) this.#brake(i);
     return worst;
   }
 
@@ -87,6 +92,38 @@ export class Sweeps {
     const [et, eu] = [c[p + 1]! - t, c[p + 2]! - u];
     this.#kick(this.#bodies.velocities, i, dn, et, eu);
     return Math.max(Math.abs(dn) * w[d]!, Math.abs(et) * w[d + 3]!, Math.abs(eu) * w[d + 5]!);
+  }
+
+  /** What keeps one body from turning about an axis, within its bounds. */
+  #brake(i: number): void {
+    const { values: r, a } = this.#rows;
+    const at = i * R.size;
+    const spin = dot3(r, at + 3, this.#bodies.velocities, SIZE * a[i]! + 3);
+    const before = r[at + R.impulse]!;
+    const wanted = before - spin / this.#turning(i);
+    const now = Math.min(r[at + R.most]!, Math.max(r[at + R.least]!, wanted));
+    r[at + R.impulse] = now;
+    this.#turn(i, now - before);
+  }
+
+  /** What a moment of 1 N m s makes of its spin, rad/s. */
+  #turning(i: number): number {
+    const { values: r, a } = this.#rows;
+    let sum = 0;
+    for (let k = 0; k < 3; k++)
+      sum +=
+        r[i * R.size + 3 + k]! *
+        dot3(this.#bodies.inverseInertias, 9 * a[i]! + 3 * k, r, i * R.size + 3);
+    return sum;
+  }
+
+  #turn(i: number, moment: number): void {
+    const { values: r, a } = this.#rows;
+    const { velocities, inverseInertias } = this.#bodies;
+    const body = a[i]!;
+    for (let k = 0; k < 3; k++)
+      velocities[SIZE * body + 3 + k]! +=
+        moment * dot3(inverseInertias, 9 * body + 3 * k, r, i * R.size + 3);
   }
 
   /** Impulses, as Coulomb's law allows them. */

@@ -12,8 +12,8 @@ import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
 
 /**
- * In a large heap single bodies slip or rock for long, and where contacts are gone over one at a time all creep a little. There
- * this is no drift, and this share may have moved farther within the time, as long as they are slow again.
+ * Where a heap is so large that its contacts are gone over one at a time all creep a little, and single bodies slip for long.
+ * There this is no drift, and this share may have moved farther within the time, as long as they are slow again.
  */
 const HEAP = { drift: 5e-4, slipped: 0.01 };
 
@@ -40,7 +40,7 @@ export class Resting extends Effect {
   #limits = new Float64Array(16).fill(-1);
   /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
   readonly #islands: (readonly Body[] | undefined)[] = [];
-  /** Pointers of bodies in large heaps that hang on no joints. */
+  /** Pointers of bodies in large heaps that are gone over by sweeps. */
   heaps: ReadonlySet<number> = new Set();
   /** Seconds since islands were looked at. */
   sinceLook = 0;

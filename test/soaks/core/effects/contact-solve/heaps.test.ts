@@ -3,8 +3,7 @@ import type { World } from '../../../../../physics-core/inside.js';
 import { hullCube } from '../../../../core/effects/contact-solve/scenes.js';
 import { addBody, addFloor, box, fact, position, random, world } from '../../../../core/helpers.js';
 
-// What is dropped into a room comes to rest by itself; unless something in it rolls, or swings between two corners that hold
-// it, as a box of seed 7 does: nothing brakes that.
+// What is dropped into a room comes to rest by itself, also what rolls, rocks and spins.
 
 /** A floor and four walls, so far from the middle, metres. */
 function room(w: World, half: number): void {
@@ -25,6 +24,11 @@ function room(w: World, half: number): void {
 const boxes = (r: () => number) => box(0.3 + 0.2 * r(), 0.3 + 0.2 * r(), 0.3 + 0.2 * r());
 const hulls = () => ({ ...hullCube, coord: hullCube.coord.map((x) => 0.4 * x) });
 const cones = () => ({ type: 'Cone', bottomRadius: 0.22, height: 0.4 });
+const cylinders = () => ({ type: 'Cylinder', radius: 0.2, height: 0.4 });
+const balls = () => ({ type: 'Sphere', radius: 0.2 });
+
+const KINDS = [boxes, hulls, cones, cylinders, balls];
+const mixed = (r: () => number) => KINDS[Math.floor(KINDS.length * r())]!(r);
 
 /** Layers of four times as many as one of their sides, turned every way. */
 function drop(w: World, count: number, geometry: (r: () => number) => object, seed: number) {
@@ -50,7 +54,12 @@ const HEAPS = [
   ['100 boxes', 100, boxes, 11, 20],
   ['100 other boxes', 100, boxes, 101, 20],
   ['100 cubes of faces', 100, hulls, 202, 20],
+  ['100 boxes of which one rocks', 100, boxes, 7, 20],
+  ['100 cylinders', 100, cylinders, 3, 20],
+  ['100 cones', 100, cones, 3, 20],
+  ['100 of all kinds', 100, mixed, 5, 20],
   ['300 boxes', 300, boxes, 7, 40],
+  ['300 of all kinds', 300, mixed, 7, 40],
 ] as const;
 
 for (const [says, count, geometry, seed, seconds] of HEAPS)

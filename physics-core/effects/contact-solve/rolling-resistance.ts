@@ -1,0 +1,133 @@
+import { grown, grownInt } from '../../base/grown.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { islandAt, speedSquared } from '../../engine/solver-body.js';
+import { R, type BoundRows } from './bound-rows.js';
+import { C, type ConeContacts } from './cone-contacts.js';
+import type { Part } from './part.js';
+import type { SolveBodies } from './solve-bodies.js';
+
+/** Bodies of an island that touch something, from which on it is a heap. */
+const HEAP = 24;
+
+/** Arm of what contacts press with, by the radius of gyration: hard stone and wood on themselves have about so much. */
+const ARM = 0.01;
+
+/** What is faster rolls as it does anywhere, m/s. */
+const SLOW = 0.25;
+
+/** What a miss costs, in moments of inertia. */
+const STIFFNESS = 1e3;
+
+/** Numbers by body: impulses of the last step, and that step. */
+const KEPT = 4;
+
+/**
+ * What rolls, rocks or spins loses nothing by Coulomb's law, so a heap with a cylinder, a cone or a ball in it would never
+ * lie still. In heaps, and there alone, what is slow is braked by a moment that is as great as its load at most.
+ */
+export class RollingResistance {
+  readonly #simulation: Simulation;
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  /** Touching bodies by island. */
+  #crowds = new Int32Array(16);
+  /** Impulses of contacts by body, N s. */
+  #loads = new Float64Array(16);
+  /** By pointer of a body. */
+  readonly #kept = new Map<number, Float64Array>();
+
+  constructor(
+    simulation: Simulation,
+    contacts: ConeContacts,
+    rows: BoundRows,
+    bodies: SolveBodies,
+  ) {
+    this.#simulation = simulation;
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
+  }
+
+  /** A new step: what is a heap in it. */
+  begin(): void {
+    const { count, pointers } = this.#bodies;
+    this.#crowds.fill(0);
+    if (count <= HEAP) return;
+    for (let i = 0; i < count; i++) {
+      const island = islandAt(this.#simulation.engine.ammo, pointers[i]!);
+      if (island < 0) continue;
+      if (island >= this.#crowds.length) this.#crowds = grownInt(this.#crowds, 2 * island);
+      this.#crowds[island]!++;
+    }
+  }
+
+  /** Rows for the bodies of a part that lies in a heap. */
+  add(part: Part): void {
+    if (part.jointed || !this.#isInHeap(part)) return;
+    this.#readLoads(part);
+    for (const body of part.bodies) if (this.#isSlow(body)) this.#brake(body, part.rows);
+  }
+
+  #isInHeap({ bodies }: Part): boolean {
+    const island = islandAt(this.#simulation.engine.ammo, this.#bodies.pointers[bodies[0]!]!);
+    return this.#crowds[island]! > HEAP;
+  }
+
+  #isSlow(body: number): boolean {
+    const { ammo } = this.#simulation.engine;
+    return speedSquared(ammo, this.#bodies.pointers[body]!) < SLOW ** 2;
+  }
+
+  #readLoads({ bodies, contacts }: Part): void {
+    if (this.#loads.length < this.#bodies.count)
+      this.#loads = grown(this.#loads, 2 * this.#bodies.count);
+    const loads = this.#loads;
+    const { values: c, a, b } = this.#contacts;
+    for (const body of bodies) loads[body] = 0;
+    for (const i of contacts) {
+      const pressed = c[i * C.size + C.impulse]!;
+      if (a[i]! >= 0) loads[a[i]!]! += pressed;
+      if (b[i]! >= 0) loads[b[i]!]! += pressed;
+    }
+  }
+
+  /** Three rows that keep it from turning, within what its load allows. */
+  #brake(body: number, into: number[]): void {
+    const { inertias, masses, pointers } = this.#bodies;
+    const m = 9 * body;
+    const moment = (inertias[m]! + inertias[m + 4]! + inertias[m + 8]!) / 3;
+    const most = ARM * Math.sqrt(moment / masses[body]!) * this.#loads[body]!;
+    if (most === 0) return;
+    const kept = this.#kept.get(pointers[body]!);
+    const begun = kept?.[KEPT - 1] === this.#simulation.stepsTaken - 1;
+    for (let k = 0; k < 3; k++) {
+      const at = this.#rows.add(body, -1);
+      const r = this.#rows.values;
+      r.fill(0, at, at + R.size);
+      r[at + 3 + k] = 1;
+      r[at + R.penalty] = STIFFNESS * moment;
+      r[at + R.least] = -most;
+      r[at + R.most] = most;
+      r[at + R.impulse] = begun ? Math.min(most, Math.max(-most, kept![k]!)) : 0;
+      into.push(this.#rows.count - 1);
+    }
+  }
+
+  /** What its rows ended with, for the next step. */
+  keep({ rows }: Part): void {
+    const { pointers } = this.#bodies;
+    const { values: r, a } = this.#rows;
+    for (let j = 0; j < rows.length; j += 3) {
+      const pointer = pointers[a[rows[j]!]!]!;
+      let kept = this.#kept.get(pointer);
+      if (!kept) this.#kept.set(pointer, (kept = new Float64Array(KEPT)));
+      for (let k = 0; k < 3; k++) kept[k] = r[rows[j + k]! * R.size + R.impulse]!;
+      kept[KEPT - 1] = this.#simulation.stepsTaken;
+    }
+  }
+
+  forget(): void {
+    this.#kept.clear();
+  }
+}
