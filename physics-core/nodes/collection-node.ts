@@ -7,6 +7,9 @@ import { cut, show, showUsed } from '../base/show.js';
 import type { ContactNode } from './collision/contact.js';
 import { PhysicsNode } from './node/node.js';
 
+/** Fields of bodies that act by what their collection says. */
+const OF_BODIES = ['useGlobalGravity', 'autoDisable', 'dragMode', 'draggableBody'];
+
 /** Settings of a world and defaults of the bodies under it. The first collection of a world gives the settings. */
 export class CollectionNode extends PhysicsNode implements ContactGiver {
   #taken: ContactNode[] | undefined;
@@ -86,5 +89,7 @@ export class CollectionNode extends PhysicsNode implements ContactGiver {
     this.#draw(false);
     this.world.configure();
     this.world.pairs.refresh();
+    // Bodies of no collection follow the first one, which may be another now.
+    for (const field of OF_BODIES) (this.world.settings as CollectionNode).eachBody(field);
   }
 }

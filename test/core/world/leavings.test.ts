@@ -34,6 +34,18 @@ fact('a world takes its settings from the next collection when the first one goe
   assert.equal(w.accuracy, 'fine');
 });
 
+fact('bodies of no collection fall as the next one says when the first one goes', async () => {
+  const w = await world({ gravity: [0, 0, 1] });
+  w.add('RigidBodyCollection', { rest: 'never', gravity: [0, 2, 0] });
+  const ball = addBody(w, { geometry: [sphere(0.5)] });
+  w.step();
+  ball.teleport([0, 0, 0], undefined, { linearVelocity: [0, 0, 0] });
+  const [first] = w.store.collections;
+  first!.remove();
+  w.advance(1);
+  close(height(ball), 1, 1e-4, 'm');
+});
+
 fact('a collidable that is removed collides no more', async () => {
   const w = await world();
   addFloor(w);
