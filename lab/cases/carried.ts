@@ -1,6 +1,5 @@
-import { drivenPendulum, pivotAt, type DrivenPendulum } from '../../references/driven-pendulum.js';
 import type { Case, CaseBody, Vec3 } from '../case.js';
-import { frameOf } from './judging.js';
+import { drivenCase } from './driven.js';
 import { offPaths, roundingOf, type Path } from './paths.js';
 
 // What its author moves has along what stands or hangs on it.
@@ -51,50 +50,14 @@ function ride({ path, seconds, ...words }: Ride): Case {
   };
 }
 
-// ---- a pendulum ------------------------------------------------------------------------------------------------------
-
-const RADIUS = 0.1;
-const driven: DrivenPendulum = {
-  arm: 1,
-  moment: 1 + 0.4 * RADIUS ** 2,
-  way: 0.1,
-  gravity: -GRAVITY[1],
-};
-
-/** Steps of the reference in 1/60 s; twice as many change no angle by more than 1e-11 rad. */
-const PER_FRAME = 64;
-
-const pivot: Path = (time) => [pivotAt(driven, time), 0, 0];
-const angleAt = drivenPendulum(driven, PER_FRAME);
-const bob: Path = (time) => {
-  const angle = angleAt(frameOf(time));
-  return [pivotAt(driven, time) + Math.sin(angle), -Math.cos(angle), 0];
-};
-
-const swinging: Case = {
+const swinging = drivenCase({
   id: 'carried-pivot',
   name: 'Pendulum on a pivot that is moved',
   says: 'A ball on a ball joint, 1 m below a pivot that is moved to and fro by 0.1 m each second; its place against the equation of motion, in double precision.',
-  scene: {
-    gravity: GRAVITY,
-    bodies: [
-      {
-        name: 'pivot',
-        fixed: true,
-        shape: { type: 'Box', size: [0.05, 0.05, 0.05] },
-        position: pivot(0),
-        path: pivot,
-      },
-      { name: 'bob', shape: { type: 'Sphere', radius: RADIUS }, position: bob(0) },
-    ],
-    joints: [{ type: 'BallJoint', body1: 'bob', body2: 'pivot', anchorPoint: [0, 0, 0] }],
-  },
+  driven: { arm: 1, way: 0.1, gravity: -GRAVITY[1] },
   seconds: 5,
-  unit: 'm',
   size: 0.5,
-  singlePrecision: roundingOf(1, 5),
-  watch: offPaths({ bob }),
-};
+});
 
 export const cases: Case[] = [
   ride({

@@ -1,8 +1,8 @@
-import { drivenPendulum, pivotAt, type DrivenPendulum } from '../../references/driven-pendulum.js';
 import { pendulumAngle } from '../../references/elliptic.js';
 import type { Case, Vec3 } from '../case.js';
-import { frameOf, rounding } from './judging.js';
-import { offPaths, roundingOf, type Path } from './paths.js';
+import { drivenCase } from './driven.js';
+import { rounding } from './judging.js';
+import { offPaths, type Path } from './paths.js';
 
 // Pendulums that come near to where they would stand on their head.
 
@@ -49,54 +49,23 @@ const largeSwing: Case = {
 
 // ---- Kapitza's -------------------------------------------------------------------------------------------------------
 
-const RADIUS = 0.1;
-const ARM = 0.4;
 /** Six times a second: what is moved at more than √(2 g L) holds its pendulum up, and this is 3.8 m/s against 2.8 m/s. */
-const driven: DrivenPendulum = {
-  arm: ARM,
-  moment: ARM ** 2 + 0.4 * RADIUS ** 2,
-  way: 0.1,
-  gravity: G,
-  along: 'y',
-  rate: 12 * Math.PI,
-  start: Math.PI - 0.3,
-};
-
-/** Steps of the reference in 1/60 s; twice as many change no angle by more than 1e-9 rad. */
-const PER_FRAME = 64;
-
-const drivenAngle = drivenPendulum(driven, PER_FRAME);
-const pivot: Path = (time) => [0, pivotAt(driven, time), 0];
-const bob: Path = (time) => {
-  const angle = drivenAngle(frameOf(time));
-  return [ARM * Math.sin(angle), pivotAt(driven, time) - ARM * Math.cos(angle), 0];
-};
-
-const kapitza: Case = {
+const kapitza = drivenCase({
   id: 'pendulum-kapitza',
   name: "Kapitza's pendulum",
   says: 'A ball on a ball joint 0.4 m above a pivot that is moved up and down by 0.2 m six times a second, which holds it up; its place against the equation of motion, in double precision.',
-  scene: {
-    gravity: GRAVITY,
-    bodies: [
-      {
-        name: 'pivot',
-        fixed: true,
-        shape: { type: 'Box', size: [0.05, 0.05, 0.05] },
-        position: pivot(0),
-        path: pivot,
-      },
-      { name: 'bob', shape: { type: 'Sphere', radius: RADIUS }, position: bob(0) },
-    ],
-    joints: [{ type: 'BallJoint', body1: 'bob', body2: 'pivot', anchorPoint: [0, 0, 0] }],
+  driven: {
+    arm: 0.4,
+    way: 0.1,
+    gravity: G,
+    along: 'y',
+    rate: 12 * Math.PI,
+    start: Math.PI - 0.3,
   },
   seconds: 4,
-  unit: 'm',
-  size: ARM,
-  singlePrecision: roundingOf(1, 4),
-  watch: offPaths({ bob }),
+  size: 0.4,
   behind:
     'what holds it up is the square of the shaking speed, of which every engine here sees the mean of a step: (ω dt)²/12 of it is missing, the same in all; a step of Rapier and Jolt takes a quarter of the time of one of ours.',
-};
+});
 
 export const cases: Case[] = [largeSwing, kapitza];
