@@ -3,6 +3,9 @@ import type { Vec3 } from '../fields/types.js';
 import type { Ammo } from './ammo.js';
 import { BODY, MANIFOLD_POINT as POINT } from './offsets.js';
 
+/** Whose corner lies on a face of the other in a point: it stays with that body while it turns. */
+export const CORNER = { ofNone: 0, ofA: 1, ofB: -1 } as const;
+
 /** Numbers of a place: both positions and the normal. */
 export const PLACE = 9;
 const PLACE_AT = [POINT.positionB, POINT.positionA, POINT.normalB];
@@ -52,6 +55,11 @@ export class ContactPoint {
 
   #int(offset: number): number {
     return this.#ammo.HEAP32[(this.#point + offset) >> 2]!;
+  }
+
+  /** `CORNER` */
+  get corner(): number {
+    return this.#int(POINT.corner);
   }
 
   #putInt(offset: number, value: number): void {

@@ -13,6 +13,8 @@ export interface NewPoints {
   readonly distance: Float64Array;
   /** The number of the triangle that it lies on, or -1. */
   readonly triangle: Int32Array;
+  /** Whose corner it is: `CORNER`. */
+  readonly corner: Int8Array;
 }
 
 /** Of a part that is no triangle, as Bullet numbers it. */
@@ -74,6 +76,7 @@ export class ManifoldWriter {
     HEAPF32[(point + POINT.friction) >> 2] = this.#friction;
     HEAPF32[(point + POINT.restitution) >> 2] = 0;
     HEAP32[(point + POINT.directionsGiven) >> 2] = 0;
+    HEAP32[(point + POINT.corner) >> 2] = points.corner[number]!;
     this.#put(point + POINT.positionB, x, y, z);
     this.#put(point + POINT.positionA, x + nx * distance, y + ny * distance, z + nz * distance);
     this.#put(point + POINT.normalB, nx, ny, nz);

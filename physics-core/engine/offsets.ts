@@ -83,6 +83,8 @@ export const MANIFOLD_POINT = {
   part1: 100,
   index0: 104,
   index1: 108,
+  /** Bullet leaves it to its users. */
+  corner: 112,
   directionsGiven: 116,
   impulse: 120,
   lateralImpulse1: 124,

@@ -30,7 +30,11 @@ export const C = {
   turning: 36,
   /** Overlap to be taken out in this step, metres. */
   overlap: 37,
-  size: 38,
+  /** Whose corner it is that turns on the other (`CORNER`), where that is reckoned with. */
+  corner: 38,
+  /** 1: the pair comes near each other and was not in touch before. */
+  meets: 39,
+  size: 40,
 } as const;
 
 export const OPEN = 0;

@@ -20,6 +20,7 @@ import { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
 import { Sweeps } from './sweeps.js';
 import { TouchingParts } from './touching-parts.js';
+import { TurningCorners } from './turning-corners.js';
 import { Ways, type Way } from './ways.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
@@ -60,6 +61,7 @@ export class ContactSolve extends Effect {
   readonly #savings = new Savings();
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
+  readonly #corners: TurningCorners;
   /** Those that were solved directly. */
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
@@ -98,7 +100,15 @@ export class ContactSolve extends Effect {
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
-    this.#reader = new PartReader(simulation, effects, this.#bodies, this.#port, this.#joints);
+    this.#corners = new TurningCorners(simulation, effects, this.#bodies, this.#contacts);
+    this.#reader = new PartReader(
+      simulation,
+      effects,
+      this.#bodies,
+      this.#port,
+      this.#joints,
+      this.#corners,
+    );
   }
 
   // ---- who needs it -------------------------------------------------------------------------------------------------
@@ -244,6 +254,7 @@ export class ContactSolve extends Effect {
       this.#distances[i] = solverDistanceAt(ammo, point);
       setSolverDistanceAt(ammo, point, ASIDE);
     }
+    this.#corners.tell(part.contacts);
   }
 
   override solved(): void {

@@ -8,6 +8,7 @@ import type { CoupledJoints } from './coupled-joints.js';
 import type { Part } from './part.js';
 import type { ContactPort, ContactStep } from './read-contact.js';
 import type { SolveBodies } from './solve-bodies.js';
+import type { TurningCorners } from './turning-corners.js';
 
 const NONE: ReadonlySet<number> = new Set();
 
@@ -18,6 +19,7 @@ export class PartReader {
   readonly #bodies: SolveBodies;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
+  readonly #corners: TurningCorners;
   readonly #step: ContactStep = { dt: 0, slop: 0, written: NONE };
   /** Points that are left to Bullet. */
   #special: ReadonlySet<number> = NONE;
@@ -28,12 +30,14 @@ export class PartReader {
     bodies: SolveBodies,
     port: ContactPort,
     joints: CoupledJoints,
+    corners: TurningCorners,
   ) {
     this.#simulation = simulation;
     this.#effects = effects;
     this.#bodies = bodies;
     this.#port = port;
     this.#joints = joints;
+    this.#corners = corners;
   }
 
   /** A step of `dt` seconds. */
@@ -67,12 +71,14 @@ export class PartReader {
     const count = pointCountAt(ammo, manifold);
     const p = this.#bodies.numberOf(a);
     const q = this.#bodies.numberOf(b);
+    const first = into.length;
     for (let i = 0; i < count; i++) {
       const point = pointAt(manifold, i);
       if (this.#special.has(point)) return false;
       const contact = this.#port.read(point, a, b, p, q, this.#step);
       if (contact >= 0) into.push(contact);
     }
+    this.#corners.read(into, first, a, b, this.#step.dt);
     return true;
   }
 

@@ -66,6 +66,7 @@ export class ContactPort {
     c[at + C.friction] = point.friction;
     c[at + C.penalty] = STIFFNESS * this.#mass(p, q);
     this.#readTargets(c, at, p, q, step);
+    c[at + C.corner] = point.corner;
     this.#readCarried(c, at, a, b, p, q, step.dt);
     return this.#contacts.count - 1;
   }

@@ -14,6 +14,7 @@ import type { Effects } from '../effect/effects.js';
 import { impactPropagation } from '../hits/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import { forces } from './forces.js';
+import { gyroscopic } from './gyroscopic.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 
 /** A body that something known pulls or turns: linear parts, then angular ones. */
@@ -42,6 +43,8 @@ export class Flight extends Effect {
   readonly #fall = new FreeFall();
   /** Those whose forces are others than in the step before. */
   readonly #varying: Flyer[] = [];
+  /** Those that turn about a corner in this step. */
+  readonly #turning = new Set<Body>();
   readonly #now = new Float64Array(VELOCITY);
   /** What is to be added to the place and the orientation, and whether velocities are others than Bullet's. */
   readonly #displacement = new Float64Array(VELOCITY);
@@ -78,11 +81,31 @@ export class Flight extends Effect {
     this.#fall.set(slot, MOTION.unknown);
   }
 
+  /** Whether nothing acts on it in this step but what is known and, evenly, what touches it. */
+  glides(body: Body): boolean {
+    const flyer = this.#flyers[body.slot];
+    return (
+      flyer?.body === body &&
+      !flyer.varies &&
+      !this.#effects.caused(jointSolve)?.lastStep(body) &&
+      !this.#effects.find(impactPropagation)?.struck(body) &&
+      !this.#effects.find(carrying)?.carries(body) &&
+      !this.#effects.find(forces)?.pending(body) &&
+      !this.#effects.find(dragging)?.isNeededBy(body)
+    );
+  }
+
+  /** It turns about a corner in this step: that goes on evenly, too, however slow it is. */
+  turnsOn(body: Body): void {
+    this.#turning.add(body);
+  }
+
   override settle(dt: number): void {
     const { engine, bodies } = this.#simulation;
     const joints = this.#effects.caused(jointSolve);
     const fall = this.#fall;
     joints?.eachMoved(this.#standAside);
+    this.#turning.forEach(this.#standAside);
     if (engine.heapTrusted) fall.all(engine.ammo, bodies.moving, dt);
     else fall.none(bodies.moving);
     for (let i = 0; i < fall.asideCount; i++) {
@@ -91,6 +114,8 @@ export class Flight extends Effect {
       if (!flyer.varies && !joints?.lastStep(flyer.body)) this.#fly(flyer, dt);
     }
     joints?.eachMoved(this.#comeBack);
+    this.#turning.forEach(this.#comeBack);
+    this.#turning.clear();
     if (this.#varying.length > 0) this.#steady();
   }
 
@@ -125,8 +150,7 @@ export class Flight extends Effect {
     const flies =
       this.#lead(0, body.slot, acceleration, linear, dt) || this.#glide(body, acceleration, dt);
     if (turns && this.#lead(3, body.slot, acceleration, angular, dt)) this.#place(body);
-    else if (flies)
-      this.#shift(body, this.#displacement[0]!, this.#displacement[1]!, this.#displacement[2]!);
+    else if (flies) this.#goOn(body, dt);
     if (this.#faster) this.#hasten(body);
   }
 
@@ -144,8 +168,7 @@ export class Flight extends Effect {
     const [now, half] = [this.#now, dt / 2];
     if (same(now[0]!, v[at]!, x) && same(now[1]!, v[at + 1]!, y) && same(now[2]!, v[at + 2]!, z))
       this.#shift(body, -x * half, -y * half, -z * half);
-    else if (this.#glide(body, acceleration, dt))
-      this.#shift(body, this.#displacement[0]!, this.#displacement[1]!, this.#displacement[2]!);
+    else if (this.#glide(body, acceleration, dt)) this.#goOn(body, dt);
   }
 
   /** Three parts of a damped or turning motion, from `part` on. False: something else acted on them in this step. */
@@ -185,13 +208,23 @@ export class Flight extends Effect {
       most += (acceleration[i]! * dt) ** 2;
       this.#displacement[i] = (-dt / 2) * gained;
     }
-    if (speed < RESTING ** 2 || change > most * EVEN) return false;
-    return (
-      !this.#effects.find(impactPropagation)?.struck(body) &&
-      !this.#effects.find(carrying)?.carries(body) &&
-      !this.#effects.find(forces)?.pending(body) &&
-      !this.#effects.find(dragging)?.isNeededBy(body)
-    );
+    if (speed < RESTING ** 2 && !this.#turning.has(body)) return false;
+    return change <= most * EVEN && this.glides(body);
+  }
+
+  /** By what was found, and turned as evenly where it turns about a corner. */
+  #goOn(body: Body, dt: number): void {
+    const displacement = this.#displacement;
+    if (!this.#turning.has(body)) {
+      this.#shift(body, displacement[0]!, displacement[1]!, displacement[2]!);
+      return;
+    }
+    const given = this.#effects.caused(gyroscopic)?.given(body);
+    const v = this.#simulation.bodies.velocities;
+    const at = body.slot * VELOCITY + 3;
+    for (let i = 0; i < 3; i++)
+      displacement[3 + i] = (-dt / 2) * (this.#now[3 + i]! - (given ? given[i]! : v[at + i]!));
+    this.#place(body);
   }
 
   /** With another orientation. */

@@ -99,6 +99,11 @@ export class Gyroscopic extends Effect {
     state.beyond = true;
   }
 
+  /** The spin that it was given for this step; undefined: its own. */
+  given(body: Body): Float64Array | undefined {
+    return this.#spinning.get(body)?.given;
+  }
+
   override beforeStep(dt: number): void {
     for (const [body, top] of this.#tops) {
       if (body.active && !body.sleeping) this.#lead(body, top, dt);

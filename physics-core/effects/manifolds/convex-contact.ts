@@ -17,6 +17,12 @@ export const OFF = 0.01;
 /** The second face bears the contact where it lies so much farther out than the first, metres. */
 const FARTHER = 1e-5;
 
+/** What lies on a face with more corners turns about none of them. */
+const MOST_LYING = 8;
+
+/** So near a corner it is that corner, metres. */
+const AT = 1e-6;
+
 /**
  * The contact points of two convex forms as they stand. Where a flat face of one bears the other, the normal is exactly
  * that of the face, and the points are those of what lies over it; else the nearest points say the normal.
@@ -28,6 +34,10 @@ export class ConvexContact {
   readonly #normalB = new Float64Array(3);
   readonly #face = new Float64Array(3 * MOST_CLIPPED);
   readonly #lying = new Float64Array(3 * MOST_CLIPPED);
+  /** Corners of what lies on a face, before it is clipped, and how many; and how many the face has. */
+  readonly #corners = new Float64Array(3 * MOST_LYING);
+  #ends = 0;
+  #sides = 0;
   #points!: FoundPoints;
   /** Farther apart than this nothing is a contact, metres. */
   #limit = 0;
@@ -95,6 +105,20 @@ export class ConvexContact {
           this.#onFace(a, b, ofA, this.#normalA, gapA, -1, normal);
   }
 
+  /** Before one is clipped by the other. */
+  #noteCorners(borne: PlacedForm, lying: Flat, count: number, bearer: PlacedForm, corners: number) {
+    const few = count <= MOST_LYING && corners <= MOST_LYING;
+    this.#ends = few && borne.form.cornered ? count : 0;
+    this.#sides = few && bearer.form.cornered ? corners : 0;
+    for (let i = 0; i < 3 * this.#ends; i++) this.#corners[i] = lying[i]!;
+  }
+
+  /** 1: of what lies on a face, -1: of the face, 0: of neither. */
+  #cornerAt(x: number, y: number, z: number): -1 | 0 | 1 {
+    if (isOne(this.#corners, this.#ends, x, y, z)) return 1;
+    return isOne(this.#face, this.#sides, x, y, z) ? -1 : 0;
+  }
+
   /** What lies over a face of `bearer`; `sign` 1: that is B. */
   #onFace(
     bearer: PlacedForm,
@@ -110,7 +134,9 @@ export class ConvexContact {
     const face = this.#face;
     const corners = bearer.face(number, face);
     const lying = this.#lying;
-    const count = clip(lying, borne.lying(-x, -y, -z, lying), face, corners, x, y, z);
+    const whole = borne.lying(-x, -y, -z, lying);
+    this.#noteCorners(borne, lying, whole, bearer, corners);
+    const count = clip(lying, whole, face, corners, x, y, z);
     const height = x * face[0]! + y * face[1]! + z * face[2]!;
     const flush = Math.min(FLUSH, FLUSH_SHARE * borne.form.reach);
     if (leastHeight(lying, count, x, y, z) - height > gap + flush) return false;
@@ -128,11 +154,21 @@ export class ConvexContact {
         sign * z,
         distance,
         this.#triangle,
+        sign * this.#cornerAt(px, py, pz),
       );
     }
     for (let i = 0; i < 3; i++) normal[i] = sign * out[i]!;
     return true;
   }
+}
+
+/** Whether a place is one of these. */
+function isOne(places: Flat, count: number, x: number, y: number, z: number): boolean {
+  for (let i = 0; i < 3 * count; i += 3) {
+    const [u, v, w] = [places[i]! - x, places[i + 1]! - y, places[i + 2]! - z];
+    if (Math.abs(u) + Math.abs(v) + Math.abs(w) < AT) return true;
+  }
+  return false;
 }
 
 /** How far `borne` lies from `bearer` along the bearer's outward normal. */

@@ -1,3 +1,4 @@
+import { CORNER } from '../../engine/contact-point.js';
 import type { NewPoints } from '../../engine/manifold-writer.js';
 
 /** Points that Bullet's manifolds hold. */
@@ -29,6 +30,8 @@ export class FoundPoints implements NewPoints {
   readonly distance = new Float64Array(MOST_FOUND);
   /** The number of the triangle that each lies on. */
   readonly triangle = new Int32Array(MOST_FOUND);
+  /** Whose corner it is that lies on a face of the other: `CORNER`. */
+  readonly corner = new Int8Array(MOST_FOUND);
   /** Those to be kept. */
   readonly kept = new Int32Array(MOST_POINTS);
   keptCount = 0;
@@ -58,6 +61,7 @@ export class FoundPoints implements NewPoints {
     nz: number,
     distance: number,
     triangle: number,
+    corner: number = CORNER.ofNone,
   ): void {
     if (this.count === MOST_FOUND) this.#condense();
     const at = 3 * this.count;
@@ -75,6 +79,7 @@ export class FoundPoints implements NewPoints {
     this.normal[at + 1] = ny;
     this.normal[at + 2] = nz;
     this.distance[this.count] = distance;
+    this.corner[this.count] = corner;
     this.triangle[this.count++] = triangle;
   }
 
@@ -84,10 +89,11 @@ export class FoundPoints implements NewPoints {
       this.at[i]! += this.normal[i]! * this.distance[Math.floor(i / 3)]!;
       this.normal[i] = -this.normal[i]!;
     }
+    for (let i = 0; i < this.count; i++) this.corner[i] = -this.corner[i]!;
   }
 
   /** The points of another. */
-  take({ count, at, normal, distance, triangle }: FoundPoints): void {
+  take({ count, at, normal, distance, triangle, corner }: FoundPoints): void {
     for (let i = 0; i < count; i++) {
       const k = 3 * i;
       this.add(
@@ -99,6 +105,7 @@ export class FoundPoints implements NewPoints {
         normal[k + 2]!,
         distance[i]!,
         triangle[i]!,
+        corner[i]!,
       );
     }
   }
@@ -115,6 +122,7 @@ export class FoundPoints implements NewPoints {
       }
       this.distance[i] = this.distance[from]!;
       this.triangle[i] = this.triangle[from]!;
+      this.corner[i] = this.corner[from]!;
     }
     this.count = this.keptCount;
   }

@@ -3,6 +3,7 @@ import type { Flat, Form } from './form.js';
 /** Its middle, and its radius around it. */
 export class BallForm implements Form {
   readonly round: number;
+  readonly cornered = false;
   readonly reach: number;
 
   constructor(radius: number) {

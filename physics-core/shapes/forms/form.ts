@@ -11,6 +11,8 @@ export const MOST_CORNERS = 256;
 export interface Form {
   /** It reaches so far beyond what is said here, on all sides, metres: the radius of a ball around its middle. */
   readonly round: number;
+  /** What of it lies on a plane are corners, which turn with it. */
+  readonly cornered: boolean;
   /** From its frame's origin to what is farthest of it, metres. */
   readonly reach: number;
   /** The point farthest along a direction. */

@@ -17,6 +17,7 @@ const ALONG = 0.02;
 /** A cylinder or a cone around y: its radius goes evenly from `bottom` at y = -half to `top` at y = half. */
 export class FrustumForm implements Form {
   readonly round = 0;
+  readonly cornered = false;
   readonly reach: number;
   readonly #bottom: number;
   readonly #top: number;

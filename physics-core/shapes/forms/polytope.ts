@@ -7,6 +7,7 @@ const ALONG = 0.02;
 /** What is bounded by flat faces: a box, a convex hull, a triangle. */
 export class PolytopeForm implements Form {
   readonly round = 0;
+  readonly cornered = true;
   readonly reach: number;
   readonly points: Flat;
   /** Corners of each face in order, against the clock as seen from outside. */

@@ -4,6 +4,7 @@ import type { Flat, Form } from './form.js';
 /** A triangle with two sides. One object goes from triangle to triangle of a surface. */
 export class TriangleForm implements Form {
   readonly round = 0;
+  readonly cornered = true;
   reach = 0;
   readonly corners = new Float64Array(9);
   readonly normal = new Float64Array(3);
