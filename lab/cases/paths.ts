@@ -4,10 +4,6 @@ import { apart, worst } from './judging.js';
 /** Where a body's centre is after so many seconds. */
 export type Path = (time: number) => Vec3;
 
-/** Of what turns about a place where it touches. */
-export const LAGS =
-  'contacts hold with the arms that bodies have at the start of a step, so what turns about an edge or a tip leaves it a little, and the error goes with the step; at the same step it is smaller than that of others, but a step of theirs takes an eighth of the time.';
-
 const alongFloor = (a: Vec3, b: Vec3): number => Math.hypot(a[0] - b[0], a[2] - b[2]);
 
 type Paths = Record<string, Path>;
