@@ -1,3 +1,4 @@
+import { monitors } from '../physics-core/inside.js';
 import { X3DUIElement, type UIDescription } from './ui/ui-element.js';
 import { loadView } from './ui/view.js';
 
@@ -26,8 +27,11 @@ export class X3DPhysicsMonitorElement extends X3DUIElement {
 
   protected readonly label = 'physics monitor';
 
-  protected load() {
-    return loadView('monitor', () => import('./ui/monitor/view.js'));
+  protected async load() {
+    const view = await loadView('monitor', () => import('./ui/monitor/view.js'));
+    // So that `world.effects` tells what it weighs.
+    await monitors.comesFrom(async () => ({ provide() {}, bytes: view.bytes ?? 0 })).load();
+    return view;
   }
 }
 

@@ -4,6 +4,7 @@ import { loadEngine as loadBullet, type Engine } from './engine/engine.js';
 import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
 import { chunks } from './world/chunks/all.js';
+import { outlines } from './effects/debug/debugging.js';
 import { JointNode } from './nodes/joints/joint.js';
 import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
@@ -32,11 +33,17 @@ export type { Access, Dimension, FieldType, Rotation, Value, Vec3 } from './fiel
 export { logProblem, type Problem, type ProblemReport, type Severity } from './base/problems.js';
 export { shown } from './face/shown.js';
 export type { DebugLines } from './effects/debug/debug-lines.js';
-export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
+export {
+  monitors,
+  PHASES,
+  type Costs,
+  type Percentiles,
+  type Phase,
+} from './effects/costs/frame-costs.js';
 export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { drags } from './effects/drag/effects.js';
-export { debugging } from './effects/debug/debugging.js';
+export { debugging, outlines } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/effects.js';
 export type { EffectReport } from './effects/effect/report.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
@@ -46,8 +53,8 @@ export type { Geometry } from './shapes/geometry.js';
 
 /** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
 export async function debugLines(world: World): Promise<DebugLines> {
-  const { DebugLines: Lines } = await import('./effects/debug/debug-lines.js');
-  return new Lines(world, {
+  await outlines.load();
+  return outlines.code.lines(world, {
     flush: () => world.flush(),
     joints: () => [...world.nodes].filter((node) => node instanceof JointNode),
   });

@@ -3,9 +3,9 @@ import { gzipSync } from 'node:zlib';
 /** In place of the number, until the files are written. */
 const UNKNOWN = '__CHUNK_BYTES__';
 
-/** The modules of chunks: `provide` gives their code to effects. */
+/** The modules of chunks: `provide` gives their code to effects, `createView` shows them. */
 const provides = (code, id) =>
-  id.endsWith('-code.ts') && /export (const|function) provide\b/.test(code);
+  /(-code|\/view)\.ts$/.test(id) && /export (const|function) (provide|createView)\b/.test(code);
 
 /** Files that a file is not run without, itself included. */
 function withImports(bundle, name, found = new Set()) {

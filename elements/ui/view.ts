@@ -13,6 +13,8 @@ export interface View {
 /** One file `elements/ui/<name>/view.ts`. */
 export interface ViewModule {
   createView(host: X3DUIElement): View;
+  /** What was fetched for it, bytes as a server sends them (gzip): the build says so. */
+  readonly bytes?: number;
 }
 
 /** Where the classic scripts have their views: beside themselves, since they are one file each. */

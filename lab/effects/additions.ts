@@ -9,7 +9,7 @@ export interface Addition {
   by: string;
   without: Scene;
   with: Scene;
-  /** Files of the build that the page itself fetches for it, by how their names begin. */
+  /** Files of the build that are fetched for it, by how their names begin; undefined: that of its chunk. */
   files?: readonly string[];
 }
 
@@ -190,7 +190,7 @@ export const additions: readonly Addition[] = [
         return () => {};
       },
     },
-    files: ['chunk-hands'],
+    files: ['chunk-drag-code', 'chunk-hands'],
   },
   {
     effect: 'rest',
@@ -210,7 +210,7 @@ export const additions: readonly Addition[] = [
         return () => lines.update();
       },
     },
-    files: ['chunk-sketch', 'chunk-debug-lines'],
+    files: ['chunk-debug-code', 'chunk-sketch'],
   },
   {
     effect: 'monitor',

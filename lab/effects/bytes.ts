@@ -25,14 +25,20 @@ export class Bytes {
     );
   }
 
-  ofChunk(name: string): number {
+  /** Of these files, or of what the chunk of that name comes in. */
+  of(files: readonly string[] | undefined, chunk: string | null): number {
+    if (files) return files.reduce((sum, file) => sum + this.#ofFile(file), 0);
+    return chunk === null ? 0 : this.#ofChunk(chunk);
+  }
+
+  #ofChunk(name: string): number {
     const bytes = this.#chunks.get(name);
     if (!bytes) throw new Error(`the build has no chunk ${name}: npm run build makes it anew`);
     return bytes;
   }
 
   /** By how its name begins. */
-  ofFile(begin: string): number {
+  #ofFile(begin: string): number {
     const file = builtFiles().find(({ name }) => name.startsWith(begin));
     if (!file) throw new Error(`the build has no file ${begin}`);
     return file.bytes;

@@ -20,9 +20,7 @@ export async function measureEffects(): Promise<void> {
   for (const addition of additions) {
     process.stderr.write(`\r\x1b[K${costs.length + 1} of ${additions.length}: ${addition.effect}`);
     const cost = await costOf(addition);
-    const files = (addition.files ?? []).map((file) => bytes.ofFile(file));
-    if (cost.chunk) files.push(bytes.ofChunk(cost.chunk));
-    costs.push({ ...cost, bytes: files.reduce((sum, file) => sum + file, 0) });
+    costs.push({ ...cost, bytes: bytes.of(addition.files, cost.chunk) });
   }
   process.stderr.write('\r\x1b[K');
   writeEffects({

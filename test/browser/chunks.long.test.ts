@@ -141,16 +141,27 @@ describe('what a page fetches', () => {
 });
 
 describe('world.effects', () => {
-  for (const [name, added, file] of [
-    ['joint solve', JOINT, JOINTS],
-    ['contact solve', FLOOR, CONTACTS],
-    ['mesh shapes', EGG, MESHES],
-  ] as const)
+  const DEBUG =
+    '<x3d-rigid-body-collection default="true" debug="true"></x3d-rigid-body-collection>';
+  const MONITOR = '<x3d-physics-monitor></x3d-physics-monitor>';
+  const into = (text: string) => (scene: Element) => scene.insertAdjacentHTML('beforeend', text);
+  for (const [name, add, file] of [
+    ['joint solve', into(JOINT), JOINTS],
+    ['contact solve', into(FLOOR), CONTACTS],
+    ['mesh shapes', into(EGG), MESHES],
+    ['dragging', (scene) => scene.querySelector('#b')!.setAttribute('draggable-body', ''), DRAGS],
+    ['debug drawing', into(DEBUG), /debug-code|contact-code/],
+    [
+      'monitor',
+      (scene) => scene.closest('body')!.insertAdjacentHTML('beforeend', MONITOR),
+      /ui\/(monitor|chunk-styles)/,
+    ],
+  ] as [string, (scene: Element) => void, RegExp][])
     it(`has no bytes of a chunk before its cause is there: ${name}`, async () => {
       const { page, world, scene } = await show(FALLING);
       const bytes = (): number => world.effects.find((effect) => effect.name === name)!.bytes;
       expect(bytes()).to.equal(0);
-      scene.insertAdjacentHTML('beforeend', added);
+      add(scene);
       await until(() => bytes() > 0, 5000);
       // Another zip, without the line that tells the number.
       const weight = await zipped(fetched(page).filter((path) => file.test(path)));

@@ -1,7 +1,7 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import { contacts, drags, joints, meshes } from '../../physics-core/inside.js';
+import { contacts, drags, joints, meshes, outlines } from '../../physics-core/inside.js';
 
 export const PAGE = 'docs/chunks.md';
 
@@ -17,8 +17,8 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],
   ['chunk-hands', 'a body that may be dragged'],
+  ['chunk-debug-code', outlines.causes],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
-  ['chunk-debug-lines', 'the same, or `debugLines()`'],
   ['chunk-measure-', '`measureAccuracy()`'],
   ['chunk-measurement', 'the same'],
   ['accuracy-worker.js', 'the same, where there are workers'],

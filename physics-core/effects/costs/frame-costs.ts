@@ -1,3 +1,4 @@
+import { Chunk } from '../../base/chunk.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 
 /** What a frame's milliseconds are split by: Bullet and effects, reading poses, writing them to the page, listeners. */
@@ -76,8 +77,15 @@ function percentiles(values: number[]): Percentiles {
   return { p50: rank(0.5), p90: rank(0.9), p99: rank(0.99) };
 }
 
+/** Who shows them in a page. */
+export const monitors = new Chunk({
+  name: 'monitor',
+  causes: 'an `<x3d-physics-monitor>` in sight',
+});
+
 export const frameCosts: EffectDescriptor<FrameCosts> = {
   name: 'monitor',
+  chunk: monitors,
   causes: 'somebody who looks at what frames cost',
   load: () => new FrameCosts(),
 };

@@ -1,5 +1,17 @@
+import { Chunk } from '../../base/chunk.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import type { DebugLines, DebugScene } from './debug-lines.js';
+
+/** What only a world needs that is drawn as Bullet has it. */
+interface DebugCode {
+  lines(simulation: Simulation, scene: DebugScene): DebugLines;
+}
+
+export const outlines = new Chunk<DebugCode>({
+  name: 'debug',
+  causes: 'debug of a RigidBodyCollection, or `debugLines()`',
+});
 
 /** Collections that ask to be drawn as Bullet has them. Who draws hears of it by the world's `debug`. */
 export class Debugging extends Effect {
@@ -30,6 +42,7 @@ export class Debugging extends Effect {
 
 export const debugging: EffectDescriptor<Debugging> = {
   name: 'debug drawing',
+  chunk: outlines,
   causes: 'debug of a RigidBodyCollection',
   load: (simulation) => new Debugging(simulation),
 };

@@ -105,6 +105,7 @@ export class Dragging extends Effect implements Pull {
 
 export const dragging: EffectDescriptor<Dragging> = {
   name: 'dragging',
+  chunk: drags,
   causes: 'a body that somebody holds',
   load: (simulation, effects) => new Dragging(simulation, effects),
 };

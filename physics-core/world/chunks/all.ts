@@ -1,12 +1,16 @@
 import type { Chunk } from '../../base/chunk.js';
+import { outlines } from '../../effects/debug/debugging.js';
 import { drags } from '../../effects/drag/effects.js';
 import { contacts, joints } from '../../effects/effect/chunks.js';
 import { meshes } from '../../shapes/meshes.js';
 
-/** All code that pages fetch when it is needed. */
+/** All code that nodes wait for; pages fetch it when it is needed. */
 export const chunks: readonly Chunk<unknown>[] = [
   joints.comesFrom(() => import('../../effects/joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),
 ];
+
+// No node waits for this one.
+outlines.comesFrom(() => import('../../effects/debug-code.js'));
