@@ -41,7 +41,8 @@ export class Sweep {
     callback.set_m_closestHitFraction(1);
     callback.set_m_collisionFilterGroup(group);
     callback.set_m_collisionFilterMask(proxy.get_m_collisionFilterMask());
-    const [start, end] = [scratch.transform(from, UPRIGHT, 0), scratch.transform(to, UPRIGHT, 1)];
+    const start = scratch.transform(from, UPRIGHT, 0);
+    const end = scratch.transform(to, UPRIGHT, 1);
     proxy.set_m_collisionFilterGroup(UNSEEN);
     world.convexSweepTest(this.#ball, start, end, callback, 0);
     proxy.set_m_collisionFilterGroup(group);

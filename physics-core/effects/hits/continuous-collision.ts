@@ -1,7 +1,7 @@
 import { ContactPoint } from '../../engine/contact-point.js';
 import { pairTestOf } from '../../engine/pair-test.js';
 import { sweepOf } from '../../engine/sweep.js';
-import { compose } from '../../base/math.js';
+import { compose7 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -24,6 +24,7 @@ function areJoined({ joints }: Body, other: Body): boolean {
  */
 export class ContinuousCollision extends Effect {
   readonly #simulation: Simulation;
+  readonly #from = new Float64Array(POSE);
   readonly #pose = new Float64Array(POSE);
   #point: ContactPoint | undefined;
 
@@ -39,15 +40,15 @@ export class ContinuousCollision extends Effect {
 
   /** Calls `visit` with a contact point for each that has passed something in the step, as deep as it came since. */
   look(visit: (pointer: number, a: number, b: number) => void): void {
-    const { engine, bullet } = this.#simulation;
+    const { engine, bullet, poses } = this.#simulation;
     for (const node of this.causes) {
       const body = node as Body;
       if (!body.active || !body.movable || body.sleeping) continue;
       const radius = body.leastExtent / 2;
-      const from = compose(body.pose(), body.centerOfMass).p;
+      compose7(this.#from, 0, poses.current, body.slot * POSE, body.centerOfMass);
       engine.reader.pose(body.body, body.pointer, this.#pose, 0);
       const sweep = sweepOf(engine);
-      if (!sweep.send(bullet.bullet, body.body, BALL * radius, from, this.#pose)) continue;
+      if (!sweep.send(bullet.bullet, body.body, BALL * radius, this.#from, this.#pose)) continue;
       const { met } = sweep;
       const other = this.#simulation.bodyAt(met);
       if (other && areJoined(body, other)) continue;
