@@ -12,27 +12,37 @@ const COMMANDS = {
     command: await findChromium(),
     args: [...CHROMIUM_ARGUMENTS, '--headless', `--user-data-dir=${folder}`, address],
   }),
-  firefox: async (address, folder) => ({
-    command: findFirefox(),
-    args: ['--headless', '--no-remote', '--profile', folder, address],
-  }),
+  // Without a window it has no WebGL.
+  firefox: async (address, folder, { draws }) => {
+    if (draws) await ensureDisplay();
+    const window = draws ? [] : ['--headless'];
+    return {
+      command: findFirefox(),
+      args: [...window, '--no-remote', '--profile', folder, address],
+    };
+  },
   webkit: async (address) => {
     await ensureDisplay();
     return {
       command: findWebKit()?.browser,
       args: ['--private', address],
-      // Its sandbox cannot start as root, which containers and CI are.
-      env: process.getuid?.() === 0 ? { WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' } : {},
+      env: {
+        LIBGL_ALWAYS_SOFTWARE: '1',
+        // Of no locale it tells pages a language that is none.
+        LANG: 'en_US.UTF-8',
+        // Its sandbox cannot start as root, which containers and CI are.
+        ...(process.getuid?.() === 0 && { WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' }),
+      },
     };
   },
 };
 
 export const BROWSERS = Object.keys(COMMANDS);
 
-/** Opens the page, and answers how it is closed. It ends with our process. */
-export async function openBrowser(name, address) {
+/** Opens the page, and answers how it is closed. It ends with our process. `draws`: it needs WebGL. */
+export async function openBrowser(name, address, { draws = false } = {}) {
   const folder = mkdtempSync(join(tmpdir(), `x3d-physics-${name}-`));
-  const { command, args, env } = await COMMANDS[name](address, folder);
+  const { command, args, env } = await COMMANDS[name](address, folder, { draws });
   if (!command) throw new Error(`${name} is not installed`);
   const child = spawn(command, args, { stdio: 'ignore', env: { ...process.env, ...env } });
   const ended = new Promise((resolve) => child.once('exit', resolve).once('error', resolve));

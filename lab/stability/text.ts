@@ -1,14 +1,8 @@
+import { between } from '../draw/between.js';
 import { markdownOf } from '../draw/table.js';
 import { besidesNode, inBrowsers } from './browsers/table.js';
 import type { StabilityNumbers } from './numbers.js';
 import { besideOthers, dominoWaves, matrices, promiseCount } from './table.js';
-
-/** The text with something else between the two marks of that name. */
-function between(text: string, name: string, content: string): string {
-  const [begin, end] = [`<!-- ${name} -->`, `<!-- end of ${name} -->`];
-  const from = text.indexOf(begin) + begin.length;
-  return `${text.slice(0, from)}\n\n${content}\n\n${text.slice(text.indexOf(end))}`;
-}
 
 function matrixOf(numbers: StabilityNumbers): string {
   const { kept, broken } = promiseCount(numbers);

@@ -1,0 +1,67 @@
+// What is asked of each library in its page.
+import * as ammo from './ammo.js';
+import { watchMethod } from './frames.js';
+
+export interface Adapter {
+  /** Called until it answers true: the scene is there, and what its physics costs is watched. */
+  ready(): boolean;
+  /** Milliseconds of physics in the last frame, where the library tells them itself. */
+  physics?(): number;
+  /** Of the first thing, metres. */
+  height(): number | undefined;
+}
+
+const page = window as any;
+
+const ours: Adapter = {
+  ready: () => Boolean(ourWorld()?.started),
+  physics() {
+    const { step, read, write, events } = ourWorld().stats.ms;
+    return step + read + write + events;
+  },
+  height: () => ourWorld()?.node('b0')?.get('position')[1],
+};
+
+const ourWorld = () => document.querySelector<any>('x3d-rigid-body')?.world;
+
+let watched = false;
+const xIteNode = (name: string) => {
+  try {
+    return document.querySelector<any>('x3d-canvas').browser.currentScene.getNamedNode(name);
+  } catch {
+    return undefined; // Not there yet.
+  }
+};
+
+const xIte: Adapter = {
+  ready() {
+    const world = xIteNode('world')?.getValue();
+    if (!world || watched) return watched;
+    watchMethod(world, 'update');
+    // It was bound when its collection began.
+    world.getBrowser().sensorEvents().removeInterest('update', world);
+    world.set_enabled__();
+    return (watched = true);
+  },
+  height: () => xIteNode('b0')?.position.y,
+};
+
+let bodies: number | undefined;
+const aFrame: Adapter = {
+  ready() {
+    const scene = document.querySelector<any>('a-scene');
+    const physics = scene?.systems?.physics;
+    if (!physics?.initialized) return false;
+    const all = [...document.querySelectorAll<any>('[ammo-body]')];
+    if (bodies === undefined) {
+      for (const name of ['tick', 'tock']) if (physics[name]) watchMethod(physics, name);
+      bodies = all.length;
+    }
+    return all.every(({ body }) => body);
+  },
+  height: () => document.querySelector<any>('#b0')?.object3D?.position.y,
+};
+
+export const adapters: Record<string, Adapter> = { ours, 'x-ite': xIte, 'a-frame': aFrame, ammo };
+
+if (page.scene) void ammo.begin(page.scene);

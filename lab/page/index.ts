@@ -1,0 +1,66 @@
+// npm run bench:page: the paper's scenes in real pages, beside other libraries. Writes lab/report/pages.json cell by cell,
+// and the pictures and tables of docs/pages.md. dist/ must be built; no network is needed.
+//   --browser <name>   only in this one: chromium, firefox or webkit
+//   --quick            few sizes, printed and not kept
+//   --draw             measure nothing: pictures and tables of the numbers of last time
+import { parseArgs } from 'node:util';
+// @ts-expect-error plain JavaScript
+import { BROWSERS } from '../../tools/open-browser.js';
+import { MeasuredBrowser } from './browser.js';
+import { drawPages } from './draw.js';
+import { emptyPages, FRAMES, measureCell, measureStart, TURNS, WARM_UP } from './measure.js';
+import { readPages, writePages, type BrowserPages, type PageNumbers } from './numbers.js';
+import { Pages } from './pages.js';
+import { cellText, startText } from './text.js';
+
+const { values: options } = parseArgs({
+  options: {
+    browser: { type: 'string' },
+    quick: { type: 'boolean', default: false },
+    draw: { type: 'boolean', default: false },
+  },
+});
+
+const SIZES: Record<string, readonly number[]> = options.quick
+  ? { boxes: [10, 100], links: [50] }
+  : { boxes: [10, 50, 100, 200, 500, 1000, 2000], links: [50, 100, 200, 500, 1000] };
+
+const say = (line: string): void => void process.stderr.write(`${line}\n`);
+
+/** One browser after the other; what is found is kept at once. */
+async function measure(name: string, pages: Pages, keep: (found: BrowserPages) => void) {
+  const browser = await MeasuredBrowser.open(name, pages);
+  const start = await measureStart(browser);
+  const found = { ...emptyPages(browser.version), start };
+  say(startText(name, found));
+  for (const [scene, counts] of Object.entries(SIZES))
+    for (const count of counts) {
+      const cell = await measureCell(browser, scene, count);
+      found.cells.push(cell);
+      say(cellText(name, cell));
+      keep(found);
+    }
+  await browser.close();
+}
+
+function before(): PageNumbers['browsers'] {
+  try {
+    return readPages().browsers;
+  } catch {
+    return {}; // None was measured yet.
+  }
+}
+
+if (!options.draw) {
+  const pages = await Pages.make();
+  const numbers = { warmUp: WARM_UP, turns: TURNS, frames: FRAMES, browsers: before() };
+  for (const name of options.browser ? [options.browser] : (BROWSERS as string[]))
+    await measure(name, pages, (found) => {
+      if (options.quick) return;
+      numbers.browsers[name] = found;
+      writePages(numbers);
+    });
+}
+if (!options.quick) drawPages(readPages());
+// A browser that was opened may take a while to go.
+process.exit(0);
