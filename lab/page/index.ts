@@ -6,11 +6,11 @@
 import { parseArgs } from 'node:util';
 // @ts-expect-error plain JavaScript
 import { BROWSERS } from '../../tools/open-browser.js';
-import { MeasuredBrowser } from './browser.js';
+import type { AskedPages } from '../run/asked-browser.js';
 import { drawPages } from './draw.js';
 import { emptyPages, FRAMES, measureCell, measureStart, TURNS, WARM_UP } from './measure.js';
 import { readPages, writePages, type BrowserPages, type PageNumbers } from './numbers.js';
-import { Pages } from './pages.js';
+import { makePages, MeasuredBrowser } from './pages.js';
 import { cellText, startText } from './text.js';
 
 const { values: options } = parseArgs({
@@ -28,7 +28,7 @@ const SIZES: Record<string, readonly number[]> = options.quick
 const say = (line: string): void => void process.stderr.write(`${line}\n`);
 
 /** One browser after the other; what is found is kept at once. */
-async function measure(name: string, pages: Pages, keep: (found: BrowserPages) => void) {
+async function measure(name: string, pages: AskedPages, keep: (found: BrowserPages) => void) {
   const browser = await MeasuredBrowser.open(name, pages);
   const start = await measureStart(browser);
   const found = { ...emptyPages(browser.version), start };
@@ -52,7 +52,7 @@ function before(): PageNumbers['browsers'] {
 }
 
 if (!options.draw) {
-  const pages = await Pages.make();
+  const pages = await makePages();
   const numbers = { warmUp: WARM_UP, turns: TURNS, frames: FRAMES, browsers: before() };
   for (const name of options.browser ? [options.browser] : (BROWSERS as string[]))
     await measure(name, pages, (found) => {

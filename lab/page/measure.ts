@@ -1,10 +1,9 @@
 import { estimate, median } from '../statistics.js';
 import { MACHINE, today } from '../run/machine.js';
 import type { Found, FramesFound, PageAt, ScriptFound, StartFound } from './asked.js';
-import type { MeasuredBrowser } from './browser.js';
 import type { FrameCost } from './in-page/frames.js';
 import type { BrowserPages, FrameRate, PageCell, ScriptCost } from './numbers.js';
-import { addressOf } from './pages.js';
+import { addressOf, type MeasuredBrowser } from './pages.js';
 
 /** Steady frames before anything is measured, by then most things lie or touch; pairs of turns, and frames of a turn. */
 export const WARM_UP = 60;

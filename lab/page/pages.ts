@@ -2,10 +2,10 @@ import { readFileSync } from 'node:fs';
 import { build } from 'esbuild';
 // @ts-expect-error plain JavaScript
 import { findFile } from '../../tools/static-files.js';
+import { AskedBrowser, type Answer, type AskedPages } from '../run/asked-browser.js';
+import type { Asked, Found } from './asked.js';
 import { libraryOf } from './libraries/index.js';
 import { SCENES } from './scene.js';
-
-type Answer = readonly [type: string, content: string | Buffer];
 
 /** The driver's page; frames lie side by side, all in sight. */
 const DRIVER = `<!DOCTYPE html><meta charset="utf-8"><title>Pages</title>
@@ -34,30 +34,66 @@ export interface PageName {
 export const addressOf = ({ library, scene, count }: PageName): string =>
   `/page?${new URLSearchParams({ library, scene, count: String(count) })}`;
 
+/** Each page loads all of its files anew, and its clock is as fine as the browser has it: it shares nothing. */
+const headers = {
+  'cache-control': 'no-store',
+  'cross-origin-opener-policy': 'same-origin',
+  'cross-origin-embedder-policy': 'require-corp',
+};
+
+/** The page of a scene, or the file beside it. */
+function sceneAt({ pathname, search, searchParams }: URL): Answer | undefined {
+  if (pathname !== '/page' && pathname !== '/file') return undefined;
+  const library = libraryOf(searchParams.get('library')!);
+  const scene = SCENES[searchParams.get('scene')!]!(Number(searchParams.get('count')));
+  if (pathname === '/file') return ['model/x3d+xml', library.file!(scene)];
+  return [library.type, library.page(scene, `/page${search}`)];
+}
+
+function fileAt(path: string): Answer | undefined {
+  const found = findFile('.', path) as { file: string; type: string } | undefined;
+  return found && [found.type, readFileSync(found.file)];
+}
+
 /** All that a browser asks for while it is measured: no network is needed. */
-export class Pages {
-  readonly #scripts: Record<string, string>;
+export async function makePages(): Promise<AskedPages> {
+  const own: Record<string, Answer> = {
+    '/': ['text/html', DRIVER],
+    '/hooks.js': ['text/javascript', await bundle('hooks')],
+    '/driver.js': ['text/javascript', await bundle('driver')],
+  };
+  const answer = (url: string): Answer | undefined => {
+    const address = new URL(url, 'http://localhost');
+    return own[address.pathname] ?? sceneAt(address) ?? fileAt(address.pathname);
+  };
+  return { answer, headers, draws: true };
+}
 
-  private constructor(scripts: Record<string, string>) {
-    this.#scripts = scripts;
+/** Milliseconds that one question may take. */
+const PATIENCE = 10 * 60_000;
+
+/** A browser at the driver's page. */
+export class MeasuredBrowser {
+  readonly #browser: AskedBrowser;
+
+  private constructor(browser: AskedBrowser) {
+    this.#browser = browser;
   }
 
-  static async make(): Promise<Pages> {
-    return new Pages({ '/hooks.js': await bundle('hooks'), '/driver.js': await bundle('driver') });
+  static async open(name: string, pages: AskedPages): Promise<MeasuredBrowser> {
+    return new MeasuredBrowser(await AskedBrowser.open(name, pages));
   }
 
-  answer(url: string): Answer | undefined {
-    const { pathname, search, searchParams } = new URL(url, 'http://localhost');
-    if (pathname === '/') return ['text/html', DRIVER];
-    const script = this.#scripts[pathname];
-    if (script) return ['text/javascript', script];
-    if (pathname === '/page' || pathname === '/file') {
-      const library = libraryOf(searchParams.get('library')!);
-      const scene = SCENES[searchParams.get('scene')!]!(Number(searchParams.get('count')));
-      if (pathname === '/file') return ['model/x3d+xml', library.file!(scene)];
-      return [library.type, library.page(scene, `/page${search}`)];
-    }
-    const found = findFile('.', pathname) as { file: string; type: string } | undefined;
-    return found && [found.type, readFileSync(found.file)];
+  /** As it says itself, once it was asked. */
+  get version(): string {
+    return this.#browser.version;
+  }
+
+  async ask(asked: Asked): Promise<Found> {
+    return JSON.parse(await this.#browser.ask(JSON.stringify(asked), PATIENCE)) as Found;
+  }
+
+  close(): Promise<void> {
+    return this.#browser.close();
   }
 }
