@@ -11,7 +11,7 @@ use([BarChart]);
 const LEAST = 0.001;
 
 /** Pixels. */
-const [WIDTH, NAMES, GAP, KILOBYTES, LABEL, LINE] = [860, 310, 24, 110, 84, 22];
+const [WIDTH, NAMES, GAP, KILOBYTES, LABEL, LINE] = [900, 350, 24, 110, 84, 22];
 
 const axis = (names: readonly string[], labels: boolean) => ({
   type: 'category' as const,
