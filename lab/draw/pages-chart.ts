@@ -65,7 +65,9 @@ function lineOf(pages: BrowserPages, scene: string, of: Value, side: string) {
 
 /** For docs/pages.md: a column for each browser; physics, drawing and frames against how many there are. */
 export function pagesPicture({ browsers }: PageNumbers, scene: string, things: string): string {
-  const names = Object.keys(browsers);
+  const names = Object.keys(browsers).filter((name) =>
+    browsers[name]!.cells.some((cell) => cell.scene === scene),
+  );
   const width = (WIDTH - LEFT - 12 - GAP * (names.length - 1)) / names.length;
   const panels = ROWS.flatMap((row, r) => names.map((name, c) => ({ row, r, name, c })));
   const top = (r: number): number => TOP + r * (HEIGHT + BETWEEN);

@@ -24,10 +24,11 @@ function conditions({ warmUp, turns, frames, browsers }: PageNumbers): string {
 const allCells = (numbers: PageNumbers): string =>
   Object.entries(THINGS)
     .flatMap(([scene, things]) =>
-      Object.keys(numbers.browsers).map(
-        (name) =>
-          `### ${things} in ${BROWSER_NAMES[name]}\n\n${markdownOf(cellTable(numbers, name, scene))}`,
-      ),
+      Object.keys(numbers.browsers).flatMap((name) => {
+        const table = cellTable(numbers, name, scene);
+        if (table.rows.length === 0) return [];
+        return `### ${things} in ${BROWSER_NAMES[name]}\n\n${markdownOf(table)}`;
+      }),
     )
     .join('\n\n');
 

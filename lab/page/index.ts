@@ -2,6 +2,7 @@
 // and the pictures and tables of docs/pages.md. dist/ must be built; no network is needed.
 //   --browser <name>   only in this one: chromium, firefox or webkit
 //   --quick            few sizes, printed and not kept
+//   --cell <cell>      only this scene of this size, as in boxes:500; printed and not kept
 //   --draw             measure nothing: pictures and tables of the numbers of last time
 import { parseArgs } from 'node:util';
 // @ts-expect-error plain JavaScript
@@ -17,23 +18,31 @@ const { values: options } = parseArgs({
   options: {
     browser: { type: 'string' },
     quick: { type: 'boolean', default: false },
+    cell: { type: 'string' },
     draw: { type: 'boolean', default: false },
   },
 });
 
-const SIZES: Record<string, readonly number[]> = options.quick
-  ? { boxes: [10, 100], links: [50] }
-  : { boxes: [10, 50, 100, 200, 500, 1000, 2000], links: [50, 100, 200, 500, 1000] };
+const ALL = { boxes: [10, 50, 100, 200, 500, 1000, 2000], links: [50, 100, 200, 500, 1000] };
+const FEW = { boxes: [10, 100], links: [50] };
+
+function sizes(): Record<string, readonly number[]> {
+  if (!options.cell) return options.quick ? FEW : ALL;
+  const [scene, count] = options.cell.split(':');
+  return { [scene!]: [Number(count)] };
+}
+
+const isKept = !options.quick && !options.cell;
 
 const say = (line: string): void => void process.stderr.write(`${line}\n`);
 
 /** One browser after the other; what is found is kept at once. */
 async function measure(name: string, pages: AskedPages, keep: (found: BrowserPages) => void) {
   const browser = await MeasuredBrowser.open(name, pages);
-  const start = await measureStart(browser);
+  const start = options.cell ? {} : await measureStart(browser);
   const found = { ...emptyPages(browser.version), start };
   say(startText(name, found));
-  for (const [scene, counts] of Object.entries(SIZES))
+  for (const [scene, counts] of Object.entries(sizes()))
     for (const count of counts) {
       const cell = await measureCell(browser, scene, count);
       found.cells.push(cell);
@@ -56,11 +65,11 @@ if (!options.draw) {
   const numbers = { warmUp: WARM_UP, turns: TURNS, frames: FRAMES, browsers: before() };
   for (const name of options.browser ? [options.browser] : (BROWSERS as string[]))
     await measure(name, pages, (found) => {
-      if (options.quick) return;
+      if (!isKept) return;
       numbers.browsers[name] = found;
       writePages(numbers);
     });
 }
-if (!options.quick) drawPages(readPages());
+if (isKept) drawPages(readPages());
 // A browser that was opened may take a while to go.
 process.exit(0);
