@@ -46,6 +46,7 @@ export const trees = {
       'nodes',
       'document',
       'drawing',
+      'batch',
       'plans',
       'outward',
       'scene',

@@ -76,9 +76,12 @@ export class Drawing {
   readonly #bindings = new WeakMap<object, Binding>();
 
   readonly #requestRender: () => void;
+  /** What a body moves came, or is to be looked at anew. */
+  readonly #onshow: (node: X3DNode, binding: Binding) => void;
 
-  constructor(requestRender: () => void) {
+  constructor(requestRender: () => void, onshow: (node: X3DNode, binding: Binding) => void) {
     this.#requestRender = requestRender;
+    this.#onshow = onshow;
   }
 
   /** What a body moves from now on, and the Transforms above that. */
@@ -127,6 +130,14 @@ export class Drawing {
 
   /** Draws a body where it is: it or what it moves came anew. */
   redraw(binding: Binding): void {
+    this.#redraw(binding);
+    for (const { element } of this.targetsOf(binding)) {
+      const node = nodeOf(element);
+      if (node?._trafo) this.#onshow(node, binding);
+    }
+  }
+
+  #redraw(binding: Binding): void {
     const body = binding.node as Body | null;
     if (!body || !binding.world || body.slot < 0) return;
     this.#draw(binding, body.slot * POSE, binding.world.poses.data);
@@ -141,7 +152,7 @@ export class Drawing {
       if (!node?._trafo) continue;
       this.#write(node, target, at, data);
       const under = this.#under.get(target.element);
-      if (under) for (const below of under) if (below !== binding) this.redraw(below);
+      if (under) for (const below of under) if (below !== binding) this.#redraw(below);
     }
   }
 

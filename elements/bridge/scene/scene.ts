@@ -1,3 +1,4 @@
+import { Batching } from '../batch/batching.js';
 import { Drivers } from '../document/drivers.js';
 import { worldFor } from '../document/world-for.js';
 import { Unlisted } from '../document/unlisted.js';
@@ -33,7 +34,11 @@ export class Scene implements Driven, Site, Stage {
   readonly readers = new Readers();
   readonly drivers = new Drivers(this.readers);
   readonly unlisted = new Unlisted();
-  readonly drawing = new Drawing(() => this.requestRender());
+  readonly batching = new Batching(this);
+  readonly drawing = new Drawing(
+    () => this.requestRender(),
+    (node, body) => this.batching.note(node, body),
+  );
   readonly routes = new Routes();
   readonly updates: Updates = new Updates(this);
   readonly arrivals: Arrivals = new Arrivals(this);
@@ -143,6 +148,7 @@ export class Scene implements Driven, Site, Stage {
   nodeChanged(binding: Binding): void {
     this.events.update(binding);
     this.routes.update(binding);
+    this.batching.drawer?.nodeChanged(binding);
   }
 
   collectionsChanged(world: PageWorld): void {

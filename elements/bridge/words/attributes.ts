@@ -32,8 +32,8 @@ const COMMON_PREFIX = /^(on|data-|aria-|xml|xsi:|_|:|@)/;
 
 /** Additions of ours that say something about structure, and so are no fields. */
 export const STRUCTURE: Record<string, string[]> = {
-  RigidBodyCollection: ['default', 'shared-world'],
-  RigidBody: ['for'],
+  RigidBodyCollection: ['default', 'shared-world', 'batch'],
+  RigidBody: ['for', 'batch'],
   CollidableShape: ['for'],
 };
 

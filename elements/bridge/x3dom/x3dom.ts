@@ -1,3 +1,5 @@
+import type { X3DProgram } from './renderer.js';
+
 /** The slice of x3dom 1.8.3 that the bridge uses. x3dom has no types and is a classic script of the page. */
 
 export interface X3DMatrix {
@@ -138,6 +140,10 @@ export interface X3DOM {
     MFVec3f: new (array?: unknown[]) => unknown[];
     MFString: new (array?: unknown[]) => unknown[];
     MFFloat: new (array?: unknown[]) => unknown[];
+  };
+  Utils: {
+    /** With a setter for each uniform. */
+    wrapProgram(gl: WebGLRenderingContext, program: WebGLProgram, id: string): X3DProgram;
   };
   /** Shaders and textures of one canvas. */
   Cache: { prototype: { Release(gl: WebGLRenderingContext): void } };

@@ -1,0 +1,42 @@
+import type { Binding } from '../nodes/binding.js';
+import type { X3DNode } from '../x3dom/x3dom.js';
+import type { DrawnScene, Drawer } from './drawer.js';
+
+/** As many of a kind are worth being drawn in one call. */
+const LEAST = 8;
+
+/** Bodies that look alike are drawn in one call. What does that is loaded with the first eight of one geometry. */
+export class Batching {
+  readonly #scene: DrawnScene;
+  readonly #counted = new WeakSet<X3DNode>();
+  readonly #counts = new Map<unknown, number>();
+  drawer: Drawer | undefined;
+
+  constructor(scene: DrawnScene) {
+    this.#scene = scene;
+  }
+
+  /** What a body moves came, or is to be looked at anew. */
+  note(node: X3DNode, body: Binding): void {
+    if (this.drawer) return this.drawer.note(node, body);
+    if (this.#counted.has(node)) return;
+    this.#counted.add(node);
+    const geometry = node._childNodes.find(({ _cf }) => _cf.geometry)?._cf.geometry.node;
+    const count = (this.#counts.get(geometry?.constructor) ?? 0) + 1;
+    this.#counts.set(geometry?.constructor, count);
+    if (geometry && count === LEAST) void this.#load(body);
+  }
+
+  async #load({ world }: Binding): Promise<void> {
+    try {
+      const { Drawer } = await import('./drawer.js');
+      this.drawer ??= new Drawer(this.#scene);
+    } catch (error) {
+      world?.report({
+        code: 'drawing-plain',
+        severity: 'info',
+        message: `bodies are drawn one by one: ${String(error)}`,
+      });
+    }
+  }
+}
