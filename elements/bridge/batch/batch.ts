@@ -1,5 +1,6 @@
 import { x3dom, type NodeContext, type X3DDocument } from '../x3dom/x3dom.js';
 import type { X3DBounded, X3DShape, X3DVolume, Way } from '../x3dom/renderer.js';
+import type { Group } from './group.js';
 import { Instances } from './instances.js';
 import { appearanceOf, colorOf, geometryOf } from './look.js';
 import type { Member } from './member.js';
@@ -15,7 +16,7 @@ export interface BatchHost {
 /**
  * Bodies that look alike and stand in the same group, drawn by one Shape that stands there beside them: what is above
  * them, a Switch, a moving Transform, an Inline, has the effect on it that it has on them. It has no element, so that no
- * script, pick or observer meets it.
+ * script, ROUTE or observer meets it.
  */
 export class Batch {
   readonly members: Member[] = [];
@@ -23,41 +24,57 @@ export class Batch {
   readonly shape: X3DShape;
   readonly #places = new Map<Member, number>();
   readonly #host: BatchHost;
-  readonly #parent: X3DBounded;
-  #model: Member | undefined;
+  readonly #group: Group;
+  readonly #volume: X3DVolume;
+  /** Whose geometry and Appearance it draws. */
+  #model!: Member;
+  /** How far that geometry reaches in its own frame. */
+  #inside!: X3DVolume;
 
-  constructor(host: BatchHost, parent: X3DBounded) {
+  constructor(host: BatchHost, group: Group) {
     this.#host = host;
-    this.#parent = parent;
+    this.#group = group;
     const x = x3dom()!;
-    const nameSpace = parent._nameSpace ?? host.document._scene!._nameSpace!;
+    this.#volume = new x.fields.BoxVolume() as X3DVolume;
+    const nameSpace = group.node._nameSpace ?? host.document._scene!._nameSpace!;
     const context: NodeContext = { doc: host.document, runtime: undefined, xmlNode: null, nameSpace };
-    const shape = (this.shape = new x.nodeTypes.Shape(context) as X3DShape);
-    shape._nameSpace = nameSpace;
-    // Its members have the bounds; what has none would be left out as out of sight.
-    const nowhere = new x.fields.BoxVolume() as X3DVolume;
-    shape.getVolume = () => nowhere;
-    shape._graph.needCulling = false;
-    shape.doIntersect = () => false;
-    // x3dom asks for an id before it draws something to be picked; each instance has its own.
-    shape._objectID = 1;
+    this.shape = new x.nodeTypes.Shape(context) as X3DShape;
+    this.shape._nameSpace = nameSpace;
+    this.#behave(this.shape);
+  }
+
+  #behave(shape: X3DShape): void {
     const { collectDrawableObjects } = shape;
     shape.collectDrawableObjects = (...way) => {
-      if (host.ready(shape, way)) return collectDrawableObjects.call(shape, ...way);
+      if (this.#host.ready(shape, way)) return collectDrawableObjects.apply(shape, way);
       for (const member of this.members) member.drawPlainly(...way);
       return undefined;
     };
+    shape.getVolume = () => {
+      this.instances.bounds(this.#volume);
+      this.#volume.valid = this.#volume.min.x <= this.#volume.max.x;
+      return this.#volume;
+    };
+    shape._graph.needCulling = false;
+    // By its own frame it is nowhere.
+    shape.doIntersect = () => false;
+    // x3dom asks for an id before it draws something to be picked; each instance has its own.
+    shape._objectID = 1;
   }
+
+  // ---- members ----------------------------------------------------------------------------------------------------
 
   add(member: Member): void {
     const at = this.instances.add();
     this.members.push(member);
     this.#places.set(member, at);
-    this.instances.name(at, member.shape!._objectID);
-    member.take();
-    if (this.members.length > 1) return;
-    this.model(member);
-    this.#parent.addChild(this.shape);
+    if (at === 0) {
+      this.#copy(member);
+      this.#group.node.addChild(this.shape);
+    }
+    this.#group.add(member.transform);
+    member.take(() => this.#place(member));
+    this.reread(member);
   }
 
   remove(member: Member): void {
@@ -69,21 +86,31 @@ export class Batch {
       this.members[at] = last;
       this.#places.set(last, at);
     }
+    this.#group.delete(member.transform);
     member.giveBack();
     if (this.members.length === 0) this.#end();
-    else if (member === this.#model) this.model(this.members[0]);
+    else if (member === this.#model) this.#copy(this.members[0]);
   }
 
   #end(): void {
     this.shape._cleanupGLObjects?.(true);
-    this.#parent.removeChild(this.shape);
+    this.#group.node.removeChild(this.shape);
     this.instances.free(this.#host.gl);
   }
 
-  /** Whose geometry and Appearance the Shape draws: x3dom reads them anew. */
-  model(member: Member): void {
+  /** Something of a member changed, though not so that it no longer belongs here. */
+  reread(member: Member): void {
+    if (member === this.#model) this.#copy(member);
+    const { shape } = member;
+    this.instances.look(this.#places.get(member)!, colorOf(shape!), shape!._objectID);
+    this.#place(member);
+  }
+
+  /** x3dom reads the geometry and the Appearance anew. */
+  #copy(member: Member): void {
     const { shape } = this;
     this.#model = member;
+    this.#inside = (geometryOf(member.shape!) as X3DBounded).getVolume();
     shape._cleanupGLObjects?.(true);
     shape._shaderProperties = null;
     shape._cf.geometry.node = geometryOf(member.shape!);
@@ -91,23 +118,12 @@ export class Batch {
     shape._vf.isPickable = member.shape!._vf.isPickable;
   }
 
-  /** The look of one of them was read anew, and is what it was. */
-  reread(member: Member): void {
-    if (member === this.#model) this.model(member);
-  }
-
-  /** Where they are, and which colours they have. */
-  update(): void {
-    const { members, instances } = this;
-    for (let at = 0; at < members.length; at++) {
-      const member = members[at];
-      instances.paint(at, colorOf(member.shape!));
-      const { seen } = member;
-      if (!member.moved && seen === member.shown) continue;
-      member.moved = false;
-      member.shown = seen;
-      if (seen) instances.place(at, member.transform._trafo);
-      else instances.hide(at);
-    }
+  #place(member: Member): void {
+    const at = this.#places.get(member)!;
+    const { node } = this.#group;
+    if (member.seen) this.instances.place(at, member.transform._trafo, this.#inside);
+    else this.instances.hide(at);
+    // Where its own bounds are unknown, so are those of all above it.
+    if (node.volumeValid()) node.invalidateVolume();
   }
 }

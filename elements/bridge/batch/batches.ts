@@ -9,18 +9,22 @@ import type {
   Way,
 } from '../x3dom/renderer.js';
 import { Batch, type BatchHost } from './batch.js';
-import { Looks } from './look.js';
+import { Group } from './group.js';
+import { appearanceOf, geometryOf, Looks } from './look.js';
 import { Member } from './member.js';
 import { instanced, type Pass } from './shaders.js';
 import { hastenTicks } from './ticks.js';
+import { watch, watchFlags, type Method } from './watch.js';
 
 /** As many as are alike are worth a batch. */
 export const LEAST = 8;
 
 /** Members that look alike and stand in one group. */
 interface Kind {
-  members: Set<Member>;
+  readonly members: Set<Member>;
   batch?: Batch | undefined;
+  /** The last one has left. */
+  readonly end: () => void;
 }
 
 /** All bodies of one document, and which of them are drawn in one call. */
@@ -29,7 +33,11 @@ export class Batches implements BatchHost {
   readonly gl: WebGL2RenderingContext;
   readonly #renderer: X3DRenderer;
   readonly #members = new Map<X3DNode, Member>();
-  readonly #kinds = new Map<X3DBounded, Map<string, Kind>>();
+  /** Those that may be drawn otherwise by now. */
+  readonly #changed = new Set<Member>();
+  readonly #watched = new WeakSet<X3DNode>();
+  readonly #groups = new WeakMap<X3DNode, Group>();
+  readonly #kinds = new WeakMap<X3DNode, Map<string, Kind>>();
   readonly #kindOf = new Map<Member, Kind>();
   readonly #batches = new Map<X3DNode, Batch>();
   readonly #looks = new Looks();
@@ -49,33 +57,66 @@ export class Batches implements BatchHost {
     this.#hook();
   }
 
-  // ---- who is drawn with whom -------------------------------------------------------------------------------------
+  // ---- what changed -----------------------------------------------------------------------------------------------
 
   /** A Transform that a body moves came, or is to be looked at anew. */
   note(transform: X3DNode, allowed: boolean): void {
     let member = this.#members.get(transform);
     if (!member) this.#members.set(transform, (member = new Member(transform as X3DTransform)));
     member.allowed = allowed;
-    member.stale = true;
+    this.#changed.add(member);
   }
+
+  /** Hears of all that decides how a member is drawn; what several share is heard once. */
+  #watch({ transform, shape, parent }: Member): void {
+    this.#hear(transform, ['fieldChanged', 'nodeChanged', 'parentAdded', 'parentRemoved']);
+    if (parent && !this.#watched.has(parent)) {
+      this.#watched.add(parent);
+      watch(parent, () => this.#groups.get(parent)?.changed(), 'nodeChanged');
+    }
+    if (!shape) return;
+    if (this.#hear(shape, ['fieldChanged', 'nodeChanged']))
+      watchFlags(shape, () => this.#touch(shape));
+    const appearance = appearanceOf(shape);
+    for (const node of [geometryOf(shape), appearance]) if (node) this.#hear(node, ['fieldChanged']);
+    const material = appearance?._cf.material.node;
+    if (material) this.#hear(material, ['highlight']);
+  }
+
+  #hear(node: X3DNode, methods: Method[]): boolean {
+    if (this.#watched.has(node)) return false;
+    this.#watched.add(node);
+    watch(node, () => this.#touch(node), ...methods);
+    return true;
+  }
+
+  /** The members that a node belongs to. */
+  #touch(node: X3DNode): void {
+    const member = this.#members.get(node);
+    if (member) this.#changed.add(member);
+    else for (const parent of node._parentNodes) this.#touch(parent);
+  }
+
+  // ---- who is drawn with whom -------------------------------------------------------------------------------------
 
   /** Before each frame: nothing of it may be otherwise when x3dom draws. */
   #update(): void {
-    const changed: Member[] = [];
-    for (const member of this.#members.values()) {
+    if (this.#changed.size === 0) return;
+    const changed = [...this.#changed];
+    for (const member of changed) {
       if (member.gone) this.#forget(member);
-      else if (member.changed) changed.push(member);
+      else this.#sort(member);
     }
-    for (const member of changed) this.#place(member);
-    for (const { shape } of changed) if (shape) settle(shape);
     this.#looks.forget();
-    for (const batch of this.#batches.values()) batch.update();
+    // What was found out just now is no change.
+    this.#changed.clear();
   }
 
-  #place(member: Member): void {
+  #sort(member: Member): void {
     const { shape } = member;
     const before = this.#kindOf.get(member);
     member.read();
+    this.#watch(member);
     const kind = member.why === undefined ? this.#kind(member) : undefined;
     if (kind === before && member.shape === shape) return before?.batch?.reread(member);
     this.#leave(member);
@@ -86,7 +127,8 @@ export class Batches implements BatchHost {
     const kinds = this.#kinds.get(parent!) ?? new Map<string, Kind>();
     this.#kinds.set(parent!, kinds);
     const look = this.#looks.of(shape!);
-    const kind = kinds.get(look) ?? { members: new Set() };
+    const end = (): void => void kinds.delete(look);
+    const kind = kinds.get(look) ?? { members: new Set(), end };
     kinds.set(look, kind);
     return kind;
   }
@@ -99,7 +141,9 @@ export class Batches implements BatchHost {
   }
 
   #form(kind: Kind, parent: X3DBounded): void {
-    const batch = (kind.batch = new Batch(this, parent));
+    const group = this.#groups.get(parent) ?? new Group(parent);
+    this.#groups.set(parent, group);
+    const batch = (kind.batch = new Batch(this, group));
     this.#batches.set(batch.shape, batch);
     for (const member of kind.members) batch.add(member);
   }
@@ -112,6 +156,7 @@ export class Batches implements BatchHost {
     kind.batch?.remove(member);
     // Not at once where one is missing: it may be back in the next frame.
     if (kind.members.size < LEAST / 2) this.#dissolve(kind);
+    if (kind.members.size === 0) kind.end();
   }
 
   #dissolve(kind: Kind): void {
@@ -223,10 +268,3 @@ export class Batches implements BatchHost {
 
 const passOf = (pick: unknown, shadow: unknown): Pass =>
   pick != null ? 'pick' : shadow != null ? 'shadow' : 'picture';
-
-/** What has changed of it is known now. Where it is drawn by itself, x3dom has yet to see it. */
-function settle(shape: X3DShape): void {
-  if (shape._webgl) return;
-  shape.unsetDirty();
-  shape._shaderProperties = null;
-}

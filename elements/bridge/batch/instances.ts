@@ -1,17 +1,20 @@
+import type { X3DColor, X3DVolume } from '../x3dom/renderer.js';
 import type { X3DMatrix } from '../x3dom/x3dom.js';
-import type { X3DColor } from '../x3dom/renderer.js';
 
 /** Per instance: three rows of its matrix; red, green, blue and the id that it is picked by. */
 const FLOATS = 16;
 const VECTORS = 4;
 const BYTES = 4;
+/** Per instance: the least x, y, z that it reaches, and the greatest. */
+const BOX = 6;
 /** Attributes of the last places, of which WebGL 2 has sixteen: x3dom's own begin at the first. */
 export const FIRST_ATTRIBUTE = 12;
 
-/** What tells the bodies of one batch apart, here and in WebGL. */
+/** What tells the bodies of one batch apart, here and in WebGL, and how far each of them reaches. */
 export class Instances {
   count = 0;
   #data = new Float32Array(8 * FLOATS);
+  #boxes = new Float64Array(8 * BOX);
   #buffer: WebGLBuffer | null = null;
   /** Bytes that WebGL has room for. */
   #room = 0;
@@ -23,9 +26,11 @@ export class Instances {
   add(): number {
     const at = this.count++;
     if (this.count * FLOATS > this.#data.length) {
-      const larger = new Float32Array(2 * this.#data.length);
-      larger.set(this.#data);
-      this.#data = larger;
+      const [data, boxes] = [this.#data, this.#boxes];
+      this.#data = new Float32Array(2 * data.length);
+      this.#boxes = new Float64Array(2 * boxes.length);
+      this.#data.set(data);
+      this.#boxes.set(boxes);
     }
     return at;
   }
@@ -33,8 +38,8 @@ export class Instances {
   /** The last one comes to this place. */
   remove(at: number): void {
     const last = --this.count;
-    if (at === last) return;
     this.#data.copyWithin(at * FLOATS, last * FLOATS, (last + 1) * FLOATS);
+    this.#boxes.copyWithin(at * BOX, last * BOX, (last + 1) * BOX);
     this.#note(at);
   }
 
@@ -43,45 +48,65 @@ export class Instances {
     if (at >= this.#to) this.#to = at + 1;
   }
 
-  place(at: number, m: X3DMatrix): void {
-    const data = this.#data;
-    let i = at * FLOATS;
-    data[i++] = m._00;
-    data[i++] = m._01;
-    data[i++] = m._02;
-    data[i++] = m._03;
-    data[i++] = m._10;
-    data[i++] = m._11;
-    data[i++] = m._12;
-    data[i++] = m._13;
-    data[i++] = m._20;
-    data[i++] = m._21;
-    data[i++] = m._22;
-    data[i] = m._23;
+  // ---- one instance -----------------------------------------------------------------------------------------------
+
+  /** `inside`: how far it reaches in its own frame. */
+  place(at: number, m: X3DMatrix, inside: X3DVolume): void {
+    this.#row(at, 0, m._00, m._01, m._02, m._03, inside);
+    this.#row(at, 1, m._10, m._11, m._12, m._13, inside);
+    this.#row(at, 2, m._20, m._21, m._22, m._23, inside);
     this.#note(at);
   }
 
-  /** Of no size, it covers no pixel. */
+  /** One row of its matrix, and the reach along that axis: to the last bit as x3dom adds it up, since shadows hang on that. */
+  #row(
+    at: number,
+    axis: number,
+    x: number,
+    y: number,
+    z: number,
+    origin: number,
+    { min, max }: X3DVolume,
+  ): void {
+    const data = this.#data;
+    const i = at * FLOATS + 4 * axis;
+    data[i] = x;
+    data[i + 1] = y;
+    data[i + 2] = z;
+    data[i + 3] = origin;
+    const [x0, x1, y0, y1, z0, z1] = [x * min.x, x * max.x, y * min.y, y * max.y, z * min.z, z * max.z];
+    const box = at * BOX + axis;
+    this.#boxes[box] = origin + Math.min(x0, x1) + Math.min(y0, y1) + Math.min(z0, z1);
+    this.#boxes[box + 3] = origin + Math.max(x0, x1) + Math.max(y0, y1) + Math.max(z0, z1);
+  }
+
+  /** Of no size, it covers no pixel, and reaches nowhere. */
   hide(at: number): void {
     this.#data.fill(0, at * FLOATS, at * FLOATS + 12);
+    this.#boxes.fill(NaN, at * BOX, (at + 1) * BOX);
     this.#note(at);
   }
 
-  name(at: number, id: number): void {
-    this.#data[at * FLOATS + 15] = id;
+  look(at: number, { r, g, b }: X3DColor, id: number): void {
+    this.#data.set([r, g, b, id], at * FLOATS + 12);
     this.#note(at);
   }
 
-  /** Asked of all in every frame: only another colour is noted. */
-  paint(at: number, { r, g, b }: X3DColor): void {
-    const data = this.#data;
-    const i = at * FLOATS + 12;
-    if (data[i] === Math.fround(r) && data[i + 1] === Math.fround(g) && data[i + 2] === Math.fround(b))
-      return;
-    data[i] = r;
-    data[i + 1] = g;
-    data[i + 2] = b;
-    this.#note(at);
+  // ---- all --------------------------------------------------------------------------------------------------------
+
+  /** How far they reach together. */
+  bounds({ min, max }: X3DVolume): void {
+    const boxes = this.#boxes;
+    min.x = min.y = min.z = Infinity;
+    max.x = max.y = max.z = -Infinity;
+    for (let i = 0; i < this.count * BOX; i += BOX) {
+      if (boxes[i] < min.x) min.x = boxes[i];
+      if (boxes[i + 1] < min.y) min.y = boxes[i + 1];
+      if (boxes[i + 2] < min.z) min.z = boxes[i + 2];
+      if (boxes[i + 3] > max.x) max.x = boxes[i + 3];
+      if (boxes[i + 4] > max.y) max.y = boxes[i + 4];
+      if (boxes[i + 5] > max.z) max.z = boxes[i + 5];
+    }
   }
 
   /** The next draw call takes them. */
@@ -106,13 +131,12 @@ export class Instances {
 
   #upload(gl: WebGL2RenderingContext): void {
     const data = this.#data;
+    const [first, end] = [this.#from * FLOATS, Math.min(this.#to, this.count) * FLOATS];
     if (this.#room < data.byteLength) {
       this.#room = data.byteLength;
       gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
-    } else if (this.#from < this.#to) {
-      const [first, end] = [this.#from * FLOATS, Math.min(this.#to, this.count) * FLOATS];
-      if (first < end) gl.bufferSubData(gl.ARRAY_BUFFER, first * BYTES, data, first, end - first);
-    }
+    } else if (first < end)
+      gl.bufferSubData(gl.ARRAY_BUFFER, first * BYTES, data, first, end - first);
     this.#from = Infinity;
     this.#to = 0;
   }

@@ -23,6 +23,8 @@ export interface Target {
   arm?: Affine | undefined;
   /** The scale that its picture has beside the body's pose. */
   linear?: number[] | undefined;
+  /** What x3dom had of it when it was last drawn. */
+  node?: X3DNode | undefined;
 }
 
 /** The slice of a body's node that drawing needs. */
@@ -163,7 +165,7 @@ export class Drawing {
     const local = target.linear ? multiply(world, linearMatrix(target.linear), product) : world;
     intoX3D(local, node._trafo!);
     if (node._vf.translation && node._vf.center) keepFields(node, local, world);
-    noteDrawn(node);
+    if (node !== target.node) noteDrawn((target.node = node));
     node.invalidateVolume();
   }
 }
