@@ -1,17 +1,11 @@
-import { x3dom, type NodeContext, type X3DDocument } from '../x3dom/x3dom.js';
-import type { X3DBounded, X3DShape, X3DVolume, Way } from '../x3dom/renderer.js';
+import { x3dom, type NodeContext } from '../x3dom/x3dom.js';
+import type { X3DBounded, X3DShape, X3DVolume } from '../x3dom/renderer.js';
 import type { Group } from './group.js';
 import { Instances } from './instances.js';
 import { appearanceOf, colorOf, geometryOf } from './look.js';
+import type { ManyRenderer } from './many.js';
 import type { Member } from './member.js';
-
-/** Whom a batch asks. */
-export interface BatchHost {
-  readonly document: X3DDocument;
-  readonly gl: WebGL2RenderingContext;
-  /** Whether batches may be drawn in this frame. */
-  ready(batch: X3DShape, way: Way): boolean;
-}
+import { freeBuffers } from './meshes.js';
 
 /**
  * Bodies that look alike and stand in the same group, drawn by one Shape that stands there beside them: what is above
@@ -23,7 +17,7 @@ export class Batch {
   readonly instances = new Instances();
   readonly shape: X3DShape;
   readonly #places = new Map<Member, number>();
-  readonly #host: BatchHost;
+  readonly #renderer: ManyRenderer;
   readonly #group: Group;
   readonly #volume: X3DVolume;
   /** Whose geometry and Appearance it draws. */
@@ -31,13 +25,14 @@ export class Batch {
   /** How far that geometry reaches in its own frame. */
   #inside!: X3DVolume;
 
-  constructor(host: BatchHost, group: Group) {
-    this.#host = host;
+  constructor(renderer: ManyRenderer, group: Group) {
+    this.#renderer = renderer;
     this.#group = group;
     const x = x3dom()!;
     this.#volume = new x.fields.BoxVolume() as X3DVolume;
-    const nameSpace = group.node._nameSpace ?? host.document._scene!._nameSpace!;
-    const context: NodeContext = { doc: host.document, runtime: undefined, xmlNode: null, nameSpace };
+    const nameSpace = group.node._nameSpace!;
+    const { doc } = nameSpace;
+    const context: NodeContext = { doc, runtime: undefined, xmlNode: null, nameSpace };
     this.shape = new x.nodeTypes.Shape(context) as X3DShape;
     this.shape._nameSpace = nameSpace;
     this.#behave(this.shape);
@@ -46,7 +41,7 @@ export class Batch {
   #behave(shape: X3DShape): void {
     const { collectDrawableObjects } = shape;
     shape.collectDrawableObjects = (...way) => {
-      if (this.#host.ready(shape, way)) return collectDrawableObjects.apply(shape, way);
+      if (this.#renderer.ready(shape, way)) return collectDrawableObjects.apply(shape, way);
       for (const member of this.members) member.drawPlainly(...way);
       return undefined;
     };
@@ -70,9 +65,11 @@ export class Batch {
     this.#places.set(member, at);
     if (at === 0) {
       this.#copy(member);
+      this.#renderer.add(this.shape, this.instances);
       this.#group.node.addChild(this.shape);
     }
     this.#group.add(member.transform);
+    freeBuffers(member.shape!, this.#renderer.gl);
     member.take(() => this.#place(member));
     this.reread(member);
   }
@@ -93,9 +90,10 @@ export class Batch {
   }
 
   #end(): void {
-    this.shape._cleanupGLObjects?.(true);
+    this.#renderer.delete(this.shape);
+    freeBuffers(this.shape, this.#renderer.gl);
     this.#group.node.removeChild(this.shape);
-    this.instances.free(this.#host.gl);
+    this.instances.free(this.#renderer.gl);
   }
 
   /** Something of a member changed, though not so that it no longer belongs here. */
@@ -111,7 +109,7 @@ export class Batch {
     const { shape } = this;
     this.#model = member;
     this.#inside = (geometryOf(member.shape!) as X3DBounded).getVolume();
-    shape._cleanupGLObjects?.(true);
+    freeBuffers(shape, this.#renderer.gl);
     shape._shaderProperties = null;
     shape._cf.geometry.node = geometryOf(member.shape!);
     shape._cf.appearance.node = appearanceOf(member.shape!);

@@ -1,9 +1,7 @@
 import type { Binding } from '../nodes/binding.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
 import type { DrawnScene, Drawer } from './drawer.js';
-
-/** As many of a kind are worth being drawn in one call. */
-const LEAST = 8;
+import { LEAST } from './least.js';
 
 /** Bodies that look alike are drawn in one call. What does that is loaded with the first eight of one geometry. */
 export class Batching {

@@ -14,10 +14,15 @@ export class Group {
 
   constructor(node: X3DBounded) {
     this.node = node;
-    const { collectDrawableObjects, getVolume } = node;
+    const { collectDrawableObjects, getVolume, nodeChanged } = node;
     node.collectDrawableObjects = (...way) =>
       this.#showOthers(() => collectDrawableObjects.apply(node, way));
-    node.getVolume = () => (node.volumeValid() ? node._graph.volume : this.#showOthers(() => getVolume.call(node)));
+    node.nodeChanged = (field) => {
+      nodeChanged.call(node, field);
+      this.#others = undefined;
+    };
+    node.getVolume = () =>
+      node.volumeValid() ? node._graph.volume : this.#showOthers(() => getVolume.call(node));
   }
 
   add(child: X3DNode): void {
@@ -27,11 +32,6 @@ export class Group {
 
   delete(child: X3DNode): void {
     this.#batched.delete(child);
-    this.#others = undefined;
-  }
-
-  /** Children came or went. */
-  changed(): void {
     this.#others = undefined;
   }
 

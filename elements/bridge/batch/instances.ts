@@ -74,7 +74,14 @@ export class Instances {
     data[i + 1] = y;
     data[i + 2] = z;
     data[i + 3] = origin;
-    const [x0, x1, y0, y1, z0, z1] = [x * min.x, x * max.x, y * min.y, y * max.y, z * min.z, z * max.z];
+    const [x0, x1, y0, y1, z0, z1] = [
+      x * min.x,
+      x * max.x,
+      y * min.y,
+      y * max.y,
+      z * min.z,
+      z * max.z,
+    ];
     const box = at * BOX + axis;
     this.#boxes[box] = origin + Math.min(x0, x1) + Math.min(y0, y1) + Math.min(z0, z1);
     this.#boxes[box + 3] = origin + Math.max(x0, x1) + Math.max(y0, y1) + Math.max(z0, z1);

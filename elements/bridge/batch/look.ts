@@ -69,7 +69,9 @@ export class Looks {
 
   of(shape: X3DShape): string {
     const parts = [geometryOf(shape), appearanceOf(shape)];
-    return [shape._vf.isPickable, ...parts.map((node) => (node ? this.#content(node) : ''))].join('|');
+    return [shape._vf.isPickable, ...parts.map((node) => (node ? this.#content(node) : ''))].join(
+      '|',
+    );
   }
 
   #content(node: X3DNode): string {

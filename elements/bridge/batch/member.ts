@@ -59,9 +59,7 @@ export class Member {
 
   /** From now on `place` is told of each of its places. */
   take(place: () => void): void {
-    const { transform, shape } = this;
-    // What of it lies in WebGL is of no use meanwhile.
-    shape!._cleanupGLObjects?.(true);
+    const { transform } = this;
     // Whoever writes a Transform's matrix calls this, x3dom itself included.
     transform.invalidateVolume = place;
     const { getVolume } = nativeOf('X3DTransformNode');

@@ -50,7 +50,11 @@ export function vertexShader(source: string, pass: Pass): string {
     ...HANDED[pass].map(([name, type]) => `${outOf} ${type} ${name};\n`),
   ].join('');
   const given = HANDED[pass].map(([name, , value]) => `${name} = ${value};\n`).join('');
-  let text = replaced(source, /void main\(void\) \{\n/, `${declared}${PLACING}void main(void) {\n${given}`);
+  let text = replaced(
+    source,
+    /void main\(void\) \{\n/,
+    `${declared}${PLACING}void main(void) {\n${given}`,
+  );
   text = replaced(
     text,
     /vec3 (vertPosition|pos) = (position(\.xyz)?);/,

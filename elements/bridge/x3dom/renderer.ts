@@ -35,7 +35,7 @@ export type Way = [
 
 export interface X3DShape extends X3DBounded {
   _objectID: number;
-  _webgl?: { shader: X3DProgram };
+  _webgl?: { shader: X3DProgram; buffers: (WebGLBuffer | undefined)[] };
   _shaderProperties: unknown;
   /** Made with what x3dom keeps in WebGL. */
   _cleanupGLObjects: ((always: boolean) => void) | null;

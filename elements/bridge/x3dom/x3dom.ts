@@ -37,6 +37,10 @@ export interface X3DMesh {
   _indices: ArrayLike<number>[];
 }
 
+export interface X3DMeshClass {
+  new (geometry: X3DNode): X3DMesh & { _vol: object };
+}
+
 export interface X3DNode {
   _xmlNode: Element | null;
   _DEF: string | null;
@@ -127,6 +131,7 @@ export interface X3DElement extends Element {
 export interface X3DOM {
   nodeTypes: Record<string, X3DNodeClass>;
   nodeTypesLC: Record<string, X3DNodeClass>;
+  Mesh: X3DMeshClass;
   fields: {
     SFVec3f: new (x: number, y: number, z: number) => X3DVector;
     SFVec2f: new (x: number, y: number) => { x: number; y: number };

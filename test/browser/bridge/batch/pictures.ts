@@ -1,0 +1,91 @@
+import { nextFrame, show, until } from '../../scene.js';
+
+/** What tests ask of x3dom's renderer. */
+interface Renderer {
+  ctx3d: WebGL2RenderingContext;
+  numDrawCalls: number;
+  renderScene(area: unknown): void;
+}
+
+interface Shown {
+  ctx: Renderer;
+  needRender: boolean;
+  _viewarea: unknown;
+  _scene: { _lastMin: unknown; _lastMax: unknown };
+}
+
+export const documentOf = (x3d: Element): Shown =>
+  (x3d as unknown as { runtime: { canvas: { doc: Shown } } }).runtime.canvas.doc;
+
+/** The scene as it stands, drawn at once: four bytes per pixel. */
+export function picture(x3d: Element): Uint8Array {
+  const { ctx, _viewarea } = documentOf(x3d);
+  ctx.renderScene(_viewarea);
+  const gl = ctx.ctx3d;
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+  const pixels = new Uint8Array(width * height * 4);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+/** How many calls of WebGL draw the scene. */
+export function draws(x3d: Element): number {
+  picture(x3d);
+  return documentOf(x3d).ctx.numDrawCalls;
+}
+
+export const errorOf = (x3d: Element): number => documentOf(x3d).ctx.ctx3d.getError();
+
+/** Shares of all pixels: of those that differ, and of those that do so by more than 4 of 255. */
+export function difference(a: Uint8Array, b: Uint8Array): { any: number; more: number } {
+  let [any, more] = [0, 0];
+  for (let i = 0; i < a.length; i += 4) {
+    const by = Math.max(...[0, 1, 2].map((c) => Math.abs(a[i + c]! - b[i + c]!)));
+    if (by > 0) any++;
+    if (by > 4) more++;
+  }
+  return { any: (4 * any) / a.length, more: (4 * more) / a.length };
+}
+
+/** Pixels that are not of the same colour as the first. */
+export const covered = (pixels: Uint8Array): number =>
+  pixels.filter((value, i) => i % 4 === 0 && value !== pixels[0]).length;
+
+/** Those whose Shapes look alike, in rows; nothing moves them. `content`: of the Shape. */
+export function bodies(count: number, content: (i: number) => string, transform = ''): string {
+  return Array.from({ length: count }, (_, i) => {
+    const place = [
+      ((i % 6) - 2.5) * 1.8,
+      ((Math.floor(i / 6) % 4) - 1.5) * 1.8,
+      -Math.floor(i / 24) * 1.8,
+    ];
+    return `<transform id="t${i}" ${transform} translation="${place.join(' ')}" rotation="1 ${i % 3} ${i % 5} ${i * 0.37}">
+      <shape id="s${i}">${content(i)}</shape><x3d-rigid-body id="b${i}"></x3d-rigid-body></transform>`;
+  }).join('');
+}
+
+/** Each in a colour of its own. */
+export const colored = (i: number, more = ''): string =>
+  `<appearance><material diffusecolor="${(i % 7) / 7} ${(i % 5) / 5} ${(i % 3) / 3}" ${more}></material></appearance>`;
+
+const COLLECTION =
+  '<x3d-rigid-body-collection id="c" default enabled="false"></x3d-rigid-body-collection>';
+
+/** Shows a scene whose bodies stand still, and waits until it takes no more than so many draws. */
+export async function showBatched(content: string, atMost = 2) {
+  const { x3d, world } = await show(
+    `<viewpoint position="0 0 12"></viewpoint>${COLLECTION}${content}`,
+    '#c',
+  );
+  await until(() => draws(x3d) <= atMost && draws(x3d) > 0, 8000);
+  return { x3d, world, collection: x3d.querySelector('#c')! };
+}
+
+/** Has all bodies drawn one by one, or as they are without that. */
+export async function drawPlainly(collection: Element, plainly: boolean): Promise<void> {
+  if (plainly) collection.setAttribute('batch', 'false');
+  else collection.removeAttribute('batch');
+  await nextFrame();
+  await nextFrame();
+}
