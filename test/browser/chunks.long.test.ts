@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import './console.js';
 import { openText, type PageWindow } from './page.js';
-import { until } from './scene.js';
+import { nextFrame, until } from './scene.js';
 import { nodeTypes } from '../../physics-core/inside.js';
 import type { World } from './inside.js';
 
@@ -58,6 +58,7 @@ const JOINTS = /joint-code/;
 const CONTACTS = /contact-code/;
 const MESHES = /mesh-code/;
 const DRAGS = /drag-code/;
+const BATCHES = /batch-code/;
 const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
 
 describe('what a page fetches', () => {
@@ -133,6 +134,19 @@ describe('what a page fetches', () => {
     for (const part of [CONTACTS, JOINTS, MESHES, /ammo\.wasm-.*\.js/])
       expect(begun(part), String(part)).to.be.below(end);
   });
+
+  for (const [count, fetches] of [
+    [7, false],
+    [8, true],
+  ] as const)
+    it(`${fetches ? 'the' : 'not the'} code of batched drawing with ${count} bodies of one geometry`, async () => {
+      const more = FALLING.replace(' id="b"', '').replace('0 5 0', '0 50 0');
+      const { page, world } = await show(FALLING + more.repeat(count - 1));
+      world.paused = true;
+      if (fetches) await until(() => has(page, BATCHES), 5000);
+      else for (let i = 0; i < 10; i++) await nextFrame();
+      expect(has(page, BATCHES)).to.equal(fetches);
+    });
 
   it('the code of joints with a joint, before the first step', async () => {
     const { page } = await show(FALLING + JOINT);

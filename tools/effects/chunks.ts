@@ -18,6 +18,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-drag-code', drags.causes],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-debug-code', outlines.causes],
+  ['chunk-batch-code', 'eight bodies of one geometry, drawn in one call where they look alike'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-measure-', '`measureAccuracy()`'],
   ['chunk-measurement', 'the same'],

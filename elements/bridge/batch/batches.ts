@@ -9,6 +9,9 @@ import { Member } from './member.js';
 import { hastenTicks } from './ticks.js';
 import { Watch } from './watch.js';
 
+/** Frames that a running mean is of. */
+const MEAN = 60;
+
 /** Members that look alike and stand in one group. */
 interface Kind {
   readonly members: Set<Member>;
@@ -30,6 +33,8 @@ export class Batches {
   readonly #kinds = new WeakMap<X3DNode, Map<string, Kind>>();
   readonly #kindOf = new Map<Member, Kind>();
   readonly #looks = new Looks();
+  /** Milliseconds per frame to find out what changed. */
+  ms = 0;
 
   constructor(document: X3DDocument, onfail: (why: string) => void) {
     this.document = document;
@@ -50,17 +55,19 @@ export class Batches {
     return this.#members.get(transform);
   }
 
-  /** With how many it is drawn, itself among them. */
-  sizeOf(member: Member): number {
-    return this.#kindOf.get(member)?.batch?.members.length ?? 1;
+  /** What it is drawn by. */
+  batchOf(member: Member): Batch | undefined {
+    return this.#kindOf.get(member)?.batch;
   }
 
   // ---- frames -----------------------------------------------------------------------------------------------------
 
   /** Nothing of it may be otherwise when x3dom draws. */
   #beforeFrame(): void {
+    const start = performance.now();
     if (this.#renderer.failure !== undefined) this.#undo(this.#renderer.failure);
     else if (this.#changed.size > 0) this.#renderer.attempt(() => this.#update());
+    this.ms += (performance.now() - start - this.ms) / MEAN;
   }
 
   #update(): void {

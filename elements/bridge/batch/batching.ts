@@ -1,5 +1,6 @@
 import type { Binding } from '../nodes/binding.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
+import type { provide } from './batch-code.js';
 import type { DrawnScene, Drawer } from './drawer.js';
 import { LEAST } from './least.js';
 
@@ -27,8 +28,8 @@ export class Batching {
 
   async #load({ world }: Binding): Promise<void> {
     try {
-      const { Drawer } = await import('./drawer.js');
-      this.drawer ??= new Drawer(this.#scene);
+      const code: { provide: typeof provide; bytes?: number } = await import('./batch-code.js');
+      this.drawer ??= code.provide(this.#scene, code.bytes ?? 0);
     } catch (error) {
       world?.report({
         code: 'drawing-plain',

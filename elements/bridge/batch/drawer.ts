@@ -4,6 +4,7 @@ import type { Binding } from '../nodes/binding.js';
 import { attribute } from '../words/dom.js';
 import { nodeOf, type X3DDocument, type X3DNode } from '../x3dom/x3dom.js';
 import { Batches } from './batches.js';
+import { DrawnWorld, type Drawn, type DrawnBody } from './drawn-world.js';
 
 /** The `<x3d>` whose bodies are drawn. */
 export interface DrawnScene {
@@ -14,16 +15,18 @@ export interface DrawnScene {
 }
 
 /** Draws the bodies of one `<x3d>`, those that look alike in one call. */
-export class Drawer {
+export class Drawer implements Drawn {
   readonly #scene: DrawnScene;
   /** Of what x3dom read last: it may read the `<x3d>` again. */
   #batches: Batches | undefined;
   #failed = false;
   /** Collections that say no. */
   readonly #unbatched = new WeakSet<Binding>();
+  readonly bytes: number;
 
-  constructor(scene: DrawnScene) {
+  constructor(scene: DrawnScene, bytes: number) {
     this.#scene = scene;
+    this.bytes = bytes;
     for (const collection of scene.bindings()) this.#isUnbatched(collection);
     this.#noteAll();
   }
@@ -56,6 +59,31 @@ export class Drawer {
     if (document !== this.#batches?.document)
       this.#batches = new Batches(document, (why) => this.#fail(why, body));
     this.#batches.note(node, mayBeBatched(node, body));
+    if (body.world) body.world.drawing ??= new DrawnWorld(this, body.world);
+  }
+
+  // ---- what the page may ask --------------------------------------------------------------------------------------
+
+  get ms(): number {
+    return this.#batches?.ms ?? 0;
+  }
+
+  *bodies(): Generator<DrawnBody> {
+    for (const body of this.#scene.bindings()) {
+      const drawn = this.of(body);
+      if (drawn) yield drawn;
+    }
+  }
+
+  of(body: Binding): DrawnBody | undefined {
+    for (const { element } of this.#scene.drawing.targetsOf(body)) {
+      const node = nodeOf(element);
+      const member = node && this.#batches?.memberOf(node);
+      if (!member) continue;
+      const batch = this.#batches!.batchOf(member);
+      return { body, batch, size: batch?.members.length ?? 1, why: member.why };
+    }
+    return undefined;
   }
 
   #fail(why: string, { world }: Binding): void {

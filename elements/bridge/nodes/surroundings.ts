@@ -1,4 +1,4 @@
-import type { ProblemReport, RayHit, World } from '../../../physics-core/inside.js';
+import type { EffectReport, ProblemReport, RayHit, World } from '../../../physics-core/inside.js';
 import type { Readers } from '../scopes/readers.js';
 import type { Binding } from './binding.js';
 
@@ -9,10 +9,18 @@ export interface PageHit extends RayHit {
   element: Element;
 }
 
+/** How a world's bodies are drawn, where that is not x3dom's matter alone. */
+export interface WorldDrawing {
+  readonly stats: { batches: number; drawsSaved: number };
+  readonly effects: EffectReport[];
+  explain(body: Binding): string | undefined;
+}
+
 /** A world of the core, and who of the page lives in it. */
 export interface PageWorld extends World {
   /** Its RigidBodyCollections, in the order of the document. */
   readonly collections: Set<Binding>;
+  drawing?: WorldDrawing;
   /** The element beside the node: that of the body, or of the collidable without one. */
   raycast(...way: Parameters<World['raycast']>): PageHit | null;
   enter(member: Binding): void;

@@ -34,6 +34,8 @@ export interface Explanation {
   bullet?: Record<string, unknown> | undefined;
   /** The elements that it touches; undefined for what does not collide. */
   touches?: string[] | undefined;
+  /** How it is drawn, and why; undefined where only a few bodies are. */
+  drawing?: string | undefined;
   /** Why it sleeps; undefined while it is awake. */
   sleeps?: string | undefined;
   /** What Bullet can only come near to. */
@@ -57,6 +59,7 @@ export function explanation(element: Element, binding: Binding | undefined): Exp
     fields: binding ? fieldsOf(binding) : {},
     bullet: node ? bulletHas(node, nodeName) : undefined,
     touches: node ? touchedBy(node)?.map(nodeName) : undefined,
+    drawing: binding?.world?.drawing?.explain(binding),
     sleeps: binding && whyAsleep(binding),
     approximations: problems
       .filter(({ code }) => APPROXIMATED.has(code))

@@ -1,8 +1,14 @@
-import { World, type PhysicsNode, type Problem } from '../../../physics-core/inside.js';
+import {
+  World,
+  type EffectReport,
+  type PhysicsNode,
+  type Problem,
+  type Stats,
+} from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
-import type { PageHit, PageWorld } from '../nodes/surroundings.js';
+import type { PageHit, PageWorld, WorldDrawing } from '../nodes/surroundings.js';
 import type { Scopes } from '../scopes/scopes.js';
 import { logInPage } from '../words/console.js';
 
@@ -31,6 +37,16 @@ export class SceneWorld extends World implements PageWorld {
       this.#work = true;
       loop.wake();
     };
+  }
+
+  drawing?: WorldDrawing;
+
+  override get stats(): Stats {
+    return { ...super.stats, ...this.drawing?.stats };
+  }
+
+  override get effects(): EffectReport[] {
+    return [...super.effects, ...(this.drawing?.effects ?? [])];
   }
 
   override flush(): void {

@@ -47,6 +47,14 @@ function details(world: World, refresh: () => void): TemplateResult {
         <dt>Heap</dt>
         <dd>${whole(stats.heapBytes / 2 ** 20)} MB</dd>
       </div>
+      ${
+        stats.batches
+          ? html`<div>
+              <dt>Draws saved</dt>
+              <dd>${whole(stats.drawsSaved!)}</dd>
+            </div>`
+          : nothing
+      }
     </dl>
     ${costs(world.costs)} ${effects(world)} ${problems(world)}
   `;

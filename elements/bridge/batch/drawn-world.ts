@@ -1,0 +1,70 @@
+import type { EffectReport } from '../../../physics-core/inside.js';
+import type { Binding } from '../nodes/binding.js';
+import type { WorldDrawing } from '../nodes/surroundings.js';
+import { LEAST } from './least.js';
+
+/** A body, and how each of its Transforms is drawn: with how many, itself among them, or by itself for which reason. */
+export interface DrawnBody {
+  body: Binding;
+  batch: object | undefined;
+  size: number;
+  why: string | undefined;
+}
+
+/** What is drawn, and what it costs. */
+export interface Drawn {
+  readonly bytes: number;
+  /** Milliseconds per frame. */
+  readonly ms: number;
+  bodies(): Iterable<DrawnBody>;
+  of(body: Binding): DrawnBody | undefined;
+}
+
+const REASON = `${LEAST} bodies and more look alike`;
+
+/** What one world can say of how its bodies are drawn. */
+export class DrawnWorld implements WorldDrawing {
+  readonly #drawn: Drawn;
+  readonly #world: object;
+
+  constructor(drawn: Drawn, world: object) {
+    this.#drawn = drawn;
+    this.#world = world;
+  }
+
+  #batched(): DrawnBody[] {
+    const all = [...this.#drawn.bodies()];
+    return all.filter(({ body, batch }) => batch && body.world === this.#world);
+  }
+
+  get stats() {
+    const batched = this.#batched();
+    const batches = new Set(batched.map(({ batch }) => batch)).size;
+    return { batches, drawsSaved: batched.length - batches };
+  }
+
+  get effects(): EffectReport[] {
+    const elements = this.#batched().map(({ body }) => body.element);
+    const [element] = elements;
+    const { bytes, ms } = this.#drawn;
+    return [
+      {
+        name: 'batched drawing',
+        active: elements.length > 0,
+        because: element ? { element, reason: REASON } : null,
+        elements,
+        ms: element ? ms : 0,
+        calls: element ? 1 : 0,
+        chunk: 'batch-code',
+        bytes,
+      },
+    ];
+  }
+
+  explain(body: Binding): string | undefined {
+    const drawn = this.#drawn.of(body);
+    if (!drawn) return undefined;
+    if (drawn.batch) return `in one call with ${drawn.size - 1} others that look alike`;
+    return `by itself: ${drawn.why ?? `fewer than ${LEAST} look alike and stand in one group`}`;
+  }
+}
