@@ -123,7 +123,7 @@ describe('a body drawn with others that is given', () => {
       await drawn();
       const together = picture(x3d);
       expect(draws(x3d)).to.equal(after);
-      if (!/^(batch|its body|a place)/.test(what))
+      if (!/^(batch|its body|a place|no `solid`)/.test(what))
         expect(difference(before, together).any).to.be.above(0);
       await drawPlainly(collection, true);
       expect(draws(x3d)).to.be.at.least(COUNT - 1);

