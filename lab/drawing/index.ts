@@ -40,6 +40,8 @@ async function open(count: number) {
     if (!found) return route.fulfill({ status: 404 });
     return route.fulfill({ contentType: found.type, body: readFileSync(found.file) });
   });
+  // tsx names functions by this helper, those that are sent to the page as well.
+  await page.addInitScript('globalThis.__name = (one) => one');
   await page.goto(HOST);
   type Moving = Element & { world?: { time: number; stats: { batches?: number } } };
   await page.waitForFunction(

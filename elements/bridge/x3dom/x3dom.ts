@@ -68,7 +68,7 @@ export interface X3DNode {
   removeRoute(field: string, to: X3DNode, toField: string): void;
   invalidateVolume(): void;
   getVolume(): unknown;
-  removeChild(child: X3DNode): boolean;
+  removeChild(child: X3DNode, ...rest: unknown[]): boolean;
 }
 
 /** What our nodes have beside x3dom's own. */
