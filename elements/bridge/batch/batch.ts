@@ -1,5 +1,6 @@
 import { x3dom, type NodeContext } from '../x3dom/x3dom.js';
-import type { X3DBounded, X3DShape, X3DVolume } from '../x3dom/renderer.js';
+import type { X3DShape, X3DVolume } from '../x3dom/renderer.js';
+import { drawnFor } from './boxes.js';
 import type { Group } from './group.js';
 import { Instances } from './instances.js';
 import { appearanceOf, colorOf, geometryOf } from './look.js';
@@ -22,8 +23,6 @@ export class Batch {
   readonly #volume: X3DVolume;
   /** Whose geometry and Appearance it draws. */
   #model!: Member;
-  /** How far that geometry reaches in its own frame. */
-  #inside!: X3DVolume;
 
   constructor(renderer: ManyRenderer, group: Group) {
     this.#renderer = renderer;
@@ -108,10 +107,9 @@ export class Batch {
   #copy(member: Member): void {
     const { shape } = this;
     this.#model = member;
-    this.#inside = (geometryOf(member.shape!) as X3DBounded).getVolume();
     freeBuffers(shape, this.#renderer.gl);
     shape._shaderProperties = null;
-    shape._cf.geometry.node = geometryOf(member.shape!);
+    shape._cf.geometry.node = drawnFor(geometryOf(member.shape!)!);
     shape._cf.appearance.node = appearanceOf(member.shape!);
     shape._vf.isPickable = member.shape!._vf.isPickable;
   }
@@ -119,7 +117,7 @@ export class Batch {
   #place(member: Member): void {
     const at = this.#places.get(member)!;
     const { node } = this.#group;
-    if (member.seen) this.instances.place(at, member.transform._trafo, this.#inside);
+    if (member.seen) this.instances.place(at, member.transform._trafo, member.scale, member.inside);
     else this.instances.hide(at);
     // Where its own bounds are unknown, so are those of all above it.
     if (node.volumeValid()) node.invalidateVolume();

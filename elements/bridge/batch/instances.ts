@@ -1,5 +1,5 @@
 import type { X3DColor, X3DVolume } from '../x3dom/renderer.js';
-import type { X3DMatrix } from '../x3dom/x3dom.js';
+import type { X3DMatrix, X3DVector } from '../x3dom/x3dom.js';
 
 /** Per instance: three rows of its matrix; red, green, blue and the id that it is picked by. */
 const FLOATS = 16;
@@ -50,11 +50,11 @@ export class Instances {
 
   // ---- one instance -----------------------------------------------------------------------------------------------
 
-  /** `inside`: how far it reaches in its own frame. */
-  place(at: number, m: X3DMatrix, inside: X3DVolume): void {
-    this.#row(at, 0, m._00, m._01, m._02, m._03, inside);
-    this.#row(at, 1, m._10, m._11, m._12, m._13, inside);
-    this.#row(at, 2, m._20, m._21, m._22, m._23, inside);
+  /** `scale`: of what is drawn, in its own frame; `inside`: how far that reaches there. */
+  place(at: number, m: X3DMatrix, scale: X3DVector, inside: X3DVolume): void {
+    this.#row(at, 0, m._00, m._01, m._02, m._03, scale, inside);
+    this.#row(at, 1, m._10, m._11, m._12, m._13, scale, inside);
+    this.#row(at, 2, m._20, m._21, m._22, m._23, scale, inside);
     this.#note(at);
   }
 
@@ -66,13 +66,14 @@ export class Instances {
     y: number,
     z: number,
     origin: number,
+    scale: X3DVector,
     { min, max }: X3DVolume,
   ): void {
     const data = this.#data;
     const i = at * FLOATS + 4 * axis;
-    data[i] = x;
-    data[i + 1] = y;
-    data[i + 2] = z;
+    data[i] = x * scale.x;
+    data[i + 1] = y * scale.y;
+    data[i + 2] = z * scale.z;
     data[i + 3] = origin;
     const [x0, x1, y0, y1, z0, z1] = [
       x * min.x,

@@ -1,5 +1,7 @@
 import type { X3DNode } from '../x3dom/x3dom.js';
 import type { X3DColor, X3DShape } from '../x3dom/renderer.js';
+import { isScaled } from './boxes.js';
+import { typeOf } from './types.js';
 
 // What makes two Shapes look alike, by content. What is not listed here is left to x3dom.
 
@@ -24,9 +26,6 @@ const APPEARANCE: Record<string, string> = {
 const NOT_OF_THE_LOOK = new Set(['diffuseColor', 'origChannelCount']);
 
 const WHITE: X3DColor = { r: 1, g: 1, b: 1 };
-
-const typeOf = ({ constructor }: X3DNode): string =>
-  (constructor as unknown as { _typeName: string })._typeName;
 
 const nodesOf = (field: X3DNode['_cf'][string]): X3DNode[] =>
   field.nodes ?? (field.node ? [field.node] : []);
@@ -77,8 +76,9 @@ export class Looks {
   #content(node: X3DNode): string {
     const known = this.#read.get(node);
     if (known !== undefined) return known;
+    const scaled = isScaled(node) ? 'size' : undefined;
     const values = Object.entries(node._vf).map(([name, value]) =>
-      NOT_OF_THE_LOOK.has(name) ? '' : inWords(value),
+      NOT_OF_THE_LOOK.has(name) || name === scaled ? '' : inWords(value),
     );
     const nodes = Object.entries(node._cf).flatMap(([name, field]) =>
       name === 'metadata' ? [] : nodesOf(field).map((each) => `${name}:${this.#content(each)}`),

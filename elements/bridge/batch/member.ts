@@ -1,6 +1,7 @@
-import { x3dom } from '../x3dom/x3dom.js';
-import type { X3DBounded, X3DShape, X3DTransform, Way } from '../x3dom/renderer.js';
-import { obstacle } from './look.js';
+import { x3dom, type X3DVector } from '../x3dom/x3dom.js';
+import type { X3DBounded, X3DShape, X3DTransform, X3DVolume, Way } from '../x3dom/renderer.js';
+import { scaleOf } from './boxes.js';
+import { geometryOf, obstacle } from './look.js';
 
 const nativeOf = (type: string): X3DBounded => x3dom()!.nodeTypes[type].prototype as X3DBounded;
 
@@ -21,6 +22,9 @@ export class Member {
   parent: X3DBounded | undefined;
   /** Not by `render` of its Transform or its Shape. */
   seen = false;
+  /** Of what is drawn for its geometry, and how far that reaches: in its own frame. */
+  scale!: X3DVector;
+  inside!: X3DVolume;
   /** Why it is drawn by itself. */
   why: string | undefined;
 
@@ -42,6 +46,10 @@ export class Member {
     this.shape = alone ? (first as X3DShape) : undefined;
     this.seen = alone && transform.renderFlag() && first.renderFlag();
     this.why = this.#obstacle();
+    if (this.why !== undefined) return;
+    const geometry = geometryOf(this.shape!)!;
+    this.scale = scaleOf(geometry);
+    this.inside = (geometry as X3DBounded).getVolume();
   }
 
   #obstacle(): string | undefined {

@@ -51,7 +51,7 @@ const EDITS: [string, number, (shown: Shown) => unknown][] = [
       shape.highlight(true, rgb(1, 1, 0));
     },
   ],
-  ['another size', 2, (shown) => find(shown, '#s3 box').setAttribute('size', '0.4 1.4 0.4')],
+  ['another size', 1, (shown) => find(shown, '#s3 box').setAttribute('size', '0.4 1.4 0.4')],
   [
     'another geometry',
     2,
@@ -239,7 +239,7 @@ describe('bodies drawn in one call', () => {
 
 describe('bodies of unlike looks', () => {
   it('are left to x3dom', async () => {
-    const unlike = bodies(COUNT, (i) => `${colored(i)}<box size="1 1 ${1 + i / 100}"></box>`);
+    const unlike = bodies(COUNT, (i) => `${colored(i)}<cone height="${1 + i / 100}"></cone>`);
     const { x3d, world } = await showBatched(unlike, COUNT);
     await until(() => world.stats.batches === 0, 5000);
     await drawn();

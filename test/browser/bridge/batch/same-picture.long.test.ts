@@ -25,6 +25,10 @@ const FACES = `<indexedfaceset coordindex="0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1">
 
 const SCENES: Record<string, string> = {
   'boxes by the headlight': boxes,
+  'boxes of many sizes': bodies(
+    COUNT,
+    (i) => `${colored(i)}<box size="${0.5 + (i % 4) / 4} ${0.4 + (i % 3) / 3} 1"></box>`,
+  ),
   spheres: bodies(
     COUNT,
     (i) => `${colored(i, 'specularcolor="0.5 0.5 0.5"')}<sphere radius="0.6"></sphere>`,
