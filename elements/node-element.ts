@@ -112,10 +112,12 @@ function defineReflection(prototype: X3DNodeElement, name: string): void {
     enumerable: true,
     get(this: Element) {
       const text = native.getAttribute.call(this, name);
+      if (name === 'batch') return text !== 'false';
       return name === 'default' ? text !== null && text !== 'false' : (text ?? '');
     },
     set(this: Element, value: unknown) {
-      if (value === null || value === undefined || value === false)
+      const usual = name === 'batch';
+      if (value === null || value === undefined || value === usual)
         native.removeAttribute.call(this, name);
       else native.setAttribute.call(this, name, value === true ? '' : String(value));
     },

@@ -97,6 +97,8 @@ export interface RigidBodyCollectionProperties {
   default: boolean;
   /** Collections of one x3d element with the same name here share a world. */
   sharedWorld: string;
+  /** Whether bodies are drawn in one call with others that look alike; "false": by themselves. */
+  batch: boolean;
 }
 
 /** Properties of `<x3d-rigid-body>`: read live, set to the text of the attribute, too; null takes script's word back. */
@@ -205,6 +207,8 @@ export interface RigidBodyProperties {
   set metadata(value: Element | null | undefined);
   /** DEF or id of the Transform, Shape or group that it stands for. */
   for: string;
+  /** Whether bodies are drawn in one call with others that look alike; "false": by themselves. */
+  batch: boolean;
 }
 
 /** Properties of `<x3d-collidable-shape>`: read live, set to the text of the attribute, too; null takes script's word back. */

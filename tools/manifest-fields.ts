@@ -74,6 +74,10 @@ const ADDITIONS: Record<string, { type: string; doc: string }> = {
     type: 'string',
     doc: 'Collections of one x3d element with the same name here share a world.',
   },
+  batch: {
+    type: 'boolean',
+    doc: 'Whether bodies are drawn in one call with others that look alike; "false": by themselves.',
+  },
 };
 
 /** Attributes of ours that are no fields, and properties that reflect them. */

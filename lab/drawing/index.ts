@@ -91,7 +91,5 @@ await browser.close();
 writeFileSync(NUMBERS, `${JSON.stringify(numbers, null, 2)}\n`);
 writeFileSync(PICTURE, drawingPicture(numbers));
 const text = readFileSync(TEXT, 'utf8');
-writeFileSync(
-  TEXT,
-  text.replace(/(?<=<!-- numbers -->\n)[^]*(?=\n<!-- \/numbers -->)/, tableOf(numbers)),
-);
+const table = `\n\n${tableOf(numbers)}\n\n`;
+writeFileSync(TEXT, text.replace(/(?<=<!-- numbers -->)[^]*(?=<!-- end of numbers -->)/, table));

@@ -21,6 +21,20 @@ describe('a page where bodies are drawn in one call', () => {
     expect(world.stats).to.include({ batches: 1, drawsSaved: 10 });
   });
 
+  it('takes a body out of them by its property, too', async () => {
+    const { x3d, world } = await showBatched(boxes);
+    const body = x3d.querySelector('#b3') as Element & { batch: boolean };
+    expect(body.batch).to.equal(true);
+    body.batch = false;
+    await drawn();
+    draws(x3d);
+    expect([body.batch, world.stats.drawsSaved]).to.eql([false, 10]);
+    body.batch = true;
+    await drawn();
+    draws(x3d);
+    expect([body.getAttribute('batch'), world.stats.drawsSaved]).to.eql([null, 11]);
+  });
+
   it('explains of each body how it is drawn', async () => {
     const { x3d } = await showBatched(boxes + ONE);
     const said = (name: string) => explain(x3d.querySelector(name)!).drawing;
