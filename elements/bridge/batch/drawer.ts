@@ -93,7 +93,7 @@ export class Drawer implements Drawn {
       severity: 'info',
       value: why,
       used: 'x3dom, body by body',
-      message: `this x3dom draws otherwise than 1.8.3: bodies that look alike are drawn one by one (${why})`,
+      message: `bodies that look alike are drawn one by one: ${why}`,
     });
   }
 }

@@ -6,15 +6,7 @@ import { typeOf } from './types.js';
 // What makes two Shapes look alike, by content. What is not listed here is left to x3dom.
 
 /** Geometry whose pictures were compared. */
-const GEOMETRY = new Set([
-  'Box',
-  'Sphere',
-  'Cylinder',
-  'Cone',
-  'IndexedFaceSet',
-  'IndexedTriangleSet',
-  'TriangleSet',
-]);
+const GEOMETRY = new Set(['Box', 'Sphere', 'Cylinder', 'Cone', 'IndexedFaceSet']);
 
 /** The same of what an Appearance has, by its field. */
 const APPEARANCE: Record<string, string> = {

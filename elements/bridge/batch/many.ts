@@ -25,6 +25,7 @@ export class ManyRenderer {
     this.#document = document;
     this.#renderer = document.ctx;
     this.gl = this.#renderer.ctx3d;
+    if (!('drawElementsInstanced' in this.gl)) this.failure = 'there is no WebGL 2';
     this.#hookFrames(beforeFrame);
     this.#hookShaders();
     this.#hookDraws();

@@ -37,7 +37,8 @@ const HANDED: Record<Pass, [string, string, string][]> = {
 };
 
 function replaced(source: string, pattern: RegExp | string, by: string): string {
-  if (source.search(pattern) < 0) throw new OtherShader(`no ${String(pattern)}`);
+  if (source.search(pattern) < 0)
+    throw new OtherShader(`x3dom writes its shaders otherwise than 1.8.3, without ${pattern}`);
   return source.replace(pattern, by);
 }
 
