@@ -26,16 +26,12 @@ export class Batching {
     if (geometry && count === LEAST) void this.#load(body);
   }
 
-  async #load({ world }: Binding): Promise<void> {
+  async #load(body: Binding): Promise<void> {
     try {
       const code: { provide: typeof provide; bytes?: number } = await import('./batch-code.js');
       this.drawer ??= code.provide(this.#scene, code.bytes ?? 0);
     } catch (error) {
-      world?.report({
-        code: 'drawing-plain',
-        severity: 'info',
-        message: `bodies are drawn one by one: ${String(error)}`,
-      });
+      body.problem({ code: 'drawing-plain', severity: 'info', message: String(error) });
     }
   }
 }

@@ -1,6 +1,6 @@
 import type { EffectReport } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
-import type { WorldDrawing } from '../nodes/surroundings.js';
+import type { PageWorld, WorldDrawing } from '../nodes/surroundings.js';
 import { LEAST } from './least.js';
 
 /** A body, and how each of its Transforms is drawn: with how many, itself among them, or by itself for which reason. */
@@ -25,11 +25,19 @@ const REASON = `${LEAST} bodies and more look alike`;
 /** What one world can say of how its bodies are drawn. */
 export class DrawnWorld implements WorldDrawing {
   readonly #drawn: Drawn;
-  readonly #world: object;
+  readonly #world: PageWorld;
 
-  constructor(drawn: Drawn, world: object) {
+  /** What the world says of itself has this beside it from now on. */
+  constructor(drawn: Drawn, world: PageWorld) {
     this.#drawn = drawn;
     this.#world = world;
+    const above = Object.getPrototypeOf(world) as PageWorld;
+    const own = <Name extends 'stats' | 'effects'>(name: Name): PageWorld[Name] =>
+      Reflect.get(above, name, world) as PageWorld[Name];
+    Object.defineProperties(world, {
+      stats: { get: () => ({ ...own('stats'), ...this.stats }) },
+      effects: { get: () => [...own('effects'), ...this.effects] },
+    });
   }
 
   #batched(): DrawnBody[] {

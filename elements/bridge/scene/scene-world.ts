@@ -1,10 +1,4 @@
-import {
-  World,
-  type EffectReport,
-  type PhysicsNode,
-  type Problem,
-  type Stats,
-} from '../../../physics-core/inside.js';
+import { World, type PhysicsNode, type Problem } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
@@ -40,14 +34,6 @@ export class SceneWorld extends World implements PageWorld {
   }
 
   drawing?: WorldDrawing;
-
-  override get stats(): Stats {
-    return { ...super.stats, ...this.drawing?.stats };
-  }
-
-  override get effects(): EffectReport[] {
-    return [...super.effects, ...(this.drawing?.effects ?? [])];
-  }
 
   override flush(): void {
     this.onflush?.();
