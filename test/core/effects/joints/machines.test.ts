@@ -72,7 +72,7 @@ for (const accuracy of ['game', 'standard'] as const) {
       });
     const { bodies, joints, hinges } = addRagdoll(w, 3);
     let [gap, speed, past] = [0, 0, 0];
-    for (let i = 0; i < 8 / w.timeStep; i++) {
+    for (let i = 0; i < 10 / w.timeStep; i++) {
       w.step();
       gap = Math.max(gap, widest(joints));
       speed = Math.max(speed, fastest(bodies));
