@@ -192,6 +192,7 @@ export class ContactSolve extends Effect {
     const { parts, ways } = this.#ways;
     for (let i = 0; i < parts.length; i++) {
       const part = parts[i]!;
+      part.inHeap = this.#rolling.isHeap(part);
       if (!this.#reader.read(part)) continue;
       this.#rolling.add(part);
       this.#try(part, ways[i]!);

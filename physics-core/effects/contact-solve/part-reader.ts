@@ -59,12 +59,11 @@ export class PartReader {
         return false;
     if (!this.#readJoints(part)) return false;
     part.jointed = part.rows.length > 0;
-    for (const manifold of part.manifolds)
-      if (!this.#readContacts(manifold, part.contacts)) return false;
+    for (const manifold of part.manifolds) if (!this.#readContacts(manifold, part)) return false;
     return part.contacts.length > 0;
   }
 
-  #readContacts(manifold: number, into: number[]): boolean {
+  #readContacts(manifold: number, { inHeap, contacts: into }: Part): boolean {
     const { ammo } = this.#simulation.engine;
     const a = bodyAAt(ammo, manifold);
     const b = bodyBAt(ammo, manifold);
@@ -78,7 +77,9 @@ export class PartReader {
       const contact = this.#port.read(point, a, b, p, q, this.#step);
       if (contact >= 0) into.push(contact);
     }
-    this.#corners.read(into, first, a, b, this.#step.dt);
+    // What lies in a heap turns about one edge only for a moment: all that counts there is that it comes to rest.
+    if (inHeap) this.#corners.leave(into, first);
+    else this.#corners.read(into, first, a, b, this.#step.dt);
     return true;
   }
 

@@ -9,6 +9,8 @@ export interface Part {
   /** Of joints, or what keeps bodies of a heap from rolling. */
   readonly rows: number[];
   jointed: boolean;
+  /** It is near so many others that they make a heap. */
+  inHeap: boolean;
 }
 
 /** The parts of a step. Their arrays are kept from step to step. */
@@ -59,6 +61,7 @@ export class Parts {
       contacts: [],
       rows: [],
       jointed: false,
+      inHeap: false,
     });
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
     return this.#count++;

@@ -49,7 +49,7 @@ export class RollingResistance {
     this.#bodies = bodies;
   }
 
-  /** A new step: what is a heap in it. */
+  /** A new step: what is a heap in it, for `isHeap`. */
   begin(): void {
     const { count, pointers } = this.#bodies;
     this.#crowds.fill(0);
@@ -64,12 +64,12 @@ export class RollingResistance {
 
   /** Rows for the bodies of a part that lies in a heap. */
   add(part: Part): void {
-    if (part.jointed || !this.#isInHeap(part)) return;
+    if (part.jointed || !part.inHeap) return;
     this.#readLoads(part);
     for (const body of part.bodies) if (this.#isSlow(body)) this.#brake(body, part.rows);
   }
 
-  #isInHeap({ bodies }: Part): boolean {
+  isHeap({ bodies }: Part): boolean {
     const island = islandAt(this.#simulation.engine.ammo, this.#bodies.pointers[bodies[0]!]!);
     return this.#crowds[island]! > HEAP;
   }

@@ -56,6 +56,16 @@ export class TurningCorners {
     }
   }
 
+  /** Of these, nothing is reckoned with. */
+  leave(contacts: readonly number[], first: number): void {
+    const { values: c } = this.#contacts;
+    for (let i = first; i < contacts.length; i++) {
+      const at = contacts[i]! * C.size;
+      c[at + C.corner] = CORNER.ofNone;
+      c[at + C.meets] = 0;
+    }
+  }
+
   #approaches(contact: number): boolean {
     const { values: c, a, b } = this.#contacts;
     const at = contact * C.size;
