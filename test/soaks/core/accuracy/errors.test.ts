@@ -75,7 +75,8 @@ fact('a scene whose roundings grow is called chaotic, and errors end at its hori
     assert.equal(chaotic, true);
     above(horizon, 0.3, 's: nothing has met anything yet');
     below(horizon, 1.2, 's');
-    close(tolerance, 0.03, 0.02, 'm, 1 % of the longest way');
+    above(tolerance, 0.01, 'm, 1 % of the longest way');
+    below(tolerance, 0.083, 'm, 1 % of the way from the highest place to the floor');
     below(error.position, 0.2, 'm, where without a horizon boxes would be metres apart');
   }
   above(by(rows, 'game').error.position, 0, 'm');
