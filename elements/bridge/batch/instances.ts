@@ -75,14 +75,12 @@ export class Instances {
     data[i + 1] = y * scale.y;
     data[i + 2] = z * scale.z;
     data[i + 3] = origin;
-    const [x0, x1, y0, y1, z0, z1] = [
-      x * min.x,
-      x * max.x,
-      y * min.y,
-      y * max.y,
-      z * min.z,
-      z * max.z,
-    ];
+    const x0 = x * min.x;
+    const x1 = x * max.x;
+    const y0 = y * min.y;
+    const y1 = y * max.y;
+    const z0 = z * min.z;
+    const z1 = z * max.z;
     const box = at * BOX + axis;
     this.#boxes[box] = origin + Math.min(x0, x1) + Math.min(y0, y1) + Math.min(z0, z1);
     this.#boxes[box + 3] = origin + Math.max(x0, x1) + Math.max(y0, y1) + Math.max(z0, z1);
@@ -96,7 +94,11 @@ export class Instances {
   }
 
   look(at: number, { r, g, b }: X3DColor, id: number): void {
-    this.#data.set([r, g, b, id], at * FLOATS + 12);
+    const i = at * FLOATS + 12;
+    this.#data[i] = r;
+    this.#data[i + 1] = g;
+    this.#data[i + 2] = b;
+    this.#data[i + 3] = id;
     this.#note(at);
   }
 
