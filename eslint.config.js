@@ -118,7 +118,17 @@ const fences = (tree) =>
   );
 
 export default tseslint.config(
-  { ignores: ['dist/', 'storybook-static/', 'coverage/', 'test-bundles/'] },
+  {
+    ignores: [
+      'dist/',
+      'storybook-static/',
+      'site-static/',
+      'site/public/',
+      'site/.vitepress/cache/',
+      'coverage/',
+      'test-bundles/',
+    ],
+  },
   js.configs.recommended,
   ...tseslint.configs.recommended,
   {
@@ -188,7 +198,7 @@ export default tseslint.config(
     },
   },
   {
-    files: ['stories/**/*.ts'],
+    files: ['stories/**/*.ts', 'site/**/*.ts', 'site/.vitepress/**/*.ts'],
     rules: { ...imports(noLab), ...globals(x3dom), ...syntax(noX3domProperty) },
   },
   {

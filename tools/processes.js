@@ -47,5 +47,6 @@ export const BIN = {
   rollup: 'node_modules/rollup/dist/bin/rollup',
   storybook: 'node_modules/storybook/dist/bin/dispatcher.js',
   tsc: 'node_modules/typescript/bin/tsc',
+  vitepress: 'node_modules/vitepress/bin/vitepress.js',
   wtr: 'node_modules/@web/test-runner/dist/bin.js',
 };

@@ -1,4 +1,4 @@
-// npm start: installs what is missing, builds the library and its stories, serves them.
+// npm start: installs what is missing, builds the library, its documentation and its stories, serves them.
 import { ensurePackages } from './install.js';
 import { runNode } from './processes.js';
 
@@ -6,12 +6,14 @@ async function main() {
   await ensurePackages();
   console.log('Building the library …');
   if (!(await runNode(['tools/build.js'])).ok) throw new Error('The build failed: see above.');
-  console.log('Building the stories …');
+  console.log('Building the documentation and the stories …');
   // Only now: it imports packages.
-  const { buildStories, serveStories } = await import('./stories.js');
-  await buildStories();
-  const { port } = await serveStories(6006);
-  console.log(`\nThe stories are at http://localhost:${port}/   (Ctrl+C ends)`);
+  const { buildDocs, serveDocs } = await import('./site.js');
+  await buildDocs();
+  const { port } = await serveDocs(6006);
+  console.log(
+    `\nThe documentation is at http://localhost:${port}/, the stories at …/stories/   (Ctrl+C ends)`,
+  );
 }
 
 main().catch((error) => {

@@ -11,9 +11,9 @@ async function drawReport() {
 }
 
 /** Builds the stories, which show the library as it lies in dist/, and the lab's report. */
-export async function buildStories() {
+export async function buildStories(folder = FOLDER) {
   await drawReport();
-  const args = ['build', '--output-dir', FOLDER, '--disable-telemetry', '--quiet'];
+  const args = ['build', '--output-dir', folder, '--disable-telemetry', '--quiet'];
   const stories = await runNode([BIN.storybook, ...args], { quiet: true });
   if (!stories.ok) throw new Error(`${stories.output}\nThe stories did not build: see above.`);
 }

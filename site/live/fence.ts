@@ -1,0 +1,25 @@
+// A fence of `html live` is shown twice: as a page that runs, and as its markup.
+//   ```html live            ```html live 420            ```html live 420 "A door with a motor"
+import type { MarkdownRenderer } from 'vitepress';
+import { frame } from './frame.js';
+
+const LIVE = /^html live(?: (\d+))?(?: "([^"]+)")?/;
+/** Pixels, where the fence names none. */
+const HEIGHT = '340';
+
+const escaped = (text: string): string =>
+  text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
+
+/** In a frame of its own: its scripts run as in a page, and its WebGL context goes with it. */
+const running = (markup: string, base: string, height = HEIGHT, title = 'The example, running') =>
+  `<iframe v-pre class="live" loading="lazy" height="${height}" title="${escaped(title)}" srcdoc="${escaped(frame(markup, base))}"></iframe>\n`;
+
+export function liveExamples(md: MarkdownRenderer, base: string): void {
+  const fence = md.renderer.rules.fence!;
+  md.renderer.rules.fence = (tokens, at, ...rest) => {
+    const { info, content } = tokens[at]!;
+    const code = fence(tokens, at, ...rest);
+    const live = LIVE.exec(info);
+    return live ? running(content, base, live[1], live[2]) + code : code;
+  };
+}

@@ -1,0 +1,33 @@
+// What the site shows of the rest of the repository: the library and x3dom as pages load them, the pages of docs/ with
+// their pictures. Written into folders that are in no commit.
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname } from 'node:path';
+import { forSite } from './links.js';
+
+const GENERATED = 'site/generated';
+const PUBLIC = 'site/public';
+
+function write(file: string, text: string): void {
+  mkdirSync(dirname(`${GENERATED}/${file}`), { recursive: true });
+  writeFileSync(`${GENERATED}/${file}`, text);
+}
+
+/** As a package brings them, without what only debuggers and compilers read. */
+function copyScripts(): void {
+  const filter = (file: string) => !file.endsWith('.map') && !file.endsWith('dist/types');
+  cpSync('dist', `${PUBLIC}/x3d-physics`, { recursive: true, filter });
+  for (const name of ['x3dom.js', 'x3dom.css'])
+    cpSync(`node_modules/x3dom/${name}`, `${PUBLIC}/x3dom/${name}`);
+  cpSync('docs/pictures', `${PUBLIC}/pictures`, { recursive: true });
+  cpSync('site/live/frame.css', `${PUBLIC}/frame.css`);
+}
+
+function copyPages(): void {
+  for (const name of readdirSync('docs').filter((file) => file.endsWith('.md')))
+    write(`docs/${name}`, forSite(readFileSync(`docs/${name}`, 'utf8')));
+  write('changelog.md', forSite(readFileSync('CHANGELOG.md', 'utf8')));
+}
+
+for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, force: true });
+copyScripts();
+copyPages();
