@@ -14,7 +14,7 @@ async function must(what, args, options = { quiet: true }) {
 }
 
 /** What the site shows of the rest of the repository, put where its generator looks for it. */
-const gather = () => must('Gathering the pages', ['--import', 'tsx', 'tools/site/gather.ts']);
+const gather = () => must('Gathering the pages', ['--import', 'tsx', 'site/gather/index.ts']);
 
 /** The site by itself: what its test looks at. */
 export async function buildSite() {

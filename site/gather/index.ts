@@ -3,6 +3,7 @@
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { forSite } from './links.js';
+import { referencePages } from './reference.js';
 
 const GENERATED = 'site/generated';
 const PUBLIC = 'site/public';
@@ -26,6 +27,7 @@ function copyPages(): void {
   for (const name of readdirSync('docs').filter((file) => file.endsWith('.md')))
     write(`docs/${name}`, forSite(readFileSync(`docs/${name}`, 'utf8')));
   write('changelog.md', forSite(readFileSync('CHANGELOG.md', 'utf8')));
+  for (const [name, text] of referencePages()) write(`reference/${name}.md`, text);
 }
 
 for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, force: true });
