@@ -78,7 +78,7 @@ const FIREFOX = inBrowser('web-test-runner.firefox.config.js');
 const WEBKIT = inBrowser('web-test-runner.webkit.config.js');
 
 /** What Node runs in a moment: the core, and whatever else needs no page. */
-const IN_NODE = ['core', 'elements', 'lab', 'references', 'stories', 'tools'];
+const IN_NODE = ['core', 'elements', 'lab', 'references', 'site', 'stories', 'tools'];
 
 /**
  * `folders`: below test/; `takes`: which of their files. `missing` says why a stage can't run here; it is left out then,

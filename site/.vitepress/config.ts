@@ -1,6 +1,7 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { defineConfig, type DefaultTheme } from 'vitepress';
-import { liveExamples } from '../live/fence.js';
+import { liveExamples } from '../markdown/fence.js';
+import { emptyHeads } from '../markdown/tables.js';
 import { sidebar } from './sidebar.js';
 
 /** Another one where the site does not lie at its server's root: `SITE_BASE=/x3d-physics/`. */
@@ -18,6 +19,8 @@ const nodes = readdirSync(here('generated'), { recursive: true })
 
 const nav: DefaultTheme.NavItem[] = [
   { text: 'Guide', link: '/guide/which-file', activeMatch: '/guide/' },
+  { text: 'Recipes', link: '/recipes/door', activeMatch: '/recipes/' },
+  { text: 'Reference', link: '/reference/RigidBody', activeMatch: '/reference/' },
   ...(hasPlayground ? [{ text: 'Playground', link: '/playground' }] : []),
   { text: 'Stories', link: '/stories/index.html', target: '_self' },
 ];
@@ -49,7 +52,7 @@ export default defineConfig({
   markdown: {
     // The contrast that small text needs.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
-    config: (md) => md.use(liveExamples, base),
+    config: (md) => md.use(liveExamples, base).use(emptyHeads),
   },
   themeConfig: {
     nav,

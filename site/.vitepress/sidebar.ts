@@ -6,24 +6,72 @@ type Item = DefaultTheme.SidebarItem;
 const pages = (folder: string, entries: Record<string, string>): Item[] =>
   Object.entries(entries).map(([name, text]) => ({ text, link: `/${folder}/${name}` }));
 
+const START = {
+  'which-file': 'Which file do I take?',
+  markup: 'First steps in markup',
+  script: 'From a script',
+  frameworks: 'Frameworks',
+  devtools: 'Live editing in devtools',
+  dragging: 'Dragging',
+  bundlers: 'Bundlers',
+  servers: 'Servers and security',
+};
+
+const TROUBLE = {
+  'not-moving': 'Why doesn’t it move?',
+  problems: 'Problem codes',
+  'looking-inside': 'Looking inside',
+  limits: 'What works where',
+  migration: 'From other X3D physics',
+};
+
+const RECIPES = {
+  door: 'A motorised door',
+  car: 'A car, and its suspension',
+  ragdoll: 'A ragdoll',
+  friction: 'Friction and bounce',
+  'jointed-bodies': 'Do bodies on one joint collide?',
+  reset: 'Reset and kick',
+  throwing: 'Throwing',
+  many: 'Many bodies',
+  sensors: 'Sensors and triggers',
+  saving: 'Saving and loading',
+  undo: 'Undo and duplicate in devtools',
+};
+
+const INSIDE = {
+  edits: 'Edits of a running scene',
+  joints: 'Joints that do not stretch',
+  contacts: 'Contacts that hold',
+  stability: 'What stays stable',
+  effects: 'Effects',
+  chunks: 'Files',
+  drawing: 'Drawing many bodies',
+  pages: 'In real pages',
+  conformance: 'Conformance',
+};
+
+const REPORT = {
+  text: 'The accuracy lab',
+  link: '/stories/lab/report/index.html',
+  target: '_self',
+};
+
 export const sidebar = (nodes: string[]): Item[] => [
-  { text: 'Guide', items: pages('guide', { 'which-file': 'Which file' }) },
-  ...(nodes.length
-    ? [{ text: 'Reference', items: nodes.map((text) => ({ text, link: `/reference/${text}` })) }]
-    : []),
+  { text: 'Start', items: pages('guide', START) },
+  { text: 'Recipes', items: pages('recipes', RECIPES) },
+  { text: 'Trouble', items: pages('guide', TROUBLE) },
+  {
+    text: 'Reference',
+    items: nodes.map((text) => ({ text, link: `/reference/${text}` })),
+  },
   {
     text: 'How it works',
-    items: pages('docs', {
-      edits: 'Edits of a running scene',
-      joints: 'Joints that do not stretch',
-      contacts: 'Contacts that hold',
-      stability: 'What stays stable',
-      effects: 'Effects',
-      chunks: 'Files',
-      drawing: 'Drawing many bodies',
-      pages: 'In real pages',
-      conformance: 'Conformance',
-    }),
+    items: [
+      { text: 'Accuracy', link: '/guide/accuracy' },
+      ...pages('docs', INSIDE),
+      REPORT,
+      { text: 'Changelog', link: '/changelog' },
+    ],
   },
-  { text: 'Changelog', link: '/changelog' },
 ];

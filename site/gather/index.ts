@@ -3,6 +3,8 @@
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { forSite } from './links.js';
+import { llmsTexts } from './llms.js';
+import { readmePages } from './readme.js';
 import { referencePages } from './reference.js';
 
 const GENERATED = 'site/generated';
@@ -20,16 +22,25 @@ function copyScripts(): void {
   for (const name of ['x3dom.js', 'x3dom.css'])
     cpSync(`node_modules/x3dom/${name}`, `${PUBLIC}/x3dom/${name}`);
   cpSync('docs/pictures', `${PUBLIC}/pictures`, { recursive: true });
-  cpSync('site/live/frame.css', `${PUBLIC}/frame.css`);
+  cpSync('site/markdown/frame.css', `${PUBLIC}/frame.css`);
 }
 
 function copyPages(): void {
   for (const name of readdirSync('docs').filter((file) => file.endsWith('.md')))
     write(`docs/${name}`, forSite(readFileSync(`docs/${name}`, 'utf8')));
   write('changelog.md', forSite(readFileSync('CHANGELOG.md', 'utf8')));
+  for (const [file, text] of readmePages()) write(file, text);
   for (const [name, text] of referencePages()) write(`reference/${name}.md`, text);
 }
 
 for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, force: true });
 copyScripts();
 copyPages();
+
+/** When all pages are there. */
+function writeTexts(): void {
+  const { short, full } = llmsTexts(referencePages().map(([name]) => name));
+  writeFileSync(`${PUBLIC}/llms.txt`, short);
+  writeFileSync(`${PUBLIC}/llms-full.txt`, full);
+}
+writeTexts();

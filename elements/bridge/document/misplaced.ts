@@ -30,9 +30,9 @@ export function checkPlace(element: Element): void {
   const inShadow = element.getRootNode() instanceof ShadowRoot;
   if (inScene && !inShadow) return;
   misplaced.add(element);
-  const [code, where] = inShadow
-    ? ['shadow-root', 'in a shadow root, where x3dom does not look']
-    : ['misplaced', 'outside the scene of any <x3d>'];
+  const { code, where } = inShadow
+    ? { code: 'shadow-root', where: 'in a shadow root, where x3dom does not look' }
+    : { code: 'misplaced', where: 'outside the scene of any <x3d>' };
   const message = `<${element.localName}> stands ${where}`;
   tellPage({ code, severity: 'warning', used: 'nothing', message }, element);
 }

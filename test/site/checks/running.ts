@@ -1,0 +1,94 @@
+// Whether a scene runs: its world becomes ready, nothing is wrong with it, and something moves.
+import type { Browser, Page as Tab } from 'playwright';
+import type { Scene } from './sources.js';
+
+/** Milliseconds until a scene has to be ready and to have moved. */
+const LATEST = 30_000;
+
+/** Metres, or as many radians. */
+const MOVED = 0.005;
+
+interface State {
+  poses: number[][];
+  problems: string[];
+}
+
+/** Runs in the page, of any build of the library: the first world's bodies, and what it complains of. */
+const STATE = `(async () => {
+  const { worldOf } = globalThis.X3DPhysics ?? await import('/x3d-physics/x3d-physics.js');
+  const worlds = new Set();
+  for (const element of document.querySelectorAll('x3d *')) {
+    const world = worldOf(element);
+    if (world) worlds.add(world);
+  }
+  await Promise.all([...worlds].map(({ ready }) => ready));
+  const nodes = [...worlds].flatMap((world) => [...world.nodes]);
+  return {
+    poses: nodes.filter((node) => node.applyImpulse).map((node) => [...node.get('position'), ...node.get('orientation')]),
+    problems: [...worlds].flatMap((world) => world.problems.map(({ code, message }) => code + ': ' + message)),
+  };
+})()`;
+
+const state = (tab: Tab) => tab.evaluate(STATE) as Promise<State>;
+
+const wayOf = (before: State, after: State): number =>
+  Math.max(
+    0,
+    ...after.poses.flatMap((pose, i) =>
+      pose.map((value, k) => Math.abs(value - (before.poses[i]?.[k] ?? value))),
+    ),
+  );
+
+async function waitUntilMoved(tab: Tab, start: State): Promise<State> {
+  const end = Date.now() + LATEST;
+  for (;;) {
+    const now = await state(tab);
+    if (wayOf(start, now) > MOVED) return now;
+    if (Date.now() > end) throw new Error('nothing moves');
+    await tab.waitForTimeout(100);
+  }
+}
+
+/** A piece of markup names what its author has elsewhere. */
+const ELSEWHERE = /^(waiting-for-geometry|unknown-reference|not-in-collider|no-body)/;
+
+async function check(tab: Tab, { moves }: Scene, faults: string[]): Promise<void> {
+  const start = await state(tab);
+  if (start.poses.length === 0) throw new Error('there are no bodies');
+  const { problems } = await waitUntilMoved(tab, start);
+  faults.push(...(moves ? problems : problems.filter((problem) => !ELSEWHERE.test(problem))));
+}
+
+async function faultsOf(browser: Browser, address: string, scene: Scene): Promise<string[]> {
+  const context = await browser.newContext({ viewport: { width: 640, height: 400 } });
+  const tab = await context.newPage();
+  const faults: string[] = [];
+  tab.on('pageerror', (error) => faults.push(error.message));
+  tab.on('console', (line) => line.type() === 'error' && faults.push(line.text()));
+  tab.on('response', (answer) => {
+    if (answer.status() >= 400) faults.push(`${answer.status()} ${answer.url()}`);
+  });
+  await tab.route('**/scene', (route) =>
+    route.fulfill({ contentType: 'text/html', body: scene.html }),
+  );
+  try {
+    await tab.goto(`${address}/scene`);
+    await check(tab, scene, faults);
+  } catch (error) {
+    faults.push((error as Error).message);
+  }
+  await context.close();
+  return faults.map((fault) => `${scene.name}: ${fault}`);
+}
+
+/** Two at a time: each wants a core for its picture. */
+export async function broken(browser: Browser, address: string, scenes: Scene[]) {
+  const left = [...scenes];
+  const worker = async (): Promise<string[]> => {
+    const found: string[] = [];
+    for (let scene = left.shift(); scene; scene = left.shift())
+      found.push(...(await faultsOf(browser, address, scene)));
+    return found;
+  };
+  return (await Promise.all([worker(), worker()])).flat();
+}

@@ -1,0 +1,53 @@
+// Scenes in the site's pages: those that run in them, and those that are only shown.
+import { readdirSync, readFileSync } from 'node:fs';
+import { frame } from '../../../site/markdown/frame.js';
+
+export interface Scene {
+  name: string;
+  /** As a page of its own. */
+  html: string;
+  /** Whether something in it is to move: a piece of markup may be all rest. */
+  moves: boolean;
+}
+
+const FENCE = /^```html([^\n]*)\n([^]*?)\n```$/gm;
+
+/** Pages that were written for the site, with those that are gathered for it. */
+const sources = (): string[] =>
+  readdirSync('site', { recursive: true })
+    .map((file) => `site/${String(file).replaceAll('\\', '/')}`)
+    .filter((file) => file.endsWith('.md') && !file.startsWith('site/public/'));
+
+/** The scripts of a whole page, from where the site has them. */
+const served = (html: string): string =>
+  html
+    .replace(/src="[^"]*?x3dom\.js"/g, 'src="/x3dom/x3dom.js"')
+    .replace(/src="[^"]*?(x3d-physics[\w.]*\.js)"/g, 'src="/x3d-physics/$1"');
+
+/** A piece of a scene, with one body beside it that falls. */
+const around = (piece: string): string => `<x3d><scene>${piece}
+  <transform translation="0 9 0"><shape><sphere></sphere></shape><x3d-rigid-body></x3d-rigid-body></transform>
+</scene></x3d>`;
+
+function page(markup: string): string {
+  if (/^<!doctype/i.test(markup)) return served(markup);
+  return frame(/<x3d[\s>]/.test(markup) ? markup : around(markup), '/');
+}
+
+const isScene = (markup: string): boolean => /<x3d[\s>]|<x3d-/.test(markup);
+
+export const scenes = (): Scene[] =>
+  sources().flatMap((file) =>
+    [...readFileSync(file, 'utf8').matchAll(FENCE)]
+      .map(([, info, markup], i) => ({
+        info: info!,
+        markup: markup!,
+        name: `${file} scene ${i + 1}`,
+      }))
+      .filter(({ markup }) => isScene(markup))
+      .map(({ info, markup, name }) => ({
+        name,
+        html: page(markup),
+        moves: /^ live/.test(info) || /<x3d[\s>]/.test(markup),
+      })),
+  );

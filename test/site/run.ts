@@ -1,0 +1,61 @@
+// The documentation site: it builds, its links lead somewhere, axe finds nothing, and each scene in it runs.
+//   --built     the site as it lies there
+import { parseArgs } from 'node:util';
+import { chromium } from 'playwright';
+import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/browsers.js';
+import { buildDocs, serveDocs } from '../../tools/site.js';
+import { inaccessible } from './checks/accessible.js';
+import { deadLinks } from './checks/links.js';
+import { pages, type Page } from './checks/pages.js';
+import { broken } from './checks/running.js';
+import { scenes } from './checks/sources.js';
+
+const PORT = 6206;
+
+const { values: options } = parseArgs({ options: { built: { type: 'boolean' } } });
+
+interface Result {
+  passed: number;
+  faults: string[];
+}
+
+const result = (count: number, faults: string[]): Result => {
+  for (const fault of faults) console.error(`✗ ${fault}`);
+  return { passed: Math.max(0, count - faults.length), faults };
+};
+
+async function lookAt(all: Page[], address: string): Promise<Result[]> {
+  const executablePath = await ensureChromium();
+  const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
+  const examples = scenes();
+  const results = [
+    result(all.length, await inaccessible(browser, address, all)),
+    result(examples.length, await broken(browser, address, examples)),
+  ];
+  await browser.close();
+  return results;
+}
+
+async function main(): Promise<number> {
+  if (!options.built) await buildDocs();
+  const all = pages();
+  const { port, close } = await serveDocs(PORT);
+  const results = [
+    result(all.length, deadLinks(all)),
+    ...(await lookAt(all, `http://localhost:${port}`)),
+  ];
+  await close();
+  const failed = results.reduce((sum, { faults }) => sum + faults.length, 0);
+  const passed = results.reduce((sum, each) => sum + each.passed, 0);
+  console.log(`${passed} passed, ${failed} failed`);
+  return failed;
+}
+
+main().then(
+  (failed) => process.exit(failed ? 1 : 0),
+  (error) => {
+    console.error(error);
+    console.log('0 passed, 1 failed');
+    process.exit(1);
+  },
+);
