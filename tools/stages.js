@@ -104,6 +104,7 @@ export const STAGES = [
     run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
   },
   { name: 'stories', run: script(['tools/stories-test.js']) },
+  { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'lab', run: labErrors },
   { name: 'firefox', folders: ['browser'], missing: noFirefox, run: FIREFOX },

@@ -1,9 +1,10 @@
 // A fence of `html live` is shown twice: as a page that runs, and as its markup.
 //   ```html live            ```html live 420            ```html live 420 "A door with a motor"
+//   ```html live folded 420      long markup: shown by a press
 import type { MarkdownRenderer } from 'vitepress';
 import { frame } from './frame.js';
 
-const LIVE = /^html live(?: (\d+))?(?: "([^"]+)")?/;
+const LIVE = /^html live(?: (folded))?(?: (\d+))?(?: "([^"]+)")?/;
 /** Pixels, where the fence names none. */
 const HEIGHT = '340';
 
@@ -14,12 +15,17 @@ const escaped = (text: string): string =>
 const running = (markup: string, base: string, height = HEIGHT, title = 'The example, running') =>
   `<iframe v-pre class="live" loading="lazy" height="${height}" title="${escaped(title)}" srcdoc="${escaped(frame(markup, base))}"></iframe>\n`;
 
+const folded = (code: string): string =>
+  `<details class="markup"><summary>Its markup</summary>${code}</details>\n`;
+
 export function liveExamples(md: MarkdownRenderer, base: string): void {
   const fence = md.renderer.rules.fence!;
   md.renderer.rules.fence = (tokens, at, ...rest) => {
     const { info, content } = tokens[at]!;
     const code = fence(tokens, at, ...rest);
     const live = LIVE.exec(info);
-    return live ? running(content, base, live[1], live[2]) + code : code;
+    if (!live) return code;
+    const [, isFolded, height, title] = live;
+    return running(content, base, height, title) + (isFolded ? folded(code) : code);
   };
 }

@@ -37,7 +37,7 @@ async function faultsOf(context: BrowserContext, address: string, path: string) 
 /** Of a page without scenes: they would only take time. */
 export async function inaccessible(browser: Browser, address: string, pages: Page[]) {
   const context = await browser.newContext({ reducedMotion: 'reduce' });
-  await context.route(/x3dom\.js|\/stories\//, (route) => route.abort());
+  await context.route(/\/(x3dom|x3d-physics|stories)\//, (route) => route.abort());
   const found = await Promise.all(
     [0, 1].map(async (half) => {
       const mine: string[] = [];
