@@ -1,3 +1,4 @@
 export const FOLDER: string;
+export function buildSite(): Promise<void>;
 export function buildDocs(): Promise<void>;
 export function serveDocs(port: number): Promise<{ port: number; close(): Promise<void> }>;

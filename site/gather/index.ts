@@ -2,6 +2,7 @@
 // their pictures. Written into folders that are in no commit.
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
+import { examples } from './examples.js';
 import { forSite } from './links.js';
 import { llmsTexts } from './llms.js';
 import { readmePages } from './readme.js';
@@ -22,6 +23,8 @@ function copyScripts(): void {
   for (const name of ['x3dom.js', 'x3dom.css'])
     cpSync(`node_modules/x3dom/${name}`, `${PUBLIC}/x3dom/${name}`);
   cpSync('docs/pictures', `${PUBLIC}/pictures`, { recursive: true });
+  // What scenes of the playground bring in by <Inline>.
+  cpSync('stories/assets/motor.x3d', `${PUBLIC}/scenes/motor.x3d`);
   cpSync('site/markdown/frame.css', `${PUBLIC}/frame.css`);
 }
 
@@ -44,3 +47,4 @@ function writeTexts(): void {
   writeFileSync(`${PUBLIC}/llms-full.txt`, full);
 }
 writeTexts();
+writeFileSync(`${PUBLIC}/scenes/examples.json`, JSON.stringify(await examples()));

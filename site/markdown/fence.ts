@@ -2,6 +2,7 @@
 //   ```html live            ```html live 420            ```html live 420 "A door with a motor"
 //   ```html live folded 420      long markup: shown by a press
 import type { MarkdownRenderer } from 'vitepress';
+import { playgroundAddress } from '../playground/address.js';
 import { frame } from './frame.js';
 
 const LIVE = /^html live(?: (folded))?(?: (\d+))?(?: "([^"]+)")?/;
@@ -18,6 +19,12 @@ const running = (markup: string, base: string, height = HEIGHT, title = 'The exa
 const folded = (code: string): string =>
   `<details class="markup"><summary>Its markup</summary>${code}</details>\n`;
 
+/** The playground runs no scripts: what needs one stays where it is. */
+const toPlayground = (markup: string, base: string): string =>
+  markup.includes('<script')
+    ? ''
+    : `<p class="to-playground"><a href="${playgroundAddress(markup, base)}">Open in the playground</a></p>\n`;
+
 export function liveExamples(md: MarkdownRenderer, base: string): void {
   const fence = md.renderer.rules.fence!;
   md.renderer.rules.fence = (tokens, at, ...rest) => {
@@ -26,6 +33,10 @@ export function liveExamples(md: MarkdownRenderer, base: string): void {
     const live = LIVE.exec(info);
     if (!live) return code;
     const [, isFolded, height, title] = live;
-    return running(content, base, height, title) + (isFolded ? folded(code) : code);
+    return (
+      running(content, base, height, title) +
+      (isFolded ? folded(code) : code) +
+      toPlayground(content, base)
+    );
   };
 }

@@ -137,3 +137,9 @@ export function markupOf(story: TemplateResult): { custom: string; plain: string
   const text = (spelling: Spelling) => content.map((child) => print(child, spelling)).join('\n');
   return { custom: text(custom), plain: text(plain) };
 }
+
+/** All of a story's `<x3d>`, camera and lights included, in HTML; undefined where it has none. */
+export function sceneOf(story: TemplateResult): string | undefined {
+  const x3d = find(parse(flatten(story)), 'x3d');
+  return x3d && print(x3d, custom);
+}
