@@ -88,7 +88,8 @@ for (const [name, act] of Object.entries(LISTENING)) {
 function takeEarlyProperties(element: X3DNodeElement): void {
   const own = element as X3DNodeElement & Record<string, unknown>;
   const { type } = element.constructor as typeof X3DNodeElement;
-  for (const name of [...Object.keys(type.fields), ...additions(type).map(camel)]) {
+  const names = [...Object.keys(type.fields), ...additions(type).map(camel)];
+  for (const name of new Set(names.flatMap((each) => [each, each.toLowerCase()]))) {
     if (!Object.hasOwn(own, name)) continue;
     const value = own[name];
     delete own[name];
@@ -126,16 +127,18 @@ function defineReflection(prototype: X3DNodeElement, name: string): void {
 
 function defineProperties(prototype: X3DNodeElement, type: NodeType): void {
   for (const name of Object.keys(type.fields)) {
-    Object.defineProperty(prototype, name, {
+    const property = {
       configurable: true,
-      enumerable: true,
       get(this: X3DNodeElement) {
         return this['binding'].get(name);
       },
       set(this: X3DNodeElement, value: unknown) {
         this['binding'].set(name, value);
       },
-    });
+    };
+    // Some frameworks know attributes only, and set the property of that name: `anchorpoint`.
+    Object.defineProperty(prototype, name.toLowerCase(), property);
+    Object.defineProperty(prototype, name, { ...property, enumerable: true });
   }
 }
 

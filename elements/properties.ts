@@ -402,10 +402,10 @@ export interface ContactProperties {
   set appliedParameters(value: string[] | string | null | undefined);
   /** The body that the normal points into: the one that moves, of two that do the one made later. NULL: none. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The other body; NULL where the collidable belongs to none. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Share of the approach speed that comes back. Range [0, 1]. (SFFloat) Default 0. */
   get bounce(): number;
   set bounce(value: number | string | null | undefined);
@@ -464,10 +464,10 @@ export interface ContactProperties {
 export interface BallJointProperties {
   /** The first body; without it the other side is the world. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The second body; without it the other side is the world. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
   get forceOutput(): string[];
   set forceOutput(value: string[] | string | null | undefined);
@@ -489,10 +489,10 @@ export interface BallJointProperties {
 export interface SingleAxisHingeJointProperties {
   /** The first body; without it the other side is the world. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The second body; without it the other side is the world. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
   get forceOutput(): string[];
   set forceOutput(value: string[] | string | null | undefined);
@@ -533,10 +533,10 @@ export interface SingleAxisHingeJointProperties {
 export interface DoubleAxisHingeJointProperties {
   /** The first body; without it the other side is the world. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The second body; without it the other side is the world. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
   get forceOutput(): string[];
   set forceOutput(value: string[] | string | null | undefined);
@@ -609,10 +609,10 @@ export interface DoubleAxisHingeJointProperties {
 export interface SliderJointProperties {
   /** The first body; without it the other side is the world. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The second body; without it the other side is the world. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
   get forceOutput(): string[];
   set forceOutput(value: string[] | string | null | undefined);
@@ -647,10 +647,10 @@ export interface SliderJointProperties {
 export interface UniversalJointProperties {
   /** The first body; without it the other side is the world. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The second body; without it the other side is the world. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
   get forceOutput(): string[];
   set forceOutput(value: string[] | string | null | undefined);
@@ -694,10 +694,10 @@ export interface UniversalJointProperties {
 export interface MotorJointProperties {
   /** The first body; without it the other side is the world. (SFNode) */
   get body1(): Element | null;
-  set body1(value: Element | null | undefined);
+  set body1(value: Element | null | string | undefined);
   /** The second body; without it the other side is the world. (SFNode) */
   get body2(): Element | null;
-  set body2(value: Element | null | undefined);
+  set body2(value: Element | null | string | undefined);
   /** Which outputs are sent along ROUTEs: NONE, ALL, or their names. Reading an output gives its live value in any case. (MFString) Default "NONE". */
   get forceOutput(): string[];
   set forceOutput(value: string[] | string | null | undefined);

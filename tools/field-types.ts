@@ -8,7 +8,7 @@ import {
   describe,
   fieldsOf,
   propertyType,
-  settableType,
+  givenType,
 } from './manifest-fields.js';
 
 const HEAD = '// Written by `npm run types` from the tables in physics-core/nodes.\n';
@@ -115,7 +115,7 @@ import type { NumberLists, Numbers, Several, Strings } from './values.js';`,
 
 function property(name: string, field: Field): string {
   const get = `get ${name}(): ${propertyType(field)};`;
-  const taken = new Set([...settableType(field).split(' | '), 'null', 'undefined']);
+  const taken = new Set([...givenType(name, field).split(' | '), 'null', 'undefined']);
   const set = `set ${name}(value: ${[...taken].join(' | ')});`;
   if (field.access === 'outputOnly') return `${documented(field)}\n${get}`;
   return `${documented(field)}\n${field.access === 'inputOnly' ? set : `${get}\n${set}`}`;

@@ -51,6 +51,10 @@ const NAMED_NODES = /^body[12]$/;
 const isWritten = (name: string, field: Field): boolean =>
   !holdsNodes(field) || field.takesAll === true || NAMED_NODES.test(name);
 
+/** What templates give: nodes that may be written as text, too, by their names. */
+export const givenType = (name: string, field: Field): string =>
+  NAMED_NODES.test(name) ? `${settableType(field)} | string` : settableType(field);
+
 export interface Attribute {
   attribute: string;
   name: string;

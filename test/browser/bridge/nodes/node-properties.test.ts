@@ -29,4 +29,20 @@ describe('nodes as properties', () => {
     expect(body.geometry).to.eql([]);
     expect(joint.body2).to.equal(null);
   });
+
+  it('name the bodies of a joint by text, too, as its attributes do', async () => {
+    claim('no-body');
+    const { x3d, world } = await show(
+      `<x3d-rigid-body-collection id="c"><x3d-rigid-body id="a"></x3d-rigid-body><x3d-rigid-body def="b" position="3 0 0"></x3d-rigid-body>
+         <x3d-ball-joint id="j"></x3d-ball-joint></x3d-rigid-body-collection>`,
+      '#c',
+    );
+    world.paused = true;
+    const joint = x3d.querySelector<HTMLElementTagNameMap['x3d-ball-joint']>('#j')!;
+    Object.assign(joint, { body1: 'a', body2: 'b' });
+    world.step(0);
+    expect(joint.body1).to.equal(x3d.querySelector('#a'));
+    expect(joint.body2).to.equal(x3d.querySelector('[def="b"]'));
+    expect(world.stats.joints).to.equal(1);
+  });
 });

@@ -22,6 +22,7 @@ const PARENTS: Record<string, string> = {
   CollidableOffset: '#b',
   CollisionSpace: '#k',
 };
+const lower = (name: string): string => name.toLowerCase();
 const parentOf = ({ name }: NodeType): string => PARENTS[name] ?? '#c';
 
 /** What it needs to be made, beside its own fields. */
@@ -110,6 +111,23 @@ for (const type of Object.values(nodeTypes)) {
         expect(element.getAttribute(attributeOf(name, field)), name).to.equal(null);
       }
       for (const name of Object.keys(type.fields)) expect(name in element, name).to.equal(true);
+    });
+
+    it('takes each field by the property in lower case, too, and lists it once', async () => {
+      const [[, tag]] = tags(type) as [[string, string]];
+      const { element, world } = await add(type, tag);
+      const own = element as unknown as Record<string, unknown>;
+      for (const [name, field] of written(type)) {
+        const value = sample(name, field);
+        own[name.toLowerCase()] = value;
+        world.step(0);
+        expect(node(world, element)!.asked(name), name).to.eql(value);
+      }
+      const listed = Object.keys(Object.getPrototypeOf(customElements.get(tag)!.prototype));
+      expect(listed).to.include.members(Object.keys(type.fields));
+      expect(
+        listed.filter((name) => name !== name.toLowerCase()).map(lower),
+      ).to.not.include.members(listed.filter((name) => name === name.toLowerCase()));
     });
   });
 }
