@@ -4,6 +4,7 @@ import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/ammo-module.js';
 import { chunkBytes } from './tools/chunk-bytes.js';
 import { cssText } from './tools/css-text.js';
+import { banner, thirdParties } from './tools/licenses.js';
 import {
   copyWasm,
   minify,
@@ -23,6 +24,7 @@ const common = {
     nodeResolve({ preferBuiltins: false }),
     ammoModule(),
     minify(),
+    banner(),
   ],
   onLog(level, log, handle) {
     // A bundle with an import that nobody can resolve is no bundle.
@@ -70,7 +72,7 @@ const modules = {
     chunkFileNames: ({ moduleIds }) =>
       `${moduleIds.every(ofViews) ? 'ui/' : ''}chunk-[name]-[hash].js`,
   },
-  plugins: [...common.plugins, copyWasm(), chunkBytes(['x3d-physics', 'core'])],
+  plugins: [...common.plugins, copyWasm(), thirdParties(), chunkBytes(['x3d-physics', 'core'])],
 };
 
 /** The views of the ui are no part of the classic scripts, which load them from beside themselves. */

@@ -28,6 +28,7 @@ type Add = Parameters<EventTarget['addEventListener']>;
  * that stands for another one by `use` has that one's properties.
  */
 export class X3DNodeElement extends Base {
+  /** @internal */
   static readonly type: NodeType;
 
   constructor() {
@@ -35,6 +36,7 @@ export class X3DNodeElement extends Base {
     keepInternals(this);
   }
 
+  /** @internal */
   protected get binding(): Binding {
     return page.bindingOf(this) ?? ownBinding(this)!;
   }
@@ -144,6 +146,7 @@ function defineProperties(prototype: X3DNodeElement, type: NodeType): void {
 
 /** What the class of one node's element has beside its base. */
 export interface NodeElementStatics {
+  /** @internal */
   readonly type: NodeType;
   readonly tag: string;
   readonly observedAttributes: string[];

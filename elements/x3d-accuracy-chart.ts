@@ -23,8 +23,10 @@ export class X3DAccuracyChartElement extends X3DUIElement {
     },
   };
 
+  /** @internal */
   protected readonly label = 'accuracy chart';
 
+  /** @internal */
   protected load() {
     return loadView('chart', () => import('./ui/chart/view.js'));
   }

@@ -25,8 +25,10 @@ export class X3DPhysicsMonitorElement extends X3DUIElement {
     },
   };
 
+  /** @internal */
   protected readonly label = 'physics monitor';
 
+  /** @internal */
   protected async load() {
     const view = await loadView('monitor', () => import('./ui/monitor/view.js'));
     // So that `world.effects` tells what it weighs.

@@ -2,6 +2,7 @@
 //   --no-types   without declarations, which take as long as all the rest
 import { rmSync } from 'node:fs';
 import { parseArgs } from 'node:util';
+import { bundleDeclarations, DECLARATIONS } from './declarations.js';
 import { BIN, runNode } from './processes.js';
 
 const { values: options } = parseArgs({ options: { 'no-types': { type: 'boolean' } } });
@@ -22,5 +23,7 @@ await Promise.all([
   options['no-types'] ||
     must('declarations', runNode([BIN.tsc, '-p', 'tsconfig.types.json'], { quiet: true })),
 ]);
+if (!options['no-types']) await bundleDeclarations();
+rmSync(DECLARATIONS, { recursive: true, force: true });
 await must('manifest', runNode(['--import', 'tsx', 'tools/manifest.ts'], { quiet: true }));
 console.log(`dist/ built in ${((Date.now() - start) / 1000).toFixed(1)} s`);

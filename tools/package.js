@@ -5,9 +5,17 @@ import { CHROMIUM_ARGUMENTS, ensureChromium } from './browsers.js';
 import { install } from './package/application.js';
 import * as entries from './package/entries.js';
 import * as pages from './package/pages.js';
+import * as tarball from './package/tarball.js';
 
 /** Each is called with the application's folder and a browser, and throws where the package falls short. */
 const CHECKS = [
+  ['it is no larger than it must be', tarball.smallEnough],
+  ['nothing in it is superfluous', tarball.nothingSuperfluous],
+  ['it names the licences of what is bundled', tarball.namesLicences],
+  ['each build begins with name, version and licence', tarball.saysWhatItIs],
+  ["the README's links lead to what is there", tarball.linksLead],
+  ['publint finds nothing', tarball.publintIsContent],
+  ['are the types wrong? no', tarball.typesAreRight],
   ['each export is a file of the package', entries.everyExportIsThere],
   ["no file imports a module of Node's", entries.noModuleOfNode],
   ['each module can be imported in Node', entries.everyModuleRunsInNode],

@@ -41,6 +41,7 @@ export const runNode = (args, options) => run(process.execPath, args, options);
 
 /** Where the commands of our packages are. `.bin` is avoided: npm sometimes loses its executable bits. */
 export const BIN = {
+  attw: 'node_modules/@arethetypeswrong/cli/dist/index.js',
   eslint: 'node_modules/eslint/bin/eslint.js',
   playwright: 'node_modules/playwright/cli.js',
   prettier: 'node_modules/prettier/bin/prettier.cjs',

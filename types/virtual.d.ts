@@ -1,6 +1,6 @@
-/** ammo.wasm inside a script, put in by Rollup (tools/rollup-plugins.js). */
+/** ammo.wasm packed inside a script, put in by Rollup (tools/rollup-plugins.js). */
 declare module 'virtual:ammo-wasm' {
-  export default function wasm(): Uint8Array;
+  export default function wasm(): Promise<Uint8Array>;
 }
 
 /** A style sheet as text (tools/css-text.js). */

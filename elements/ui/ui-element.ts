@@ -46,8 +46,9 @@ export abstract class X3DUIElement extends Base {
     keepInternals(this);
   }
 
-  /** What people call it in messages. */
+  /** What people call it in messages. @internal */
   protected abstract readonly label: string;
+  /** @internal */
   protected abstract load(): Promise<ViewModule>;
 
   /** DEF or id of an `<x3d>`, a collection or any other physics element; without it the nearest `<x3d>` is meant. */
@@ -60,7 +61,7 @@ export abstract class X3DUIElement extends Base {
     else this.removeAttribute('for');
   }
 
-  /** The world it shows, as the page is now; it may come later, or be another one after an edit. */
+  /** The world it shows, as the page is now; it may come later, or be another one after an edit. @internal */
   get world() {
     return worldShown(this, this.for);
   }

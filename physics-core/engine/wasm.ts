@@ -5,7 +5,7 @@ export interface EngineSource {
   /** Where ammo.wasm is. */
   wasmUrl?: string | URL | undefined;
   /** The wasm itself, or what answers it when it is needed, for pages that may fetch nothing. */
-  wasmBinary?: Uint8Array | (() => Uint8Array) | undefined;
+  wasmBinary?: Uint8Array | (() => Uint8Array | Promise<Uint8Array>) | undefined;
   /** Where accuracy-worker.js is. */
   workerUrl?: string | URL | undefined;
 }
@@ -63,7 +63,7 @@ export async function compileAmmo(options: LoadOptions): Promise<LoadOptions> {
 
 async function compiled({ wasmBinary, wasmUrl }: EngineSource) {
   if (wasmBinary) {
-    const bytes = typeof wasmBinary === 'function' ? wasmBinary() : wasmBinary;
+    const bytes = typeof wasmBinary === 'function' ? await wasmBinary() : wasmBinary;
     return WebAssembly.compile(bytes as BufferSource);
   }
   if (wasmUrl) return compiledFrom(String(wasmUrl));
@@ -81,7 +81,7 @@ async function ours(): Promise<WebAssembly.Module | undefined> {
     return await compiledFrom(new URL('./ammo.wasm', import.meta.url).href);
   } catch (error) {
     const spare = await import('virtual:ammo-wasm').catch(() => undefined);
-    if (spare) return WebAssembly.compile(spare.default() as BufferSource);
+    if (spare) return WebAssembly.compile((await spare.default()) as BufferSource);
     // Node running from source has neither: the glue finds its own.
     if (inNode) return undefined;
     throw error;

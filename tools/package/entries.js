@@ -7,16 +7,19 @@ import { matches } from '../files.js';
 import { BIN, runNode } from '../processes.js';
 import { folderOf } from './application.js';
 
-const packageOf = (application) => join(application, 'node_modules/x3d-physics');
+export const packageOf = (application) => join(application, 'node_modules/x3d-physics');
 
 /** All files of the package. */
-const filesOf = (application) =>
+export const filesOf = (application) =>
   readdirSync(packageOf(application), { recursive: true }).map((file) =>
     file.replaceAll('\\', '/'),
   );
 
-const exportsOf = (application) =>
-  JSON.parse(readFileSync(join(packageOf(application), 'package.json'), 'utf8')).exports;
+/** Its package.json. */
+export const projectOf = (application) =>
+  JSON.parse(readFileSync(join(packageOf(application), 'package.json'), 'utf8'));
+
+const exportsOf = (application) => projectOf(application).exports;
 
 /** A program that Node runs in the application; what it prints. */
 async function inNode(application, name, text) {
