@@ -104,11 +104,8 @@ export const STAGES = [
     run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
   },
   { name: 'stories', run: script(['tools/stories-test.js']) },
-<<<<<<< HEAD
   { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
-=======
   { name: 'playground', run: script(['--import', 'tsx', 'test/site/playground/run.ts']) },
->>>>>>> 6105a03 (The site has a playground: what one types is done to the running scene)
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'lab', run: labErrors },
   { name: 'firefox', folders: ['browser'], missing: noFirefox, run: FIREFOX },
