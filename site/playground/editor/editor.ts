@@ -104,7 +104,7 @@ export function createEditor(
       hover(vocabulary),
       lintGutter(),
       EditorView.lineWrapping,
-      EditorView.contentAttributes.of({ 'aria-label': 'Markup of the scene' }),
+      EditorView.contentAttributes.of({ 'aria-label': 'Markup of the scene', tabindex: '0' }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) textChanged(update.state.doc.toString());
       }),

@@ -4,11 +4,20 @@ import { isElement, type ElementNode, type TreeNode } from '../text/tree.js';
 
 export class LiveTree {
   private readonly body: HTMLElement;
+  private readonly isOwn: (element: Element) => boolean;
+  private readonly defaultOf: (element: Element, attribute: string) => string | undefined;
   private roots: readonly TreeNode[] = [];
   private nodes = new Map<TreeNode, ChildNode>();
 
-  constructor(body: HTMLElement) {
+  /** `isOwn`: is it an element of the library? `defaultOf`: of x3dom's, what an attribute is that is not there. */
+  constructor(
+    body: HTMLElement,
+    isOwn: (element: Element) => boolean,
+    defaultOf: (element: Element, attribute: string) => string | undefined,
+  ) {
     this.body = body;
+    this.isOwn = isOwn;
+    this.defaultOf = defaultOf;
   }
 
   bringTo(roots: readonly TreeNode[]): void {
@@ -42,6 +51,11 @@ export class LiveTree {
 
   private set(element: ElementNode, name: string, value: string | null): void {
     const live = this.nodes.get(element) as Element;
+    // The library's own elements follow every edit; x3dom sees neither of these two.
+    if (!this.isOwn(live)) {
+      if (name.toLowerCase() === 'use') return live.replaceWith(this.make(element));
+      value ??= this.defaultOf(live, name) ?? null;
+    }
     if (value === null) live.removeAttribute(name);
     else live.setAttribute(name, value);
   }

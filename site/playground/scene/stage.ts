@@ -4,7 +4,7 @@ import type { ElementNode, TreeNode } from '../text/tree.js';
 import { whole } from '../text/whole.js';
 import { openScenePage, type ScenePage, type World } from './frame.js';
 import { LiveTree } from './live.js';
-import { x3domTags } from './x3dom-nodes.js';
+import { x3domDefault, x3domTags } from './x3dom-nodes.js';
 
 type Problem = World['problems'][number];
 
@@ -28,7 +28,12 @@ export class Stage {
 
   constructor(page: ScenePage, ownTags: readonly string[]) {
     this.page = page;
-    this.live = new LiveTree(page.document.body);
+    const own = new Set(ownTags);
+    this.live = new LiveTree(
+      page.document.body,
+      ({ localName }) => own.has(localName),
+      (element, attribute) => x3domDefault(page, element, attribute),
+    );
     this.tags = new Set([...x3domTags(page), ...ownTags]);
     // A world that comes later waits as the others do.
     page.document.addEventListener('physicsready', () => (this.paused = this.isPaused));

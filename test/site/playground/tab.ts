@@ -90,7 +90,10 @@ export class Tab {
       undefined,
       { timeout: PATIENCE },
     );
-    await this.scene.evaluate(() => (window as any).worldOf(document.querySelector('x3d')).ready);
+    // Without an answer: a world is too much to hand over.
+    await this.scene.evaluate(async () => {
+      await (window as any).worldOf(document.querySelector('x3d')).ready;
+    });
   }
 
   counts(): Promise<Counts> {

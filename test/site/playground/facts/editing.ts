@@ -157,6 +157,28 @@ export const editing: Facts = {
     assert.equal((await tab.motions()).a!.position[1], 9);
   },
 
+  'an attribute of x3dom that goes has its default again, and can come back': async (
+    browser,
+    address,
+  ) => {
+    const tab = await falling(browser, address);
+    const drawn = () =>
+      tab.scene.evaluate(() => {
+        const { _vf } = (document.querySelector('#a')!.parentElement!.querySelector('box') as any)
+          ._x3domNode;
+        return String(_vf.size);
+      });
+    const counts = await tab.countsOf(async () => {
+      await tab.replace('<box size="1 1 1">', '<box>');
+      await tab.scene.waitForTimeout(100);
+      assert.equal(await drawn(), '2 2 2');
+      await tab.replace('<box>', '<box size="3 3 3">');
+      await tab.scene.waitForTimeout(100);
+      assert.equal(await drawn(), '3 3 3');
+    });
+    assert.equal(counts.bodies, 0);
+  },
+
   'a translation typed moves that body alone': async (browser, address) => {
     const tab = await falling(browser, address);
     const before = await tab.motions();

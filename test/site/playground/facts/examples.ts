@@ -12,15 +12,19 @@ export const examples: Facts = {
       await tab.page.locator('.bar select').selectOption(String(i));
       await tab.started();
       await tab.page.waitForTimeout(300);
-      const told = await tab.scene.evaluate(() =>
+      const told: { severity: string; message: string }[] = await tab.scene.evaluate(() =>
         (window as any)
           .worldOf(document.querySelector('x3d'))
-          .problems // Of a slow machine.
-          .filter((each: any) => each.code !== 'lag')
-          .map((each: any) => each.message),
+          .problems.map(({ severity, message }: any) => ({ severity, message })),
       );
-      assert.deepEqual(told, [], names[i + 1]);
-      assert.equal(await tab.page.locator('.cm-lint-marker').count(), 0, names[i + 1]);
+      const isRemark = ({ severity }: { severity: string }) => severity === 'info';
+      assert.deepEqual(
+        told.filter((each) => !isRemark(each)),
+        [],
+        names[i + 1],
+      );
+      const marks = await tab.page.locator('.cm-lint-marker').count();
+      assert.ok(marks <= told.filter(isRemark).length, `${names[i + 1]}: something is left out`);
     }
     assert.deepEqual(tab.errors, []);
   },
