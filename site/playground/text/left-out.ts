@@ -49,6 +49,7 @@ export function clean(
   function cleanAttributes({ tag, attributes }: ElementNode): Map<string, Attribute> {
     return new Map(
       [...attributes].filter(([key, attribute]) => {
+        if (isSize(tag, key)) return false;
         const message = reasonAgainstAttribute(key, attribute);
         if (message) leftOut.push({ ...attribute, message: `<${tag}>: ${message}` });
         return !message;
@@ -58,6 +59,10 @@ export function clean(
 
   return { roots: cleanAll(roots), leftOut };
 }
+
+/** The scene takes the place that is there. */
+const isSize = (tag: string, key: string): boolean =>
+  tag.toLowerCase() === 'x3d' && /^(width|height)$/.test(key);
 
 function reasonAgainst(tag: string, tags: ReadonlySet<string>): string | undefined {
   if (tag === 'script') return 'Scripts do not run in the playground: left out.';
