@@ -80,7 +80,7 @@ const ofFolder = (group: string, folder: string, type = '.html'): Example[] =>
     .map((file) => ofFile(group, `${folder}/${file}`));
 
 /** Fences of `html live` that show a scene without a script of its own. */
-const LIVE = /^```html live(?: \d+)?(?: "([^"]+)")?\n([^]*?)^```/gm;
+const LIVE = /^```html live[^\n"]*(?:"([^"]+)")?[^\n]*\n([^]*?)^```/gm;
 
 function ofPages(group: string, folder: string): Example[] {
   return readdirSync(folder)

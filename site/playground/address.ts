@@ -4,7 +4,7 @@ const NOTE = 'The address holds no markup that can be read: it may have been cut
 
 /** For links into the playground, made at once. `base` is where the site lies. */
 export const playgroundAddress = (markup: string, base = '/'): string =>
-  `${base}playground#markup=${toBase64(new TextEncoder().encode(markup))}`;
+  `${base}playground.html#markup=${toBase64(new TextEncoder().encode(markup))}`;
 
 /** For addresses that people send to each other: shorter. */
 export async function sharedHash(markup: string): Promise<string> {

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { tagOf } from '../../elements/bridge/words/dom.js';
 import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { playgroundAddress } from '../../site/playground/address.js';
 import { copyable } from '../copyable.js';
 import { fieldTables } from './fields.js';
 import { interfaceOf } from './interface.js';
@@ -14,10 +15,19 @@ const PHYSICS = new RegExp(`(</?(?:x3d-|${Object.keys(nodeTypes).join('\\b|')}\\
 const highlighted = (text: string) =>
   text.split(PHYSICS).map((part, i) => (i % 2 ? html`<b>${part}</b>` : part));
 
+/** The stories lie within the site; by themselves they have no playground beside them. */
+const isInSite = (): boolean => new URL('.', location.href).pathname.endsWith('/stories/');
+
+const toPlayground = (markup: string) =>
+  html`<p><a href=${playgroundAddress(markup, '../')} target="_top">Open in the playground</a></p>`;
+
+const SCRIPT = 'Its script';
+
 const code = (summary: string, text: string, open = false) => html`
   <details ?open=${open}>
     <summary>${summary}</summary>
     ${copyable(highlighted(text))}
+    ${summary !== SCRIPT && isInSite() ? toPlayground(text) : nothing}
   </details>
 `;
 
@@ -41,7 +51,7 @@ export function referencePage(
       <iframe src="iframe.html?id=${id}&viewMode=story" title="${type.name}, live"></iframe>
       <p><a href="./?path=/story/${id}" target="_top">The example with its controls</a></p>
       ${code('Its markup, in HTML', text.custom, true)} ${code('The same as plain X3D', text.plain)}
-      ${script ? code('Its script', script) : nothing} ${fieldTables(type)} ${interfaceOf(type)}
+      ${script ? code(SCRIPT, script) : nothing} ${fieldTables(type)} ${interfaceOf(type)}
     </article>
   `;
 }

@@ -37,6 +37,8 @@ function isDead({ pathname, hash, searchParams }: URL, stories: Set<string>): bo
   if (story) return !stories.has(story);
   // Pages that are made by script have no ids yet.
   if (!hash || !file.endsWith('.html') || pathname.startsWith('/stories/')) return false;
+  // The playground reads it.
+  if (hash.startsWith('#markup=')) return false;
   return !idsOf(file).has(decodeURIComponent(hash.slice(1)));
 }
 

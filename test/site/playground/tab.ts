@@ -35,12 +35,12 @@ export class Tab {
   static async open(browser: Browser, address: string, markup?: string): Promise<Tab> {
     const page = await browser.newPage({ viewport: { width: 900, height: 520 } });
     const tab = new Tab(page, address);
-    await tab.goTo(markup === undefined ? '/playground' : playgroundAddress(markup));
+    await tab.goTo(markup === undefined ? '/playground.html' : playgroundAddress(markup));
     return tab;
   }
 
   async goTo(path: string): Promise<void> {
-    await this.page.goto(this.address + path.replace('/playground', '/playground.html'));
+    await this.page.goto(this.address + path);
     await this.page.waitForSelector('[data-ready]', { timeout: PATIENCE });
   }
 

@@ -30,7 +30,7 @@ export const harmless: Facts = {
       await tab.page.route('**/attack.x3d', (route) =>
         route.fulfill({ contentType: 'model/x3d+xml', body: BROUGHT_IN }),
       );
-      await tab.goTo(`/playground#markup=${Buffer.from(attack).toString('base64url')}`);
+      await tab.goTo(`/playground.html#markup=${Buffer.from(attack).toString('base64url')}`);
       await tab.page.waitForTimeout(700);
       const { x, y, width, height } = (await tab.page.locator('iframe').boundingBox())!;
       await tab.page.mouse.move(x + width / 2, y + height / 2);

@@ -52,13 +52,13 @@ export const wholePages: Facts = {
     const copied = await tab.page.evaluate(() => navigator.clipboard.readText());
     assert.match(copied, /#shared=/);
     const elsewhere = new Tab(await browser.newPage(), address);
-    await elsewhere.goTo(new URL(copied).pathname.replace('.html', '') + new URL(copied).hash);
+    await elsewhere.goTo(new URL(copied).pathname + new URL(copied).hash);
     assert.equal(await elsewhere.text(), BOXES.replace('mass="2"', 'mass="7"'));
   },
 
   'an address that was cut short says so, and a scene is there': async (browser, address) => {
     const tab = new Tab(await browser.newPage(), address);
-    await tab.goTo('/playground#shared=q1YKSS0u');
+    await tab.goTo('/playground.html#shared=q1YKSS0u');
     await tab.page.getByText('holds no markup that can be read').waitFor();
     await tab.started();
   },
