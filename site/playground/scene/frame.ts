@@ -48,5 +48,6 @@ export async function openScenePage(parent: HTMLElement, site: string): Promise<
   await loaded;
   const page = frame.contentWindow as ScenePage | null;
   if (!page?.worldOf) throw new Error(`The library did not load from ${site}x3d-physics/.`);
+  if (!('x3dom' in page)) throw new Error(`x3dom did not load from ${site}x3dom/.`);
   return page;
 }
