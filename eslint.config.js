@@ -120,7 +120,10 @@ const fences = (tree) =>
 export default tseslint.config(
   {
     ignores: [
-      'dist/',
+      '**/dist/',
+      '**/.next/',
+      '**/.angular/',
+      '**/next-env.d.ts',
       'storybook-static/',
       'site-static/',
       'site/public/',
@@ -149,6 +152,11 @@ export default tseslint.config(
         ]),
       ),
     },
+  },
+
+  {
+    files: ['examples/plain/*.js'],
+    languageOptions: { globals: { document: 'readonly' } },
   },
 
   // The rooms.

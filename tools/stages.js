@@ -107,6 +107,7 @@ export const STAGES = [
   { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
   { name: 'playground', run: script(['--import', 'tsx', 'test/site/playground/run.ts']) },
   { name: 'package', run: script(['tools/package.js']) },
+  { name: 'examples', run: script(['tools/examples.js']) },
   { name: 'lab', run: labErrors },
   { name: 'firefox', folders: ['browser'], missing: noFirefox, run: FIREFOX },
   { name: 'webkit', folders: ['browser'], missing: noWebKit, run: WEBKIT },

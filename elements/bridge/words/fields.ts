@@ -15,9 +15,10 @@ export const isKept = ({ edit, nodes, access }: Field): boolean =>
 /** Other names of a field that real files have: X3D 3's prose spelled some in another way. */
 const aliasesOf = (field: Field): readonly string[] => field.aliases ?? [];
 
-/** All attributes that mean a field. */
+/** All attributes that mean a field; ours by their property, too, as templates write what they take for one. */
 export const attributeNames = (name: string, field: Field): string[] => [
   attributeOf(name, field),
+  ...(field.own ? [name] : []),
   ...aliasesOf(field),
 ];
 

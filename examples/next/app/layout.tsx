@@ -1,0 +1,25 @@
+import type { Metadata } from 'next';
+import Link from 'next/link';
+import Script from 'next/script';
+import type { ReactNode } from 'react';
+import './style.css';
+
+export const metadata: Metadata = {
+  title: 'Falling blocks, with Next',
+  icons: { icon: 'data:,' },
+};
+
+export default function Layout({ children }: { children: ReactNode }) {
+  return (
+    <html lang="en">
+      <body>
+        {/* A classic script: it comes by a tag of its own, see x3dom.js/route.ts. */}
+        <Script src="/x3dom.js" strategy="beforeInteractive" />
+        <nav>
+          <Link href="/">Blocks</Link> <Link href="/about">About</Link>
+        </nav>
+        {children}
+      </body>
+    </html>
+  );
+}

@@ -1,0 +1,5 @@
+import { Blocks } from './Blocks';
+
+export default function Page() {
+  return <Blocks />;
+}

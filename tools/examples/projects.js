@@ -1,0 +1,77 @@
+// How each example is installed, built and served.
+import { spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { npm } from '../processes.js';
+import { ROUTES } from './facts.js';
+import { serve } from '../static-files.js';
+
+const PORT = 8500;
+/** Vite's preview, which serves files here, says production to all that comes after it. */
+const ENV = { NODE_ENV: undefined, NO_COLOR: '1', NEXT_TELEMETRY_DISABLED: '1' };
+
+const folderOf = (example) => join('examples', example);
+
+async function must(args, cwd) {
+  const { ok, output } = await npm(args, { cwd, env: ENV, quiet: true });
+  if (!ok) throw new Error(`npm ${args.join(' ')}\n${output}`);
+}
+
+/** As its README says, and with the package as it is packed: see .npmrc there. */
+export async function install(example) {
+  const cwd = folderOf(example);
+  await must(['ci', '--prefer-offline', '--ignore-scripts', '--no-audit', '--no-fund'], cwd);
+  for (const script of ['check', 'build']) await must(['run', '--if-present', script], cwd);
+}
+
+/** The files of a folder as they are. */
+const files =
+  (...folder) =>
+  async () => {
+    const { port, close } = await serve(join('examples', ...folder), PORT);
+    return { address: `http://localhost:${port}/`, close };
+  };
+
+/** A server that says its address when it is ready, as those of frameworks do. */
+const server =
+  (example, ...args) =>
+  () =>
+    new Promise((resolve, reject) => {
+      const child = spawn(process.execPath, args, {
+        cwd: folderOf(example),
+        env: { ...process.env, ...ENV },
+      });
+      const close = () =>
+        new Promise((closed) => {
+          child.once('close', closed);
+          child.kill();
+        });
+      let said = '';
+      const hear = (text) => {
+        said += text;
+        const address = said.match(/http:\/\/localhost:\d+/)?.[0];
+        if (address) resolve({ address: `${address}/`, close });
+      };
+      child.stdout.on('data', hear);
+      child.stderr.on('data', hear);
+      child.once('close', () => reject(new Error(`it ended: ${said}`)));
+    });
+
+const NEXT = ['node_modules/next/dist/bin/next', 'start', '--port', String(PORT)];
+const VITE = ['node_modules/vite/bin/vite.js', '--port', String(PORT)];
+
+/** React says so of each tag that it does not know; x3dom's have no hyphen. */
+const REACT_SAYS = ['is unrecognized in this browser'];
+
+/** By name of example: the ways in which it is served, and what its framework always says there. */
+export const RUNS = {
+  next: { built: { served: server('next', ...NEXT), more: ROUTES } },
+  angular: { built: { served: files('angular', 'dist') } },
+  plain: { 'as it is': { served: files('plain') } },
+  react: {
+    built: { served: files('react', 'dist') },
+    'in its dev server, in strict mode': { served: server('react', ...VITE), says: REACT_SAYS },
+  },
+  solid: { built: { served: files('solid', 'dist') } },
+  svelte: { built: { served: files('svelte', 'dist') } },
+  vue: { built: { served: files('vue', 'dist') } },
+};
