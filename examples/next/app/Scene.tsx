@@ -17,7 +17,8 @@ export const Scene = ({ blocks, lamp, onHit }: Props) => (
   <x3d>
     <scene>
       <viewpoint position="0 4 14" orientation="1 0 0 -0.15" />
-      <directionallight direction="-0.5 -1 -0.5" />
+      <navigationinfo headlight="false" />
+      <directionallight direction="-0.5 -1 -0.8" ambientintensity="0.4" />
       <background skycolor="0.87 0.9 0.93" />
       <transform translation="0 -0.5 0">
         <shape>

@@ -11,7 +11,8 @@ export const Scene = (props: Props) => (
   <x3d>
     <scene>
       <viewpoint position="0 4 14" orientation="1 0 0 -0.15" />
-      <directionallight direction="-0.5 -1 -0.5" />
+      <navigationinfo headlight="false" />
+      <directionallight direction="-0.5 -1 -0.8" ambientIntensity="0.4" />
       <background skyColor="0.87 0.9 0.93" />
       <transform translation="0 -0.5 0">
         <shape>
