@@ -1,4 +1,5 @@
-// The documentation site: it builds, its links lead somewhere, axe finds nothing, and each scene in it runs.
+// The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, and each scene
+// in it runs.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
@@ -7,6 +8,7 @@ import { buildDocs, serveDocs } from '../../tools/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { deadLinks } from './checks/links.js';
 import { pages, type Page } from './checks/pages.js';
+import { notFound } from './checks/search.js';
 import { broken } from './checks/running.js';
 import { scenes } from './checks/sources.js';
 
@@ -29,6 +31,7 @@ async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
   const examples = scenes();
   const results = [
+    result(1, await notFound(browser, address)),
     result(all.length, await inaccessible(browser, address, all)),
     result(examples.length, await broken(browser, address, examples)),
   ];
