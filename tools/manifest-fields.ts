@@ -25,6 +25,15 @@ export const propertyType = (field: Field): string =>
     ? 'Record<string, unknown>[]'
     : `${SCRIPT_TYPES[field.type] ?? 'number[]'}${field.takesAll ? " | '*'" : ''}`;
 
+const PLAIN = new Set(['boolean', 'number']);
+
+/** What stands in the attribute. */
+export function attributeType(field: Field): string {
+  if (field.values) return field.values.map((value) => `"${value}"`).join(' | ');
+  const type = SCRIPT_TYPES[field.type] ?? 'string';
+  return PLAIN.has(type) ? type : 'string';
+}
+
 /** What a property takes: its value, the X3D text, and for numbers any list of them. */
 export function settableType(field: Field): string {
   if (holdsContacts(field)) return 'Iterable<Element | Record<string, unknown>>';

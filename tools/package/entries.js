@@ -72,6 +72,15 @@ const assertFallen = (text) => assert.ok(Math.abs(Number(text) + 4.9) < 0.05, `f
 export const coreRuns = async (application) =>
   assertFallen(await inNode(application, 'core', FALL));
 
+const THREAD = `
+  import { Worker, isMainThread } from 'node:worker_threads';
+  if (isMainThread) new Worker(new URL(import.meta.url));
+  else {${FALL.replace(/import (.*) from (.*);/, 'const $1 = await import($2);')}
+  }`;
+
+export const coreRunsInThread = async (application) =>
+  assertFallen(await inNode(application, 'thread', THREAD));
+
 /** The bundle has no ammo.wasm beside it. */
 export async function coreRunsBundled(application) {
   const bundle = await build({

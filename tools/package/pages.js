@@ -1,23 +1,19 @@
-// The package in pages: its builds as they are, and through bundlers without any configuration.
+// The package in pages: its builds as they are.
 /* global customElements, document */
 import assert from 'node:assert/strict';
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import nodeResolve from '@rollup/plugin-node-resolve';
-import { build as esbuild } from 'esbuild';
-import { rollup } from 'rollup';
-import { build as vite, createServer } from 'vite';
 import { serve } from '../static-files.js';
 import { folderOf, html } from './application.js';
 
-const PORT = 8400;
+export const PORT = 8400;
 const DIST = 'node_modules/x3d-physics/dist';
 /** Milliseconds that a page on a busy machine may take. */
 const PATIENCE = 60_000;
 
-const MAIN = "import { worldOf } from 'x3d-physics';\nglobalThis.worldOf = worldOf;\n";
-const MODULE = '<script type="module" src="main.js"></script>';
+export const MAIN = "import { worldOf } from 'x3d-physics';\nglobalThis.worldOf = worldOf;\n";
+export const MODULE = '<script type="module" src="main.js"></script>';
 const IMPORT_MAP = JSON.stringify({
   imports: { 'x3d-physics': './x3d-physics/x3d-physics.js', 'x3d-physics/': './x3d-physics/' },
 });
@@ -34,7 +30,7 @@ async function fallen() {
 }
 
 /** Opens a page in which the ball must fall. Answers what it loaded. */
-async function falls(browser, address, more = async () => {}) {
+export async function falls(browser, address, more = async () => {}) {
   const page = await browser.newPage();
   page.setDefaultTimeout(PATIENCE);
   const loaded = [];
@@ -55,10 +51,11 @@ async function falls(browser, address, more = async () => {}) {
   return loaded;
 }
 
-const came = (loaded, file) => loaded.some((line) => line.startsWith('200') && line.includes(file));
+export const came = (loaded, file) =>
+  loaded.some((line) => line.startsWith('200') && line.includes(file));
 
 /** Serves a folder as it is: what is not there is a 404. */
-async function served(browser, folder, more) {
+export async function served(browser, folder, more) {
   const { port, close } = await serve(folder, PORT);
   try {
     return await falls(browser, `http://localhost:${port}/`, more);
@@ -68,7 +65,7 @@ async function served(browser, folder, more) {
 }
 
 /** A folder with a page, x3dom and these files. */
-const site = (application, name, page, files = {}) =>
+export const site = (application, name, page, files = {}) =>
   folderOf(application, name, {
     'index.html': { text: page },
     'x3dom.js': { from: join(application, 'node_modules/x3dom/x3dom.js') },
@@ -143,71 +140,4 @@ export async function singleScript(application, browser) {
   const folder = site(application, 'single', page);
   copy(application, folder, 'x3d-physics.single.js');
   await falls(browser, pathToFileURL(join(folder, 'index.html')).href);
-}
-
-/** What bundlers are given; a type's entry is nothing when it runs. */
-const PROGRAM = `${MAIN}import 'x3d-physics/react';\n`;
-
-const bundled = (application, name, script) =>
-  site(application, name, html(script), { 'main.js': { text: PROGRAM } });
-
-async function withEsbuild(folder, options) {
-  const { warnings } = await esbuild({
-    entryPoints: [join(folder, 'main.js')],
-    outdir: join(folder, 'out'),
-    bundle: true,
-    logLevel: 'silent',
-    ...options,
-  });
-  assert.deepEqual(warnings, []);
-}
-
-export async function esbuildScript(application, browser) {
-  const folder = bundled(application, 'esbuild-script', '<script src="out/main.js"></script>');
-  await withEsbuild(folder, {});
-  await served(browser, folder);
-}
-
-export async function esbuildModules(application, browser) {
-  const folder = bundled(application, 'esbuild-modules', MODULE.replace('main', 'out/main'));
-  await withEsbuild(folder, { format: 'esm', splitting: true });
-  const loaded = await served(browser, folder);
-  assert.ok(came(loaded, 'wasm-as-text'), 'the spare comes in place of ammo.wasm');
-}
-
-export async function rollupModules(application, browser) {
-  const folder = bundled(application, 'rollup', MODULE.replace('main', 'out/main'));
-  const bundle = await rollup({ input: join(folder, 'main.js'), plugins: [nodeResolve()] });
-  await bundle.write({ dir: join(folder, 'out'), format: 'es' });
-  await bundle.close();
-  await served(browser, folder);
-}
-
-const VITE = { configFile: false, logLevel: 'silent' };
-const viteSite = (application, name) =>
-  folderOf(application, name, {
-    'index.html': { text: html(MODULE) },
-    'main.js': { text: PROGRAM },
-    'public/x3dom.js': { from: join(application, 'node_modules/x3dom/x3dom.js') },
-  });
-
-/** Its server answers what it does not find with the page itself. */
-export async function viteServer(application, browser) {
-  const root = viteSite(application, 'vite-server');
-  const server = await createServer({ ...VITE, root, server: { port: PORT } });
-  await server.listen();
-  try {
-    const [address] = server.resolvedUrls.local;
-    const loaded = await falls(browser, address);
-    assert.ok(came(loaded, 'wasm-as-text'), 'the spare comes in place of ammo.wasm');
-  } finally {
-    await server.close();
-  }
-}
-
-export async function viteBuild(application, browser) {
-  const root = viteSite(application, 'vite-build');
-  await vite({ ...VITE, root });
-  const loaded = await served(browser, join(root, 'dist'));
-  assert.ok(!came(loaded, 'wasm-as-text'), 'ammo.wasm is found');
 }

@@ -53,11 +53,15 @@ const NAMES = [
   named('containerField', 'The field of its parent that this node stands in.'),
 ];
 
+/** They are in the manifest, too, as HTML spells them. */
+const NAMED = new Set(NAMES.map(({ name }) => name.toLowerCase()));
+
 /** `X3DRigidBodyElement` stands for `RigidBody`. */
 const NODE = /^X3D(\w+)Element$/;
 
 function tagsOf({ tagName, name, summary, attributes = [] }: Declaration): TagWord[] {
-  const words = attributes.map((attribute) => ({
+  const own = attributes.filter(({ name: each }) => !NAMED.has(each));
+  const words = own.map((attribute) => ({
     name:
       attribute.fieldName && !attribute.name.includes('-') ? attribute.fieldName : attribute.name,
     type: attribute.type.text,
