@@ -42,6 +42,17 @@ export function speedSquared({ HEAPF32 }: Ammo, body: number): number {
   return HEAPF32[v]! ** 2 + HEAPF32[v + 1]! ** 2 + HEAPF32[v + 2]! ** 2;
 }
 
+/** The same with its spin, at its radius of gyration: twice its energy by its mass. A ball may spin fast where it is. */
+export function swiftnessSquared(ammo: Ammo, body: number): number {
+  const { HEAPF32 } = ammo;
+  const local = (body + BODY.inverseInertiaLocal) >> 2;
+  const inverse = (HEAPF32[local]! + HEAPF32[local + 1]! + HEAPF32[local + 2]!) / 3;
+  if (inverse === 0) return speedSquared(ammo, body);
+  const w = (body + BODY.angularVelocity) >> 2;
+  const spin = HEAPF32[w]! ** 2 + HEAPF32[w + 1]! ** 2 + HEAPF32[w + 2]! ** 2;
+  return speedSquared(ammo, body) + (spin * inverseMassOf(ammo, body)) / inverse;
+}
+
 /** Inertia and its inverse, 3 × 3, from their `at` on. */
 export function readInertia(
   { HEAPF32 }: Ammo,

@@ -220,6 +220,23 @@ export function stiffnessOf(c: Float64Array, at: number, w: Float64Array): boole
   return true;
 }
 
+/** Of `project`, too: what comes through of a small change of what is wanted, in place at `change`. False: nothing. */
+export function answerTo(c: Float64Array, at: number): boolean {
+  const state = c[at + C.state]!;
+  if (state !== SLIDES) return state === STICKS;
+  const d = at + C.change;
+  const friction = c[at + C.friction]!;
+  const t = c[at + C.along1]!;
+  const u = c[at + C.along2]!;
+  const along = t * c[d + 1]! + u * c[d + 2]!;
+  const aside = c[at + C.turning]! * (t * c[d + 2]! - u * c[d + 1]!);
+  const normal = (c[d]! + friction * along) / (1 + friction * friction);
+  c[d] = normal;
+  c[d + 1] = friction * normal * t - aside * u;
+  c[d + 2] = friction * normal * u + aside * t;
+  return true;
+}
+
 /** w ← (w +) s d dᵀ, with d put together of the three directions. */
 function addSquare(
   w: Float64Array,

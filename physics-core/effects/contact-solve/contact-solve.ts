@@ -223,6 +223,7 @@ export class ContactSolve extends Effect {
     if (way === 'either' && this.#settle(part)) return;
     // Joints are stiff: sweeps would leave them open.
     if (way !== 'matrix' && part.jointed) return;
+    this.#solvers.sweeps.slow = way === 'either';
     const solver = way === 'matrix' ? this.#solvers.matrix : this.#solvers.sweeps;
     if (solver.solve(part)) {
       this.#failed.delete(pointer);

@@ -1,5 +1,6 @@
 import { hypot } from '../../base/exact/index.js';
 import {
+  answerTo,
   C,
   OPEN,
   project,
@@ -9,7 +10,7 @@ import {
   takePush,
   type ConeContacts,
 } from './cone-contacts.js';
-import { clamp, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
+import { clamp, gives, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
 import type { Part } from './part.js';
 import { PartMatrix } from './part-matrix.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -89,6 +90,7 @@ export class Newton {
       if (!this.#minimise()) return false;
       const miss = this.#raise(share);
       if (miss < this.#miss) return true;
+      this.#foresee();
       share = miss > SLOW * before ? 0.5 : 1;
       before = miss;
     }
@@ -121,24 +123,48 @@ export class Newton {
       const at = i * C.size;
       const penalty = c[at + C.penalty]!;
       for (let k = 0; k < 3; k++) {
-        const pushed = c[at + C.pushed + k]!;
-        worst = Math.max(worst, Math.abs(pushed - c[at + C.impulse + k]!) / penalty);
-        c[at + C.impulse + k] = pushed;
+        const more = c[at + C.pushed + k]! - c[at + C.impulse + k]!;
+        worst = Math.max(worst, Math.abs(more) / penalty);
+        c[at + C.impulse + k]! += more;
+        c[at + C.change + k] = more;
       }
       const rise = liftOf(c, at, this.#creeping) - c[at + C.lift]!;
       if (c[at + C.state] !== OPEN) worst = Math.max(worst, Math.abs(rise));
       c[at + C.lift]! += share * rise;
+      c[at + C.change]! -= penalty * share * rise;
     }
     const r = this.#rows.values;
     for (const i of this.#part.rows) {
       const at = i * R.size;
-      worst = Math.max(
-        worst,
-        Math.abs(r[at + R.pushed]! - r[at + R.impulse]!) / r[at + R.penalty]!,
-      );
-      r[at + R.impulse] = r[at + R.pushed]!;
+      const more = r[at + R.pushed]! - r[at + R.impulse]!;
+      worst = Math.max(worst, Math.abs(more) / r[at + R.penalty]!);
+      r[at + R.impulse]! += more;
+      r[at + R.change] = more;
     }
     return worst;
+  }
+
+  /**
+   * Where velocities go by what a round changed of the pushes (`change`), as long as what sticks sticks and what slides
+   * slides: by the last matrix. Otherwise stiff contacts would open first, and have to be found again (twice the matrices).
+   */
+  #foresee(): void {
+    if (this.used === 0) return;
+    const { momentum, velocities, change } = this.#bodies;
+    const { bodies, contacts, rows } = this.#part;
+    const { values: c, a, b } = this.#contacts;
+    for (const body of bodies) momentum.fill(0, body * SIZE, (body + 1) * SIZE);
+    for (const i of contacts)
+      if (answerTo(c, i * C.size)) takePush(c, i * C.size, momentum, a[i]!, b[i]!, C.change, 1);
+    const r = this.#rows;
+    for (const i of rows) {
+      const at = i * R.size;
+      if (gives(r.values, at))
+        takeAlong(r.values, at, momentum, r.a[i]!, r.b[i]!, r.values[at + R.change]!);
+    }
+    this.#matrix.solve();
+    for (const body of bodies)
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! += change[k]!;
   }
 
   // ---- one round ----------------------------------------------------------------------------------------------------

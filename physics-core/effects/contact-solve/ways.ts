@@ -1,10 +1,13 @@
 import type { Simulation } from '../../dynamics/simulation.js';
-import { speedSquared } from '../../engine/solver-body.js';
+import { speedSquared, swiftnessSquared } from '../../engine/solver-body.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
 import type { TouchingParts } from './touching-parts.js';
 
-/** Bodies of one part that get a matrix, however fast they are; and those that may, once all are slower than this, m/s. */
+/**
+ * Bodies of one part that get a matrix, however fast they are; and those that may, once all are slower than this, m/s, spin
+ * and all: what a ball stirs without going anywhere has new contacts in each step.
+ */
 const FEW = 24;
 const MOST = 600;
 const SLOW = 0.25;
@@ -72,7 +75,8 @@ export class Ways {
     if (bodies.length <= FEW)
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
     if (bodies.length > MOST) return undefined;
-    const fast = this.#fasterOf(bodies, SLOW);
+    // A busy world saves its matrices up.
+    const fast = this.#fasterOf(bodies, SLOW, busy ? speedSquared : swiftnessSquared);
     if (fast === 0) return busy && bodies.length > LARGE ? 'either' : 'matrix';
     return fast < FAST * bodies.length ? 'sweeps' : undefined;
   }
@@ -92,11 +96,11 @@ export class Ways {
   }
 
   /** How many of them are faster than this, m/s. */
-  #fasterOf(bodies: readonly number[], speed: number): number {
+  #fasterOf(bodies: readonly number[], speed: number, squareOf = speedSquared): number {
     const { ammo } = this.#simulation.engine;
     let faster = 0;
     for (const body of bodies)
-      if (speedSquared(ammo, this.#bodies.pointers[body]!) > speed ** 2) faster++;
+      if (squareOf(ammo, this.#bodies.pointers[body]!) > speed ** 2) faster++;
     return faster;
   }
 }

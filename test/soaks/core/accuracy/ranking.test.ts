@@ -104,7 +104,7 @@ async function run(build: Scene, level: LevelName, seconds: number): Promise<Vec
   const w = await world({ accuracy: level });
   build(w);
   const moments: Vec3[][] = [];
-  for (let i = 0; i < seconds * 60; i++) {
+  for (let i = 0; i < Math.round(seconds * 60); i++) {
     w.advance(1 / 60);
     moments.push(bodiesOf(w).map(position));
   }
