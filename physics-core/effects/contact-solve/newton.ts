@@ -53,6 +53,13 @@ const SHALLOW = 1e-6;
 const SLOW = 0.7;
 
 /**
+ * Many bodies that miss by so many times what they may, and come nearer by less than this in a round, contradict each other
+ * (the joints and the contacts of a chain that lies on the ground): they are as near as they get.
+ */
+const NEARLY = 10;
+const STUCK = 0.95;
+
+/**
  * Finds the velocities and impulses of bodies in touch at once. Velocities minimise their distance from free ones, by
  * mass, and half the square of what contacts push over their penalty; impulses are then what they push. Each round of
  * that (the method of multipliers) brings the speeds nearer to what Coulomb's law asks for: what lies still begins with
@@ -66,6 +73,7 @@ export class Newton {
   #part!: Part;
   #creeping = CREEPING;
   #miss = MISS;
+  #nearly = 0;
   #still = STILL;
   /** Matrices that it may factor, and did. */
   #most = Infinity;
@@ -89,7 +97,7 @@ export class Newton {
     for (let round = 0; round < ROUNDS; round++) {
       if (!this.#minimise()) return false;
       const miss = this.#raise(share);
-      if (miss < this.#miss) return true;
+      if (miss < this.#miss || (miss < this.#nearly && miss > STUCK * before)) return true;
       this.#foresee();
       share = miss > SLOW * before ? 0.5 : 1;
       before = miss;
@@ -104,6 +112,7 @@ export class Newton {
     this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
     const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
+    this.#nearly = many ? NEARLY * this.#miss : 0;
     this.#still = STILL + STILL_SHARE * speed;
     this.#readMisses();
     const c = this.#contacts.values;

@@ -62,6 +62,11 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#surface.listener = this;
   }
 
+  /** The world begins anew: what bore a body in the last step says nothing of the next one. */
+  reset(): void {
+    this.#bulletSteps++;
+  }
+
   readonly #jointRows = (): JointRows => (this.#rows ??= this.#effects.get(jointSolve).newRows());
 
   override beforeStep(dt: number): void {

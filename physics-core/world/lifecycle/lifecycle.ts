@@ -1,6 +1,7 @@
 import { contactSolve } from '../../effects/contact-solve/effects.js';
 import { contactReader, givenContacts } from '../../effects/contacts/effects.js';
 import { dragging } from '../../effects/drag/dragging.js';
+import { impactPropagation } from '../../effects/hits/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { BulletWorld } from '../../engine/bullet-world.js';
 import type { Engine } from '../../engine/engine.js';
@@ -135,6 +136,7 @@ export class Lifecycle {
     registry.find(contactReader)?.reset(reason);
     registry.find(givenContacts)?.reset();
     registry.find(contactSolve)?.reset();
+    registry.find(impactPropagation)?.reset();
     registry.find(dragging)?.reset(reason);
   }
 
