@@ -1,9 +1,9 @@
+import { hypot } from '../../base/exact/index.js';
 import { cross3 } from '../../base/flat-math.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { originOf } from '../../engine/body-heap.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { isCarried, readVelocity } from '../../engine/solver-body.js';
-import { layInSurface } from '../contacts/friction-directions.js';
 import { ALONG } from '../drag/riders.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -41,7 +41,6 @@ export class ContactPort {
   readonly #bodies: SolveBodies;
   readonly #contacts: ConeContacts;
   readonly #point: ContactPoint;
-  readonly #laid = new Float64Array(3);
   /** Velocity of a body that is carried. */
   readonly #carried = new Float64Array(6);
   readonly #way = new Float64Array(3);
@@ -85,16 +84,14 @@ export class ContactPort {
   #readDirections(c: Float64Array, at: number): void {
     const point = this.#point;
     const given = point.directionsGiven;
-    const d = this.#laid;
-    layInSurface(d, c[at]!, c[at + 1]!, c[at + 2]!, undefined);
+    if (!given) layAsBullet(c, at);
     let along1 = 0;
     let along2 = 0;
     for (let k = 0; k < 3; k++) {
-      const next = (k + 1) % 3;
-      const last = (k + 2) % 3;
-      const across = c[at + next]! * d[last]! - c[at + last]! * d[next]!;
-      c[at + C.direction1 + k] = given ? point.direction(0, k) : d[k]!;
-      c[at + C.direction2 + k] = given ? point.direction(1, k) : across;
+      if (given) {
+        c[at + C.direction1 + k] = point.direction(0, k);
+        c[at + C.direction2 + k] = point.direction(1, k);
+      }
       const rub = point.lateralPush(k);
       along1 += rub * c[at + C.direction1 + k]!;
       along2 += rub * c[at + C.direction2 + k]!;
@@ -178,4 +175,19 @@ export class ContactPort {
     point.setDirection(0, c[first]!, c[first + 1]!, c[first + 2]!);
     point.setDirection(1, c[second]!, c[second + 1]!, c[second + 2]!);
   }
+}
+
+/**
+ * Both directions as Bullet has them in a point that it finds anew: it keeps the impulses along them, and forgets what was
+ * written there. Along others, friction would begin each step turned aside.
+ */
+function layAsBullet(c: Float64Array, at: number): void {
+  const [x, y, z] = [c[at]!, c[at + 1]!, c[at + 2]!];
+  const facesZ = Math.abs(z) > Math.SQRT1_2;
+  const size = facesZ ? hypot(y, z) : hypot(x, y);
+  const p = at + C.direction1;
+  c[p] = facesZ ? 0 : -y / size;
+  c[p + 1] = facesZ ? -z / size : x / size;
+  c[p + 2] = facesZ ? y / size : 0;
+  cross3(c, at + C.direction2, c, at, c, p);
 }

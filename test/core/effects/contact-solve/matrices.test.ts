@@ -1,6 +1,17 @@
 import { PartMatrix } from '../../../../physics-core/effects/contact-solve/part-matrix.js';
 import type { World } from '../../../../physics-core/inside.js';
-import { addBody, addFloor, addJoint, below, box, fact, world } from '../../helpers.js';
+import {
+  addBody,
+  addFloor,
+  addJoint,
+  below,
+  box,
+  distance,
+  fact,
+  sphere,
+  velocity,
+  world,
+} from '../../helpers.js';
 
 // What a matrix costs grows with what hangs together: how many of them a step takes is what large parts cost.
 
@@ -63,5 +74,27 @@ fact('what a ball stirs without going anywhere takes none', async () => {
     geometry: [{ type: 'Sphere', radius: 0.5 }],
   });
   w.advance(0.5);
+  below(matricesPerStep(w, 60), 0.01, 'matrices');
+});
+
+fact('a ball that only friction holds begins each step with all of it', async () => {
+  const w = await world({ gravity: [0, -9.8, 0] });
+  // A groove of two inclines, and a moment about Y and along it that friction has to resist.
+  for (const side of [-1, 1])
+    addBody(w, {
+      fixed: true,
+      position: [side * 1.5, 0.5, 0],
+      orientation: [0, 0, 1, (side * Math.PI) / 4],
+      geometry: [box(4, 0.2, 4)],
+    });
+  const ball = addBody(w, {
+    position: [0, -0.15, 0],
+    mass: 2,
+    torques: [0, 0.2, 0.5],
+    autoDisable: false,
+    geometry: [sphere(0.5)],
+  });
+  w.advance(4);
+  below(distance(velocity(ball), [0, 0, 0]), 1e-4, 'm/s');
   below(matricesPerStep(w, 60), 0.01, 'matrices');
 });
