@@ -13,7 +13,10 @@ const HEAP = 24;
 const ARM = 0.01;
 
 /** What is faster rolls as it does anywhere, m/s. */
-const SLOW = 0.25;
+const SLOW = 0.5;
+
+/** What came out of a heap is of it until it flies or sleeps for longer, s. */
+const APART = 1;
 
 /** What a miss costs, in moments of inertia. */
 const STIFFNESS = 1e3;
@@ -23,7 +26,8 @@ const KEPT = 4;
 
 /**
  * What rolls, rocks or spins loses nothing by Coulomb's law, so a heap with a cylinder, a cone or a ball in it would never
- * lie still. In heaps, and there alone, what is slow is braked by a moment that is as great as its load at most.
+ * lie still. In heaps, and there alone, what is slow is braked by a moment that is as great as its load at most; what
+ * rolled out of one, too.
  */
 export class RollingResistance {
   readonly #simulation: Simulation;
@@ -34,6 +38,8 @@ export class RollingResistance {
   #crowds = new Int32Array(16);
   /** Impulses of contacts by body, N s. */
   #loads = new Float64Array(16);
+  /** The time at which bodies were of a heap last, by pointer, s. */
+  readonly #heaped = new Map<number, number>();
   /** By pointer of a body. */
   readonly #kept = new Map<number, Float64Array>();
 
@@ -60,18 +66,34 @@ export class RollingResistance {
       if (island >= this.#crowds.length) this.#crowds = grownInt(this.#crowds, 2 * island);
       this.#crowds[island]!++;
     }
+    for (let i = 0; i < count; i++)
+      if (this.#isHeap(i)) this.#heaped.set(pointers[i]!, this.#simulation.time);
   }
 
   /** Rows for the bodies of a part that lies in a heap. */
   add(part: Part): void {
-    if (part.jointed || !part.inHeap) return;
+    if (part.jointed || this.#heaped.size === 0) return;
     this.#readLoads(part);
-    for (const body of part.bodies) if (this.#isSlow(body)) this.#brake(body, part.rows);
+    for (const body of part.bodies)
+      if (this.#isOfHeap(body) && this.#isSlow(body)) this.#brake(body, part.rows);
   }
 
   isHeap({ bodies }: Part): boolean {
-    const island = islandAt(this.#simulation.engine.ammo, this.#bodies.pointers[bodies[0]!]!);
+    return this.#isHeap(bodies[0]!);
+  }
+
+  #isHeap(body: number): boolean {
+    const island = islandAt(this.#simulation.engine.ammo, this.#bodies.pointers[body]!);
     return this.#crowds[island]! > HEAP;
+  }
+
+  #isOfHeap(body: number): boolean {
+    const pointer = this.#bodies.pointers[body]!;
+    const { time } = this.#simulation;
+    const last = this.#heaped.get(pointer);
+    if (last === undefined || time - last > APART) return false;
+    this.#heaped.set(pointer, time);
+    return true;
   }
 
   #isSlow(body: number): boolean {
@@ -127,7 +149,14 @@ export class RollingResistance {
     }
   }
 
+  /** A body that goes: another may come to stand at its pointer. */
+  leave(pointer: number): void {
+    this.#kept.delete(pointer);
+    this.#heaped.delete(pointer);
+  }
+
   forget(): void {
+    this.#heaped.clear();
     this.#kept.clear();
   }
 }

@@ -13,7 +13,7 @@ import {
 import type { World } from '../../../../physics-core/inside.js';
 
 // What rolls alone goes on. In a heap, more than 24 that are near each other and touch something, what is slow is braked by the
-// moment of its load on an arm of a hundredth of its radius of gyration.
+// moment of its load on an arm of a hundredth of its radius of gyration, and so is what rolled out of one.
 
 const G = 9.8;
 const RADIUS = 0.2;
@@ -63,11 +63,34 @@ fact('a heap of 30 balls that roll slowly comes to a stop', async () => {
   for (const ball of balls) close(forward(ball), 0, 1e-6);
 });
 
-fact('in a heap, too, what is faster than 0.25 m/s rolls on', async () => {
+fact('in a heap, too, what is faster than 0.5 m/s rolls on', async () => {
   const w = await scene();
-  const balls = row(w, 30, 0.3);
+  const balls = row(w, 30, 0.6);
   w.advance(3);
-  for (const ball of balls) close(forward(ball), 0.3, 1e-3);
+  for (const ball of balls) close(forward(ball), 0.6, 1e-3);
+});
+
+fact('what rolled out of a heap comes to a stop as in it', async () => {
+  const w = await scene();
+  const [first, ...others] = row(w, 30, 0.1);
+  w.advance(0.5);
+  for (const ball of others) ball.remove();
+  w.advance(0.5);
+  close(forward(first!), 0.1 - BRAKE, 5e-4);
+  w.advance(2);
+  close(forward(first!), 0, 1e-6);
+});
+
+fact('what flew out of one and was in the air for more than a second rolls on', async () => {
+  const w = await scene();
+  const [first] = row(w, 30, 0.1);
+  w.advance(0.5);
+  const at = forward(first!);
+  first!.set('linearVelocity', [-2, 8, at]);
+  w.advance(2.5);
+  const landed = forward(first!);
+  w.advance(1);
+  close(forward(first!), landed, 1e-3);
 });
 
 fact('a heap in which something is fast is braked the same', async () => {
