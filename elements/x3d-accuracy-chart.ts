@@ -1,3 +1,4 @@
+import type { LevelMeasurement } from '../physics-core/inside.js';
 import { X3DUIElement, type UIDescription } from './ui/ui-element.js';
 import { loadView } from './ui/view.js';
 
@@ -22,6 +23,23 @@ export class X3DAccuracyChartElement extends X3DUIElement {
       data: 'The table of what was measured.',
     },
   };
+
+  #measured: readonly LevelMeasurement[] | undefined;
+
+  /** What it draws: the last measurement, or one that was kept and is given back: plain data but for the elements that `worst` and `leftOut` name. */
+  get measured(): readonly LevelMeasurement[] | undefined {
+    return this.#measured;
+  }
+
+  set measured(measured: readonly LevelMeasurement[] | undefined) {
+    this.#measured = measured;
+    this.changed();
+  }
+
+  /** @internal */
+  protected override get settable(): readonly string[] {
+    return [...super.settable, 'measured'];
+  }
 
   /** @internal */
   protected readonly label = 'accuracy chart';

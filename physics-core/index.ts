@@ -15,6 +15,8 @@ export type { NodeOptions, RayHit, World } from './face/world.js';
 export type { Rotation, Vec3 } from './fields/types.js';
 export type { Problem, Severity } from './base/problems.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
+export type { FramePace } from './effects/costs/pace.js';
+export type { ColorMeaning } from './effects/debug/colors.js';
 export type { DragMode } from './dynamics/body.js';
 export type { DragEnd } from './effects/drag/drag.js';
 export type { EffectReport } from './effects/effect/report.js';

@@ -40,6 +40,7 @@ export {
   type Percentiles,
   type Phase,
 } from './effects/costs/frame-costs.js';
+export type { FramePace } from './effects/costs/pace.js';
 export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { drags } from './effects/drag/effects.js';

@@ -3,6 +3,7 @@ import { html } from 'lit';
 import { BRASS, chain, GHOST, PENDULUM, WHIP } from './chain.js';
 import { besideReference, LEVELS } from './code/beside-reference.js';
 import { pour, tellLevel } from './code/pour.js';
+import kept from './kept/pendulum.json';
 import { ground, scene } from './scene.js';
 
 const meta: Meta = { title: 'Accuracy' };
@@ -47,11 +48,11 @@ export const BesideReference: StoryObj = {
 export const Chart: StoryObj = {
   render: () =>
     scene(
-      'Measure re-runs this scene from the state it is in, at every level, in a worker: what each costs, and how far off it is. The buttons set the level of the running scene.',
+      'What each level costs in this scene, and how far off it is, as it was measured once; Measure does it here and now, from the state the scene is in, in a worker. The buttons set the level of the running scene.',
       html`${chain('measured', 'standard', PENDULUM, BRASS)}`,
       {
         view: 'pendulum',
-        beside: html`<x3d-accuracy-chart for="measured"></x3d-accuracy-chart>`,
+        beside: html`<x3d-accuracy-chart for="measured" .measured=${kept}></x3d-accuracy-chart>`,
       },
     ),
 };

@@ -48,6 +48,11 @@ export abstract class X3DUIElement extends Base {
 
   /** What people call it in messages. @internal */
   protected abstract readonly label: string;
+  /** Properties that pages set. @internal */
+  protected get settable(): readonly string[] {
+    return (this.constructor as typeof X3DUIElement).observedAttributes.map(camel);
+  }
+
   /** @internal */
   protected abstract load(): Promise<ViewModule>;
 
@@ -89,14 +94,18 @@ export abstract class X3DUIElement extends Base {
   }
 
   attributeChangedCallback(_name: string, before: string | null, after: string | null): void {
-    if (before !== after) this.#view?.changed();
+    if (before !== after) this.changed();
+  }
+
+  /** What it is to show is another. @internal */
+  protected changed(): void {
+    this.#view?.changed();
   }
 
   /** Properties that a framework set before the element was defined hide our accessors: set them again. */
   #takeEarlyProperties(): void {
     const own = this as unknown as Record<string, unknown>;
-    const { observedAttributes } = this.constructor as typeof X3DUIElement;
-    for (const name of observedAttributes.map(camel)) {
+    for (const name of this.settable) {
       if (!Object.hasOwn(own, name)) continue;
       const value = own[name];
       delete own[name];

@@ -2,6 +2,7 @@ import type { LevelMeasurement, MeasureOptions } from '../world/measuring.js';
 import type { Problem } from '../base/problems.js';
 import type { Level, LevelName } from '../dynamics/levels.js';
 import type { Costs } from '../effects/costs/frame-costs.js';
+import type { ColorMeaning } from '../effects/debug/colors.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
@@ -121,7 +122,7 @@ export interface World {
   /** The first thing on the way between two points (world frame, metres), or null. */
   raycast(from: Vector, to: Vector): RayHit | null;
 
-  /** How much there is in it, and milliseconds of the last frame by phase. */
+  /** How much there is in it, seconds of the clock it dropped, and milliseconds of the last frame by phase. */
   readonly stats: Stats;
 
   /** What it does beyond plain falling bodies, because of what, and what that costs: in milliseconds, calls and bytes. */
@@ -130,8 +131,11 @@ export interface World {
   /** What authors should know, each once, until it changes. */
   readonly problems: Problem[];
 
-  /** Milliseconds of late frames by phase, while `recordCosts` asks for them. */
+  /** Milliseconds of late frames by phase, and how frames follow each other, while `recordCosts` asks for them. */
   readonly costs: Costs | undefined;
+
+  /** What the colours of the debug drawing mean; nothing while it is off. */
+  readonly debugLegend: readonly ColorMeaning[];
 
   /** Keeps what frames cost, for `costs`; `who` looks stands in `effects`. Returns how to stop. */
   recordCosts(who: unknown, reason?: string): () => void;

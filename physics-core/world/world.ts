@@ -6,6 +6,8 @@ import { Poses } from '../dynamics/poses.js';
 import { allEffects } from '../effects/all.js';
 import { frameCosts, type Costs } from '../effects/costs/frame-costs.js';
 import { userTiming } from '../effects/costs/user-timing.js';
+import type { ColorMeaning } from '../effects/debug/colors.js';
+import { debugging, outlines } from '../effects/debug/debugging.js';
 import { Effects } from '../effects/effect/effects.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { BulletWorld } from '../engine/bullet-world.js';
@@ -273,11 +275,16 @@ export class World implements TimedWorld {
   }
 
   get stats(): Stats {
-    return statsOf(this, this.stepping.ms);
+    return statsOf(this, this.stepping);
   }
 
   get effects(): EffectReport[] {
     return this.registry.report();
+  }
+
+  /** What the colours of the debug drawing mean; nothing while it is off. */
+  get debugLegend(): readonly ColorMeaning[] {
+    return outlines.here && this.registry.active(debugging) ? outlines.code.legend : [];
   }
 
   get costs(): Costs | undefined {

@@ -57,6 +57,21 @@ export const ROOMS: readonly Room[] = [
   },
 ];
 
+/** In the documentation site, which has the stories in a folder of its own. */
+const SITE: Room = {
+  title: 'Documentation',
+  links: [
+    { text: 'What it is', to: '../index.html' },
+    { text: 'Which file do I take', to: '../guide/which-file.html' },
+    { text: 'Recipes', to: '../recipes/door.html' },
+    { text: 'Playground', to: '../playground.html' },
+  ],
+};
+
+/** Where the stories stand in the site, ways back to it. */
+export const backFrom = (path: string): readonly Room[] =>
+  path.includes('/stories/') ? [SITE] : [];
+
 /** One page for each node. */
 export const PAGES: readonly Link[] = Object.keys(nodeTypes).map((name) => ({
   text: name,

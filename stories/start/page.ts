@@ -4,13 +4,24 @@ import { html } from 'lit';
 import example from '../../examples/falling-box.html?raw';
 import { copyable } from '../copyable.js';
 import { controls } from './controls.js';
-import { addressOf, isFile, PAGES, ROOMS, SCRIPTS, type Link, type Room } from './links.js';
+import {
+  addressOf,
+  backFrom,
+  isFile,
+  PAGES,
+  ROOMS,
+  SCRIPTS,
+  type Link,
+  type Room,
+} from './links.js';
 import { startScene } from './scene.js';
 
-/** Stories open in the frame of all stories; a file by itself. */
+/** Stories and the site open in the frame of all stories; another file by itself. */
+const targetOf = (link: Link) => (isFile(link) && !link.to.startsWith('../') ? '_blank' : '_top');
+
 const way = (link: Link) =>
   html`<li>
-    <a href=${addressOf(link)} target=${isFile(link) ? '_blank' : '_top'}>${link.text}</a>
+    <a href=${addressOf(link)} target=${targetOf(link)}>${link.text}</a>
   </li>`;
 
 const room = ({ title, links }: Room) => html`
@@ -49,7 +60,7 @@ export const startPage = () => html`
           <li><a href="#nodes">The nodes, each with its page</a></li>
         </ul>
       </section>
-      ${ROOMS.map(room)}
+      ${[...backFrom(location.pathname), ...ROOMS].map(room)}
     </nav>
     <section class="first" id="falling-box">
       <h2>A falling box in a minute</h2>

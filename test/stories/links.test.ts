@@ -3,7 +3,15 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { loadCsf } from 'storybook/internal/csf-tools';
 import { nodeTypes } from '../../physics-core/inside.js';
-import { addressOf, isFile, PAGES, ROOMS, SCRIPTS, type Link } from '../../stories/start/links.js';
+import {
+  addressOf,
+  backFrom,
+  isFile,
+  PAGES,
+  ROOMS,
+  SCRIPTS,
+  type Link,
+} from '../../stories/start/links.js';
 
 const files = readdirSync('stories').filter((name) => name.endsWith('.stories.ts'));
 
@@ -37,6 +45,16 @@ test('it leads to every scene and to the page of every node', () => {
   const pages = ids.filter((id) => id.endsWith('--docs'));
   assert.equal(pages.length, Object.keys(nodeTypes).length);
   for (const id of [...scenes, ...pages]) assert.ok(leadsTo.has(id), id);
+});
+
+test('in the documentation it leads back to pages of it, and by itself to none', () => {
+  assert.deepEqual(backFrom('/iframe.html'), []);
+  const back = backFrom('/docs/stories/iframe.html').flatMap((room) => room.links);
+  assert.ok(back.length > 2);
+  for (const { to } of back) {
+    const source = to.replace('../', 'site/').replace(/html$/, 'md');
+    assert.ok(existsSync(source), source);
+  }
 });
 
 test('the files that it leads to are served: their folders are, at the addresses they have here', () => {

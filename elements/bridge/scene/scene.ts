@@ -20,6 +20,7 @@ import { Readers } from '../scopes/readers.js';
 import type { Scope } from '../scopes/scope.js';
 import { Scopes } from '../scopes/scopes.js';
 import { isPhysics, isScene } from '../words/dom.js';
+import { millisecondsOfPicture } from '../x3dom/picture-cost.js';
 import { documentOf, nodeOf, type PhysicsX3DNode, type X3DDocument } from '../x3dom/x3dom.js';
 import { Arrivals } from './arrivals.js';
 import type { SceneWorld } from './scene-world.js';
@@ -241,7 +242,7 @@ export class Scene implements Driven, Site, Stage {
     this.drawing.drawMoved(world);
     this.routes.send(world);
     this.debug.draw(world);
-    world.stepping.frameOver(start);
+    world.stepping.frameOver(start, () => millisecondsOfPicture(this.x3d));
   }
 }
 

@@ -125,6 +125,8 @@ export interface X3DElement extends Element {
   hasRuntime?: boolean;
   runtime?: {
     canvas?: { canvas?: HTMLCanvasElement; doc?: X3DDocument | null } | null;
+    /** What it measures of the last picture, milliseconds. */
+    states?: { measurements: Record<string, number> };
   } | null;
 }
 

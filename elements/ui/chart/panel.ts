@@ -6,6 +6,8 @@ import { ERRORS, type ErrorName } from './errors.js';
 export interface State {
   world: World | undefined;
   measured: readonly LevelMeasurement[] | undefined;
+  /** They were given, not measured here and now. */
+  kept: boolean;
   kind: ErrorName;
   /** The share of a measurement that is done, while one is under way. */
   progress: number | undefined;
@@ -39,12 +41,13 @@ const HINT = html`<p class="quiet">
   dot: farther left is cheaper, farther down is nearer to the truth.
 </p>`;
 
-function statusOf({ world, measured, progress, failed }: State): string {
+function statusOf({ world, measured, kept, progress, failed }: State): string {
   if (!world) return 'There is no physics here yet.';
   if (!world.started) return 'Not started yet.';
   if (progress !== undefined) return 'Measuring …';
   if (failed) return failed;
-  return measured ? 'Measured.' : 'Not measured yet.';
+  if (!measured) return 'Not measured yet.';
+  return kept ? 'As it was measured earlier.' : 'Measured.';
 }
 
 /** Of the running scene. */

@@ -1,4 +1,5 @@
 import styles from '../../../styles/chart.css';
+import type { LevelMeasurement } from '../../../physics-core/inside.js';
 import { render } from '../lit.js';
 import { applyStyles } from '../styles.js';
 import type { X3DUIElement } from '../ui-element.js';
@@ -18,8 +19,13 @@ const SHAPE = 16 / 9;
 const LEAST_WIDTH = 200;
 const HEIGHTS = [240, 420] as const;
 
+/** The element, which holds what was measured for whoever wants to keep it. */
+interface Chart extends X3DUIElement {
+  measured: readonly LevelMeasurement[] | undefined;
+}
+
 class ChartView implements View, Actions {
-  readonly #host: X3DUIElement;
+  readonly #host: Chart;
   readonly #root: ShadowRoot;
   readonly #size = new ResizeObserver(() => this.#draw());
   #state: State;
@@ -27,12 +33,13 @@ class ChartView implements View, Actions {
   #stopHearing: (() => void) | undefined;
   #measuring: AbortController | undefined;
 
-  constructor(host: X3DUIElement) {
+  constructor(host: Chart) {
     this.#host = host;
     this.#root = host.shadowRoot!;
     this.#state = {
       world: undefined,
-      measured: undefined,
+      measured: host.measured,
+      kept: true,
       kind: 'position',
       progress: undefined,
       failed: undefined,
@@ -42,6 +49,7 @@ class ChartView implements View, Actions {
 
   start(): void {
     this.#timer = setInterval(() => this.#follow(), INTERVAL);
+    this.#takeKept();
     this.#show();
     this.#hear();
     this.#follow();
@@ -57,7 +65,14 @@ class ChartView implements View, Actions {
   }
 
   changed(): void {
-    if (this.#timer) this.#follow();
+    if (!this.#timer) return;
+    this.#takeKept();
+    this.#follow();
+  }
+
+  #takeKept(): void {
+    const { measured } = this.#host;
+    if (measured !== this.#state.measured) this.#show({ measured, kept: true, failed: undefined });
   }
 
   #hear(): void {
@@ -70,7 +85,10 @@ class ChartView implements View, Actions {
     const { world } = this.#host;
     if (world !== this.#state.world) {
       this.cancel();
-      this.#show({ world, measured: undefined, failed: undefined });
+      // What was given before there is a world is meant for the first.
+      const measured = this.#state.world ? undefined : this.#state.measured;
+      this.#show({ world, measured, failed: undefined });
+      this.#host.measured = measured;
       this.#hear();
     } else if (world?.started && !this.#root.querySelector('fieldset')) this.#show();
   }
@@ -86,12 +104,14 @@ class ChartView implements View, Actions {
     try {
       const onprogress = (progress: number): void => this.#show({ progress });
       ended.measured = await world.measureAccuracy({ signal: measuring.signal, onprogress });
+      ended.kept = false;
     } catch (error) {
       if (!measuring.signal.aborted) ended.failed = `Could not be measured: ${String(error)}`;
     }
     if (measuring !== this.#measuring) return;
     this.#measuring = undefined;
     this.#show({ ...ended, progress: undefined });
+    if (ended.measured) this.#host.measured = ended.measured;
   };
 
   readonly cancel = (): void => {
@@ -132,4 +152,4 @@ class ChartView implements View, Actions {
   }
 }
 
-export const createView = (host: X3DUIElement): View => new ChartView(host);
+export const createView = (host: X3DUIElement): View => new ChartView(host as Chart);

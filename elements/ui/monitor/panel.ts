@@ -3,6 +3,8 @@ import { html, nothing, type TemplateResult } from '../lit.js';
 import { controls } from './controls.js';
 import { costs } from './costs.js';
 import { effects } from './effects.js';
+import { legend } from './legend.js';
+import { pace } from './pace.js';
 import { problems } from './problems.js';
 import { whole } from './numbers.js';
 
@@ -30,7 +32,7 @@ function statusOf(world: World | undefined, name: string): string {
 function details(world: World, refresh: () => void): TemplateResult {
   const { stats } = world;
   return html`
-    ${controls(world, refresh)}
+    ${controls(world, refresh)} ${legend(world)}
     <dl part="counts">
       ${COUNTS.map(
         (name) =>
@@ -56,7 +58,8 @@ function details(world: World, refresh: () => void): TemplateResult {
           : nothing
       }
     </dl>
-    ${costs(world.costs)} ${effects(world)} ${problems(world)}
+    ${pace(world.costs?.pace, stats.dropped)} ${costs(world.costs)} ${effects(world)}
+    ${problems(world)}
   `;
 }
 

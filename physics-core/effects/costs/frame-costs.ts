@@ -1,5 +1,6 @@
 import { Chunk } from '../../base/chunk.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Pace, type FramePace } from './pace.js';
 
 /** What a frame's milliseconds are split by: Bullet and effects, reading poses, writing them to the page, listeners. */
 export const PHASES = ['step', 'read', 'write', 'events'] as const;
@@ -15,6 +16,8 @@ export interface Percentiles {
 /** Of the frames of the last seconds that took a step. */
 export interface Costs extends Record<Phase | 'total', Percentiles> {
   frames: number;
+  /** How frames follow each other, those without a step included; undefined before a second frame. */
+  pace: FramePace | undefined;
 }
 
 /** Frames that are looked back on: four seconds at 60 Hz, so that p99 stands on more than one of them. */
@@ -24,6 +27,7 @@ const WINDOW = 240;
 export class FrameCosts extends Effect {
   /** Per frame the phases one after another; the oldest is overwritten. */
   #ring: Float64Array | undefined;
+  #pace: Pace | undefined;
   #frames = 0;
   /** Steps of the present frame. */
   #steps = 0;
@@ -39,7 +43,7 @@ export class FrameCosts extends Effect {
   }
 
   #forget(): void {
-    this.#ring = undefined;
+    this.#ring = this.#pace = undefined;
     this.#frames = this.#steps = 0;
   }
 
@@ -47,10 +51,20 @@ export class FrameCosts extends Effect {
     this.#steps++;
   }
 
-  /** A frame is drawn. One without a step says nothing of what steps cost. */
-  frameOver(ms: Readonly<Record<Phase, number>>): void {
-    if (!this.active || this.#steps === 0) return;
+  /** A frame is drawn, `seconds` after the last one (0: it follows none), in so many milliseconds beside `write`. */
+  frameOver(ms: Readonly<Record<Phase, number>>, seconds = 0, picture = 0): void {
+    if (!this.active) return;
+    const steps = this.#steps;
     this.#steps = 0;
+    if (seconds > 0) {
+      this.#pace ??= new Pace();
+      this.#pace.add(seconds, steps, ms.step + ms.read, ms.events, ms.write + picture);
+    }
+    if (steps > 0) this.#keep(ms);
+  }
+
+  /** A frame without a step says nothing of what steps cost. */
+  #keep(ms: Readonly<Record<Phase, number>>): void {
     const ring = (this.#ring ??= new Float64Array(WINDOW * PHASES.length));
     const at = (this.#frames++ % WINDOW) * PHASES.length;
     for (let i = 0; i < PHASES.length; i++) ring[at + i] = ms[PHASES[i]!];
@@ -66,7 +80,8 @@ export class FrameCosts extends Effect {
     );
     const of = (phase: number): Percentiles => percentiles(rows.map((row) => row[phase]!));
     const total = percentiles(rows.map((row) => row.reduce((sum, value) => sum + value, 0)));
-    return { frames, step: of(0), read: of(1), write: of(2), events: of(3), total };
+    const pace = this.#pace?.report;
+    return { frames, step: of(0), read: of(1), write: of(2), events: of(3), total, pace };
   }
 }
 

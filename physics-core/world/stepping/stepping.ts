@@ -38,6 +38,8 @@ export class Stepping {
   #timeScale = 1;
   /** Seconds of the clock dropped so far. */
   #lost = 0;
+  /** Seconds between the present frame and the last one; 0 where nobody waited for it. */
+  #passed = 0;
   /** Whether somebody takes one step after the other, and may speak before each. */
   #singly = true;
 
@@ -50,6 +52,11 @@ export class Stepping {
   /** Milliseconds of the last frame. */
   get ms(): PhaseCosts['ms'] {
     return this.#costs.ms;
+  }
+
+  /** Seconds of the clock dropped so far. */
+  get dropped(): number {
+    return this.#lost;
   }
 
   get paused(): boolean {
@@ -163,6 +170,7 @@ export class Stepping {
     if (this.running) this.#costs.clear();
     world.flush();
     this.#singly = false;
+    this.#passed = seen ? seconds : 0;
     if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.#moving) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
@@ -203,11 +211,11 @@ export class Stepping {
     });
   }
 
-  /** What was written began at `start` and ends now, and so does the frame. */
-  frameOver(start: number): void {
+  /** What was written began at `start` and ends now, and so does the frame; `picture`: milliseconds that drawing it took. */
+  frameOver(start: number, picture?: () => number): void {
     this.#costs.ms.write = 0;
     this.#costs.spent('write', start);
-    this.#world.registry.find(frameCosts)?.frameOver(this.ms);
+    this.#world.registry.caused(frameCosts)?.frameOver(this.ms, this.#passed, picture?.());
   }
 
   /** Whether time passes by itself. */

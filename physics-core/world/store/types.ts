@@ -37,6 +37,8 @@ export interface Stats {
   patched: number;
   destroyed: number;
   heapBytes: number;
+  /** Seconds of the clock dropped since the world began, because frames came too late or steps took too long. */
+  dropped: number;
   /** Milliseconds of the last frame. */
   ms: { step: number; read: number; write: number; events: number };
   /** In a page where bodies look alike: how many calls draw them, and how many fewer that are than bodies. */

@@ -5,6 +5,7 @@ import { until } from '../scene.js';
 import type { World } from '../inside.js';
 
 interface Chart extends HTMLElement {
+  measured: unknown[] | undefined;
   world: World | undefined;
 }
 
@@ -118,6 +119,27 @@ describe('x3d-accuracy-chart', () => {
     expect(columns()).to.eql(['Level', 'Step', 'ms per s', 'Overlap']);
     const { scrollWidth, clientWidth } = root.querySelector('.scroll')!;
     expect(scrollWidth).to.equal(clientWidth);
+  });
+
+  it('shows at once what was kept of a measurement, until another world or another measurement comes', async () => {
+    const page = await open('chart.html');
+    const { chart, root } = await chartOf(page);
+    await measure(root);
+    // An element can't be kept.
+    const plain = (name: string, value: unknown) => (/worst|element/.test(name) ? null : value);
+    const kept = JSON.parse(JSON.stringify(chart.measured, plain)) as Chart['measured'];
+    expect(status(root)).to.equal('Measured.');
+    const other = page.document.createElement('x3d-accuracy-chart') as Chart;
+    other.setAttribute('for', chart.getAttribute('for')!);
+    other.measured = kept;
+    chart.replaceWith(other);
+    await until(() => other.shadowRoot?.querySelectorAll('svg .level').length === 5, 10_000);
+    await until(() => status(other.shadowRoot!) === 'As it was measured earlier.');
+    other.measured = undefined;
+    await until(() => status(other.shadowRoot!) === 'Not measured yet.');
+    other.measured = kept;
+    page.document.querySelector('x3d')!.remove();
+    await until(() => other.measured === undefined, 5000);
   });
 
   it('stops measuring when it is told to', async () => {

@@ -83,6 +83,55 @@ describe('the monitor', () => {
     expect(monitorEffect(world).active).to.equal(false);
   });
 
+  it('tells frames per second, steps per frame, time dropped, and whose a frame is', async () => {
+    const { world } = await show(falling);
+    const shown = addMonitor();
+    expect(world.stats.dropped).to.be.a('number');
+    await until(() => /^\d/.test(shown.count('Frames per second') ?? ''), 5000);
+    const { framesPerSecond, drawing } = world.costs!.pace!;
+    expect(framesPerSecond).to.be.above(0);
+    // x3dom draws each frame of a world that moves, and that takes time.
+    expect(drawing).to.be.above(0);
+    expect(shown.count('Steps per frame')).to.match(/^\d+(\.\d)?$/);
+    expect(shown.count('Time dropped')).to.match(/^[\d,.]+ s$/);
+    const shares = ['Physics', 'Listeners', 'Drawing', 'Rest of a frame'].map((name) =>
+      Number(/^(\d+) %$/.exec(shown.count(name)!)![1]),
+    );
+    expect(shares.reduce((sum, share) => sum + share)).to.be.within(98, 102);
+  });
+
+  it('says of a slow page what makes it slow', async () => {
+    const { x3d, world } = await show(falling);
+    const shown = addMonitor();
+    x3d.querySelector('#collection')!.addEventListener('beforestep', () => {
+      const end = performance.now() + 60;
+      while (performance.now() < end);
+    });
+    await until(() => /most of it the page’s listeners/.test(shown.text), 8000);
+    expect(Number(shown.count('Frames per second'))).to.be.below(30);
+    await until(() => parseFloat(shown.count('Time dropped')!) > 0);
+    expect(world.stats.dropped).to.be.above(0);
+  });
+
+  it('has a legend of the colours of debug drawing, from their own table, while that is on', async () => {
+    const { world } = await show(falling);
+    const shown = addMonitor();
+    await until(() => shown.count('Bodies') === '1');
+    expect(world.debugLegend).to.eql([]);
+    expect(shown.part('legend')).to.equal(null);
+    shown.root.querySelector<HTMLInputElement>('input')!.click();
+    await until(() => !!shown.part('legend'), 5000);
+    const items = [...shown.part('legend')!.children];
+    expect(items.map((item) => item.textContent!.trim())).to.eql(
+      world.debugLegend.map(({ means }) => means),
+    );
+    const { color } = world.debugLegend[0]!;
+    const drawn = items[0]!.querySelector('rect')!.getAttribute('fill');
+    expect(drawn).to.equal(`rgb(${color.map((part) => Math.round(part * 255)).join(' ')})`);
+    shown.root.querySelector<HTMLInputElement>('input')!.click();
+    await until(() => !shown.part('legend'));
+  });
+
   it('pauses, steps once, goes on and resets', async () => {
     const { x3d, world } = await show(falling);
     const shown = addMonitor();

@@ -23,6 +23,7 @@ describe('the costs of frames', () => {
       write: { p50: 1, p90: 1, p99: 1 },
       events: { p50: 0, p90: 0, p99: 0 },
       total: { p50: 181, p90: 277, p99: 299 },
+      pace: undefined,
     });
   });
 
@@ -99,5 +100,93 @@ describe('User Timing', () => {
     w.profile = false;
     assert.deepEqual(await frame(), []);
     observer.disconnect();
+  });
+});
+
+describe('the pace of frames', () => {
+  fact('tells frames per second, steps per frame, and who has which share of a frame', () => {
+    const costs = new FrameCosts();
+    costs.record('somebody', 'a reason');
+    for (let k = 0; k < 10; k++) {
+      for (let step = 0; step < 3; step++) costs.afterStep();
+      costs.frameOver({ step: 30, read: 2, write: 3, events: 16 }, 0.16, 77);
+    }
+    const near = (value: number, wanted: number): void =>
+      assert.ok(Math.abs(value - wanted) < 1e-9, `${value} is ${wanted}`);
+    const pace = costs.report!.pace!;
+    near(pace.framesPerSecond, 6.25);
+    near(pace.stepsPerFrame, 3);
+    near(pace.ms, 160);
+    near(pace.physics, 0.2);
+    near(pace.listeners, 0.1);
+    near(pace.drawing, 0.5);
+  });
+
+  fact('counts frames without a step, and none that follows no other', () => {
+    const costs = new FrameCosts();
+    costs.record('somebody', 'a reason');
+    const ms = { step: 1, read: 0, write: 0, events: 0 };
+    costs.afterStep();
+    costs.frameOver(ms, 0);
+    assert.equal(costs.report!.pace, undefined);
+    for (let k = 0; k < 40; k++) {
+      if (k % 4 === 0) costs.afterStep();
+      costs.frameOver(ms, 1 / 240);
+    }
+    const { framesPerSecond, stepsPerFrame } = costs.report!.pace!;
+    assert.equal(Math.round(framesPerSecond), 240);
+    assert.equal(stepsPerFrame, 0.25);
+  });
+
+  fact('looks back on two seconds', () => {
+    const costs = new FrameCosts();
+    costs.record('somebody', 'a reason');
+    const ms = { step: 1, read: 0, write: 0, events: 0 };
+    costs.afterStep();
+    for (let k = 0; k < 600; k++) costs.frameOver(ms, 1 / 10);
+    assert.equal(Math.round(costs.report!.pace!.framesPerSecond), 10);
+    for (let k = 0; k < 130; k++) costs.frameOver(ms, 1 / 64);
+    assert.equal(costs.report!.pace!.framesPerSecond, 64);
+  });
+
+  fact('asks what the picture took only while somebody looks', async () => {
+    const w = await world();
+    addBody(w);
+    let asked = 0;
+    const frame = (): void => {
+      w.frame(1 / 50);
+      w.stepping.frameOver(performance.now(), () => {
+        asked++;
+        return 10;
+      });
+    };
+    frame();
+    assert.equal(asked, 0);
+    const stop = w.recordCosts('me');
+    frame();
+    assert.equal(asked, 1);
+    const { framesPerSecond, drawing } = w.costs!.pace!;
+    assert.equal(Math.round(framesPerSecond), 50);
+    assert.ok(drawing >= 0.5 && drawing < 0.9, `half of 20 ms at least: ${drawing}`);
+    stop();
+    frame();
+    assert.equal(asked, 1);
+  });
+});
+
+describe('the time that was dropped', () => {
+  fact('is counted in seconds of the clock from the start on, slow motion or not', async () => {
+    const w = await world();
+    addBody(w);
+    const lost = (wanted: number): void =>
+      assert.ok(Math.abs(w.stats.dropped - wanted) < 1e-9, `${w.stats.dropped} is ${wanted}`);
+    w.frame(1 / 60);
+    lost(0);
+    // A frame makes up for a tenth of a second at most.
+    w.frame(0.25);
+    lost(0.15);
+    w.timeScale = 0.5;
+    w.frame(0.3);
+    lost(0.25);
   });
 });
