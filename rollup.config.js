@@ -1,7 +1,7 @@
 import { basename, dirname } from 'node:path';
 import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
-import { ammoModule } from './tools/ammo-module.js';
+import { ammoModule } from './tools/engine/ammo-module.js';
 import { chunkBytes } from './tools/chunk-bytes.js';
 import { cssText } from './tools/css-text.js';
 import { banner, thirdParties } from './tools/licenses.js';

@@ -3,7 +3,7 @@
 import { readFileSync, rmSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
-import { glueToModule } from './ammo-module.js';
+import { glueToModule } from './engine/ammo-module.js';
 
 /** Not a hidden folder: the test server would not serve it. */
 const BUNDLES = 'test-bundles';

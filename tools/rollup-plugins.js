@@ -3,9 +3,9 @@ import { dirname, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { transform } from 'esbuild';
 import { minify as terser } from 'terser';
+import { usedWasm } from './engine/used-wasm.js';
 
 const TARGET = 'es2022';
-export const AMMO_WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
 /**
  * TypeScript sources, which import each other by the `.js` name they would have. Resolving them here and not
@@ -128,7 +128,7 @@ export function wasmAsText() {
     resolveId: (source) => (source === WASM_MODULE ? WASM_TEXT : null),
     load(id) {
       if (id !== WASM_TEXT) return null;
-      const packed = gzipSync(readFileSync(AMMO_WASM), { level: 9 }).toString('base64');
+      const packed = gzipSync(usedWasm(), { level: 9 }).toString('base64');
       return { code: unpacking(packed), map: { mappings: '' } };
     },
   };
@@ -146,7 +146,7 @@ export function copyWasm() {
   return {
     name: 'copy-wasm',
     generateBundle() {
-      this.emitFile({ type: 'asset', fileName: 'ammo.wasm', source: readFileSync(AMMO_WASM) });
+      this.emitFile({ type: 'asset', fileName: 'ammo.wasm', source: usedWasm() });
     },
   };
 }

@@ -1,8 +1,10 @@
+import { usedGlue } from './used-glue.js';
+
 /**
  * The Ammo glue (`ammojs-typed/wasm`) is a CommonJS script. Here it becomes an ES module, for Rollup and for
  * the bundles of tests alike. Node running the sources needs none of this: it imports CommonJS as it is.
  *
- * Two edits:
+ * Without what the core does not call (used-glue.js), and two edits:
  * - the export block at the end becomes `export default`;
  * - the test for Node answers no. Its Node branch calls `require` and `__dirname`, which no ES module has;
  *   our loader hands over the bytes (`wasmBinary`) in Node, so the branch is not needed.
@@ -16,9 +18,11 @@ const isGlue = (path) => path.endsWith('/ammojs-typed/ammo/ammo.wasm.js');
 export function glueToModule(code) {
   // Another release of the glue may read differently: better no build than a broken one.
   if (!code.includes(NODE_TEST) || !EXPORT_BLOCK.test(code)) {
-    throw new Error('tools/ammo-module.js does not know this version of ammojs-typed');
+    throw new Error('tools/engine/ammo-module.js does not know this version of ammojs-typed');
   }
-  return code.replace(NODE_TEST, 'false').replace(EXPORT_BLOCK, 'export default Ammo;\n');
+  return usedGlue(code)
+    .code.replace(NODE_TEST, 'false')
+    .replace(EXPORT_BLOCK, 'export default Ammo;\n');
 }
 
 /** For Rollup. */

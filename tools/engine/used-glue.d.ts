@@ -1,0 +1,1 @@
+export function usedGlue(code: string): { code: string; unused: string[] };

@@ -1,0 +1,140 @@
+// Ammo binds a thousand and a half functions of Bullet; the core calls a fifth of them. Its glue without the others, and
+// which exports of the wasm nobody calls then.
+//
+// Kept are the classes that the sources of the core name, those that they inherit from, and those whose objects their
+// methods answer; of each the methods whose name is a word anywhere in the sources. So what is called is there, whatever
+// it is called on; a computed name would not be seen, and the core has none.
+import { readFileSync } from 'node:fs';
+import { parseAst } from 'rollup/parseAst';
+import { globSync } from '../files.js';
+
+const SOURCES = 'physics-core/**/*.ts';
+
+/** Another release of the glue may read differently: better no build than a broken one. */
+const FEWEST = 1000;
+
+const sourceWords = () =>
+  new Set(globSync(SOURCES).flatMap((file) => readFileSync(file, 'utf8').match(/[\w$]+/g)));
+
+/** Variables of the glue that a piece of it speaks of: not what it calls so itself. */
+function namesIn(node, names = new Set()) {
+  if (node === null || typeof node !== 'object') return names;
+  if (node.type === 'Identifier') names.add(node.name);
+  for (const [key, child] of Object.entries(node))
+    if (key !== 'property' || node.computed) namesIn(child, names);
+  for (const { name } of node.params ?? []) names.delete(name);
+  return names;
+}
+
+/** The function with the most statements: all bindings and classes stand in it. */
+function longest(node, best = { body: [] }) {
+  if (node === null || typeof node !== 'object') return best;
+  if (node.type === 'BlockStatement' && node.body.length > best.body.length) best = node;
+  for (const child of Object.values(node)) best = longest(child, best);
+  return best;
+}
+
+/** What the statements of the glue say: bindings by their variable, classes by theirs. */
+class Glue {
+  #code;
+  /** `Gr = b._emscripten_bind_btRigidBody_getMotionState_0 = function … b.asm.xp …` */
+  bindings = new Map();
+  /** `K.prototype.getMotionState = function …`, `b.btRigidBody = K`, `K.prototype = Object.create(q.prototype)` */
+  classes = new Map();
+
+  constructor(code) {
+    this.#code = code;
+    for (const statement of longest(parseAst(code)).body) this.#read(statement);
+    for (const [name, { own }] of this.classes) if (!own) this.classes.delete(name);
+  }
+
+  #textOf({ start, end }) {
+    return this.#code.slice(start, end);
+  }
+
+  #class(variable) {
+    if (!this.classes.has(variable)) this.classes.set(variable, { methods: [] });
+    return this.classes.get(variable);
+  }
+
+  #read(statement) {
+    if (statement.type === 'FunctionDeclaration') this.#class(statement.id.name).own = statement;
+    for (const each of statement.declarations ?? []) this.#readBinding(each);
+    const { left, right } = statement.expression ?? {};
+    if (left?.type !== 'MemberExpression') return;
+    // Accessors have a second, shorter name: `x.prototype.get_m_a = x.prototype.bC = function …`
+    this.#readMember(statement, left, right.type === 'AssignmentExpression' ? right.right : right);
+  }
+
+  #readBinding({ id, init }) {
+    const name = init?.left?.property?.name ?? '';
+    const [, export_] = /\.asm\.([\w$]+)\)/.exec(init ? this.#textOf(init) : '') ?? [];
+    if (name.startsWith('_emscripten_bind_') && export_)
+      this.bindings.set(id.name, { init, export: export_ });
+  }
+
+  #readMember(statement, { object, property }, right) {
+    if (object.property?.name === 'prototype' && right.type === 'FunctionExpression')
+      this.#class(object.object.name).methods.push({ name: property.name, statement });
+    else if (property.name === 'prototype') this.#class(object.name).parent = right;
+    else if (object.type === 'Identifier' && right.type === 'Identifier')
+      this.#class(right.name).name ??= property.name;
+  }
+}
+
+const isUsed = ({ name }, words) =>
+  name === '__destroy__' || words.has(name) || words.has(name.replace(/^[gs]et_/, ''));
+
+/** Goes from the classes that the sources name to all that they lead to. */
+function reach({ classes }, words) {
+  const seen = new Set();
+  const kept = { names: new Set(), methods: new Set() };
+  const waiting = [...classes.keys()].filter((variable) => words.has(classes.get(variable).name));
+  const take = (node) => {
+    for (const name of namesIn(node)) {
+      kept.names.add(name);
+      if (classes.get(name)?.name) waiting.push(name);
+    }
+  };
+  while (waiting.length > 0) {
+    const variable = waiting.pop();
+    if (seen.has(variable)) continue;
+    seen.add(variable);
+    const { own, parent, methods } = classes.get(variable);
+    take([own, parent ?? null]);
+    for (const method of methods.filter((each) => isUsed(each, words))) {
+      kept.methods.add(method);
+      take(method.statement);
+    }
+  }
+  return kept;
+}
+
+/** The glue without what nobody calls, and the exports of the wasm that only that called. */
+export function usedGlue(code) {
+  const glue = new Glue(code);
+  if (glue.bindings.size < FEWEST)
+    throw new Error('tools/engine/used-glue.js does not know this version of ammojs-typed');
+  const kept = reach(glue, sourceWords());
+  const cuts = [];
+  const unused = [];
+  for (const [variable, { init, export: name }] of glue.bindings) {
+    if (kept.names.has(variable)) continue;
+    cuts.push({ ...init, by: '0' });
+    unused.push(name);
+  }
+  for (const { name, methods } of glue.classes.values())
+    for (const method of methods)
+      if (name && !kept.methods.has(method)) cuts.push({ ...method.statement, by: '' });
+  return { code: without(code, cuts), unused };
+}
+
+function without(code, cuts) {
+  let left = '';
+  let at = 0;
+  for (const { start, end, by } of cuts.toSorted((a, b) => a.start - b.start)) {
+    left += code.slice(at, start) + by;
+    at = end;
+  }
+  return left + code.slice(at);
+}

@@ -1,0 +1,1 @@
+export function usedWasm(): Uint8Array;
