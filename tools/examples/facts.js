@@ -31,7 +31,7 @@ function countEnds() {
   document.addEventListener('collisionend', () => globalThis.ended++);
 }
 
-const look = (page, seconds = 0) => page.evaluate(seen, seconds);
+export const look = (page, seconds = 0) => page.evaluate(seen, seconds);
 const heightOf = ({ poses }, id) => poses[id][1];
 
 // ---- what people do -------------------------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ const tick = (page, name, on) => page.getByRole('checkbox', { name }).setChecked
 const rows = (page) => page.getByRole('listitem');
 
 /** Until what is seen is as it should be: frameworks render when they like. */
-async function until(page, holds, what) {
+export async function until(page, holds, what) {
   for (const end = Date.now() + 10_000; Date.now() < end; await page.waitForTimeout(50)) {
     const now = await look(page);
     if (holds(now)) return now;

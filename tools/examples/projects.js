@@ -3,6 +3,9 @@ import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { npm } from '../processes.js';
 import { ROUTES } from './facts.js';
+import { withSnippets } from './guide.js';
+import { hotFacts } from './hot.js';
+import { SERVED } from './served.js';
 import { serve } from '../static-files.js';
 
 const PORT = 8500;
@@ -20,7 +23,8 @@ async function must(args, cwd) {
 export async function install(example) {
   const cwd = folderOf(example);
   await must(['ci', '--prefer-offline', '--ignore-scripts', '--no-audit', '--no-fund'], cwd);
-  for (const script of ['check', 'build']) await must(['run', '--if-present', script], cwd);
+  await withSnippets(example, cwd, () => must(['run', '--if-present', 'check'], cwd));
+  await must(['run', '--if-present', 'build'], cwd);
 }
 
 /** The files of a folder as they are. */
@@ -56,22 +60,59 @@ const server =
       child.once('close', () => reject(new Error(`it ended: ${said}`)));
     });
 
+/** Built once more, otherwise. */
+const rebuilt = (example, script, serving) => async () => {
+  await must(['run', script], folderOf(example));
+  return serving();
+};
+
 const NEXT = ['node_modules/next/dist/bin/next', 'start', '--port', String(PORT)];
+const NEXT_DEV = ['node_modules/next/dist/bin/next', 'dev', '--port', String(PORT)];
 const VITE = ['node_modules/vite/bin/vite.js', '--port', String(PORT)];
 
 /** React says so of each tag that it does not know; x3dom's have no hyphen. */
 const REACT_SAYS = ['is unrecognized in this browser'];
 
+/** A component is edited while it runs; what else holds of the example holds as it is built. */
+const hot = (example, ...path) => ({
+  served: server(example, ...VITE),
+  facts: hotFacts(example, ...path),
+});
+
 /** By name of example: the ways in which it is served, and what its framework always says there. */
 export const RUNS = {
-  next: { built: { served: server('next', ...NEXT), more: ROUTES } },
+  next: {
+    built: { served: server('next', ...NEXT), more: [...ROUTES, ...SERVED] },
+    'built by webpack': {
+      served: rebuilt('next', 'build:webpack', server('next', ...NEXT)),
+      more: [...ROUTES, ...SERVED],
+    },
+    'in its dev server': {
+      served: server('next', ...NEXT_DEV),
+      facts: SERVED,
+      says: REACT_SAYS,
+    },
+  },
   angular: { built: { served: files('angular', 'dist') } },
   plain: { 'as it is': { served: files('plain') } },
   react: {
     built: { served: files('react', 'dist') },
-    'in its dev server, in strict mode': { served: server('react', ...VITE), says: REACT_SAYS },
+    'in its dev server, in strict mode': {
+      served: server('react', ...VITE),
+      more: hotFacts('react', 'src', 'Scene.tsx'),
+      says: REACT_SAYS,
+    },
   },
-  solid: { built: { served: files('solid', 'dist') } },
-  svelte: { built: { served: files('svelte', 'dist') } },
-  vue: { built: { served: files('vue', 'dist') } },
+  solid: {
+    built: { served: files('solid', 'dist') },
+    'in its dev server': hot('solid', 'src', 'Scene.tsx'),
+  },
+  svelte: {
+    built: { served: files('svelte', 'dist') },
+    'in its dev server': hot('svelte', 'src', 'Scene.svelte'),
+  },
+  vue: {
+    built: { served: files('vue', 'dist') },
+    'in its dev server': hot('vue', 'src', 'Blocks.vue'),
+  },
 };

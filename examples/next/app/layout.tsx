@@ -16,7 +16,9 @@ export default function Layout({ children }: { children: ReactNode }) {
         {/* A classic script: it comes by a tag of its own, see x3dom.js/route.ts. */}
         <Script src="/x3dom.js" strategy="beforeInteractive" />
         <nav>
-          <Link href="/">Blocks</Link> <Link href="/about">About</Link>
+          <Link href="/">Blocks</Link> <Link href="/about">About</Link>{' '}
+          {/* x3dom reads a page once, when it is loaded: a whole page for whoever goes there. */}
+          <a href="/served">Served</a>
         </nav>
         {children}
       </body>

@@ -1,0 +1,5 @@
+import { Served } from './Served';
+
+export default function Page() {
+  return <Served />;
+}
