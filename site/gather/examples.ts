@@ -4,6 +4,7 @@ import { basename } from 'node:path';
 import type { TemplateResult } from 'lit';
 import { createServer, type ViteDevServer } from 'vite';
 import { sceneOf } from '../../stories/reference/markup.js';
+import { grown } from './grown.js';
 
 export interface Example {
   group: string;
@@ -63,7 +64,7 @@ const X3D = /^( *)<x3d[^]*?<\/x3d>/im;
 const ASSETS = '../../stories/assets/';
 
 function ofFile(group: string, file: string): Example {
-  const text = readFileSync(file, 'utf8');
+  const text = grown(basename(file), readFileSync(file, 'utf8'));
   const [markup, indent] = X3D.exec(text)!;
   const title = /<title>(.*)<\/title>/.exec(text)?.[1];
   const name = title ?? basename(file, '.html').replaceAll('-', ' ');

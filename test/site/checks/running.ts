@@ -1,4 +1,6 @@
-// Whether a scene runs: its world becomes ready, nothing is wrong with it, and something moves.
+// Whether a scene runs: its world becomes ready, nothing is wrong with it, something moves, nothing is said in the console,
+// and axe finds nothing in its frame.
+import axe from 'axe-core';
 import type { Browser, Page as Tab } from 'playwright';
 import type { Scene } from './sources.js';
 
@@ -49,8 +51,27 @@ async function waitUntilMoved(tab: Tab, start: State): Promise<State> {
   }
 }
 
+/** Of a frame: what holds of whole pages (headings, landmarks) its page answers for. */
+const AXE = `axe.run(document, { resultTypes: ['violations'], runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] })
+  .then(({ violations }) => violations.map(({ id, nodes }) => id + ' at ' + nodes[0].target.join(' ')))`;
+
+async function accessible(tab: Tab, faults: string[]): Promise<void> {
+  await tab.addScriptTag({ content: axe.source });
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await tab.emulateMedia({ colorScheme });
+    const found = (await tab.evaluate(AXE)) as string[];
+    faults.push(...found.map((fault) => `axe, ${colorScheme}: ${fault}`));
+  }
+}
+
+/** The graphics card's driver, not the page. */
+const OF_DRIVER = /GL Driver Message|GPU stall|swiftshader/i;
+
 /** A piece of markup names what its author has elsewhere. */
 const ELSEWHERE = /^(waiting-for-geometry|unknown-reference|not-in-collider|no-body)/;
+
+/** The same in the console. */
+const ELSEWHERE_SAID = /waiting-for-geometry|unknown-reference|not-in-collider|no-body/;
 
 async function check(tab: Tab, { moves }: Scene, faults: string[]): Promise<void> {
   const start = await state(tab);
@@ -64,7 +85,10 @@ async function faultsOf(browser: Browser, address: string, scene: Scene): Promis
   const tab = await context.newPage();
   const faults: string[] = [];
   tab.on('pageerror', (error) => faults.push(error.message));
-  tab.on('console', (line) => line.type() === 'error' && faults.push(line.text()));
+  tab.on('console', (line) => {
+    const said = /error|warning/.test(line.type()) && !OF_DRIVER.test(line.text());
+    if (said && (scene.moves || !ELSEWHERE_SAID.test(line.text()))) faults.push(line.text());
+  });
   tab.on('response', (answer) => {
     if (answer.status() >= 400) faults.push(`${answer.status()} ${answer.url()}`);
   });
@@ -74,6 +98,7 @@ async function faultsOf(browser: Browser, address: string, scene: Scene): Promis
   try {
     await tab.goto(`${address}/scene`);
     await check(tab, scene, faults);
+    if (scene.moves) await accessible(tab, faults);
   } catch (error) {
     faults.push((error as Error).message);
   }
