@@ -68,9 +68,8 @@ const SITE: Room = {
   ],
 };
 
-/** Where the stories stand in the site, ways back to it. */
-export const backFrom = (path: string): readonly Room[] =>
-  path.includes('/stories/') ? [SITE] : [];
+/** Where the stories stand in the site, ways back to it. The site itself reads stories without a page. */
+export const backFrom = (path = ''): readonly Room[] => (path.includes('/stories/') ? [SITE] : []);
 
 /** One page for each node. */
 export const PAGES: readonly Link[] = Object.keys(nodeTypes).map((name) => ({

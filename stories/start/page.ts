@@ -60,7 +60,7 @@ export const startPage = () => html`
           <li><a href="#nodes">The nodes, each with its page</a></li>
         </ul>
       </section>
-      ${[...backFrom(location.pathname), ...ROOMS].map(room)}
+      ${[...backFrom(globalThis.location?.pathname), ...ROOMS].map(room)}
     </nav>
     <section class="first" id="falling-box">
       <h2>A falling box in a minute</h2>
