@@ -1,5 +1,5 @@
 // The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, and each scene
-// in it runs.
+// in it runs, the stories of its reference pages among them.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
@@ -10,7 +10,7 @@ import { deadLinks } from './checks/links.js';
 import { pages, type Page } from './checks/pages.js';
 import { notFound } from './checks/search.js';
 import { broken } from './checks/running.js';
-import { scenes } from './checks/sources.js';
+import { scenes, stories } from './checks/sources.js';
 
 const PORT = 6206;
 
@@ -29,7 +29,7 @@ const result = (count: number, faults: string[]): Result => {
 async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
-  const examples = scenes();
+  const examples = [...scenes(), ...stories()];
   const results = [
     result(1, await notFound(browser, address)),
     result(all.length, await inaccessible(browser, address, all)),

@@ -16,8 +16,8 @@ interface State {
 }
 
 /** Runs in the page, of any build of the library: the first world's bodies, and what it complains of. */
-const STATE = `(async () => {
-  const { worldOf } = globalThis.X3DPhysics ?? await import('/x3d-physics/x3d-physics.js');
+const stateOf = (library: string): string => `(async () => {
+  const { worldOf } = globalThis.X3DPhysics ?? await import('${library}');
   const worlds = new Set();
   for (const element of document.querySelectorAll('x3d *')) {
     const world = worldOf(element);
@@ -31,7 +31,7 @@ const STATE = `(async () => {
   };
 })()`;
 
-const state = (tab: Tab) => tab.evaluate(STATE) as Promise<State>;
+const state = (tab: Tab, { library }: Scene) => tab.evaluate(stateOf(library)) as Promise<State>;
 
 const wayOf = (before: State, after: State): number =>
   Math.max(
@@ -41,10 +41,10 @@ const wayOf = (before: State, after: State): number =>
     ),
   );
 
-async function waitUntilMoved(tab: Tab, start: State): Promise<State> {
+async function waitUntilMoved(tab: Tab, scene: Scene, start: State): Promise<State> {
   const end = Date.now() + LATEST;
   for (;;) {
-    const now = await state(tab);
+    const now = await state(tab, scene);
     if (wayOf(start, now) > MOVED) return now;
     if (Date.now() > end) throw new Error('nothing moves');
     await tab.waitForTimeout(100);
@@ -73,10 +73,13 @@ const ELSEWHERE = /^(waiting-for-geometry|unknown-reference|not-in-collider|no-b
 /** The same in the console. */
 const ELSEWHERE_SAID = /waiting-for-geometry|unknown-reference|not-in-collider|no-body/;
 
-async function check(tab: Tab, { moves }: Scene, faults: string[]): Promise<void> {
-  const start = await state(tab);
+async function check(tab: Tab, scene: Scene, faults: string[]): Promise<void> {
+  const { moves } = scene;
+  // A story is put into its page when that is there.
+  await tab.locator('x3d canvas').first().waitFor({ state: 'attached' });
+  const start = await state(tab, scene);
   if (start.poses.length === 0) throw new Error('there are no bodies');
-  const { problems } = await waitUntilMoved(tab, start);
+  const { problems } = await waitUntilMoved(tab, scene, start);
   faults.push(...(moves ? problems : problems.filter((problem) => !ELSEWHERE.test(problem))));
 }
 
@@ -86,17 +89,21 @@ async function faultsOf(browser: Browser, address: string, scene: Scene): Promis
   const faults: string[] = [];
   tab.on('pageerror', (error) => faults.push(error.message));
   tab.on('console', (line) => {
-    const said = /error|warning/.test(line.type()) && !OF_DRIVER.test(line.text());
+    // A frame asks for no icon; opened by itself it does.
+    const icon = line.location().url.endsWith('/favicon.ico');
+    const said = /error|warning/.test(line.type()) && !icon && !OF_DRIVER.test(line.text());
     if (said && (scene.moves || !ELSEWHERE_SAID.test(line.text()))) faults.push(line.text());
   });
   tab.on('response', (answer) => {
     if (answer.status() >= 400) faults.push(`${answer.status()} ${answer.url()}`);
   });
-  await tab.route('**/scene', (route) =>
-    route.fulfill({ contentType: 'text/html', body: scene.html }),
-  );
+  const { html } = scene;
+  if (html !== undefined)
+    await tab.route(`**${scene.path}`, (route) =>
+      route.fulfill({ contentType: 'text/html', body: html }),
+    );
   try {
-    await tab.goto(`${address}/scene`);
+    await tab.goto(address + scene.path);
     await check(tab, scene, faults);
     if (scene.moves) await accessible(tab, faults);
   } catch (error) {

@@ -1,11 +1,16 @@
 // Scenes in the site's pages: those that run in them, and those that are only shown.
+import { globSync } from '../../../tools/files.js';
 import { readdirSync, readFileSync } from 'node:fs';
 import { frame } from '../../../site/markdown/frame.js';
 
 export interface Scene {
   name: string;
-  /** As a page of its own. */
-  html: string;
+  /** Where it runs, from the site's root. */
+  path: string;
+  /** What stands there; undefined: what the site has there. */
+  html?: string;
+  /** The library that it has, as a module. */
+  library: string;
   /** Whether something in it is to move: a piece of markup may be all rest. */
   moves: boolean;
 }
@@ -47,7 +52,19 @@ export const scenes = (): Scene[] =>
       .filter(({ markup }) => isScene(markup))
       .map(({ info, markup, name }) => ({
         name,
+        path: '/scene',
         html: page(markup),
+        library: '/x3d-physics/x3d-physics.js',
         moves: /^ live/.test(info) || /<x3d[\s>]/.test(markup),
       })),
   );
+
+const STORY = /<iframe class="live story"[^>]* title="([^"]+)" src="([^"]+)"/;
+
+/** The story that the page of each node shows. */
+export const stories = (): Scene[] =>
+  globSync('site/generated/reference/*.md').map((file) => {
+    const [, title, path] = STORY.exec(readFileSync(file, 'utf8'))!;
+    const name = `${file}: ${title}`;
+    return { name, path: path!, library: '/stories/dist/x3d-physics.js', moves: true };
+  });
