@@ -40,16 +40,23 @@ const SIDE = 4;
 const APART = 1.6;
 const LAYERS = 3;
 
+/** Metres by which every other layer is moved aside, so that no tower comes to stand. */
+const ASIDE = 0.5;
+
 /** Layer over layer, above the ball. */
 const boxes = (): Copy[] =>
   Array.from({ length: SIDE * SIDE * LAYERS }, (_, i) => {
     const size = 0.5 + ((i * 7) % 11) / 20;
-    const [x, z] = [i % SIDE, Math.floor(i / SIDE) % SIDE].map(
-      (at) => (at - (SIDE - 1) / 2) * APART,
-    );
+    const [column, row, layer] = [i, i / SIDE, i / SIDE ** 2].map(Math.floor) as [
+      number,
+      number,
+      number,
+    ];
+    const place = (at: number): number =>
+      ((at % SIDE) - (SIDE - 1) / 2) * APART + (layer % 2) * ASIDE;
     return {
-      transform: { translation: text(x!, 4 + 1.5 * Math.floor(i / SIDE / SIDE), z!) },
-      material: { diffuseColor: COLORS[i % COLORS.length]! },
+      transform: { translation: text(place(column), 4 + 1.5 * layer, place(row)) },
+      material: { diffuseColor: COLORS[(column + row) % COLORS.length]! },
       box: { size: text(size, size, size) },
       body: { mass: text(2 * size ** 3) },
     };
