@@ -14,6 +14,7 @@ const preview: Preview = {
           'Start here',
           'Scenes',
           'Dragging',
+          'Drawing',
           'Accuracy',
           'Shortcuts',
           'Looking in',

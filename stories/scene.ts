@@ -52,11 +52,12 @@ function startAgain({ currentTarget }: Event): void {
   for (const world of new Set(bodies.map((body) => body.world))) world?.reset();
 }
 
-/** Where a scene is seen from: the front, further back for a pendulum, or further off and from above. */
+/** Where a scene is seen from: the front, further back for a pendulum, further off and from above, or from far off. */
 const VIEWS = {
   front: { position: '0 3.4 9', orientation: '1 0 0 -0.2', centerOfRotation: '0 1.5 0' },
   pendulum: { position: '0 5.4 12.6', orientation: '1 0 0 -0.1', centerOfRotation: '0 4 0' },
   above: { position: '0 6.6 9.6', orientation: '1 0 0 -0.58', centerOfRotation: '0 0.5 0' },
+  wide: { position: '0 12 31', orientation: '1 0 0 -0.26', centerOfRotation: '0 3 0' },
 };
 
 interface Page {

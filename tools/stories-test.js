@@ -99,6 +99,35 @@ const FACTS = {
     const { story } = await open(page, 'looking-in--debug-drawing');
     await story.locator('x3d-physics-monitor [part=legend] li').nth(9).waitFor();
   },
+
+  'two thousand bodies are drawn in few calls, and one by one when that is switched': async (
+    page,
+  ) => {
+    const { frame } = await open(page, 'drawing--two-thousand-bodies');
+    const told = (name) =>
+      frame.waitForFunction(
+        (value) => document.querySelector(`[data-value="${value}"]`).textContent.match(/^\d+/)?.[0],
+        name,
+        { timeout: 120_000 },
+      );
+    const drawsOf = async (kind) => Number(await (await told(`${kind} draws`)).jsonValue());
+    const stats = () =>
+      frame.evaluate(() => document.querySelector('x3d-rigid-body-collection').world.stats);
+    assert.ok((await drawsOf('batched')) < 30);
+    const { bodies, batches, drawsSaved } = await stats();
+    assert.ok(bodies > 2000);
+    // The floor looks like the bricks of clay.
+    assert.deepEqual([batches, drawsSaved], [5, 1996]);
+    await frame.locator('.switch input').press('Space');
+    assert.ok((await drawsOf('plain')) > 2000);
+    assert.equal((await stats()).drawsSaved, 0);
+    await frame.locator('.switch input').press('Space');
+    await frame.waitForFunction(
+      () => document.querySelector('x3d-rigid-body-collection').world.stats.drawsSaved === 1996,
+      null,
+      { timeout: 120_000 },
+    );
+  },
 };
 
 /** One fact in a page of its own, where nothing fails to load. */

@@ -47,6 +47,10 @@ export const ROOMS: readonly Room[] = [
     ],
   },
   {
+    title: 'Drawing',
+    links: [{ text: 'Two thousand bodies', to: 'drawing--two-thousand-bodies' }],
+  },
+  {
     title: 'Accuracy',
     links: [
       { text: 'Beside the reference', to: 'accuracy--beside-reference' },
