@@ -1,4 +1,4 @@
-import type { DrawingNumbers, Row } from '../drawing/text.js';
+import type { DrawingNumbers, Row } from '../drawing/numbers.js';
 import { decades, legend, logAxis, svgOf } from './chart.js';
 import { ink, inkOf, standalone } from './inks.js';
 import { power } from './numbers.js';
@@ -16,11 +16,11 @@ export function drawingPicture({ rows }: DrawingNumbers): string {
     lineStyle: { color, width: 2 },
     data: script.map((row) => [row.bodies, of(row)]),
   });
-  const all = script.flatMap(({ plain, batched }) => [plain.ms, batched.ms]);
+  const all = script.flatMap(({ plain, batched, three }) => [plain.ms, batched.ms, three.ms]);
   const svg = svgOf('drawing', SIZE, {
     backgroundColor: ink('ground'),
     grid: { left: 70, right: 30, top: 40, bottom: 60 },
-    legend: legend(['one by one', 'in one call']),
+    legend: legend(['one by one', 'in one call', 'three.js, InstancedMesh']),
     xAxis: {
       ...logAxis('bodies that move', 30, String),
       ...decades(script.map((row) => row.bodies)),
@@ -29,6 +29,7 @@ export function drawingPicture({ rows }: DrawingNumbers): string {
     series: [
       line('one by one', inkOf('ammo'), ({ plain }) => plain.ms),
       line('in one call', inkOf('ours'), ({ batched }) => batched.ms),
+      line('three.js, InstancedMesh', inkOf('rapier'), ({ three }) => three.ms),
     ],
   });
   return standalone(svg);

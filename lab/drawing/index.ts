@@ -1,95 +1,121 @@
-// npm run lab:drawing: what it costs to draw many bodies, one by one and in one call, in one page load each, in turn.
-// It needs dist/ and Chromium, and puts its table into docs/drawing.md and its chart beside it.
-//   --sizes 100,1000   these numbers of bodies only
+// npm run lab:drawing: what it costs to draw many bodies, one by one, in one call and by three.js, in turns on one page;
+// what one change costs; and scene 3 of the paper. It needs dist/ and Chromium, and no network. Numbers go into
+// lab/report/drawing.json, tables and pictures into docs/drawing.md.
+//   --part rows        only this part anew: rows, edits or room
+//   --sizes 100,1000   these numbers of bodies or boxes only
+//   --draw             measure nothing: tables and pictures of the numbers of last time
 import { readFileSync, writeFileSync } from 'node:fs';
+import { loadavg } from 'node:os';
 import { parseArgs } from 'node:util';
-import { chromium } from 'playwright';
-// @ts-expect-error plain JavaScript
-import { CHROMIUM_ARGUMENTS, findChromium } from '../../tools/browsers.js';
-// @ts-expect-error plain JavaScript
-import { findFile } from '../../tools/static-files.js';
 import { drawingPicture } from '../draw/drawing-chart.js';
+import { roomPicture } from '../draw/room-chart.js';
 import { MACHINE, today } from '../run/machine.js';
 import { median } from '../run/median.js';
-import { changes, frames, type Frames } from './in-page.js';
-import { pageOf } from './scene.js';
-import { tableOf, type DrawingNumbers, type Row } from './text.js';
+import type { Frames } from './in-page/turns.js';
+import type { RoomFrames } from './in-page/room.js';
+import { readDrawing, writeDrawing, type Cost, type Row, type RoomRow } from './numbers.js';
+import { Pages } from './pages.js';
+import { pageOf, roomOf } from './scene.js';
+import { tablesOf } from './text.js';
 
 const { values: options } = parseArgs({
-  options: { sizes: { type: 'string', default: '100,500,1000,2000,5000' } },
+  options: {
+    part: { type: 'string' },
+    sizes: { type: 'string' },
+    draw: { type: 'boolean', default: false },
+  },
 });
+
 const ROUNDS = 3;
 const EDITS = 15;
-const HOST = 'http://lab.test';
-const NUMBERS = new URL('../report/drawing.json', import.meta.url);
-const TEXT = new URL('../../docs/drawing.md', import.meta.url);
-const PICTURE = new URL('../../docs/pictures/drawing.svg', import.meta.url);
+const DOCS = new URL('../../docs/', import.meta.url);
 
-const browser = await chromium.launch({
-  executablePath: (await findChromium()) as string,
-  args: CHROMIUM_ARGUMENTS as string[],
+const numbers = readDrawing();
+const say = (line: string): void => void process.stderr.write(`${line}\n`);
+const sizes = (all: number[]): number[] => options.sizes?.split(',').map(Number) ?? all;
+
+const costOf = (turns: Frames[]): Cost => ({
+  ms: median(turns.map(({ write, tick }) => write + tick)),
+  calls: median(turns.map(({ calls }) => calls)),
 });
 
-/** A page with so many bodies that move. */
-async function open(count: number) {
-  const page = await browser.newPage();
-  await page.route(`${HOST}/**`, async (route) => {
-    const { pathname } = new URL(route.request().url());
-    if (pathname === '/') return route.fulfill({ contentType: 'text/html', body: pageOf(count) });
-    const found = findFile('.', pathname) as { file: string; type: string } | undefined;
-    if (!found) return route.fulfill({ status: 404 });
-    return route.fulfill({ contentType: found.type, body: readFileSync(found.file) });
-  });
-  // tsx names functions by this helper, those that are sent to the page as well.
-  await page.addInitScript('globalThis.__name = (one) => one');
-  await page.goto(HOST);
-  type Moving = Element & { world?: { time: number; stats: { batches?: number } } };
-  await page.waitForFunction(
-    () => {
-      const { world } = document.querySelector<Moving>('#c')!;
-      return !!world && world.time > 0.1 && world.stats.batches === 1;
-    },
-    null,
-    { timeout: 120_000 },
+async function rowOf(pages: Pages, bodies: number, stub: boolean): Promise<Row> {
+  const { plain, batched, three } = await pages.measure(pageOf(bodies), 1, (page) =>
+    page.evaluate(([none, rounds]) => window.measure.turns(none, rounds), [stub, ROUNDS] as const),
   );
-  return page;
+  const webgl = stub ? 'none' : 'software';
+  return { bodies, webgl, plain: costOf(plain), batched: costOf(batched), three: costOf(three) };
 }
 
-const middle = (all: Frames[], of: (one: Frames) => number): number => median(all.map(of));
-const script = ({ write, tick }: Frames): number => write + tick;
-
-async function measure(bodies: number, stub: boolean): Promise<Row> {
-  const page = await open(bodies);
-  const { plain, batched } = await page.evaluate(frames, { stub, rounds: ROUNDS });
-  await page.close();
-  return {
-    bodies,
-    webgl: stub ? 'none' : 'software',
-    plain: { ms: middle(plain, script), calls: middle(plain, ({ calls }) => calls) },
-    batched: { ms: middle(batched, script), calls: middle(batched, ({ calls }) => calls) },
-  };
+async function measureRows(pages: Pages): Promise<void> {
+  numbers.rows = [];
+  for (const bodies of sizes([100, 500, 1000, 2000, 5000]))
+    for (const stub of [true, false]) {
+      const row = await rowOf(pages, bodies, stub);
+      numbers.rows.push(row);
+      const { plain, batched, three } = row;
+      say(
+        `${bodies} bodies, WebGL ${row.webgl}: ${[plain, batched, three].map(({ ms }) => ms.toFixed(2)).join(', ')} ms, 1/${(plain.ms / batched.ms).toFixed(1)}`,
+      );
+    }
 }
 
-async function edits(bodies: number) {
-  const page = await open(bodies);
-  const ms = await page.evaluate(changes, EDITS);
-  await page.close();
-  return { bodies, ms };
-}
-
-const numbers: DrawingNumbers = { machine: MACHINE, day: today(), rows: [], edits: [] };
-for (const size of options.sizes.split(',').map(Number))
-  for (const stub of [true, false]) {
-    numbers.rows.push(await measure(size, stub));
-    console.log(JSON.stringify(numbers.rows.at(-1)));
+async function measureEdits(pages: Pages): Promise<void> {
+  numbers.edits = [];
+  for (const bodies of sizes([50, 1000])) {
+    const ms = await pages.measure(pageOf(bodies), 1, (page) =>
+      page.evaluate((times) => window.measure.changes(times), EDITS),
+    );
+    numbers.edits.push({ bodies, ms });
+    say(`one of ${bodies} changed: ${JSON.stringify(ms)} ms`);
   }
-for (const size of [50, 1000]) {
-  numbers.edits.push(await edits(size));
-  console.log(JSON.stringify(numbers.edits.at(-1)));
 }
-await browser.close();
-writeFileSync(NUMBERS, `${JSON.stringify(numbers, null, 2)}\n`);
-writeFileSync(PICTURE, drawingPicture(numbers));
-const text = readFileSync(TEXT, 'utf8');
-const table = `\n\n${tableOf(numbers)}\n\n`;
-writeFileSync(TEXT, text.replace(/(?<=<!-- numbers -->)[^]*(?=<!-- end of numbers -->)/, table));
+
+const framesOf = (turns: RoomFrames[]): RoomFrames => ({
+  physics: median(turns.map(({ physics }) => physics)),
+  drawing: median(turns.map(({ drawing }) => drawing)),
+  frame: median(turns.map(({ frame }) => frame)),
+});
+
+async function measureRoom(pages: Pages): Promise<void> {
+  numbers.room = [];
+  for (const boxes of sizes([10, 50, 100, 200, 500, 1000])) {
+    const { plain, batched } = await pages.measure(roomOf(boxes), 1, (page) =>
+      page.evaluate((rounds) => window.measure.room(rounds), ROUNDS),
+    );
+    const row: RoomRow = { boxes, plain: framesOf(plain), batched: framesOf(batched) };
+    numbers.room.push(row);
+    say(`${boxes} boxes: ${JSON.stringify(row)}`);
+  }
+}
+
+const PARTS: Record<string, (pages: Pages) => Promise<void>> = {
+  rows: measureRows,
+  edits: measureEdits,
+  room: measureRoom,
+};
+
+async function measure(): Promise<void> {
+  const pages = await Pages.open();
+  for (const part of options.part ? [options.part] : Object.keys(PARTS)) {
+    await PARTS[part]!(pages);
+    const load = loadavg()[0]!.toFixed(1);
+    numbers.measured[part] = `${today()}: ${MACHINE}, Chromium, a load of ${load}`;
+    writeDrawing(numbers);
+  }
+  await pages.close();
+}
+
+if (!options.draw) await measure();
+writeFileSync(new URL('pictures/drawing.svg', DOCS), drawingPicture(numbers));
+writeFileSync(new URL('pictures/drawing-room.svg', DOCS), roomPicture(numbers));
+const page = new URL('drawing.md', DOCS);
+const text = Object.entries(tablesOf(numbers)).reduce(
+  (before, [name, table]) =>
+    before.replace(
+      new RegExp(`(?<=<!-- ${name} -->)[^]*(?=<!-- end of ${name} -->)`),
+      () => `\n\n${table}\n\n`,
+    ),
+  readFileSync(page, 'utf8'),
+);
+writeFileSync(page, text);

@@ -1,3 +1,7 @@
+import { HOOKS } from '../page/libraries/library.js';
+import { ours } from '../page/libraries/ours.js';
+import { boxes } from '../page/scene.js';
+
 /** Metres between two bodies, which turn and do not touch. */
 const GAP = 2;
 
@@ -28,3 +32,7 @@ export function pageOf(count: number): string {
       ${bodies.join('')}
     </scene></x3d>`;
 }
+
+/** Scene 3 of the paper, as `npm run bench:page` has it: boxes fall into a room, where a ball stirs them. */
+export const roomOf = (count: number): string =>
+  ours.page(boxes(count), '').replace(HOOKS('ours'), '');
