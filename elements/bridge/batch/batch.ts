@@ -67,7 +67,7 @@ export class Batch {
       this.#renderer.add(this.shape, this.instances);
       this.#group.node.addChild(this.shape);
     }
-    this.#group.add(member.transform);
+    this.#group.add(member.top);
     freeBuffers(member.shape!, this.#renderer.gl);
     member.take(() => this.#place(member));
     this.reread(member);
@@ -82,7 +82,7 @@ export class Batch {
       this.members[at] = last;
       this.#places.set(last, at);
     }
-    this.#group.delete(member.transform);
+    this.#group.delete(member.top);
     member.giveBack();
     if (this.members.length === 0) this.#end();
     else if (member === this.#model) this.#copy(this.members[0]);
@@ -117,8 +117,7 @@ export class Batch {
   #place(member: Member): void {
     const at = this.#places.get(member)!;
     const { node } = this.#group;
-    if (member.seen) this.instances.place(at, member.transform._trafo, member.scale, member.inside);
-    else this.instances.hide(at);
+    member.place(this.instances, at);
     // Where its own bounds are unknown, so are those of all above it.
     if (node.volumeValid()) node.invalidateVolume();
   }

@@ -49,6 +49,11 @@ export class Batches {
     if (!member) this.#members.set(transform, (member = new Member(transform as X3DTransform)));
     member.allowed = allowed;
     this.#changed.add(member);
+    // What stands above it is not its own any more.
+    for (let [above] = transform._parentNodes; above; [above] = above._parentNodes) {
+      const outer = this.#members.get(above);
+      if (outer) this.#changed.add(outer);
+    }
   }
 
   memberOf(transform: X3DNode): Member | undefined {
@@ -91,12 +96,11 @@ export class Batches {
   // ---- who is drawn with whom -------------------------------------------------------------------------------------
 
   #sort(member: Member): void {
-    const { shape } = member;
     const before = this.#kindOf.get(member);
-    member.read();
+    member.read((node) => this.#members.has(node));
     this.#watch.begin(member);
     const kind = member.why === undefined ? this.#kind(member) : undefined;
-    if (kind === before && member.shape === shape) return before?.batch?.reread(member);
+    if (kind === before && member.isAsTaken) return before?.batch?.reread(member);
     this.#leave(member);
     if (kind) this.#join(member, kind);
   }

@@ -4,6 +4,16 @@ import type { provide } from './batch-code.js';
 import type { DrawnScene, Drawer } from './drawer.js';
 import { LEAST } from './least.js';
 
+/** The first one that is drawn in a node, which may stand in groups there. */
+function geometryIn({ _cf, _childNodes }: X3DNode): X3DNode | null | undefined {
+  if (_cf.geometry) return _cf.geometry.node;
+  for (const child of _childNodes) {
+    const geometry = geometryIn(child);
+    if (geometry) return geometry;
+  }
+  return undefined;
+}
+
 /** Bodies that look alike are drawn in one call. What does that is loaded with the first eight of one geometry. */
 export class Batching {
   readonly #scene: DrawnScene;
@@ -20,7 +30,7 @@ export class Batching {
     if (this.drawer) return this.drawer.note(node, body);
     if (this.#counted.has(node)) return;
     this.#counted.add(node);
-    const geometry = node._childNodes.find(({ _cf }) => _cf.geometry)?._cf.geometry.node;
+    const geometry = geometryIn(node);
     const count = (this.#counts.get(geometry?.constructor) ?? 0) + 1;
     this.#counts.set(geometry?.constructor, count);
     if (geometry && count === LEAST) void this.#load(body);

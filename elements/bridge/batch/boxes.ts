@@ -1,4 +1,10 @@
-import { x3dom, type NodeContext, type X3DNode, type X3DVector } from '../x3dom/x3dom.js';
+import {
+  x3dom,
+  type NodeContext,
+  type X3DMatrix,
+  type X3DNode,
+  type X3DVector,
+} from '../x3dom/x3dom.js';
 import { ownMesh } from './meshes.js';
 import { typeOf } from './types.js';
 
@@ -7,16 +13,15 @@ import { typeOf } from './types.js';
 /** Metres, or whatever lengths a file has. */
 const SIZE = 2;
 
-const EVEN: X3DVector = { x: 1, y: 1, z: 1 };
-
 export const isScaled = (geometry: X3DNode): boolean =>
   typeOf(geometry) === 'Box' && geometry._vf.ccw === true && geometry._vf.hasHelperColors === false;
 
-/** By how much the geometry that `drawnFor` gives is to be scaled. */
-export function scaleOf(geometry: X3DNode): X3DVector {
-  if (!isScaled(geometry)) return EVEN;
+/** From the frame of the geometry that `drawnFor` gives to that of this one. */
+export function scalingOf(geometry: X3DNode): X3DMatrix {
+  const { SFMatrix4f, SFVec3f } = x3dom()!.fields;
+  if (!isScaled(geometry)) return SFMatrix4f.identity();
   const { x, y, z } = geometry._vf.size as X3DVector;
-  return { x: x / SIZE, y: y / SIZE, z: z / SIZE };
+  return SFMatrix4f.scale(new SFVec3f(x / SIZE, y / SIZE, z / SIZE));
 }
 
 /** What is drawn for all whose geometry is alike. */

@@ -1,5 +1,5 @@
 import type { X3DColor, X3DVolume } from '../x3dom/renderer.js';
-import type { X3DMatrix, X3DVector } from '../x3dom/x3dom.js';
+import type { X3DMatrix } from '../x3dom/x3dom.js';
 
 /** Per instance: three rows of its matrix; red, green, blue and the id that it is picked by. */
 const FLOATS = 16;
@@ -50,31 +50,40 @@ export class Instances {
 
   // ---- one instance -----------------------------------------------------------------------------------------------
 
-  /** `scale`: of what is drawn, in its own frame; `inside`: how far that reaches there. */
-  place(at: number, m: X3DMatrix, scale: X3DVector, inside: X3DVolume): void {
-    this.#row(at, 0, m._00, m._01, m._02, m._03, scale, inside);
-    this.#row(at, 1, m._10, m._11, m._12, m._13, scale, inside);
-    this.#row(at, 2, m._20, m._21, m._22, m._23, scale, inside);
+  /** `inner`: from the frame of what is drawn to that of `m`. */
+  place(at: number, m: X3DMatrix, inner: X3DMatrix): void {
+    this.#row(at, 0, m._00, m._01, m._02, m._03, inner);
+    this.#row(at, 1, m._10, m._11, m._12, m._13, inner);
+    this.#row(at, 2, m._20, m._21, m._22, m._23, inner);
     this.#note(at);
   }
 
-  /** One row of its matrix, and the reach along that axis: to the last bit as x3dom adds it up, since shadows hang on that. */
-  #row(
+  #row(at: number, row: number, x: number, y: number, z: number, w: number, m: X3DMatrix): void {
+    const data = this.#data;
+    const i = at * FLOATS + 4 * row;
+    data[i] = x * m._00 + y * m._10 + z * m._20;
+    data[i + 1] = x * m._01 + y * m._11 + z * m._21;
+    data[i + 2] = x * m._02 + y * m._12 + z * m._22;
+    data[i + 3] = x * m._03 + y * m._13 + z * m._23 + w;
+  }
+
+  /** `inside`: how far it reaches in the frame of `m`. */
+  reach(at: number, m: X3DMatrix, inside: X3DVolume): void {
+    this.#along(at, 0, m._00, m._01, m._02, m._03, inside);
+    this.#along(at, 1, m._10, m._11, m._12, m._13, inside);
+    this.#along(at, 2, m._20, m._21, m._22, m._23, inside);
+  }
+
+  /** To the last bit as x3dom adds it up, since shadows hang on that. */
+  #along(
     at: number,
     axis: number,
     x: number,
     y: number,
     z: number,
     origin: number,
-    scale: X3DVector,
     { min, max }: X3DVolume,
   ): void {
-    const data = this.#data;
-    const i = at * FLOATS + 4 * axis;
-    data[i] = x * scale.x;
-    data[i + 1] = y * scale.y;
-    data[i + 2] = z * scale.z;
-    data[i + 3] = origin;
     const x0 = x * min.x;
     const x1 = x * max.x;
     const y0 = y * min.y;

@@ -1,30 +1,21 @@
-import { x3dom, type X3DVector } from '../x3dom/x3dom.js';
-import type { X3DBounded, X3DShape, X3DTransform, X3DVolume, Way } from '../x3dom/renderer.js';
-import { scaleOf } from './boxes.js';
+import type { X3DNode } from '../x3dom/x3dom.js';
+import type { X3DBounded, X3DShape, X3DTransform, Way } from '../x3dom/renderer.js';
+import { scalingOf } from './boxes.js';
+import type { Instances } from './instances.js';
 import { geometryOf, obstacle } from './look.js';
-
-const nativeOf = (type: string): X3DBounded => x3dom()!.nodeTypes[type].prototype as X3DBounded;
-
-const draws = ({ collectDrawableObjects }: X3DBounded): boolean =>
-  collectDrawableObjects !== nativeOf('X3DNode').collectDrawableObjects;
-
-/** Whether it has x3dom draw all that stands in it, as groups and Transforms do. */
-const passes = ({ constructor }: X3DBounded): boolean =>
-  (constructor.prototype as X3DBounded).collectDrawableObjects ===
-  nativeOf('X3DGroupingNode').collectDrawableObjects;
+import { passes, Strand } from './strand.js';
 
 /** A Transform that a body moves, and the one Shape in it. */
 export class Member {
   readonly transform: X3DTransform;
   /** Whether its author allows it to be drawn with others. */
   allowed = true;
-  shape: X3DShape | undefined;
-  parent: X3DBounded | undefined;
-  /** Not by `render` of its Transform or its Shape. */
-  seen = false;
-  /** Of what is drawn for its geometry, and how far that reaches: in its own frame. */
-  scale!: X3DVector;
-  inside!: X3DVolume;
+  /** From what it stands in to its Shape. */
+  strand!: Strand;
+  /** As it was when a batch took it. */
+  #taken: Strand | undefined;
+  /** Not by `render` of anything of it. */
+  #seen = false;
   /** Why it is drawn by itself. */
   why: string | undefined;
 
@@ -32,24 +23,31 @@ export class Member {
     this.transform = transform;
   }
 
+  get shape(): X3DShape | undefined {
+    return this.strand.shape as X3DShape | undefined;
+  }
+
+  /** What stands in the group together with the others. */
+  get top(): X3DBounded {
+    return (this.#taken ?? this.strand).nodes[0]!;
+  }
+
+  get parent(): X3DBounded | undefined {
+    return this.strand.nodes[0]!._parentNodes[0] as X3DBounded | undefined;
+  }
+
   /** It left the document. */
   get gone(): boolean {
     return this.transform._xmlNode === null || this.transform._parentNodes.length === 0;
   }
 
-  /** What it consists of now. */
-  read(): void {
-    const { transform } = this;
-    this.parent = transform._parentNodes[0] as X3DBounded;
-    const [first, ...others] = (transform._childNodes as X3DBounded[]).filter(draws);
-    const alone = others.length === 0 && first instanceof x3dom()!.nodeTypes.Shape;
-    this.shape = alone ? (first as X3DShape) : undefined;
-    this.seen = alone && transform.renderFlag() && first.renderFlag();
+  /** What it consists of now. `isMoved`: whether a body moves a node. */
+  read(isMoved: (node: X3DNode) => boolean): void {
+    this.strand = new Strand(this.transform, isMoved);
     this.why = this.#obstacle();
     if (this.why !== undefined) return;
-    const geometry = geometryOf(this.shape!)!;
-    this.scale = scaleOf(geometry);
-    this.inside = (geometry as X3DBounded).getVolume();
+    this.strand.measure(scalingOf(geometryOf(this.shape!)!));
+    this.#seen = this.strand.seen;
   }
 
   #obstacle(): string | undefined {
@@ -59,34 +57,37 @@ export class Member {
     if (!passes(transform) || !parent || !passes(parent))
       return 'what it stands in chooses what is drawn';
     if (!shape) return 'it does not consist of one Shape';
-    if (transform._vf.bboxDisplay || shape._vf.bboxDisplay) return 'its bounding box is shown';
+    if ([...this.strand.nodes, shape].some(({ _vf }) => _vf.bboxDisplay))
+      return 'its bounding box is shown';
     return obstacle(shape);
   }
 
   // ---- drawn by a batch -------------------------------------------------------------------------------------------
 
+  /** Whether it stands as it did when a batch took it. */
+  get isAsTaken(): boolean {
+    return !this.#taken || this.#taken.isLike(this.strand);
+  }
+
   /** From now on `place` is told of each of its places. */
   take(place: () => void): void {
-    const { transform } = this;
-    // Whoever writes a Transform's matrix calls this, x3dom itself included.
-    transform.invalidateVolume = place;
-    const { getVolume } = nativeOf('X3DTransformNode');
-    transform.getVolume = () => {
-      transform._graph.volume.valid = false;
-      return getVolume.call(transform);
-    };
+    this.#taken = this.strand;
+    this.strand.take(place);
   }
 
   giveBack(): void {
-    const { transform } = this;
-    Reflect.deleteProperty(transform, 'invalidateVolume');
-    Reflect.deleteProperty(transform, 'getVolume');
-    transform.invalidateVolume();
+    this.#taken?.giveBack();
+    this.#taken = undefined;
+  }
+
+  place(instances: Instances, at: number): void {
+    if (this.#seen) this.strand.place(instances, at);
+    else instances.hide(at);
   }
 
   /** As if it were drawn by itself. */
   drawPlainly(...way: Way): void {
-    this.transform._graph.globalMatrix = null;
-    this.transform.collectDrawableObjects(...way);
+    this.top._graph.globalMatrix = null;
+    this.top.collectDrawableObjects(...way);
   }
 }

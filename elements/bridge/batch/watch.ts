@@ -7,22 +7,44 @@ import { ownMesh } from './meshes.js';
 // Nobody can ask x3dom what changed. It calls these methods of a node whenever something did; the ones that are put in
 // their place on the node itself tell of it, too.
 
-type Method = 'fieldChanged' | 'nodeChanged' | 'parentAdded' | 'parentRemoved' | 'highlight';
-type Methods = Record<Method, (...args: unknown[]) => void>;
+type Method =
+  | 'fieldChanged'
+  | 'nodeChanged'
+  | 'parentAdded'
+  | 'parentRemoved'
+  | 'addChild'
+  | 'removeChild'
+  | 'highlight';
+type Methods = Record<Method, (...args: unknown[]) => unknown>;
+
+const OF_A_GROUP = [
+  'fieldChanged',
+  'nodeChanged',
+  'parentAdded',
+  'parentRemoved',
+  'addChild',
+  'removeChild',
+] as const;
 
 /** Hears of all that decides how a member is drawn; of what several share once for all of them. */
 export class Watch {
   readonly #members: ReadonlyMap<X3DNode, Member>;
   readonly #onchange: (member: Member) => void;
   readonly #watched = new WeakSet<X3DNode>();
+  /** Whose own group a node was last. */
+  readonly #around = new WeakMap<X3DNode, Member>();
 
   constructor(members: ReadonlyMap<X3DNode, Member>, onchange: (member: Member) => void) {
     this.#members = members;
     this.#onchange = onchange;
   }
 
-  begin({ transform, shape }: Member): void {
-    this.#hear(transform, 'fieldChanged', 'nodeChanged', 'parentAdded', 'parentRemoved');
+  begin(member: Member): void {
+    const { shape, strand } = member;
+    for (const node of strand.nodes) {
+      this.#around.set(node, member);
+      this.#hear(node, ...OF_A_GROUP);
+    }
     if (!shape) return;
     if (this.#hear(shape, 'fieldChanged', 'nodeChanged')) this.#hearFlags(shape);
     const geometry = geometryOf(shape);
@@ -41,8 +63,9 @@ export class Watch {
     for (const name of names) {
       const method = own[name];
       own[name] = (...args) => {
-        method.apply(node, args);
+        const result = method.apply(node, args);
         this.#touch(node);
+        return result;
       };
     }
     return true;
@@ -65,7 +88,7 @@ export class Watch {
 
   /** The members that a node is a part of. */
   #touch(node: X3DNode): void {
-    const member = this.#members.get(node);
+    const member = this.#members.get(node) ?? this.#around.get(node);
     if (member) this.#onchange(member);
     else for (const parent of node._parentNodes) this.#touch(parent);
   }

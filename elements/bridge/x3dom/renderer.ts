@@ -9,6 +9,8 @@ export interface X3DVolume {
   radialVec: X3DVector;
   diameter: number;
   valid: boolean;
+  transform(matrix: X3DMatrix): void;
+  extendBounds(min: X3DVector, max: X3DVector): void;
 }
 
 /** Grouping nodes, Transforms and Shapes: what x3dom passes on its way to what it draws. */

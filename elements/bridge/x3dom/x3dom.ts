@@ -19,6 +19,7 @@ export interface X3DMatrix {
   _31: number;
   _32: number;
   _33: number;
+  mult(other: X3DMatrix): X3DMatrix;
 }
 
 export interface X3DVector {
@@ -137,7 +138,7 @@ export interface X3DOM {
   fields: {
     SFVec3f: new (x: number, y: number, z: number) => X3DVector;
     SFVec2f: new (x: number, y: number) => { x: number; y: number };
-    SFMatrix4f: { new (): X3DMatrix; identity(): X3DMatrix };
+    SFMatrix4f: { new (): X3DMatrix; identity(): X3DMatrix; scale(by: X3DVector): X3DMatrix };
     /** Empty as long as it is given no corners. */
     BoxVolume: new () => object;
     Quaternion: {

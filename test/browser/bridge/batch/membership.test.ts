@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import '../../console.js';
+import { claim } from '../../console.js';
 import { drawn, until, wait } from '../../scene.js';
 import {
   bodies,
@@ -11,6 +11,7 @@ import {
   errorOf,
   picture,
   showBatched,
+  wrapped,
 } from './pictures.js';
 
 const COUNT = 12;
@@ -89,8 +90,20 @@ const EDITS: [string, number, (shown: Shown) => unknown][] = [
   ['its body gone', 1, (shown) => find(shown, '#b3').remove()],
   ['its Transform gone', 1, (shown) => find(shown, '#t3').remove()],
   [
-    'a place in another group',
-    2,
+    'a place in another group, where others are drawn',
+    3,
+    async (shown) => {
+      find(shown, 'scene').insertAdjacentHTML(
+        'beforeend',
+        '<transform id="g" translation="0 1 0"><shape><sphere radius="0.2"></sphere></shape></transform>',
+      );
+      await drawn();
+      find(shown, '#g').append(find(shown, '#t3'));
+    },
+  ],
+  [
+    'a place in a group of its own',
+    1,
     async (shown) => {
       find(shown, 'scene').insertAdjacentHTML(
         'beforeend',
@@ -146,6 +159,81 @@ describe('a body drawn with others that is given', () => {
   });
 });
 
+/** The same of a body in groups of its own. */
+const EDITS_OF_GROUPS: [string, number, (shown: Shown) => unknown][] = [
+  ['another colour', 1, EDITS[0]![2]],
+  ['another size', 1, (shown) => find(shown, '#s3 box').setAttribute('size', '0.4 1.4 0.4')],
+  ['another place', 1, (shown) => find(shown, '#t3').setAttribute('translation', '0 3 0')],
+  [
+    'another place of a Transform round it',
+    1,
+    (shown) => find(shown, '#o3').setAttribute('scale', '0.3 1 1'),
+  ],
+  [
+    'another place of a Transform in it',
+    1,
+    (shown) => find(shown, '#i3').setAttribute('translation', '0 1 0'),
+  ],
+  [
+    '`render` of a group round it',
+    1,
+    (shown) => find(shown, '#g3').setAttribute('render', 'false'),
+  ],
+  ['`render` of a group in it', 1, (shown) => find(shown, '#h3').setAttribute('render', 'false')],
+  [
+    'a bounding box shown round it',
+    3,
+    (shown) => find(shown, '#g3').setAttribute('bboxDisplay', 'true'),
+  ],
+  [
+    'a Shape beside it in its group',
+    3,
+    (shown) =>
+      find(shown, '#g3').insertAdjacentHTML(
+        'beforeend',
+        '<shape><sphere radius="0.7"></sphere></shape>',
+      ),
+  ],
+  [
+    'a second Shape',
+    3,
+    (shown) =>
+      find(shown, '#h3').insertAdjacentHTML(
+        'beforeend',
+        '<shape><sphere radius="0.7"></sphere></shape>',
+      ),
+  ],
+  ['its group gone', 1, (shown) => find(shown, '#g3').remove()],
+  ['its Transform gone', 1, (shown) => find(shown, '#t3').remove()],
+];
+
+describe('a body in groups of its own, drawn with others, that is given', () => {
+  for (const [what, after, edit] of EDITS_OF_GROUPS)
+    it(`${what} looks as it does drawn by itself`, async () => {
+      const shown = await showBatched(wrapped(boxes), 1);
+      const { x3d, collection } = shown;
+      const before = picture(x3d);
+      await edit(shown);
+      await drawn();
+      const together = picture(x3d);
+      expect(draws(x3d)).to.equal(after);
+      expect(difference(before, together).any).to.be.above(0);
+      await drawPlainly(collection, true);
+      expect(draws(x3d)).to.be.at.least(COUNT - 1);
+      expect(difference(together, picture(x3d)).any).to.be.at.most(0.0005);
+      expect(errorOf(x3d)).to.equal(0);
+    });
+
+  it('a body of its own in its group is drawn by itself', async () => {
+    claim('[waiting-for-geometry]');
+    const shown = await showBatched(wrapped(boxes), 1);
+    const { x3d } = shown;
+    find(shown, '#i3').insertAdjacentHTML('beforeend', '<x3d-rigid-body></x3d-rigid-body>');
+    await drawn();
+    expect(draws(x3d)).to.equal(2);
+  });
+});
+
 describe('bodies drawn in one call', () => {
   it('are eight at least, and four stay together', async () => {
     const shown = await showBatched(
@@ -175,25 +263,31 @@ describe('bodies drawn in one call', () => {
     expect(difference(together, picture(x3d)).any).to.be.at.most(0.0005);
   });
 
-  it('are within the bounds that x3dom gives of each, of their group and of the scene', async () => {
-    const { x3d, world, collection } = await showBatched(`<group id="all">${boxes}</group>`, 1);
-    collection.setAttribute('enabled', 'true');
-    world.paused = true;
-    world.advance(0.3);
-    await drawn();
-    const { runtime } = x3d as unknown as {
-      runtime: { getBBox(element: Element): unknown; getSceneBBox(): unknown };
-    };
-    const boundsOf = () => [
-      ...['#t3', '#s3', '#t11', '#all'].map((name) => runtime.getBBox(x3d.querySelector(name)!)),
-      runtime.getSceneBBox(),
-    ];
-    picture(x3d);
-    const together = JSON.stringify(boundsOf());
-    await drawPlainly(collection, true);
-    picture(x3d);
-    expect(together).to.equal(JSON.stringify(boundsOf()));
-  });
+  for (const [where, all] of [
+    ['', boxes],
+    [', in groups of their own', wrapped(boxes.replaceAll('1 1 1', '0.6 0.6 0.6'))],
+  ] as const)
+    it(`are within the bounds that x3dom gives of each, of their group and of the scene${where}`, async () => {
+      const { x3d, world, collection } = await showBatched(`<group id="all">${all}</group>`, 1);
+      collection.setAttribute('enabled', 'true');
+      world.paused = true;
+      world.advance(0.3);
+      await drawn();
+      const { runtime } = x3d as unknown as {
+        runtime: { getBBox(element: Element): unknown; getSceneBBox(): unknown };
+      };
+      const boundsOf = () => [
+        ...['#t3', '#s3', '#t11', '#all', ...(where ? ['#g3', '#o3', '#h3', '#i3'] : [])].map(
+          (name) => runtime.getBBox(x3d.querySelector(name)!),
+        ),
+        runtime.getSceneBBox(),
+      ];
+      picture(x3d);
+      const together = JSON.stringify(boundsOf());
+      await drawPlainly(collection, true);
+      picture(x3d);
+      expect(together).to.equal(JSON.stringify(boundsOf()));
+    });
 
   it('come and go a thousand times without a trace in WebGL', async () => {
     const shown = await showBatched(boxes, 1);

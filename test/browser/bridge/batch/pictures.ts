@@ -65,6 +65,25 @@ export function bodies(count: number, content: (i: number) => string, transform 
   }).join('');
 }
 
+/** The same, each in groups of its own: round its Transform and in it. */
+export const wrapped = (all: string): string =>
+  all
+    .replaceAll(
+      /<transform id="t(\d+)"/g,
+      (text, i: string) =>
+        `<group id="g${i}"><transform id="o${i}" translation="0.2 0 0" rotation="0 0 1 0.3" scale="1 0.8 1.1">${text}`,
+    )
+    .replaceAll(
+      /<shape id="s(\d+)"/g,
+      (text, i: string) =>
+        `<group id="h${i}"><transform id="i${i}" translation="0 0.3 0" rotation="1 0 0 0.4">${text}`,
+    )
+    .replaceAll('</shape>', '</shape></transform></group>')
+    .replaceAll(
+      '</x3d-rigid-body></transform>',
+      '</x3d-rigid-body></transform></transform></group>',
+    );
+
 /** Each in a colour of its own. */
 export const colored = (i: number, more = ''): string =>
   `<appearance><material diffusecolor="${(i % 7) / 7} ${(i % 5) / 5} ${(i % 3) / 3}" ${more}></material></appearance>`;

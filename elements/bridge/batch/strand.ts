@@ -1,0 +1,134 @@
+import { x3dom, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
+import type { X3DBounded, X3DTransform, X3DVolume } from '../x3dom/renderer.js';
+import type { Instances } from './instances.js';
+import { typeOf } from './types.js';
+
+const nativeOf = (type: string): X3DBounded => x3dom()!.nodeTypes[type].prototype as X3DBounded;
+
+const draws = ({ collectDrawableObjects }: X3DBounded): boolean =>
+  collectDrawableObjects !== nativeOf('X3DNode').collectDrawableObjects;
+
+/** Whether it has x3dom draw all that stands in it, as groups and Transforms do. */
+export const passes = ({ constructor }: X3DBounded): boolean =>
+  (constructor.prototype as X3DBounded).collectDrawableObjects ===
+  nativeOf('X3DGroupingNode').collectDrawableObjects;
+
+/** Groups that a body may have for itself. */
+const GROUPS = new Set(['Group', 'Transform']);
+
+/** What alone is drawn in a node. Asked of a group of thousands it looks at two. */
+function onlyIn({ _childNodes }: X3DNode): X3DBounded | undefined {
+  let only: X3DBounded | undefined;
+  for (const child of _childNodes as X3DBounded[]) {
+    if (!draws(child)) continue;
+    if (only) return undefined;
+    only = child;
+  }
+  return only;
+}
+
+/** A group all of which is drawn for one body: it stands in one place, and nothing else moves it. */
+const isOwn = (node: X3DBounded, isMoved: (node: X3DNode) => boolean): boolean =>
+  GROUPS.has(typeOf(node)) && node._parentNodes.length === 1 && !isMoved(node);
+
+/**
+ * What stands between a Shape and the group that it is drawn in with others, from above to below: the Transform that a
+ * body moves, and groups round that or in it in which nothing else is drawn.
+ */
+export class Strand {
+  readonly nodes: X3DBounded[];
+  readonly #transform: X3DTransform;
+  /** Above that, from below to above. */
+  readonly #outer: X3DTransform[];
+  /** In the frame of the Transform that is moved: what is drawn, and how far it reaches. */
+  #inner!: X3DMatrix;
+  #inside!: X3DVolume;
+  /** The last thing in it. */
+  readonly shape: X3DBounded | undefined;
+
+  constructor(transform: X3DTransform, isMoved: (node: X3DNode) => boolean) {
+    this.#transform = transform;
+    this.nodes = [transform];
+    let below = onlyIn(transform);
+    for (; below && isOwn(below, isMoved); below = onlyIn(below)) this.nodes.push(below);
+    this.shape = below instanceof x3dom()!.nodeTypes.Shape ? below : undefined;
+    const outer = [];
+    let [above] = transform._parentNodes as X3DBounded[];
+    for (
+      ;
+      above && isOwn(above, isMoved) && onlyIn(above);
+      [above] = above._parentNodes as X3DBounded[]
+    )
+      outer.push(above);
+    this.nodes.unshift(...outer.toReversed());
+    this.#outer = outer.filter(({ _trafo }) => _trafo) as X3DTransform[];
+  }
+
+  /** `scaling`: of what is drawn, in the frame of the Shape. */
+  measure(scaling: X3DMatrix): void {
+    const below = this.nodes.slice(this.nodes.indexOf(this.#transform) + 1);
+    const matrix = below.reduceRight((m, { _trafo }) => (_trafo ? _trafo.mult(m) : m), scaling);
+    this.#inner = matrix;
+    this.#inside = copied((below[0] ?? this.shape!).getVolume());
+  }
+
+  /** Where it is in the group that it is drawn in. */
+  place(instances: Instances, at: number): void {
+    const { _trafo } = this.#transform;
+    const last = this.#outer.at(-1);
+    if (!last) {
+      instances.place(at, _trafo, this.#inner);
+      instances.reach(at, _trafo, this.#inside);
+      return;
+    }
+    // x3dom takes the bounds of the bounds at each of them.
+    const reach = copied(this.#inside);
+    reach.transform(_trafo);
+    for (const outer of this.#outer) if (outer !== last) reach.transform(outer._trafo);
+    const matrix = this.#outer.reduce((m, outer) => outer._trafo.mult(m), _trafo);
+    instances.place(at, matrix, this.#inner);
+    instances.reach(at, last._trafo, reach);
+  }
+
+  get seen(): boolean {
+    return [...this.nodes, this.shape!].every((node) => node.renderFlag());
+  }
+
+  isLike(other: Strand): boolean {
+    const { nodes, shape } = other;
+    return (
+      shape === this.shape &&
+      nodes.length === this.nodes.length &&
+      nodes.every((node, i) => node === this.nodes[i])
+    );
+  }
+
+  // ---- drawn by a batch -------------------------------------------------------------------------------------------
+
+  /** From now on `place` is told of each of its places. */
+  take(place: () => void): void {
+    for (const node of this.nodes) {
+      // Whoever writes a Transform's matrix calls this, x3dom itself included.
+      node.invalidateVolume = place;
+      const { getVolume } = Object.getPrototypeOf(node) as X3DBounded;
+      node.getVolume = () => {
+        node._graph.volume.valid = false;
+        return getVolume.call(node);
+      };
+    }
+  }
+
+  giveBack(): void {
+    for (const node of this.nodes) {
+      Reflect.deleteProperty(node, 'invalidateVolume');
+      Reflect.deleteProperty(node, 'getVolume');
+    }
+    this.nodes.at(-1)!.invalidateVolume();
+  }
+}
+
+function copied({ min, max, valid }: X3DVolume): X3DVolume {
+  const volume = new (x3dom()!.fields.BoxVolume)() as X3DVolume;
+  if (valid) volume.extendBounds(min, max);
+  return volume;
+}
