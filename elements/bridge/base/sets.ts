@@ -2,6 +2,10 @@
 export class Sets<Key, Item> {
   readonly #sets = new Map<Key, Set<Item>>();
 
+  get isEmpty(): boolean {
+    return this.#sets.size === 0;
+  }
+
   add(key: Key, item: Item): void {
     const set = this.#sets.get(key);
     if (set) set.add(item);

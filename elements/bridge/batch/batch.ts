@@ -6,6 +6,7 @@ import { Instances } from './instances.js';
 import { appearanceOf, colorOf, geometryOf } from './look.js';
 import type { ManyRenderer } from './many.js';
 import type { Member } from './member.js';
+import type { Resting } from './ticks.js';
 import { freeBuffers } from './meshes.js';
 
 /**
@@ -20,11 +21,13 @@ export class Batch {
   readonly #places = new Map<Member, number>();
   readonly #renderer: ManyRenderer;
   readonly #group: Group;
+  readonly #resting: Resting;
   readonly #volume: X3DVolume;
   /** Whose geometry and Appearance it draws. */
   #model!: Member;
 
-  constructor(renderer: ManyRenderer, group: Group) {
+  constructor(renderer: ManyRenderer, group: Group, resting: Resting) {
+    this.#resting = resting;
     this.#renderer = renderer;
     this.#group = group;
     const x = x3dom()!;
@@ -70,6 +73,7 @@ export class Batch {
     this.#group.add(member.top);
     freeBuffers(member.shape!, this.#renderer.gl);
     member.take(() => this.#place(member));
+    this.#resting.add(member.transform);
     this.reread(member);
   }
 
@@ -84,6 +88,7 @@ export class Batch {
     }
     this.#group.delete(member.top);
     member.giveBack();
+    this.#resting.delete(member.transform);
     if (this.members.length === 0) this.#end();
     else if (member === this.#model) this.#copy(this.members[0]);
   }

@@ -1,4 +1,5 @@
 import type { X3DDocument, X3DNode } from '../x3dom/x3dom.js';
+import type { Binding } from '../nodes/binding.js';
 import type { X3DBounded, X3DDrawnDocument, X3DTransform } from '../x3dom/renderer.js';
 import { Batch } from './batch.js';
 import { Group } from './group.js';
@@ -6,7 +7,7 @@ import { LEAST } from './least.js';
 import { Looks } from './look.js';
 import { ManyRenderer } from './many.js';
 import { Member } from './member.js';
-import { hastenTicks } from './ticks.js';
+import { hastenTicks, Resting } from './ticks.js';
 import { Watch } from './watch.js';
 
 /** Frames that a running mean is of. */
@@ -33,6 +34,9 @@ export class Batches {
   readonly #kinds = new WeakMap<X3DNode, Map<string, Kind>>();
   readonly #kindOf = new Map<Member, Kind>();
   readonly #looks = new Looks();
+  readonly #resting: Resting;
+  /** What draws now. */
+  readonly all = new Set<Batch>();
   /** Milliseconds per frame to find out what changed. */
   ms = 0;
 
@@ -41,12 +45,14 @@ export class Batches {
     this.#onfail = onfail;
     this.#renderer = new ManyRenderer(document as X3DDrawnDocument, () => this.#beforeFrame());
     hastenTicks();
+    this.#resting = new Resting(document as X3DDrawnDocument);
   }
 
   /** A Transform that a body moves came, or is to be looked at anew. */
-  note(transform: X3DNode, allowed: boolean): void {
+  note(transform: X3DNode, body: Binding, allowed: boolean): void {
     let member = this.#members.get(transform);
     if (!member) this.#members.set(transform, (member = new Member(transform as X3DTransform)));
+    member.body = body;
     member.allowed = allowed;
     this.#changed.add(member);
     // What stands above it is not its own any more.
@@ -125,7 +131,8 @@ export class Batches {
   #form(kind: Kind, parent: X3DBounded): void {
     const group = this.#groups.get(parent) ?? new Group(parent);
     this.#groups.set(parent, group);
-    kind.batch = new Batch(this.#renderer, group);
+    kind.batch = new Batch(this.#renderer, group, this.#resting);
+    this.all.add(kind.batch);
     for (const member of kind.members) kind.batch.add(member);
   }
 
@@ -143,6 +150,7 @@ export class Batches {
   #dissolve(kind: Kind): void {
     const { batch } = kind;
     kind.batch = undefined;
+    if (batch) this.all.delete(batch);
     for (const member of [...(batch?.members ?? [])]) batch!.remove(member);
   }
 

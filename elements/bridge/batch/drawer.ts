@@ -1,6 +1,7 @@
 import { collectionOf } from '../document/structure.js';
 import type { Target } from '../drawing/drawing.js';
 import type { Binding } from '../nodes/binding.js';
+import type { PageWorld } from '../nodes/surroundings.js';
 import { attribute } from '../words/dom.js';
 import { nodeOf, type X3DDocument, type X3DNode } from '../x3dom/x3dom.js';
 import { Batches } from './batches.js';
@@ -9,7 +10,7 @@ import { DrawnWorld, type Drawn, type DrawnBody } from './drawn-world.js';
 /** The `<x3d>` whose bodies are drawn. */
 export interface DrawnScene {
   readonly document: X3DDocument | undefined;
-  readonly drawing: { targetsOf(body: Binding): Target[] };
+  readonly drawing: { targetsOf(body: Binding): readonly Target[] };
   bindings(): Iterable<Binding>;
   requestRender(): void;
 }
@@ -58,7 +59,7 @@ export class Drawer implements Drawn {
     if (!document || this.#failed) return;
     if (document !== this.#batches?.document)
       this.#batches = new Batches(document, (why) => this.#fail(why, body));
-    this.#batches.note(node, mayBeBatched(node, body));
+    this.#batches.note(node, body, mayBeBatched(node, body));
     if (body.world) body.world.drawing ??= new DrawnWorld(this, body.world);
   }
 
@@ -66,6 +67,19 @@ export class Drawer implements Drawn {
 
   get ms(): number {
     return this.#batches?.ms ?? 0;
+  }
+
+  /** Asked in every frame by some: the page is not searched for bodies. */
+  count(world: PageWorld): { batches: number; drawsSaved: number } {
+    const counts = { batches: 0, drawsSaved: 0 };
+    for (const { members } of this.#batches?.all ?? []) {
+      let own = 0;
+      for (const { body } of members) if (body.world === world) own++;
+      if (own === 0) continue;
+      counts.batches++;
+      counts.drawsSaved += own - 1;
+    }
+    return counts;
   }
 
   *bodies(): Generator<DrawnBody> {

@@ -16,6 +16,8 @@ export interface Drawn {
   readonly bytes: number;
   /** Milliseconds per frame. */
   readonly ms: number;
+  /** Batches with bodies of a world, and how many draws those save. */
+  count(world: PageWorld): { batches: number; drawsSaved: number };
   bodies(): Iterable<DrawnBody>;
   of(body: Binding): DrawnBody | undefined;
 }
@@ -46,9 +48,7 @@ export class DrawnWorld implements WorldDrawing {
   }
 
   get stats() {
-    const batched = this.#batched();
-    const batches = new Set(batched.map(({ batch }) => batch)).size;
-    return { batches, drawsSaved: batched.length - batches };
+    return this.#drawn.count(this.#world);
   }
 
   get effects(): EffectReport[] {

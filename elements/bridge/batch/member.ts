@@ -1,3 +1,4 @@
+import type { Binding } from '../nodes/binding.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
 import type { X3DBounded, X3DShape, X3DTransform, Way } from '../x3dom/renderer.js';
 import { scalingOf } from './boxes.js';
@@ -8,6 +9,8 @@ import { passes, Strand } from './strand.js';
 /** A Transform that a body moves, and the one Shape in it. */
 export class Member {
   readonly transform: X3DTransform;
+  /** What moves it. */
+  body!: Binding;
   /** Whether its author allows it to be drawn with others. */
   allowed = true;
   /** From what it stands in to its Shape. */

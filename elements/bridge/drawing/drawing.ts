@@ -27,6 +27,13 @@ export interface Target {
   node?: X3DNode | undefined;
 }
 
+/** What a body moves. */
+interface Moved {
+  body: Binding;
+  targets: readonly Target[];
+  above: readonly Element[];
+}
+
 /** The slice of a body's node that drawing needs. */
 interface Body {
   slot: number;
@@ -73,9 +80,10 @@ function linearMatrix([a, b, c, d, e, f, g, h, i]: number[]): Affine {
 export class Drawing {
   /** Targets by the Transforms above them: when one of those moves, the local matrix below changes. */
   readonly #under = new Sets<Element, Binding>();
-  readonly #targets = new Map<Binding, { targets: Target[]; above: Element[] }>();
+  readonly #targets = new Map<Binding, Moved>();
   readonly #byElement = new Map<Element, Binding>();
-  readonly #bindings = new WeakMap<object, Binding>();
+  /** The same by the body's node: one look for each body that moves. */
+  readonly #byNode = new WeakMap<object, Moved>();
 
   readonly #requestRender: () => void;
   /** What a body moves came, or is to be looked at anew. */
@@ -89,10 +97,11 @@ export class Drawing {
   /** What a body moves from now on, and the Transforms above that. */
   setTargets(binding: Binding, targets: Target[], above: Element[]): void {
     this.forget(binding);
-    this.#targets.set(binding, { targets, above });
+    const moved: Moved = { body: binding, targets, above };
+    this.#targets.set(binding, moved);
     for (const { element } of targets) this.#byElement.set(element, binding);
     for (const element of above) this.#under.add(element, binding);
-    if (binding.node) this.#bindings.set(binding.node, binding);
+    if (binding.node) this.#byNode.set(binding.node, moved);
   }
 
   forget(binding: Binding): void {
@@ -103,6 +112,7 @@ export class Drawing {
       if (this.#byElement.get(element) === binding) this.#byElement.delete(element);
     }
     for (const element of known.above) this.#under.delete(element, binding);
+    known.targets = [];
   }
 
   /** The body that moves an element. */
@@ -110,7 +120,7 @@ export class Drawing {
     return this.#byElement.get(element);
   }
 
-  targetsOf(binding: Binding): Target[] {
+  targetsOf(binding: Binding): readonly Target[] {
     return this.#targets.get(binding)?.targets ?? [];
   }
 
@@ -124,8 +134,8 @@ export class Drawing {
     const { moved, movedCount, data } = physics.poses;
     for (let i = 0; i < movedCount; i++) {
       const body = physics.bodies.at(moved[i]) as Body | undefined;
-      const binding = body && this.#bindings.get(body);
-      if (binding) this.#draw(binding, moved[i] * POSE, data);
+      const known = body && this.#byNode.get(body);
+      if (known) this.#draw(known, moved[i] * POSE, data);
     }
     if (movedCount > 0) this.#requestRender();
   }
@@ -142,19 +152,18 @@ export class Drawing {
   #redraw(binding: Binding): void {
     const body = binding.node as Body | null;
     if (!body || !binding.world || body.slot < 0) return;
-    this.#draw(binding, body.slot * POSE, binding.world.poses.data);
+    const known = this.#targets.get(binding);
+    if (known) this.#draw(known, body.slot * POSE, binding.world.poses.data);
     this.#requestRender();
   }
 
-  #draw(binding: Binding, at: number, data: Float64Array): void {
-    const known = this.#targets.get(binding);
-    if (!known) return;
-    for (const target of known.targets) {
+  #draw({ body, targets }: Moved, at: number, data: Float64Array): void {
+    for (const target of targets) {
       const node = nodeOf(target.element);
       if (!node?._trafo) continue;
       this.#write(node, target, at, data);
-      const under = this.#under.get(target.element);
-      if (under) for (const below of under) if (below !== binding) this.#redraw(below);
+      const under = this.#under.isEmpty ? undefined : this.#under.get(target.element);
+      if (under) for (const below of under) if (below !== body) this.#redraw(below);
     }
   }
 

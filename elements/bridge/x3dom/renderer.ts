@@ -102,5 +102,5 @@ export interface X3DRenderer {
 /** A document that is drawn. */
 export interface X3DDrawnDocument extends X3DDocument {
   ctx: X3DRenderer;
-  _nodeBag: { renderTextures: unknown[] };
+  _nodeBag: { renderTextures: unknown[]; trans: { tick(time: number): boolean }[] };
 }

@@ -6,6 +6,7 @@ import {
   colored,
   covered,
   difference,
+  documentOf,
   draws,
   drawPlainly,
   errorOf,
@@ -328,6 +329,33 @@ describe('bodies drawn in one call', () => {
     await round(50);
     expect(made).to.equal(before);
     expect([draws(x3d), errorOf(x3d)]).to.eql([1, 0]);
+  });
+});
+
+describe('a Transform of a batch', () => {
+  it('is asked nothing in frames of x3dom until somebody listens to where it is', async () => {
+    const shown = await showBatched(boxes, 1);
+    const asked = (): unknown[] => documentOf(shown.x3d)._nodeBag.trans;
+    await until(() => asked().length < COUNT);
+    let heard = 0;
+    const transform = find(shown, '#t3');
+    transform.addEventListener('transform', () => heard++);
+    await until(() => heard > 2);
+    expect(asked()).to.include((transform as Element & { _x3domNode: unknown })._x3domNode);
+    find(shown, '#t4').setAttribute('ontransform', 'this.dataset.heard = "yes"');
+    await until(() => find(shown, '#t4').getAttribute('data-heard') === 'yes');
+    expect(draws(shown.x3d)).to.equal(1);
+  });
+
+  it('is asked again when it is drawn by itself', async () => {
+    const shown = await showBatched(boxes, 1);
+    const asked = (): unknown[] => documentOf(shown.x3d)._nodeBag.trans;
+    await until(() => asked().length < COUNT);
+    await drawPlainly(shown.collection, true);
+    expect(asked().length).to.be.above(COUNT);
+    for (const transform of shown.x3d.querySelectorAll('transform')) transform.remove();
+    await drawn();
+    expect(asked().length).to.be.below(COUNT);
   });
 });
 

@@ -12,6 +12,7 @@ interface Shown {
   needRender: boolean;
   _viewarea: unknown;
   _scene: { _lastMin: unknown; _lastMax: unknown };
+  _nodeBag: { trans: unknown[] };
 }
 
 export const documentOf = (x3d: Element): Shown =>
