@@ -120,8 +120,9 @@ export class Strand {
 
   giveBack(): void {
     for (const node of this.nodes) {
-      Reflect.deleteProperty(node, 'invalidateVolume');
-      Reflect.deleteProperty(node, 'getVolume');
+      const { invalidateVolume, getVolume } = Object.getPrototypeOf(node) as X3DBounded;
+      // What a property is deleted of is slow from then on.
+      Object.assign(node, { invalidateVolume, getVolume });
     }
     this.nodes.at(-1)!.invalidateVolume();
   }
