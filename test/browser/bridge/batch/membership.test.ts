@@ -225,14 +225,22 @@ describe('a body in groups of its own, drawn with others, that is given', () => 
       expect(errorOf(x3d)).to.equal(0);
     });
 
-  it('a body of its own in its group is drawn by itself', async () => {
-    claim('[waiting-for-geometry]');
-    const shown = await showBatched(wrapped(boxes), 1);
-    const { x3d } = shown;
-    find(shown, '#i3').insertAdjacentHTML('beforeend', '<x3d-rigid-body></x3d-rigid-body>');
-    await drawn();
-    expect(draws(x3d)).to.equal(2);
-  });
+  for (const [what, where, body] of [
+    ['a body of its own in its group', '#i3', '<x3d-rigid-body></x3d-rigid-body>'],
+    [
+      'a body elsewhere that moves its group',
+      'scene',
+      '<x3d-rigid-body><x3d-collidable-shape for="i3"></x3d-collidable-shape></x3d-rigid-body>',
+    ],
+  ] as const)
+    it(`${what} is drawn by itself`, async () => {
+      const shown = await showBatched(wrapped(boxes), 1);
+      const { x3d } = shown;
+      find(shown, where).insertAdjacentHTML('beforeend', body);
+      await drawn();
+      claim('[waiting-for-geometry]');
+      expect(draws(x3d)).to.equal(2);
+    });
 });
 
 describe('bodies drawn in one call', () => {

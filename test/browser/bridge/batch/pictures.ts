@@ -72,7 +72,7 @@ export const wrapped = (all: string): string =>
     .replaceAll(
       /<transform id="t(\d+)"/g,
       (text, i: string) =>
-        `<group id="g${i}"><transform id="o${i}" translation="0.2 0 0" rotation="0 0 1 0.3" scale="1 0.8 1.1">${text}`,
+        `<group id="g${i}"><transform id="o${i}" translation="0.2 0 0" rotation="0 0 1 0.3" scale="1 0.8 1.1"><transform id="p${i}" rotation="1 0 0 0.2">${text}`,
     )
     .replaceAll(
       /<shape id="s(\d+)"/g,
@@ -82,7 +82,7 @@ export const wrapped = (all: string): string =>
     .replaceAll('</shape>', '</shape></transform></group>')
     .replaceAll(
       '</x3d-rigid-body></transform>',
-      '</x3d-rigid-body></transform></transform></group>',
+      '</x3d-rigid-body></transform></transform></transform></group>',
     );
 
 /** Each in a colour of its own. */
