@@ -367,6 +367,19 @@ describe('a Transform of a batch', () => {
   });
 });
 
+describe('bodies that are seen through', () => {
+  it('are left to x3dom, alike as they may be: it draws them from the back to the front', async () => {
+    const glass = bodies(
+      COUNT,
+      (i) => `${colored(i, 'transparency="0.5"')}<box size="1 1 1"></box>`,
+    );
+    const { x3d, world } = await showBatched(glass, COUNT);
+    await until(() => world.stats.batches === 0, 5000);
+    await drawn();
+    expect(draws(x3d)).to.equal(COUNT);
+  });
+});
+
 describe('bodies of unlike looks', () => {
   it('are left to x3dom', async () => {
     const unlike = bodies(COUNT, (i) => `${colored(i)}<cone height="${1 + i / 100}"></cone>`);
