@@ -15,12 +15,13 @@ const EXPORT_BLOCK = /if \(typeof exports === 'object' && typeof module === 'obj
 
 const isGlue = (path) => path.endsWith('/ammojs-typed/ammo/ammo.wasm.js');
 
-export function glueToModule(code) {
+/** `sources`: those that call it, where they are more than the core. */
+export function glueToModule(code, sources) {
   // Another release of the glue may read differently: better no build than a broken one.
   if (!code.includes(NODE_TEST) || !EXPORT_BLOCK.test(code)) {
     throw new Error('tools/engine/ammo-module.js does not know this version of ammojs-typed');
   }
-  return usedGlue(code)
+  return usedGlue(code, sources)
     .code.replace(NODE_TEST, 'false')
     .replace(EXPORT_BLOCK, 'export default Ammo;\n');
 }

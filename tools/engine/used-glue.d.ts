@@ -1,1 +1,1 @@
-export function usedGlue(code: string): { code: string; unused: string[] };
+export function usedGlue(code: string, sources?: string[]): { code: string; unused: string[] };

@@ -8,13 +8,15 @@ import { readFileSync } from 'node:fs';
 import { parseAst } from 'rollup/parseAst';
 import { globSync } from '../files.js';
 
-const SOURCES = 'physics-core/**/*.ts';
+const SOURCES = ['physics-core/**/*.ts'];
 
 /** Another release of the glue may read differently: better no build than a broken one. */
 const FEWEST = 1000;
 
-const sourceWords = () =>
-  new Set(globSync(SOURCES).flatMap((file) => readFileSync(file, 'utf8').match(/[\w$]+/g)));
+function wordsIn(sources) {
+  const files = sources.flatMap((pattern) => globSync(pattern));
+  return new Set(files.flatMap((file) => readFileSync(file, 'utf8').match(/[\w$]+/g)));
+}
 
 /** Variables of the glue that a piece of it speaks of: not what it calls so itself. */
 function namesIn(node, names = new Set()) {
@@ -110,12 +112,12 @@ function reach({ classes }, words) {
   return kept;
 }
 
-/** The glue without what nobody calls, and the exports of the wasm that only that called. */
-export function usedGlue(code) {
+/** The glue without what no source calls, and the exports of the wasm that only that called. */
+export function usedGlue(code, sources = SOURCES) {
   const glue = new Glue(code);
   if (glue.bindings.size < FEWEST)
     throw new Error('tools/engine/used-glue.js does not know this version of ammojs-typed');
-  const kept = reach(glue, sourceWords());
+  const kept = reach(glue, wordsIn(sources));
   const cuts = [];
   const unused = [];
   for (const [variable, { init, export: name }] of glue.bindings) {
