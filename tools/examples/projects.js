@@ -73,10 +73,14 @@ const VITE = ['node_modules/vite/bin/vite.js', '--port', String(PORT)];
 /** React says so of each tag that it does not know; x3dom's have no hyphen. */
 const REACT_SAYS = ['is unrecognized in this browser'];
 
+/** An edit may make the canvas anew. x3dom gives no context back: the browser does, when it collects what is gone. */
+const HOT_SAYS = ['Too many active WebGL contexts'];
+
 /** A component is edited while it runs; what else holds of the example holds as it is built. */
 const hot = (example, ...path) => ({
   served: server(example, ...VITE),
   facts: hotFacts(example, ...path),
+  says: HOT_SAYS,
 });
 
 /** By name of example: the ways in which it is served, and what its framework always says there. */
@@ -100,7 +104,7 @@ export const RUNS = {
     'in its dev server, in strict mode': {
       served: server('react', ...VITE),
       more: hotFacts('react', 'src', 'Scene.tsx'),
-      says: REACT_SAYS,
+      says: [...REACT_SAYS, ...HOT_SAYS],
     },
   },
   solid: {

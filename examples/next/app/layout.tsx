@@ -13,8 +13,8 @@ export default function Layout({ children }: { children: ReactNode }) {
   return (
     <html lang="en">
       <body>
-        {/* A classic script: it comes by a tag of its own, see x3dom.js/route.ts. */}
-        <Script src="/x3dom.js" strategy="beforeInteractive" />
+        {/* A classic script by a tag of its own, see x3dom.js/route.ts; it writes into the page, so React comes first. */}
+        <Script src="/x3dom.js" strategy="afterInteractive" />
         <nav>
           <Link href="/">Blocks</Link> <Link href="/about">About</Link>{' '}
           {/* x3dom reads a page once, when it is loaded: a whole page for whoever goes there. */}
