@@ -1,27 +1,14 @@
 import { readFileSync } from 'node:fs';
-import { build } from 'esbuild';
 import { chromium, type Browser, type Page } from 'playwright';
 // @ts-expect-error plain JavaScript
 import { CHROMIUM_ARGUMENTS, findChromium } from '../../tools/browsers.js';
 // @ts-expect-error plain JavaScript
 import { findFile } from '../../tools/static-files.js';
 import type { Measure } from './in-page/index.js';
+import { inPageBundle } from '../in-page-bundle.js';
 
 const HOST = 'http://lab.test';
 const PATIENCE = 120_000;
-
-async function bundle(): Promise<string> {
-  const { outputFiles } = await build({
-    entryPoints: ['lab/drawing/in-page/index.ts'],
-    bundle: true,
-    format: 'iife',
-    target: 'es2022',
-    tsconfig: 'tsconfig.json',
-    logLevel: 'warning',
-    write: false,
-  });
-  return outputFiles[0]!.text;
-}
 
 /** Runs in the page: whether it moves, with as many batches. */
 function isThere(batches: number): boolean {
@@ -43,7 +30,10 @@ export class Pages {
   static async open(): Promise<Pages> {
     const executablePath = (await findChromium()) as string;
     const args = CHROMIUM_ARGUMENTS as string[];
-    return new Pages(await chromium.launch({ executablePath, args }), await bundle());
+    return new Pages(
+      await chromium.launch({ executablePath, args }),
+      await inPageBundle('lab/drawing/in-page/index.ts'),
+    );
   }
 
   /** What is measured in a page of its own, once so many batches move there. */

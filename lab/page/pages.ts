@@ -1,29 +1,16 @@
 import { readFileSync } from 'node:fs';
-import { build } from 'esbuild';
 // @ts-expect-error plain JavaScript
 import { findFile } from '../../tools/static-files.js';
 import { AskedBrowser, type Answer, type AskedPages } from '../run/asked-browser.js';
 import type { Asked, Found } from './asked.js';
 import { libraryOf } from './libraries/index.js';
 import { SCENES } from './scene.js';
+import { inPageBundle } from '../in-page-bundle.js';
 
 /** The driver's page; frames lie side by side, all in sight. */
 const DRIVER = `<!DOCTYPE html><meta charset="utf-8"><title>Pages</title>
 <style>body { margin: 0 } iframe { width: 250px; height: 190px; border: 0 }</style>
 <script type="module" src="/driver.js"></script>`;
-
-async function bundle(name: string): Promise<string> {
-  const { outputFiles } = await build({
-    entryPoints: [`lab/page/in-page/${name}.ts`],
-    bundle: true,
-    format: 'iife',
-    target: 'es2022',
-    tsconfig: 'tsconfig.json',
-    logLevel: 'warning',
-    write: false,
-  });
-  return outputFiles[0]!.text;
-}
 
 export interface PageName {
   library: string;
@@ -59,8 +46,8 @@ function fileAt(path: string): Answer | undefined {
 export async function makePages(): Promise<AskedPages> {
   const own: Record<string, Answer> = {
     '/': ['text/html', DRIVER],
-    '/hooks.js': ['text/javascript', await bundle('hooks')],
-    '/driver.js': ['text/javascript', await bundle('driver')],
+    '/hooks.js': ['text/javascript', await inPageBundle('lab/page/in-page/hooks.ts')],
+    '/driver.js': ['text/javascript', await inPageBundle('lab/page/in-page/driver.ts')],
   };
   const answer = (url: string): Answer | undefined => {
     const address = new URL(url, 'http://localhost');

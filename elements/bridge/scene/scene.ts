@@ -49,6 +49,8 @@ export class Scene implements Driven, Site, Stage {
   readonly tree: Tree;
   readonly reports: Reports;
   live = false;
+  /** Once, not in each frame. */
+  readonly #picture = (): number => millisecondsOfPicture(this.x3d);
   #readBy: X3DDocument | undefined;
   /** Scrolled away or not shown: worlds pause. */
   inView = true;
@@ -242,7 +244,7 @@ export class Scene implements Driven, Site, Stage {
     this.drawing.drawMoved(world);
     this.routes.send(world);
     this.debug.draw(world);
-    world.stepping.frameOver(start, () => millisecondsOfPicture(this.x3d));
+    world.stepping.frameOver(start, this.#picture);
   }
 }
 

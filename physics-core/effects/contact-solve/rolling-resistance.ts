@@ -70,7 +70,7 @@ export class RollingResistance {
       if (this.#isHeap(i)) this.#heaped.set(pointers[i]!, this.#simulation.time);
   }
 
-  /** Rows for the bodies of a part that lies in a heap. */
+  /** Rows for those bodies of a part that lie in a heap or came out of one. */
   add(part: Part): void {
     if (part.jointed || this.#heaped.size === 0) return;
     this.#readLoads(part);
