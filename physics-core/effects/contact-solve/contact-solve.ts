@@ -195,7 +195,7 @@ export class ContactSolve extends Effect {
     for (let i = 0; i < parts.length; i++) {
       const part = parts[i]!;
       part.inHeap = this.#rolling.isHeap(part);
-      if (!this.#reader.read(part)) continue;
+      if (!this.#reader.read(part, ways[i] !== 'matrix')) continue;
       this.#rolling.add(part);
       this.#try(part, ways[i]!);
     }

@@ -20,7 +20,7 @@ export class PartReader {
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   readonly #corners: TurningCorners;
-  readonly #step: ContactStep = { dt: 0, slop: 0, written: NONE };
+  readonly #step: ContactStep = { dt: 0, slop: 0, swept: false, written: NONE };
   /** Points that are left to Bullet. */
   #special: ReadonlySet<number> = NONE;
 
@@ -50,8 +50,8 @@ export class PartReader {
     this.#joints.begin();
   }
 
-  /** False: there is something that only Bullet can do. */
-  read(part: Part): boolean {
+  /** False: there is something that only Bullet can do. `swept`: its contacts are gone over one at a time. */
+  read(part: Part, swept: boolean): boolean {
     const { ammo } = this.#simulation.engine;
     for (const body of part.bodies)
       // What is woken by the first touch has contacts that nobody looked at in this step.
@@ -59,6 +59,7 @@ export class PartReader {
         return false;
     if (!this.#readJoints(part)) return false;
     part.jointed = part.rows.length > 0;
+    this.#step.swept = swept && !part.jointed;
     for (const manifold of part.manifolds) if (!this.#readContacts(manifold, part)) return false;
     return part.contacts.length > 0;
   }

@@ -26,11 +26,20 @@ const PUSH_SHARE = 0.8;
  */
 const BAND = 8e-6;
 
+/**
+ * Where contacts are gone over one at a time, one may be off by so much, either way, and go on bearing what it bore, metres:
+ * they contradict each other by as much. Let go of or pushed apart at once, loads wander from one to the next, and heaps
+ * creep by half a millimetre a second (measured).
+ */
+const SWEPT_BAND = 3e-5;
+
 /** What a contact point needs to know of the step. */
 export interface ContactStep {
   dt: number;
   /** Depth that resting contacts keep, metres. */
   slop: number;
+  /** They are gone over one at a time. */
+  swept: boolean;
   /** Points whose distance was written for the solver, by pointer. */
   written: ReadonlySet<number>;
 }
@@ -111,9 +120,9 @@ export class ContactPort {
   #readTargets(c: Float64Array, at: number, p: number, q: number, step: ContactStep): void {
     const { pointer, solverDistance, restitution } = this.#point;
     const asked = step.written.has(pointer);
-    const gap = solverDistance + step.slop;
+    const gap = this.#gapOf(solverDistance + step.slop, step.swept);
     const share = asked || gap < -SHALLOW ? PUSH_SHARE : SHARE;
-    c[at + C.target] = gap > BAND ? -gap / step.dt : 0;
+    c[at + C.target] = gap > 0 ? -gap / step.dt : 0;
     c[at + C.overlap] = gap < 0 ? -gap * share : 0;
     if (restitution === 0) return;
     // Of the approach before forces act, as Bullet has it.
@@ -122,6 +131,13 @@ export class ContactPort {
     if (back <= 0) return;
     c[at + C.target] = back;
     c[at + C.overlap] = 0;
+  }
+
+  /** What is to be closed, or is less than it should be, metres. */
+  #gapOf(gap: number, swept: boolean): number {
+    const sunk = swept ? SWEPT_BAND : 0;
+    const risen = this.#point.impulse > 0 ? sunk : 0;
+    return gap > Math.max(BAND, risen) ? gap - risen : Math.min(0, gap + sunk);
   }
 
   /** What its author moves has a speed, though nothing pushes it. */
