@@ -69,6 +69,7 @@ const rebuilt = (example, script, serving) => async () => {
 const NEXT = ['node_modules/next/dist/bin/next', 'start', '--port', String(PORT)];
 const NEXT_DEV = ['node_modules/next/dist/bin/next', 'dev', '--port', String(PORT)];
 const VITE = ['node_modules/vite/bin/vite.js', '--port', String(PORT)];
+const NG = ['node_modules/@angular/cli/bin/ng.js', 'serve', '--port', String(PORT)];
 
 /** React says so of each tag that it does not know; x3dom's have no hyphen. */
 const REACT_SAYS = ['is unrecognized in this browser'];
@@ -77,8 +78,8 @@ const REACT_SAYS = ['is unrecognized in this browser'];
 const HOT_SAYS = ['Too many active WebGL contexts'];
 
 /** A component is edited while it runs; what else holds of the example holds as it is built. */
-const hot = (example, ...path) => ({
-  served: server(example, ...VITE),
+const hot = (example, command, ...path) => ({
+  served: server(example, ...command),
   facts: hotFacts(example, ...path),
   says: HOT_SAYS,
 });
@@ -97,7 +98,10 @@ export const RUNS = {
       says: REACT_SAYS,
     },
   },
-  angular: { built: { served: files('angular', 'dist') } },
+  angular: {
+    built: { served: files('angular', 'dist') },
+    'in its dev server': hot('angular', NG, 'src', 'app', 'scene.html'),
+  },
   plain: { 'as it is': { served: files('plain') } },
   react: {
     built: { served: files('react', 'dist') },
@@ -109,14 +113,14 @@ export const RUNS = {
   },
   solid: {
     built: { served: files('solid', 'dist') },
-    'in its dev server': hot('solid', 'src', 'Scene.tsx'),
+    'in its dev server': hot('solid', VITE, 'src', 'Scene.tsx'),
   },
   svelte: {
     built: { served: files('svelte', 'dist') },
-    'in its dev server': hot('svelte', 'src', 'Scene.svelte'),
+    'in its dev server': hot('svelte', VITE, 'src', 'Scene.svelte'),
   },
   vue: {
     built: { served: files('vue', 'dist') },
-    'in its dev server': hot('vue', 'src', 'Blocks.vue'),
+    'in its dev server': hot('vue', VITE, 'src', 'Blocks.vue'),
   },
 };
