@@ -39,6 +39,7 @@ const CHECKS = [
   ['types: the core in Node', entries.coreTypesStandAlone],
   ['types: one element by itself', entries.oneElementCompiles],
   ['module build, by an import map, with its ui', pages.moduleBuild],
+  ['module build from another origin, by an import map, with its ui', pages.otherOrigin],
   ['elements by themselves', pages.singleElements],
   ['classic script with ammo.wasm and ui/ alone, with its ui', pages.classicScript],
   ['single script from disk, alone', pages.singleScript],

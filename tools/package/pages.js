@@ -105,6 +105,23 @@ export async function moduleBuild(application, browser) {
   assert.ok(!came(loaded, 'wasm-as-text'), 'its spare is not');
 }
 
+/** As from a server of packages: page and package have different origins. */
+export async function otherOrigin(application, browser) {
+  const { port, close } = await serve(join(application, DIST), PORT + 50);
+  const imports = { 'x3d-physics': `http://localhost:${port}/x3d-physics.js` };
+  const head = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
+  const folder = site(application, 'origin', html(head + MODULE, VIEWS), {
+    'main.js': { text: MAIN },
+  });
+  try {
+    const loaded = await served(browser, folder, showsViews);
+    assert.ok(came(loaded, `${port}/ammo.wasm`) && came(loaded, `${port}/ui/monitor.js`));
+    assert.ok(!came(loaded, 'wasm-as-text'), 'ammo.wasm is found');
+  } finally {
+    await close();
+  }
+}
+
 /** Only the elements that a page imports. */
 export async function singleElements(application, browser) {
   const folder = site(
