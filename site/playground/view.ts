@@ -15,7 +15,10 @@ const PAGE = `
   <div class="text" data-part="text"></div>
   <div class="scene" data-part="scene"></div>
 </div>
-<p class="word" data-part="word" role="status"></p>`;
+<div class="foot">
+  <p class="word" data-part="word" role="status"></p>
+  <p class="keys" id="playground-keys">Tab indents. Escape, then Tab leaves the text.</p>
+</div>`;
 
 const PARTS = [
   'menu',

@@ -104,7 +104,11 @@ export function createEditor(
       hover(vocabulary),
       lintGutter(),
       EditorView.lineWrapping,
-      EditorView.contentAttributes.of({ 'aria-label': 'Markup of the scene', tabindex: '0' }),
+      EditorView.contentAttributes.of({
+        'aria-label': 'Markup of the scene',
+        'aria-describedby': 'playground-keys',
+        tabindex: '0',
+      }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) textChanged(update.state.doc.toString());
       }),

@@ -34,9 +34,17 @@ export const looks: Facts = {
     assert.ok((await time(tab)) > 0);
   },
 
-  'Tab indents; after Escape it leaves the text': async (browser, address) => {
+  'Tab indents; after Escape it leaves the text, which says so while it has the focus': async (
+    browser,
+    address,
+  ) => {
     const tab = await Tab.open(browser, address, BOXES);
+    const word = tab.page.getByText('Escape, then Tab leaves the text');
+    assert.ok(!(await word.isVisible()));
     await tab.select('<scene>');
+    assert.ok(await word.isVisible());
+    const described = tab.page.getByRole('textbox', { name: 'Markup of the scene' });
+    assert.equal(await described.getAttribute('aria-describedby'), await word.getAttribute('id'));
     await tab.page.keyboard.press('Tab');
     assert.match(await tab.text(), /^\s+<scene>/);
     await tab.page.keyboard.press('Escape');
