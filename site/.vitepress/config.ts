@@ -1,5 +1,6 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { defineConfig, type DefaultTheme } from 'vitepress';
+import { charts } from '../markdown/charts.js';
 import { liveExamples } from '../markdown/fence.js';
 import { emptyHeads } from '../markdown/tables.js';
 import { sidebar } from './sidebar.js';
@@ -52,7 +53,7 @@ export default defineConfig({
   markdown: {
     // The contrast that small text needs.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
-    config: (md) => md.use(liveExamples, base).use(emptyHeads),
+    config: (md) => md.use(liveExamples, base).use(charts, base).use(emptyHeads),
   },
   themeConfig: {
     nav,
