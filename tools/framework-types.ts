@@ -150,6 +150,30 @@ declare module 'react' {
 }
 `;
 
+/** Preact takes both spellings, and listeners as they are called: `oncollisionstart`. */
+const PREACT = `${IMPORT}import type { ClassAttributes, HTMLAttributes } from 'preact';
+
+type Html<Own, Element extends EventTarget> = Own &
+  Omit<HTMLAttributes<Element>, keyof Own> &
+  ClassAttributes<Element>;
+
+type Tags = {
+  [Tag in keyof Physics.PhysicsTags]: Html<Physics.PhysicsElements[Tag], Physics.PhysicsTags[Tag]['element']>;
+};
+type SceneTags = {
+  [Tag in keyof Physics.SceneTags]: Html<
+    Physics.SceneTags[Tag] & Physics.Lower<Physics.SceneTags[Tag]>,
+    HTMLElement
+  >;
+};
+
+declare module 'preact' {
+  namespace JSX {
+    interface IntrinsicElements extends Tags, SceneTags {}
+  }
+}
+`;
+
 /** Solid sets properties, unless it is told otherwise. */
 const SOLID = `${IMPORT}import type { JSX } from 'solid-js';
 
@@ -233,6 +257,7 @@ export function frameworkTypes(types: NodeType[], ui: readonly UIClass[]): Recor
       physicsTags(types, ui),
       TAIL,
     ].join('\n'),
+    preact: PREACT,
     react: REACT,
     solid: SOLID,
     svelte: SVELTE,

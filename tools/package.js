@@ -35,7 +35,7 @@ const CHECKS = [
   ['the core runs in Node', entries.coreRuns],
   ['the core runs in a thread of Node', entries.coreRunsInThread],
   ['the core runs in Node as a bundle without ammo.wasm', entries.coreRunsBundled],
-  ['types: programs, React, Solid, Svelte, Vue', entries.everyTypeCompiles],
+  ['types: programs, React, Preact, Solid, Svelte, Vue', entries.everyTypeCompiles],
   ['types: the core in Node', entries.coreTypesStandAlone],
   ['types: one element by itself', entries.oneElementCompiles],
   ['module build, by an import map, with its ui', pages.moduleBuild],

@@ -12,6 +12,8 @@ const PLACES = {
   vue: { section: 'Vue', files: ['src/guide-snippet.config.ts', 'src/GuideSnippet.vue'] },
   svelte: { section: 'Svelte', files: ['src/GuideSnippet.svelte'] },
   solid: { section: 'Solid', files: ['src/guide-snippet.tsx'] },
+  preact: { section: 'Preact', files: ['src/guide-snippet.tsx'] },
+  lit: { section: 'Lit, and others with shadow roots', files: ['src/guide-snippet.ts'] },
   angular: { section: 'Angular', files: ['src/app/guide-snippet.ts'] },
 };
 

@@ -102,7 +102,9 @@ export const RUNS = {
     built: { served: files('angular', 'dist') },
     'in its dev server': hot('angular', NG, 'src', 'app', 'scene.html'),
   },
+  lit: { built: { served: files('lit', 'dist') } },
   plain: { 'as it is': { served: files('plain') } },
+  preact: { built: { served: files('preact', 'dist') } },
   react: {
     built: { served: files('react', 'dist') },
     'in its dev server, in strict mode': {

@@ -12,7 +12,9 @@ import { dirname, join } from 'node:path';
 import { npm } from '../processes.js';
 
 /** Whose templates know our tags. */
-const FRAMEWORKS = ['@types/node@20', '@types/react@19', 'solid-js@1', 'svelte@5', 'vue@3'];
+const FRAMEWORKS = [
+  ...['@types/node@20', '@types/react@19', 'preact@10', 'solid-js@1', 'svelte@5', 'vue@3'],
+];
 
 export const SCENE = `<x3d width="300px" height="200px"><scene>
   <transform translation="0 5 0"><shape><box></box></shape><x3d-rigid-body id="ball"></x3d-rigid-body></transform>

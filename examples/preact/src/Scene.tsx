@@ -1,0 +1,58 @@
+import 'x3d-physics/preact';
+import { startOf, type Block } from './block.ts';
+
+interface Props {
+  blocks: Block[];
+  lamp: boolean;
+  onHit: (id: number) => void;
+}
+
+export const Scene = ({ blocks, lamp, onHit }: Props) => (
+  <x3d>
+    <scene>
+      <viewpoint position="0 4 14" orientation="1 0 0 -0.15" />
+      <navigationinfo headlight="false" />
+      <directionallight direction="-0.5 -1 -0.8" ambientIntensity="0.4" />
+      <background skyColor="0.87 0.9 0.93" />
+      <transform translation="0 -0.5 0">
+        <shape>
+          <appearance>
+            <material diffuseColor="0.55 0.62 0.7" />
+          </appearance>
+          <box size="14 1 6" />
+        </shape>
+        <x3d-rigid-body id="floor" fixed />
+      </transform>
+      {blocks.map((block) => (
+        <transform key={block.id} translation={startOf(block)}>
+          <shape>
+            <appearance>
+              <material diffuseColor={block.color} />
+            </appearance>
+            <box size="1 1 1" />
+          </shape>
+          <x3d-rigid-body
+            id={`block-${block.id}`}
+            mass={block.mass}
+            draggableBody
+            oncollisionstart={() => onHit(block.id)}
+          />
+        </transform>
+      ))}
+      {lamp && (
+        <>
+          <transform translation="3 7 -2">
+            <shape>
+              <appearance>
+                <material diffuseColor="1 0.9 0.5" emissiveColor="0.5 0.4 0.1" />
+              </appearance>
+              <sphere radius="0.4" />
+            </shape>
+            <x3d-rigid-body id="lamp" />
+          </transform>
+          <x3d-ball-joint body1="lamp" anchorPoint={[0, 7, -2]} />
+        </>
+      )}
+    </scene>
+  </x3d>
+);
