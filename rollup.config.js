@@ -56,7 +56,6 @@ const modules = {
   input: {
     'x3d-physics': 'elements/index.ts',
     core: 'physics-core/index.ts',
-    'accuracy-worker': 'physics-core/accuracy/worker.ts',
     ...Object.fromEntries(
       globSync('elements/x3d-*.ts').map((file) => [file.replace(/\.ts$/, ''), file]),
     ),

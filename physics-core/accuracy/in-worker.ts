@@ -1,11 +1,13 @@
 import type { Measured, Watching } from '../world/measuring.js';
-import type { Answer, Order } from './worker.js';
+import { NAME, type Answer, type Order } from './orders.js';
 
 /** Milliseconds that a worker may take to load. */
 const LATEST = 10_000;
 
-/** Beside this file, where nobody says otherwise. */
-const besides = (): string => new URL('./accuracy-worker.js', import.meta.url).href;
+/** Beside this file, where nobody says otherwise. One file with all that it needs: bundlers copy it as it is. */
+const besides = (): string => new URL('./x3d-physics.classic.js', import.meta.url).href;
+
+const OPTIONS: WorkerOptions = { type: 'module', name: NAME };
 
 /** Measures in a worker. Undefined: the page allows none (its security policy, opened from disk), or there is no file for it. */
 export async function inWorker(
@@ -24,10 +26,10 @@ export async function inWorker(
 
 /** Scripts of another server are only taken from within one of the page's own. */
 function startWorker({ origin, href }: URL): Worker {
-  if (origin === location.origin) return new Worker(href, { type: 'module' });
+  if (origin === location.origin) return new Worker(href, OPTIONS);
   const source = new Blob([`import ${JSON.stringify(href)};`], { type: 'text/javascript' });
   const address = URL.createObjectURL(source);
-  const worker = new Worker(address, { type: 'module' });
+  const worker = new Worker(address, OPTIONS);
   worker.addEventListener('message', () => URL.revokeObjectURL(address), { once: true });
   return worker;
 }

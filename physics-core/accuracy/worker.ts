@@ -1,18 +1,9 @@
-// Where measurements run so that the page's frames don't: the file accuracy-worker.js.
+// Where measurements run so that the page's frames don't: a classic script, which is whole by itself, as a worker.
 import { chunks } from '../world/chunks/all.js';
 import { loadEngine } from '../engine/engine.js';
 import type { Measured } from '../world/measuring.js';
-import { Measurement, type Job } from './measurement.js';
-
-/** What the page sends. */
-export interface Order {
-  job: Job;
-  program: WebAssembly.Module | undefined;
-}
-
-/** What it hears. */
-export type Answer =
-  { ready: true } | { done: number } | { measured: Measured[] } | { failed: string };
+import { Measurement } from './measurement.js';
+import { NAME, type Answer, type Order } from './orders.js';
 
 /** Milliseconds between two words on how far it is. */
 const PACE = 50;
@@ -30,7 +21,7 @@ function measure(work: Generator<number, Measured[]>): Measured[] {
   }
 }
 
-addEventListener('message', async ({ data: { job, program } }: MessageEvent<Order>) => {
+async function take({ data: { job, program } }: MessageEvent<Order>): Promise<void> {
   try {
     const code = chunks.map((chunk) => chunk.load());
     const [engine] = await Promise.all([loadEngine({ program }), ...code]);
@@ -38,6 +29,15 @@ addEventListener('message', async ({ data: { job, program } }: MessageEvent<Orde
   } catch (error) {
     answer({ failed: String(error) });
   }
-});
+}
 
-answer({ ready: true });
+/** Whether this is that worker, and no page, and none of a page's own. */
+export function isMeasuring(): boolean {
+  const { document, name } = globalThis as { document?: unknown; name?: unknown };
+  return !document && name === NAME;
+}
+
+export function takeOrders(): void {
+  addEventListener('message', (event: MessageEvent<Order>) => void take(event));
+  answer({ ready: true });
+}

@@ -6,7 +6,7 @@ export interface EngineSource {
   wasmUrl?: string | URL | undefined;
   /** The wasm itself, or what answers it when it is needed, for pages that may fetch nothing. */
   wasmBinary?: Uint8Array | (() => Uint8Array | Promise<Uint8Array>) | undefined;
-  /** Where accuracy-worker.js is. */
+  /** Where x3d-physics.classic.js is, which `measureAccuracy` has for a worker. */
   workerUrl?: string | URL | undefined;
 }
 

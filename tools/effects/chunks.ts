@@ -20,9 +20,8 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-debug-code', outlines.causes],
   ['chunk-batch-code', 'eight bodies of one geometry, drawn in one call where they look alike'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
-  ['chunk-measure-', '`measureAccuracy()`'],
-  ['chunk-measurement', 'the same'],
-  ['accuracy-worker.js', 'the same, where there are workers'],
+  ['chunk-measure', '`measureAccuracy()`'],
+  ['x3d-physics.classic.js', 'the same, for its worker'],
   ['ui/monitor.js', 'an `<x3d-physics-monitor>` in sight'],
   ['ui/chart.js', 'an `<x3d-accuracy-chart>` in sight'],
   ['ui/chunk-styles', 'either of these two'],
@@ -30,7 +29,7 @@ const FILES: readonly [name: string, causes: string][] = [
 ];
 
 /** Not of the module build, or fetched by who imports them alone. */
-const OTHERS = /^(elements\/|core\.js|x3d-physics\.(classic|single)\.js|types\/)/;
+const OTHERS = /^(elements\/|core\.js|x3d-physics\.single\.js|types\/)/;
 
 const HEAD = `# Files
 

@@ -7,7 +7,7 @@ import { build as esbuild } from 'esbuild';
 import { rollup } from 'rollup';
 import webpack from 'webpack';
 import { folderOf, html } from './application.js';
-import { came, falls, MAIN, MODULE, PORT, served, site } from './pages.js';
+import { came, falls, MAIN, measures, MODULE, PORT, served, site } from './pages.js';
 
 /** What bundlers are given; a type's entry is nothing when it runs. */
 const PROGRAM = `${MAIN}import 'x3d-physics/react';\n`;
@@ -35,7 +35,7 @@ export async function esbuildScript(application, browser) {
 export async function esbuildModules(application, browser) {
   const folder = bundled(application, 'esbuild-modules', MODULE.replace('main', 'out/main'));
   await withEsbuild(folder, { format: 'esm', splitting: true });
-  const loaded = await served(browser, folder);
+  const loaded = await served(browser, folder, measures(false));
   assert.ok(came(loaded, 'wasm-as-text'), 'the spare comes in place of ammo.wasm');
 }
 
@@ -73,7 +73,7 @@ export const viteBuild = (name) => async (application, browser) => {
   const { build } = await import(name);
   const root = viteSite(application, `${name}-build`);
   await build({ ...VITE, root });
-  const loaded = await served(browser, join(root, 'dist'));
+  const loaded = await served(browser, join(root, 'dist'), measures(true));
   assert.ok(!came(loaded, 'wasm-as-text'), 'ammo.wasm is found');
 };
 
@@ -89,7 +89,7 @@ export async function webpackBuild(application, browser) {
   const stats = await promisify(compiler.run.bind(compiler))();
   assert.deepEqual(stats.toJson('errors-warnings').errors, []);
   assert.deepEqual(stats.toJson('errors-warnings').warnings, []);
-  const loaded = await served(browser, folder);
+  const loaded = await served(browser, folder, measures(true));
   assert.ok(!came(loaded, 'wasm-as-text'), 'ammo.wasm is found');
 }
 

@@ -29,6 +29,16 @@ async function fallen() {
   return ball.position[1] - 5;
 }
 
+/** Runs in a page: whether a measurement runs in a worker, and not between frames. */
+async function measured() {
+  const { world } = document.querySelector('#ball');
+  const rows = await world.measureAccuracy({ seconds: 0.1, levels: ['game', 'standard'] });
+  return rows.map(({ inWorker }) => inWorker);
+}
+
+export const measures = (inWorker) => async (page) =>
+  assert.deepEqual(await page.evaluate(measured), [inWorker, inWorker], 'it measures in a worker');
+
 /** Opens a page in which the ball must fall. Answers what it loaded. */
 export async function falls(browser, address, more = async () => {}) {
   const page = await browser.newPage();
@@ -90,6 +100,11 @@ async function showsViews(page) {
   }
 }
 
+async function showsAndMeasures(page) {
+  await showsViews(page);
+  await measures(true)(page);
+}
+
 const VIEWS =
   '<x3d-physics-monitor></x3d-physics-monitor><x3d-accuracy-chart></x3d-accuracy-chart>';
 
@@ -100,7 +115,7 @@ export async function moduleBuild(application, browser) {
     'main.js': { text: MAIN },
   });
   copy(application, join(folder, 'x3d-physics'), '.');
-  const loaded = await served(browser, folder, showsViews);
+  const loaded = await served(browser, folder, showsAndMeasures);
   assert.ok(came(loaded, 'ammo.wasm'), 'ammo.wasm is loaded');
   assert.ok(!came(loaded, 'wasm-as-text'), 'its spare is not');
 }
@@ -114,7 +129,7 @@ export async function otherOrigin(application, browser) {
     'main.js': { text: MAIN },
   });
   try {
-    const loaded = await served(browser, folder, showsViews);
+    const loaded = await served(browser, folder, showsAndMeasures);
     assert.ok(came(loaded, `${port}/ammo.wasm`) && came(loaded, `${port}/ui/monitor.js`));
     assert.ok(!came(loaded, 'wasm-as-text'), 'ammo.wasm is found');
   } finally {
@@ -147,7 +162,7 @@ export async function classicScript(application, browser) {
   );
   const folder = site(application, 'classic', page);
   copy(application, folder, 'x3d-physics.classic.js', 'ammo.wasm', 'ui');
-  const loaded = await served(browser, folder, showsViews);
+  const loaded = await served(browser, folder, showsAndMeasures);
   assert.ok(came(loaded, 'ui/monitor.js') && came(loaded, 'ui/chart.js'));
 }
 
@@ -156,5 +171,5 @@ export async function singleScript(application, browser) {
   const page = html('').replace('</head>', '<script src="x3d-physics.single.js"></script>$&');
   const folder = site(application, 'single', page);
   copy(application, folder, 'x3d-physics.single.js');
-  await falls(browser, pathToFileURL(join(folder, 'index.html')).href);
+  await falls(browser, pathToFileURL(join(folder, 'index.html')).href, measures(false));
 }
