@@ -1,3 +1,4 @@
+import type { Affine } from '../geometry/matrix.js';
 import { x3dom, type NodeContext } from '../x3dom/x3dom.js';
 import type { X3DShape, X3DVolume } from '../x3dom/renderer.js';
 import { drawnFor } from './boxes.js';
@@ -18,7 +19,6 @@ export class Batch {
   readonly members: Member[] = [];
   readonly instances = new Instances();
   readonly shape: X3DShape;
-  readonly #places = new Map<Member, number>();
   readonly #renderer: ManyRenderer;
   readonly #group: Group;
   readonly #resting: Resting;
@@ -62,29 +62,27 @@ export class Batch {
   // ---- members ----------------------------------------------------------------------------------------------------
 
   add(member: Member): void {
-    const at = this.instances.add();
+    member.at = this.instances.add();
     this.members.push(member);
-    this.#places.set(member, at);
-    if (at === 0) {
+    if (member.at === 0) {
       this.#copy(member);
       this.#renderer.add(this.shape, this.instances);
       this.#group.node.addChild(this.shape);
     }
     this.#group.add(member.top);
     freeBuffers(member.shape!, this.#renderer.gl);
-    member.take(() => this.#place(member));
+    member.take((local) => this.#place(member, local));
     this.#resting.add(member.transform);
     this.reread(member);
   }
 
   remove(member: Member): void {
-    const at = this.#places.get(member)!;
+    const { at } = member;
     const last = this.members.pop()!;
     this.instances.remove(at);
-    this.#places.delete(member);
     if (last !== member) {
       this.members[at] = last;
-      this.#places.set(last, at);
+      last.at = at;
     }
     this.#group.delete(member.top);
     member.giveBack();
@@ -104,8 +102,8 @@ export class Batch {
   reread(member: Member): void {
     if (member === this.#model) this.#copy(member);
     const { shape } = member;
-    this.instances.look(this.#places.get(member)!, colorOf(shape!), shape!._objectID);
-    this.#place(member);
+    this.instances.look(member.at, colorOf(shape!), shape!._objectID);
+    this.#place(member, member.readMatrix());
   }
 
   /** x3dom reads the geometry and the Appearance anew. */
@@ -119,10 +117,9 @@ export class Batch {
     shape._vf.isPickable = member.shape!._vf.isPickable;
   }
 
-  #place(member: Member): void {
-    const at = this.#places.get(member)!;
+  #place(member: Member, local: Affine): void {
     const { node } = this.#group;
-    member.place(this.instances, at);
+    member.place(local, this.instances);
     // Where its own bounds are unknown, so are those of all above it.
     if (node.volumeValid()) node.invalidateVolume();
   }

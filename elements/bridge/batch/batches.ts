@@ -1,4 +1,5 @@
 import type { X3DDocument, X3DNode } from '../x3dom/x3dom.js';
+import type { Target } from '../drawing/drawing.js';
 import type { Binding } from '../nodes/binding.js';
 import type { X3DBounded, X3DDrawnDocument, X3DTransform } from '../x3dom/renderer.js';
 import { Batch } from './batch.js';
@@ -49,11 +50,12 @@ export class Batches {
   }
 
   /** A Transform that a body moves came, or is to be looked at anew. */
-  note(transform: X3DNode, body: Binding, allowed: boolean): void {
+  note(transform: X3DNode, target: Target, body: Binding, allowed: boolean): void {
     let member = this.#members.get(transform);
     if (!member) this.#members.set(transform, (member = new Member(transform as X3DTransform)));
     member.body = body;
     member.allowed = allowed;
+    member.isTargetOf(target);
     this.#changed.add(member);
     // What stands above it is not its own any more.
     for (let [above] = transform._parentNodes; above; [above] = above._parentNodes) {

@@ -1,3 +1,4 @@
+import type { Target } from '../drawing/drawing.js';
 import type { Binding } from '../nodes/binding.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
 import type { provide } from './batch-code.js';
@@ -26,8 +27,8 @@ export class Batching {
   }
 
   /** What a body moves came, or is to be looked at anew. */
-  note(node: X3DNode, body: Binding): void {
-    if (this.drawer) return this.drawer.note(node, body);
+  note(node: X3DNode, target: Target, body: Binding): void {
+    if (this.drawer) return this.drawer.note(node, target, body);
     if (this.#counted.has(node)) return;
     this.#counted.add(node);
     const geometry = geometryIn(node);

@@ -47,19 +47,19 @@ export class Drawer implements Drawn {
 
   #noteAll(): void {
     for (const body of this.#scene.bindings())
-      for (const { element } of this.#scene.drawing.targetsOf(body)) {
-        const node = nodeOf(element);
-        if (node) this.note(node, body);
+      for (const target of this.#scene.drawing.targetsOf(body)) {
+        const node = nodeOf(target.element);
+        if (node) this.note(node, target, body);
       }
     this.#scene.requestRender();
   }
 
-  note(node: X3DNode, body: Binding): void {
+  note(node: X3DNode, target: Target, body: Binding): void {
     const { document } = this.#scene;
     if (!document || this.#failed) return;
     if (document !== this.#batches?.document)
       this.#batches = new Batches(document, (why) => this.#fail(why, body));
-    this.#batches.note(node, body, mayBeBatched(node, body));
+    this.#batches.note(node, target, body, mayBeBatched(node, body));
     if (body.world) body.world.drawing ??= new DrawnWorld(this, body.world);
   }
 

@@ -1,12 +1,11 @@
+import type { Affine } from '../geometry/matrix.js';
 import type { X3DColor, X3DVolume } from '../x3dom/renderer.js';
-import type { X3DMatrix } from '../x3dom/x3dom.js';
+import { BOX, reachInto } from './reach.js';
 
 /** Per instance: three rows of its matrix; red, green, blue and the id that it is picked by. */
 const FLOATS = 16;
 const VECTORS = 4;
 const BYTES = 4;
-/** Per instance: the least x, y, z that it reaches, and the greatest. */
-const BOX = 6;
 /** Attributes of the last places, of which WebGL 2 has sixteen: x3dom's own begin at the first. */
 export const FIRST_ATTRIBUTE = 12;
 
@@ -14,6 +13,7 @@ export const FIRST_ATTRIBUTE = 12;
 export class Instances {
   count = 0;
   #data = new Float32Array(8 * FLOATS);
+  /** How far each of them reaches. */
   #boxes = new Float64Array(8 * BOX);
   #buffer: WebGLBuffer | null = null;
   /** Bytes that WebGL has room for. */
@@ -51,48 +51,21 @@ export class Instances {
   // ---- one instance -----------------------------------------------------------------------------------------------
 
   /** `inner`: from the frame of what is drawn to that of `m`. */
-  place(at: number, m: X3DMatrix, inner: X3DMatrix): void {
-    this.#row(at, 0, m._00, m._01, m._02, m._03, inner);
-    this.#row(at, 1, m._10, m._11, m._12, m._13, inner);
-    this.#row(at, 2, m._20, m._21, m._22, m._23, inner);
+  place(at: number, m: Affine, inner: Affine): void {
+    const data = this.#data;
+    for (let row = 0; row < 12; row += 4) {
+      const [i, x, y, z] = [at * FLOATS + row, m[row], m[row + 1], m[row + 2]];
+      data[i] = x * inner[0] + y * inner[4] + z * inner[8];
+      data[i + 1] = x * inner[1] + y * inner[5] + z * inner[9];
+      data[i + 2] = x * inner[2] + y * inner[6] + z * inner[10];
+      data[i + 3] = x * inner[3] + y * inner[7] + z * inner[11] + m[row + 3];
+    }
     this.#note(at);
   }
 
-  #row(at: number, row: number, x: number, y: number, z: number, w: number, m: X3DMatrix): void {
-    const data = this.#data;
-    const i = at * FLOATS + 4 * row;
-    data[i] = x * m._00 + y * m._10 + z * m._20;
-    data[i + 1] = x * m._01 + y * m._11 + z * m._21;
-    data[i + 2] = x * m._02 + y * m._12 + z * m._22;
-    data[i + 3] = x * m._03 + y * m._13 + z * m._23 + w;
-  }
-
-  /** `inside`: how far it reaches in the frame of `m`. */
-  reach(at: number, m: X3DMatrix, inside: X3DVolume): void {
-    this.#along(at, 0, m._00, m._01, m._02, m._03, inside);
-    this.#along(at, 1, m._10, m._11, m._12, m._13, inside);
-    this.#along(at, 2, m._20, m._21, m._22, m._23, inside);
-  }
-
-  /** To the last bit as x3dom adds it up, since shadows hang on that. */
-  #along(
-    at: number,
-    axis: number,
-    x: number,
-    y: number,
-    z: number,
-    origin: number,
-    { min, max }: X3DVolume,
-  ): void {
-    const x0 = x * min.x;
-    const x1 = x * max.x;
-    const y0 = y * min.y;
-    const y1 = y * max.y;
-    const z0 = z * min.z;
-    const z1 = z * max.z;
-    const box = at * BOX + axis;
-    this.#boxes[box] = origin + Math.min(x0, x1) + Math.min(y0, y1) + Math.min(z0, z1);
-    this.#boxes[box + 3] = origin + Math.max(x0, x1) + Math.max(y0, y1) + Math.max(z0, z1);
+  /** `box`: how far it reaches in the frame of `m`. */
+  reach(at: number, m: Affine, box: number[]): void {
+    reachInto(m, box, this.#boxes, at * BOX);
   }
 
   /** Of no size, it covers no pixel, and reaches nowhere. */

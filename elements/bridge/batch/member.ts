@@ -1,22 +1,34 @@
+import type { Target } from '../drawing/drawing.js';
+import { identity, type Affine } from '../geometry/matrix.js';
 import type { Binding } from '../nodes/binding.js';
+import { fromX3D } from '../x3dom/matrices.js';
+import { matrixFor } from '../x3dom/placing.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
 import type { X3DBounded, X3DShape, X3DTransform, Way } from '../x3dom/renderer.js';
 import { scalingOf } from './boxes.js';
 import type { Instances } from './instances.js';
+import { Late } from './late.js';
 import { geometryOf, obstacle } from './look.js';
 import { passes, Strand } from './strand.js';
+
+// Scratch: nothing is allocated while bodies move.
+const read: Affine = identity();
 
 /** A Transform that a body moves, and the one Shape in it. */
 export class Member {
   readonly transform: X3DTransform;
   /** What moves it. */
   body!: Binding;
+  #target!: Target;
   /** Whether its author allows it to be drawn with others. */
   allowed = true;
   /** From what it stands in to its Shape. */
   strand!: Strand;
   /** As it was when a batch took it. */
   #taken: Strand | undefined;
+  #late: Late | undefined;
+  /** In the list of that batch. */
+  at = -1;
   /** Not by `render` of anything of it. */
   #seen = false;
   /** Why it is drawn by itself. */
@@ -72,24 +84,43 @@ export class Member {
     return !this.#taken || this.#taken.isLike(this.strand);
   }
 
-  /** From now on `place` is told of each of its places. */
-  take(place: () => void): void {
+  /** `moved` is told when it stands elsewhere. */
+  take(moved: (local: Affine) => void): void {
     this.#taken = this.strand;
-    this.strand.take(place);
+    this.#late = new Late(this.transform, (pose, linear) => moved(matrixFor(pose, linear)));
+    this.#target.row = this.#late;
+    this.strand.take(this.#late.settle, () => moved(this.readMatrix()));
   }
 
   giveBack(): void {
+    this.#target.row = undefined;
+    this.#late?.settle();
+    this.#late = undefined;
     this.#taken?.giveBack();
     this.#taken = undefined;
   }
 
-  place(instances: Instances, at: number): void {
-    if (this.#seen) this.strand.place(instances, at);
-    else instances.hide(at);
+  /** What a body moves, as drawing has it now. */
+  isTargetOf(target: Target): void {
+    if (this.#target) this.#target.row = undefined;
+    this.#target = target;
+    target.row = this.#late;
+  }
+
+  /** Somebody else may have written it. */
+  readMatrix(): Affine {
+    this.#late!.settle();
+    return fromX3D(this.transform._trafo, read);
+  }
+
+  place(local: Affine, instances: Instances): void {
+    if (this.#seen) this.strand.place(local, instances, this.at);
+    else instances.hide(this.at);
   }
 
   /** As if it were drawn by itself. */
   drawPlainly(...way: Way): void {
+    this.#late?.settle();
     this.top._graph.globalMatrix = null;
     this.top.collectDrawableObjects(...way);
   }

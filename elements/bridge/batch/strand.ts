@@ -1,6 +1,9 @@
+import { copyInto, identity, multiply, type Affine } from '../geometry/matrix.js';
+import { fromX3D } from '../x3dom/matrices.js';
 import { x3dom, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
-import type { X3DBounded, X3DTransform, X3DVolume } from '../x3dom/renderer.js';
+import type { X3DBounded, X3DTransform } from '../x3dom/renderer.js';
 import type { Instances } from './instances.js';
+import { BOX, boxOf, reachInto } from './reach.js';
 import { typeOf } from './types.js';
 
 const nativeOf = (type: string): X3DBounded => x3dom()!.nodeTypes[type].prototype as X3DBounded;
@@ -31,6 +34,12 @@ function onlyIn({ _childNodes }: X3DNode): X3DBounded | undefined {
 const isOwn = (node: X3DBounded, isMoved: (node: X3DNode) => boolean): boolean =>
   GROUPS.has(typeOf(node)) && node._parentNodes.length === 1 && !isMoved(node);
 
+// Scratch: nothing is allocated while bodies move.
+const whole: Affine = identity();
+const outermost: Affine = identity();
+const product: Affine = identity();
+const reach = new Array<number>(BOX).fill(0);
+
 /**
  * What stands between a Shape and the group that it is drawn in with others, from above to below: the Transform that a
  * body moves, and groups round that or in it in which nothing else is drawn.
@@ -41,8 +50,8 @@ export class Strand {
   /** Above that, from below to above. */
   readonly #outer: X3DTransform[];
   /** In the frame of the Transform that is moved: what is drawn, and how far it reaches. */
-  #inner!: X3DMatrix;
-  #inside!: X3DVolume;
+  #inner!: Affine;
+  #inside!: number[];
   /** The last thing in it. */
   readonly shape: X3DBounded | undefined;
 
@@ -68,26 +77,22 @@ export class Strand {
   measure(scaling: X3DMatrix): void {
     const below = this.nodes.slice(this.nodes.indexOf(this.#transform) + 1);
     const matrix = below.reduceRight((m, { _trafo }) => (_trafo ? _trafo.mult(m) : m), scaling);
-    this.#inner = matrix;
-    this.#inside = copied((below[0] ?? this.shape!).getVolume());
+    this.#inner = fromX3D(matrix);
+    this.#inside = boxOf((below[0] ?? this.shape!).getVolume());
   }
 
-  /** Where it is in the group that it is drawn in. */
-  place(instances: Instances, at: number): void {
-    const { _trafo } = this.#transform;
-    const last = this.#outer.at(-1);
-    if (!last) {
-      instances.place(at, _trafo, this.#inner);
-      instances.reach(at, _trafo, this.#inside);
-      return;
-    }
+  /** `local`: the matrix of the Transform that is moved. */
+  place(local: Affine, instances: Instances, at: number): void {
+    let [matrix, last, box] = [local, local, this.#inside];
     // x3dom takes the bounds of the bounds at each of them.
-    const reach = copied(this.#inside);
-    reach.transform(_trafo);
-    for (const outer of this.#outer) if (outer !== last) reach.transform(outer._trafo);
-    const matrix = this.#outer.reduce((m, outer) => outer._trafo.mult(m), _trafo);
+    for (const { _trafo } of this.#outer) {
+      reachInto(last, box, reach, 0);
+      last = fromX3D(_trafo, outermost);
+      matrix = copyInto(multiply(last, matrix, product), whole);
+      box = reach;
+    }
     instances.place(at, matrix, this.#inner);
-    instances.reach(at, last._trafo, reach);
+    instances.reach(at, last, box);
   }
 
   get seen(): boolean {
@@ -105,13 +110,14 @@ export class Strand {
 
   // ---- drawn by a batch -------------------------------------------------------------------------------------------
 
-  /** From now on `place` is told of each of its places. */
-  take(place: () => void): void {
+  /** From now on `reread` is called when somebody moved any of it, and `settle` before x3dom asks how far it reaches. */
+  take(settle: () => void, reread: () => void): void {
     for (const node of this.nodes) {
       // Whoever writes a Transform's matrix calls this, x3dom itself included.
-      node.invalidateVolume = place;
+      node.invalidateVolume = reread;
       const { getVolume } = Object.getPrototypeOf(node) as X3DBounded;
       node.getVolume = () => {
+        settle();
         node._graph.volume.valid = false;
         return getVolume.call(node);
       };
@@ -126,10 +132,4 @@ export class Strand {
     }
     this.nodes.at(-1)!.invalidateVolume();
   }
-}
-
-function copied({ min, max, valid }: X3DVolume): X3DVolume {
-  const volume = new (x3dom()!.fields.BoxVolume)() as X3DVolume;
-  if (valid) volume.extendBounds(min, max);
-  return volume;
 }

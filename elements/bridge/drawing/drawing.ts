@@ -1,18 +1,20 @@
 import type { Binding } from '../nodes/binding.js';
-import {
-  copyInto,
-  identity,
-  invert,
-  multiply,
-  poseMatrix,
-  quaternionInto,
-  type Affine,
-} from '../geometry/matrix.js';
+import { copyInto, identity, multiply, poseMatrix, type Affine } from '../geometry/matrix.js';
 import type { Scope } from '../scopes/scope.js';
 import { Sets } from '../base/sets.js';
 import type { PageWorld } from '../nodes/surroundings.js';
-import { fromX3D, intoX3D, noteDrawn } from '../x3dom/matrices.js';
-import { nodeOf, type X3DNode, type X3DQuaternion, type X3DVector } from '../x3dom/x3dom.js';
+import { noteDrawn } from '../x3dom/matrices.js';
+import { placeNode } from '../x3dom/placing.js';
+import { nodeOf, type X3DNode } from '../x3dom/x3dom.js';
+import { Above } from './above.js';
+
+/** A node that something else than x3dom draws: its place goes there alone. */
+export interface Row {
+  readonly node: X3DNode;
+  /** In the frame that the node stands in. It is written here, then `moved` is called. */
+  readonly pose: Affine;
+  moved(linear: number[] | undefined): void;
+}
 
 /** Something that a body moves on the screen. */
 export interface Target {
@@ -25,6 +27,8 @@ export interface Target {
   linear?: number[] | undefined;
   /** What x3dom had of it when it was last drawn. */
   node?: X3DNode | undefined;
+  /** Where its place is written instead, as long as it is drawn with others. */
+  row?: Row | undefined;
 }
 
 /** What a body moves. */
@@ -43,38 +47,8 @@ interface Body {
 const POSE = 7;
 
 // Scratch: nothing is allocated while bodies move.
-const world: Affine = identity();
-const parent: Affine = identity();
-const factor: Affine = identity();
+const own: Affine = identity();
 const product: Affine = identity();
-
-/** World matrix of x3dom's node above; false when nothing above is a Transform. */
-function parentMatrix(node: X3DNode): boolean {
-  let found = false;
-  for (let at = node._parentNodes[0]; at; at = at._parentNodes[0]) {
-    if (!at._trafo) continue;
-    if (!found) fromX3D(at._trafo, parent);
-    else copyInto(multiply(fromX3D(at._trafo, factor), parent, product), parent);
-    found = true;
-  }
-  return found;
-}
-
-function linearMatrix([a, b, c, d, e, f, g, h, i]: number[]): Affine {
-  factor[0] = a;
-  factor[1] = b;
-  factor[2] = c;
-  factor[3] = 0;
-  factor[4] = d;
-  factor[5] = e;
-  factor[6] = f;
-  factor[7] = 0;
-  factor[8] = g;
-  factor[9] = h;
-  factor[10] = i;
-  factor[11] = 0;
-  return factor;
-}
 
 /** Writes poses straight into x3dom's matrices, past its fields and attributes, so that none comes back as an edit. */
 export class Drawing {
@@ -84,12 +58,16 @@ export class Drawing {
   readonly #byElement = new Map<Element, Binding>();
   /** The same by the body's node: one look for each body that moves. */
   readonly #byNode = new WeakMap<object, Moved>();
+  readonly #above = new Above();
 
   readonly #requestRender: () => void;
   /** What a body moves came, or is to be looked at anew. */
-  readonly #onshow: (node: X3DNode, binding: Binding) => void;
+  readonly #onshow: (node: X3DNode, target: Target, binding: Binding) => void;
 
-  constructor(requestRender: () => void, onshow: (node: X3DNode, binding: Binding) => void) {
+  constructor(
+    requestRender: () => void,
+    onshow: (node: X3DNode, target: Target, binding: Binding) => void,
+  ) {
     this.#requestRender = requestRender;
     this.#onshow = onshow;
   }
@@ -132,6 +110,7 @@ export class Drawing {
   /** Draws the bodies that moved. */
   drawMoved(physics: PageWorld): void {
     const { moved, movedCount, data } = physics.poses;
+    this.#above.forget();
     for (let i = 0; i < movedCount; i++) {
       const body = physics.bodies.at(moved[i]) as Body | undefined;
       const known = body && this.#byNode.get(body);
@@ -142,10 +121,11 @@ export class Drawing {
 
   /** Draws a body where it is: it or what it moves came anew. */
   redraw(binding: Binding): void {
+    this.#above.forget();
     this.#redraw(binding);
-    for (const { element } of this.targetsOf(binding)) {
-      const node = nodeOf(element);
-      if (node?._trafo) this.#onshow(node, binding);
+    for (const target of this.targetsOf(binding)) {
+      const node = nodeOf(target.element);
+      if (node?._trafo) this.#onshow(node, target, binding);
     }
   }
 
@@ -168,27 +148,19 @@ export class Drawing {
   }
 
   #write(node: X3DNode, target: Target, at: number, data: Float64Array): void {
-    poseMatrix(data, at, 1 / target.scope.units.length, world);
-    if (target.arm) copyInto(multiply(world, target.arm, product), world);
-    if (parentMatrix(node)) copyInto(multiply(invert(parent, factor), world, product), world);
-    const local = target.linear ? multiply(world, linearMatrix(target.linear), product) : world;
-    intoX3D(local, node._trafo!);
-    if (node._vf.translation && node._vf.center) keepFields(node, local, world);
+    const { arm } = target;
+    const row = target.row?.node === node ? target.row : undefined;
+    const pose = row?.pose ?? own;
+    poseMatrix(data, at, 1 / target.scope.units.length, pose);
+    if (arm) copyInto(multiply(pose, arm, product), pose);
+    const inverse = this.#above.inverseAt(node);
+    if (inverse) copyInto(multiply(inverse, pose, product), pose);
     if (node !== target.node) noteDrawn((target.node = node));
-    node.invalidateVolume();
+    if (row) row.moved(target.linear);
+    else {
+      placeNode(node, pose, target.linear);
+      node.invalidateVolume();
+    }
+    this.#above.moved(node);
   }
-}
-
-/**
- * A Transform's own fields, true to its matrix. Its translation is where the matrix takes its centre, less the
- * centre: rotation and scale leave that point alone.
- */
-function keepFields(node: X3DNode, local: Affine, rigid: Affine): void {
-  const translation = node._vf.translation as X3DVector;
-  const { x, y, z } = node._vf.center as X3DVector;
-  translation.x = local[0] * x + local[1] * y + local[2] * z + local[3] - x;
-  translation.y = local[4] * x + local[5] * y + local[6] * z + local[7] - y;
-  translation.z = local[8] * x + local[9] * y + local[10] * z + local[11] - z;
-  const rotation = node._vf.rotation as X3DQuaternion;
-  quaternionInto(rigid, rotation);
 }

@@ -38,7 +38,7 @@ export class Scene implements Driven, Site, Stage {
   readonly batching = new Batching(this);
   readonly drawing = new Drawing(
     () => this.requestRender(),
-    (node, body) => this.batching.note(node, body),
+    (...shown) => this.batching.note(...shown),
   );
   readonly routes = new Routes();
   readonly updates: Updates = new Updates(this);
