@@ -104,6 +104,7 @@ export class Batch {
     const { shape } = member;
     this.instances.look(member.at, colorOf(shape!), shape!._objectID);
     this.#place(member, member.readMatrix());
+    member.attach();
   }
 
   /** x3dom reads the geometry and the Appearance anew. */

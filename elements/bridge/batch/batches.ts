@@ -30,7 +30,7 @@ export class Batches {
   readonly #members = new Map<X3DNode, Member>();
   /** Those that may be drawn otherwise by now. */
   readonly #changed = new Set<Member>();
-  readonly #watch = new Watch(this.#members, (member) => this.#changed.add(member));
+  readonly #watch = new Watch(this.#members, (member) => this.#touched(member));
   readonly #groups = new WeakMap<X3DNode, Group>();
   readonly #kinds = new WeakMap<X3DNode, Map<string, Kind>>();
   readonly #kindOf = new Map<Member, Kind>();
@@ -56,12 +56,17 @@ export class Batches {
     member.body = body;
     member.allowed = allowed;
     member.isTargetOf(target);
-    this.#changed.add(member);
+    this.#touched(member);
     // What stands above it is not its own any more.
     for (let [above] = transform._parentNodes; above; [above] = above._parentNodes) {
       const outer = this.#members.get(above);
-      if (outer) this.#changed.add(outer);
+      if (outer) this.#touched(outer);
     }
+  }
+
+  #touched(member: Member): void {
+    member.detach();
+    this.#changed.add(member);
   }
 
   memberOf(transform: X3DNode): Member | undefined {

@@ -1,7 +1,7 @@
 import type { Row } from '../drawing/drawing.js';
 import { identity, type Affine } from '../geometry/matrix.js';
 import { placeNode } from '../x3dom/placing.js';
-import type { X3DMatrix } from '../x3dom/x3dom.js';
+import type { X3DMatrix, X3DNode } from '../x3dom/x3dom.js';
 import type { X3DTransform } from '../x3dom/renderer.js';
 
 /** In the place of an object: whoever reads or writes anything of it has `settle` called first. */
@@ -18,6 +18,7 @@ const standInFor = <T extends object>(object: T, settle: () => void): T =>
  */
 export class Late implements Row {
   readonly node: X3DTransform;
+  readonly parent: X3DNode | undefined;
   readonly pose: Affine = identity();
   #linear: number[] | undefined;
   readonly #onmove: (pose: Affine, linear: number[] | undefined) => void;
@@ -30,6 +31,7 @@ export class Late implements Row {
 
   constructor(node: X3DTransform, onmove: (pose: Affine, linear: number[] | undefined) => void) {
     this.node = node;
+    [this.parent] = node._parentNodes;
     this.#onmove = onmove;
     this.#fields = node._vf;
     this.#lateFields = standInFor(this.#fields, this.settle);

@@ -88,12 +88,11 @@ export class Member {
   take(moved: (local: Affine) => void): void {
     this.#taken = this.strand;
     this.#late = new Late(this.transform, (pose, linear) => moved(matrixFor(pose, linear)));
-    this.#target.row = this.#late;
     this.strand.take(this.#late.settle, () => moved(this.readMatrix()));
   }
 
   giveBack(): void {
-    this.#target.row = undefined;
+    this.detach();
     this.#late?.settle();
     this.#late = undefined;
     this.#taken?.giveBack();
@@ -102,9 +101,18 @@ export class Member {
 
   /** What a body moves, as drawing has it now. */
   isTargetOf(target: Target): void {
-    if (this.#target) this.#target.row = undefined;
+    if (this.#target) this.detach();
     this.#target = target;
-    target.row = this.#late;
+  }
+
+  /** It stands as it is known here: its body writes its place into the list, past x3dom. */
+  attach(): void {
+    if (this.#target.node === this.transform) this.#target.row = this.#late;
+  }
+
+  /** Something of it changed: until it is looked at anew it is written as any other. */
+  detach(): void {
+    this.#target.row = undefined;
   }
 
   /** Somebody else may have written it. */

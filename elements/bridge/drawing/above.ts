@@ -7,16 +7,15 @@ const world: Affine = identity();
 const factor: Affine = identity();
 const product: Affine = identity();
 
-/** What stands above nodes that are asked for one after another: that of brothers is worked out once. */
+/** What stands above nodes that are written one after another: for brothers it is worked out once. */
 export class Above {
   #parent: X3DNode | undefined;
   /** Of all that places what stands below. */
   readonly #placing: X3DNode[] = [];
   readonly #inverse: Affine = identity();
 
-  /** From the world into the frame that a node stands in; undefined where that is the world's own. */
-  inverseAt(node: X3DNode): Affine | undefined {
-    const parent = node._parentNodes[0];
+  /** From the world into the frame of what stands in a node; undefined where that is the world's own. */
+  inverseIn(parent: X3DNode | undefined): Affine | undefined {
     if (parent !== this.#parent) this.#read(parent);
     return this.#placing.length > 0 ? this.#inverse : undefined;
   }

@@ -8,10 +8,11 @@ import { placeNode } from '../x3dom/placing.js';
 import { nodeOf, type X3DNode } from '../x3dom/x3dom.js';
 import { Above } from './above.js';
 
-/** A node that something else than x3dom draws: its place goes there alone. */
+/** A node that something else than x3dom draws: its place goes there alone, and nothing is asked of it. */
 export interface Row {
   readonly node: X3DNode;
-  /** In the frame that the node stands in. It is written here, then `moved` is called. */
+  readonly parent: X3DNode | undefined;
+  /** In the frame of the parent. It is written here, then `moved` is called. */
   readonly pose: Affine;
   moved(linear: number[] | undefined): void;
 }
@@ -139,28 +140,41 @@ export class Drawing {
 
   #draw({ body, targets }: Moved, at: number, data: Float64Array): void {
     for (const target of targets) {
-      const node = nodeOf(target.element);
-      if (!node?._trafo) continue;
-      this.#write(node, target, at, data);
+      if (target.row) this.#writeRow(target.row, target, at, data);
+      else if (!this.#write(nodeOf(target.element), target, at, data)) continue;
       const under = this.#under.isEmpty ? undefined : this.#under.get(target.element);
       if (under) for (const below of under) if (below !== body) this.#redraw(below);
     }
   }
 
-  #write(node: X3DNode, target: Target, at: number, data: Float64Array): void {
-    const { arm } = target;
-    const row = target.row?.node === node ? target.row : undefined;
-    const pose = row?.pose ?? own;
-    poseMatrix(data, at, 1 / target.scope.units.length, pose);
-    if (arm) copyInto(multiply(pose, arm, product), pose);
-    const inverse = this.#above.inverseAt(node);
-    if (inverse) copyInto(multiply(inverse, pose, product), pose);
+  #writeRow(row: Row, target: Target, at: number, data: Float64Array): void {
+    this.#posed(target, row.parent, at, data, row.pose);
+    row.moved(target.linear);
+    this.#above.moved(row.node);
+  }
+
+  /** False where there is nothing to move. */
+  #write(node: X3DNode | undefined, target: Target, at: number, data: Float64Array): boolean {
+    if (!node?._trafo) return false;
+    this.#posed(target, node._parentNodes[0], at, data, own);
+    placeNode(node, own, target.linear);
     if (node !== target.node) noteDrawn((target.node = node));
-    if (row) row.moved(target.linear);
-    else {
-      placeNode(node, pose, target.linear);
-      node.invalidateVolume();
-    }
+    node.invalidateVolume();
     this.#above.moved(node);
+    return true;
+  }
+
+  /** Where it is in the frame of its parent. */
+  #posed(
+    { scope, arm }: Target,
+    parent: X3DNode | undefined,
+    at: number,
+    data: Float64Array,
+    out: Affine,
+  ): void {
+    poseMatrix(data, at, 1 / scope.units.length, out);
+    if (arm) copyInto(multiply(out, arm, product), out);
+    const inverse = this.#above.inverseIn(parent);
+    if (inverse) copyInto(multiply(inverse, out, product), out);
   }
 }
