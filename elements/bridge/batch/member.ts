@@ -107,7 +107,7 @@ export class Member {
 
   /** It stands as it is known here: its body writes its place into the list, past x3dom. */
   attach(): void {
-    if (this.#target.node === this.transform) this.#target.row = this.#late;
+    this.#target.row = this.#late;
   }
 
   /** Something of it changed: until it is looked at anew it is written as any other. */

@@ -81,6 +81,7 @@ export class Drawing {
     for (const { element } of targets) this.#byElement.set(element, binding);
     for (const element of above) this.#under.add(element, binding);
     if (binding.node) this.#byNode.set(binding.node, moved);
+    this.#show(binding);
   }
 
   forget(binding: Binding): void {
@@ -124,6 +125,10 @@ export class Drawing {
   redraw(binding: Binding): void {
     this.#above.forget();
     this.#redraw(binding);
+    this.#show(binding);
+  }
+
+  #show(binding: Binding): void {
     for (const target of this.targetsOf(binding)) {
       const node = nodeOf(target.element);
       if (node?._trafo) this.#onshow(node, target, binding);
@@ -150,7 +155,7 @@ export class Drawing {
   #writeRow(row: Row, target: Target, at: number, data: Float64Array): void {
     this.#posed(target, row.parent, at, data, row.pose);
     row.moved(target.linear);
-    this.#above.moved(row.node);
+    this.#written(row.node, target);
   }
 
   /** False where there is nothing to move. */
@@ -158,10 +163,14 @@ export class Drawing {
     if (!node?._trafo) return false;
     this.#posed(target, node._parentNodes[0], at, data, own);
     placeNode(node, own, target.linear);
-    if (node !== target.node) noteDrawn((target.node = node));
     node.invalidateVolume();
-    this.#above.moved(node);
+    this.#written(node, target);
     return true;
+  }
+
+  #written(node: X3DNode, target: Target): void {
+    if (node !== target.node) noteDrawn((target.node = node));
+    this.#above.moved(node);
   }
 
   /** Where it is in the frame of its parent. */

@@ -1,15 +1,7 @@
 import { expect } from 'chai';
 import '../../console.js';
 import { drawn, until } from '../../scene.js';
-import {
-  bodies,
-  colored,
-  draws,
-  drawPlainly,
-  picture,
-  showBatched,
-  wrapped,
-} from './pictures.js';
+import { bodies, colored, draws, drawPlainly, picture, showBatched, wrapped } from './pictures.js';
 
 const COUNT = 12;
 const boxes = bodies(COUNT, (i) => `${colored(i)}<box size="0.6 0.6 0.6"></box>`);
@@ -116,8 +108,15 @@ describe('bodies that fall, drawn in one call,', () => {
       expect(new Set(Object.values(plain)).size).to.be.above(8);
     });
 
-  it('write nothing into x3dom’s Transforms as long as nobody reads those', async () => {
+  it('write nothing into x3dom’s Transforms as long as nobody reads those, after an edit neither', async () => {
     const shown = await showBatched(spun, 1);
+    await fall(shown);
+    find(shown, '#s3 material').setAttribute('diffuseColor', '1 0 0');
+    find(shown, '#t3').setAttribute('scale', '1 1 0.5');
+    await drawn();
+    await fall(shown);
+    // Read, it is up to date, and x3dom's own.
+    nodeOf(shown).getVolume();
     const { _trafo: matrix, _vf: fields } = nodeOf(shown);
     const { translation } = fields;
     const before = [matrix._13, translation!.y];
