@@ -124,8 +124,9 @@ export class Drawing {
   /** Draws a body where it is: it or what it moves came anew. */
   redraw(binding: Binding): void {
     this.#above.forget();
-    this.#redraw(binding);
+    // First: what x3dom read anew has no row any more.
     this.#show(binding);
+    this.#redraw(binding);
   }
 
   #show(binding: Binding): void {
