@@ -8,8 +8,9 @@ import { resting } from './resting.js';
  * asleep around it, and what sleeps fell asleep with all that touches it, so that an edit of either looks at no contact.
  */
 export function wakeTouching(simulation: Simulation, effects: Effects, body: Body): void {
-  const { slot, movable, sleeping, joints } = body;
-  if (movable && !sleeping) return;
+  const { slot, movable, joints } = body;
+  // One that is being taken down calls itself neither active nor asleep any more.
+  if (movable && simulation.bodies.moving.asleep[slot] !== 1) return;
   const island = movable ? effects.find(resting)?.islandOf(slot) : undefined;
   if (island) {
     for (const other of island) if (other !== body) other.wake();

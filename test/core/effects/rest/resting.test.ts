@@ -227,6 +227,36 @@ fact('a hanging body falls when its joint goes, asleep as it was', async () => {
   close(height(ball), -way(9.8, 0.5), 2e-3, 'm');
 });
 
+for (const [what, act] of [
+  ['is removed', (low: Body) => low.remove()],
+  ['is disabled', (low: Body) => low.set('enabled', false)],
+  ['is put elsewhere', (low: Body) => low.teleport([5, 0.5, 0])],
+] as const)
+  fact(`what slept on a body that slept, too, falls when that one ${what}`, async () => {
+    const { w, stone } = await asleep();
+    const high = addBody(w, { position: [0, 1.5, 0], geometry: [box(1)] });
+    w.advance(4);
+    assert.deepEqual([stone.sleeping, high.sleeping], [true, true]);
+    act(stone);
+    w.advance(3);
+    close(height(high), 0.5, 1e-3, 'm');
+  });
+
+fact(
+  'what slept as it hung on a body that slept, too, falls when that one is removed',
+  async () => {
+    const w = await world({ rest: 'auto' });
+    const [high, low] = [addBody(w), addBody(w, { position: [0, -1, 0] })];
+    addJoint(w, 'BallJoint', { body1: high, anchorPoint: [0, 1, 0] });
+    addJoint(w, 'BallJoint', { body1: high, body2: low, anchorPoint: [0, -0.5, 0] });
+    w.advance(4);
+    assert.deepEqual([high.sleeping, low.sleeping], [true, true]);
+    high.remove();
+    w.advance(0.5);
+    close(height(low), -1 - way(9.8, 0.5), 2e-3, 'm');
+  },
+);
+
 fact('one restless body keeps all of its island awake', async () => {
   const w = await world({ rest: 'auto' });
   addFloor(w);
