@@ -1,4 +1,4 @@
-import type { PhysicsNode, World } from '../../../physics-core/inside.js';
+import { show, type PhysicsNode, type World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
 import { listsAll, membersOf, nodesOf } from '../document/structure.js';
@@ -17,8 +17,25 @@ export function planSensor(binding: Binding, world: World): Plan {
   return { world, relations: { collider: colliderOf(binding, world) } };
 }
 
-const listedBy = (binding: Binding, world: World): '*' | PhysicsNode[] =>
-  listsAll(binding) ? '*' : nodesIn(world, membersOf(binding), binding);
+/** Names are no elements: collidables that stand elsewhere are listed by USE. */
+function refuseNames(binding: Binding): void {
+  const text = binding.authored('collidables');
+  if (typeof text !== 'string' || !text.trim()) return;
+  binding.problem({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute: 'collidables',
+    value: text,
+    used: 'its children',
+    message: `${binding.label}: collidables="${show(text)}" is not "*"; its children are used, which may be there by USE`,
+  });
+}
+
+function listedBy(binding: Binding, world: World): '*' | PhysicsNode[] {
+  if (listsAll(binding)) return '*';
+  refuseNames(binding);
+  return nodesIn(world, membersOf(binding), binding);
+}
 
 export function planColliders(binding: Binding, world: World): Plan {
   const collidables = listedBy(binding, world);

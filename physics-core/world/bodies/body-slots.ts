@@ -188,6 +188,11 @@ export class BodySlots implements BodyTable {
     if (asleep) this.awake = Math.max(0, this.awake - 1);
   }
 
+  /** All are taken down: nobody is to hear of whom that would wake. */
+  forgetSleep(): void {
+    this.moving.asleep.fill(0);
+  }
+
   /** Those that sleep now, and what tells of them later that they were woken: by a world made again. */
   sleepers(): () => void {
     const slept = [...this].filter((body) => body.sleeping);

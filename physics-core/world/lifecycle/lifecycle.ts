@@ -120,6 +120,7 @@ export class Lifecycle {
   #unbuild(): void {
     const world = this.#world;
     world.obstacles.clear();
+    world.bodies.forgetSleep();
     const nodes = [...world.nodes].toReversed();
     for (let rank = RANKS - 1; rank >= 0; rank--) {
       for (const node of nodes) if (node.type.rank === rank) node.unmake();

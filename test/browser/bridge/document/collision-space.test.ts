@@ -39,3 +39,23 @@ describe('a CollisionSpace of *', () => {
     });
   }
 });
+
+describe('collidables that names an element', () => {
+  for (const [spelling, markup] of bothSpellings(SPACE)) {
+    it(`${spelling}: is told of, and the children are listed`, async () => {
+      claim('not-in-collider', 'not-in-collider', 'collidables="floor" is not "*"; its children');
+      const { find, world } = await held(markup);
+      Element.prototype.setAttribute.call(find('#space'), 'collidables', 'floor');
+      world.advance(0.1);
+      const [problem] = world.problems.filter(({ code }) => code === 'bad-value');
+      expect(problem).to.include({
+        attribute: 'collidables',
+        value: 'floor',
+        used: 'its children',
+      });
+      Element.prototype.setAttribute.call(find('#space'), 'collidables', '*');
+      world.advance(0.1);
+      expect(world.problems).to.eql([]);
+    });
+  }
+});
