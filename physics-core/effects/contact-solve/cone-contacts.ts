@@ -32,9 +32,11 @@ export const C = {
   overlap: 37,
   /** Whose corner it is that turns on the other (`CORNER`), where that is reckoned with. */
   corner: 38,
+  /** How far its middle lies within that body, metres: a ball that goes round is a corner that is rounded. */
+  rounding: 39,
   /** 1: the pair comes near each other and was not in touch before. */
-  meets: 39,
-  size: 40,
+  meets: 40,
+  size: 41,
 } as const;
 
 export const OPEN = 0;

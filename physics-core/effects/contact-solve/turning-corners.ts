@@ -1,11 +1,13 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { CORNER } from '../../engine/contact-point.js';
+import { ContactPoint, CORNER } from '../../engine/contact-point.js';
 import { isCarried } from '../../engine/solver-body.js';
 import type { Effects } from '../effect/effects.js';
 import { flight } from '../flight/flight.js';
+import { gyroscopic } from '../flight/gyroscopic.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
+import { eccentricBallAt, isFlatAt } from './eccentric-ball.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
 
@@ -24,6 +26,7 @@ export class TurningCorners {
   readonly #effects: Effects;
   readonly #bodies: SolveBodies;
   readonly #contacts: ConeContacts;
+  readonly #point: ContactPoint;
   /** Of the corner, and of it against the middle of a body, m/s; what the turn adds to the speeds of the contact, m/s². */
   readonly #speed = new Float64Array(3);
   readonly #against = new Float64Array(3);
@@ -41,6 +44,7 @@ export class TurningCorners {
     this.#effects = effects;
     this.#bodies = bodies;
     this.#contacts = contacts;
+    this.#point = new ContactPoint(simulation.engine.ammo);
   }
 
   /** The contacts of a pair were read, those from `first` on, of the bodies with these pointers. */
@@ -51,6 +55,8 @@ export class TurningCorners {
       touched ||= c[contacts[i]! * C.size + C.impulse]! > 0;
     for (let i = first; i < contacts.length; i++) {
       const at = contacts[i]! * C.size;
+      c[at + C.rounding] = 0;
+      if (c[at + C.corner] === CORNER.ofNone) this.#round(contacts[i]!, a, b);
       c[at + C.meets] = !touched && this.#approaches(contacts[i]!) ? 1 : 0;
       if (c[at + C.corner] !== CORNER.ofNone) this.#lead(contacts[i]!, a, b, dt);
     }
@@ -64,6 +70,20 @@ export class TurningCorners {
       c[at + C.corner] = CORNER.ofNone;
       c[at + C.meets] = 0;
     }
+  }
+
+  /** A ball that goes round with its body is a corner, too. */
+  #round(contact: number, pointerA: number, pointerB: number): void {
+    const { values: c, pointers } = this.#contacts;
+    const at = contact * C.size;
+    const point = this.#point.at(pointers[contact]!, pointerA, pointerB);
+    const [a, b] = [this.#bodyAt(pointerA), this.#bodyAt(pointerB)];
+    const ofA = eccentricBallAt(point, a, 0);
+    const ofB = eccentricBallAt(point, b, 1);
+    if (ofA > 0 && isFlatAt(point, b, 1)) c[at + C.corner] = CORNER.ofA;
+    else if (ofB > 0 && isFlatAt(point, a, 0)) c[at + C.corner] = CORNER.ofB;
+    else return;
+    c[at + C.rounding] = ofA || ofB;
   }
 
   #approaches(contact: number): boolean {
@@ -90,14 +110,25 @@ export class TurningCorners {
       c[at + C.corner] = CORNER.ofNone;
       return;
     }
-    const { velocities: v } = this.#bodies;
-    cross3(this.#speed, 0, v, SIZE * owner + 3, c, at + (owner === p ? C.armA : C.armB));
-    for (let k = 0; k < 3; k++) this.#speed[k]! += v[SIZE * owner + k]!;
+    this.#readSpeed(at, owner, owner === p);
     this.#swing.fill(0);
     this.#turn(c, at + C.armA, p, 1, dt);
     this.#turn(c, at + C.armB, q, -1, dt);
+    this.#spinOn(c, at + C.armA, p, pointerA, 2 / dt);
+    this.#spinOn(c, at + C.armB, q, pointerB, -2 / dt);
     for (let k = 0; k < 3; k++)
       c[at + C.target + k]! -= (dt / 2) * dot3(c, at + 3 * k, this.#swing, 0);
+  }
+
+  /** How fast the corner goes, or the middle of what is rounded. */
+  #readSpeed(at: number, owner: number, isA: boolean): void {
+    const { values: c } = this.#contacts;
+    const { velocities: v } = this.#bodies;
+    const inwards = (isA ? 1 : -1) * c[at + C.rounding]!;
+    for (let k = 0; k < 3; k++)
+      this.#turned[k] = c[at + (isA ? C.armA : C.armB) + k]! + inwards * c[at + C.normal + k]!;
+    cross3(this.#speed, 0, v, SIZE * owner + 3, this.#turned, 0);
+    for (let k = 0; k < 3; k++) this.#speed[k]! += v[SIZE * owner + k]!;
   }
 
   /** rad/s */
@@ -131,6 +162,17 @@ export class TurningCorners {
     if (body < 0) return;
     cross3(turned, 0, v, SIZE * body + 3, against, 0);
     for (let k = 0; k < 3; k++) this.#swing[k]! += sign * turned[k]!;
+  }
+
+  /** Bullet has the spin that a top has in the middle of the step; what it has at the end is to meet the contact. */
+  #spinOn(c: Float64Array, arm: number, body: number, pointer: number, share: number): void {
+    const spins = this.#effects.caused(gyroscopic);
+    if (!spins || body < 0) return;
+    const [gained, turned] = [this.#against, this.#turned];
+    gained.fill(0);
+    spins.addGain(this.#bodyAt(pointer), gained);
+    cross3(turned, 0, gained, 0, c, arm);
+    for (let k = 0; k < 3; k++) this.#swing[k]! += share * turned[k]!;
   }
 
   /** They were solved: what turns about one of them is to go on with the mean of its speeds, however slow it is. */

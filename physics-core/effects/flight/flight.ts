@@ -219,16 +219,17 @@ export class Flight extends Effect {
       this.#shift(body, displacement[0]!, displacement[1]!, displacement[2]!);
       return;
     }
-    const given = this.#effects.caused(gyroscopic)?.given(body);
+    const spins = this.#effects.caused(gyroscopic);
+    const given = spins?.given(body);
     const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY + 3;
     for (let i = 0; i < 3; i++)
       displacement[3 + i] = (-dt / 2) * (this.#now[3 + i]! - (given ? given[i]! : v[at + i]!));
-    this.#place(body);
+    this.#place(body, spins?.turned(body, this.#now, dt));
   }
 
-  /** With another orientation. */
-  #place({ body, pointer }: Body): void {
+  /** With another orientation: `to`, or what is to be added to the one that it has. */
+  #place({ body, pointer }: Body, to?: Float64Array): void {
     const { reader, scratch } = this.#simulation.engine;
     const pose = this.#pose;
     const [turn, rotation, displacement] = [this.#turn, this.#rotation, this.#displacement];
@@ -236,6 +237,7 @@ export class Flight extends Effect {
     for (let i = 0; i < 3; i++) rotation[i] = displacement[3 + i]!;
     writeTurn(turn, rotation, 1);
     multiply4(turn, turn, 0, pose, 3);
+    if (to) turn.set(to);
     body.setCenterOfMassTransform(
       scratch.transform(
         [pose[0]! + displacement[0]!, pose[1]! + displacement[1]!, pose[2]! + displacement[2]!],

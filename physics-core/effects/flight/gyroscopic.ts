@@ -15,7 +15,7 @@ import {
   writeTurn,
 } from '../../base/flat-math.js';
 import { writeAxes } from '../../base/matrix.js';
-import { topOf, type Top } from './top.js';
+import { topOf, turnFreely, type Top } from './top.js';
 
 /** Radians per step below which the torque is left out: it grows with the square. */
 const SLOW = 1e-3;
@@ -37,10 +37,15 @@ interface Spin {
   end: Float64Array;
   /** The spin left to Bullet: as long as it stands, the momentum is known better than from there. */
   left: Float64Array;
-  /** Its axes at the start of the step. */
+  /** Its orientation and its axes at the start of the step. */
+  from: Float64Array;
   axes: Float64Array;
-  /** It turns little enough in the step that what joints give it may be kept as momentum. */
+  /** It turns little enough in the step that what joints and contacts give it may be kept as momentum. */
   slow: boolean;
+  /** It was pushed evenly in the step. */
+  even: boolean;
+  /** By how much its spin then came out otherwise than `end` and the push say: the push turned it, and its axes with it. */
+  missed: Float64Array;
   /** It turns farther in the step than Bullet does, or is turned aside: its axes are elsewhere at the end. */
   beyond: boolean;
   /** By how much it is turned aside, radians. */
@@ -50,8 +55,8 @@ interface Spin {
 /**
  * Bullet keeps the spin of a free body; nature keeps its angular momentum. Before each step this gives the body the one
  * spin that turns it as far as its free motion would, after it the change to the spin at the end of that motion. What
- * joints did meanwhile is added to the momentum; what contacts did, to the spin (as momentum it would spin up thin
- * bodies). The motion is that of a round top, which is known exactly, with half a turn for what is uneven before and
+ * joints did meanwhile, or contacts that it turns about, is added to the momentum; what other contacts did, to the spin (as
+ * momentum it would spin up thin bodies). The motion is that of a round top, which is known exactly, with half a turn for what is uneven before and
  * after it: momentum is kept to rounding, however thin the body and fast the spin, and the axis wanders as it should.
  */
 export class Gyroscopic extends Effect {
@@ -104,6 +109,32 @@ export class Gyroscopic extends Effect {
     return this.#spinning.get(body)?.given;
   }
 
+  /** What it adds to that spin until the end of the step, by free motion and, as in the last step, by being pushed evenly. */
+  addGain(body: Body, spin: Float64Array): void {
+    const state = this.#spinning.get(body);
+    if (!state) return;
+    for (let i = 0; i < 3; i++) spin[i]! += state.end[i]! - state.given[i]! + state.missed[i]!;
+  }
+
+  /**
+   * Where it is turned to by the end of a step in which it was pushed evenly: as if all of that were one blow in the middle,
+   * with free motion before and after it. Undefined: that is not known. `velocity`: six numbers, what was found.
+   */
+  turned(body: Body, velocity: Float64Array, dt: number): Float64Array | undefined {
+    const state = this.#spinning.get(body);
+    if (!state?.slow) return undefined;
+    state.even = true;
+    const top = this.#tops.get(body)!;
+    const orientation = this.#orientation;
+    orientation.set(state.from);
+    turnFreely(orientation, top, state.momentum, dt / 2);
+    for (let i = 0; i < 3; i++) this.#spin[i] = velocity[3 + i]! - state.given[i]!;
+    applyInertia(this.#change, 0, state.axes, body.mass.moments, this.#spin, 0);
+    for (let i = 0; i < 3; i++) this.#change[i]! += state.momentum[i]!;
+    turnFreely(orientation, top, this.#change, dt / 2);
+    return orientation;
+  }
+
   override beforeStep(dt: number): void {
     for (const [body, top] of this.#tops) {
       if (body.active && !body.sleeping) this.#lead(body, top, dt);
@@ -134,10 +165,14 @@ export class Gyroscopic extends Effect {
     this.#spinning.set(body, state);
     const { momentum, given, left } = state;
     state.axes.set(this.#axes);
+    for (let i = 0; i < 4; i++) state.from[i] = this.#pose[3 + i]!;
+    if (!state.even) state.missed.fill(0);
+    state.even = false;
     state.slow = top.thinness * turn * turn < MOST_TURN;
     const { moments } = body.mass;
     if (!same3(left, v, 3)) applyInertia(momentum, 0, this.#axes, moments, v, 3);
-    this.#turnFreely(top, momentum, dt);
+    this.#orientation.set(state.from);
+    turnFreely(this.#orientation, top, momentum, dt);
     this.#writeSpin(given, dt);
     state.aside.fill(0);
     state.beyond = hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
@@ -149,27 +184,6 @@ export class Gyroscopic extends Effect {
   #writeEnd({ mass }: Body, { end, momentum }: Spin, q: Float64Array, at: number): void {
     writeAxes(this.#axes, q, at);
     applyInverseInertia(end, 0, this.#axes, mass.moments, momentum, 0);
-  }
-
-  /** Fills `#orientation` with that at the end of the step if nothing else acts. */
-  #turnFreely({ axis, other, own, uneven, across }: Top, momentum: Float64Array, dt: number): void {
-    for (let i = 0; i < 4; i++) this.#orientation[i] = this.#pose[3 + i]!;
-    this.#turnAbout(other, uneven, momentum, dt / 2);
-    this.#turnAbout(axis, own, momentum, dt);
-    for (let i = 0; i < 3; i++) this.#spin[i] = momentum[i]! / across;
-    writeTurn(this.#turn, this.#spin, dt);
-    multiply4(this.#orientation, this.#turn, 0, this.#orientation, 0);
-    this.#turnAbout(other, uneven, momentum, dt / 2);
-  }
-
-  /** About one of its own axes, at a rate that goes with its share of the momentum. */
-  #turnAbout(axis: number, rate: number, momentum: Float64Array, time: number): void {
-    if (rate === 0) return;
-    writeAxes(this.#axes, this.#orientation, 0);
-    this.#spin.fill(0);
-    this.#spin[axis] = rate * dot3(this.#axes, axis * 3, momentum, 0);
-    writeTurn(this.#turn, this.#spin, time);
-    multiply4(this.#orientation, this.#orientation, 0, this.#turn, 0);
   }
 
   /** The spin that turns the body from its pose to `#orientation` in one step, as Bullet keeps it. */
@@ -191,16 +205,17 @@ export class Gyroscopic extends Effect {
     const v = this.#velocity;
     this.#simulation.engine.reader.velocity(body.body, body.pointer, v, 0);
     const free = same3(given, v, 3) && !state.beyond;
-    const alone = state.slow && (this.#effects.caused(jointSolve)?.alone(body) ?? false);
+    const kept =
+      state.slow && (state.even || (this.#effects.caused(jointSolve)?.alone(body) ?? false));
     for (let i = 0; i < 3; i++) spin[i] = v[3 + i]! - given[i]!;
-    if (alone) this.#takeMomentum(body, state);
+    if (kept) this.#takeMomentum(body, state);
     else {
       for (let i = 0; i < 3; i++) spin[i]! += end[i]!;
       if (state.beyond) this.#turnSpin(state.aside);
     }
     if (!free && !state.slow) this.#bound(body, state);
     for (let i = 0; i < 3; i++) spin[i] = Math.fround(spin[i]!);
-    if (free || alone) left.set(spin);
+    if (free || kept) left.set(spin);
     else left.fill(NaN);
     this.#give(body, spin);
     this.#simulation.bodies.readVelocity(body);
@@ -228,13 +243,15 @@ export class Gyroscopic extends Effect {
     for (let i = 0; i < 3; i++) this.#spin[i]! *= Math.sqrt(most / after);
   }
 
-  /** What only joints changed in the step is momentum: it stays as it is while the body turns. */
+  /** What only joints or an even push changed in the step is momentum: it stays as it is while the body turns. */
   #takeMomentum(body: Body, state: Spin): void {
-    const { axes, momentum, end } = state;
+    const { axes, momentum, end, missed } = state;
+    for (let i = 0; i < 3; i++) missed[i] = -end[i]! - this.#spin[i]!;
     applyInertia(this.#change, 0, axes, body.mass.moments, this.#spin, 0);
     for (let i = 0; i < 3; i++) momentum[i]! += this.#change[i]!;
     this.#simulation.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
     this.#writeEnd(body, state, this.#pose, 3);
+    for (let i = 0; i < 3; i++) missed[i]! += end[i]!;
     this.#spin.set(end);
   }
 
@@ -271,8 +288,11 @@ const newSpin = (): Spin => ({
   given: new Float64Array(3),
   end: new Float64Array(3),
   left: new Float64Array(3).fill(NaN),
+  from: new Float64Array(4),
   axes: new Float64Array(9),
   slow: false,
+  even: false,
+  missed: new Float64Array(3),
   beyond: false,
   aside: new Float64Array(3),
 });

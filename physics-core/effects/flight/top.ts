@@ -1,4 +1,6 @@
 import { log } from '../../base/exact/index.js';
+import { dot3, multiply4, writeTurn } from '../../base/flat-math.js';
+import { writeAxes } from '../../base/matrix.js';
 
 /** How a body with these moments turns freely: nearly as a top that is round about `axis`. */
 export interface Top {
@@ -27,4 +29,39 @@ export function topOf(moments: readonly number[]): Top {
     uneven: 1 / moments[other]! - 1 / across,
     thinness: Math.max(...moments) / Math.min(...moments),
   };
+}
+
+const axes = new Float64Array(9);
+const spin = new Float64Array(3);
+const turn = new Float64Array(4);
+
+/** Turns an orientation as the top goes on for so many seconds with its angular momentum, if nothing else acts. */
+export function turnFreely(
+  orientation: Float64Array,
+  { axis, other, own, uneven, across }: Top,
+  momentum: Float64Array,
+  time: number,
+): void {
+  turnAbout(orientation, other, uneven, momentum, time / 2);
+  turnAbout(orientation, axis, own, momentum, time);
+  for (let i = 0; i < 3; i++) spin[i] = momentum[i]! / across;
+  writeTurn(turn, spin, time);
+  multiply4(orientation, turn, 0, orientation, 0);
+  turnAbout(orientation, other, uneven, momentum, time / 2);
+}
+
+/** About one of its own axes, at a rate that goes with its share of the momentum. */
+function turnAbout(
+  orientation: Float64Array,
+  axis: number,
+  rate: number,
+  momentum: Float64Array,
+  time: number,
+): void {
+  if (rate === 0) return;
+  writeAxes(axes, orientation, 0);
+  spin.fill(0);
+  spin[axis] = rate * dot3(axes, axis * 3, momentum, 0);
+  writeTurn(turn, spin, time);
+  multiply4(orientation, orientation, 0, turn, 0);
 }
