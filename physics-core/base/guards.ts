@@ -56,6 +56,9 @@ export const guards = {
   /** What an impulse of the last step is worth once a body of its contact has another mass: it would throw a light one. */
   impulseOfOtherMass: (_impulse: number): number => 0,
 
+  /** Bodies that are so near to 0 0 0 that single precision is fine enough, metres. */
+  near: (distance: number, most: number): boolean => distance <= most,
+
   /** Extents thinner than this have no volume to collide with. */
   thickness: (extent: number, thinnest: number): number => Math.max(extent, thinnest),
 };

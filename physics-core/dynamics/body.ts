@@ -85,6 +85,8 @@ export interface Body extends SimulationNode {
 
   /** Of its origin at the last finished step. */
   pose(): Pose;
+  /** The same, seen from Bullet's origin: what contacts and rays are compared with. */
+  poseInBullet(): Pose;
   centerOfMassWorld(): Vec3;
   velocityAtOrigin(): Velocity;
   setVelocityAtOrigin(velocity: Velocity): void;

@@ -74,6 +74,8 @@ export interface Joint extends SimulationNode {
   push(dt: number): void;
   /** The joint's frame as each body carries it, world frame. */
   worldFrame(which: 1 | 2): Pose;
+  /** The same, seen from Bullet's origin. */
+  frameInBullet(which: 1 | 2): Pose;
   anchorOn(which: 1 | 2): Vec3;
   /** Bullet's rows are to hold by themselves. */
   resetTargets(): void;

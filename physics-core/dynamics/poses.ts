@@ -1,11 +1,12 @@
+import type { Vec3 } from '../fields/types.js';
 import { MOVED } from '../engine/state-pass.js';
 
 /** Numbers per pose: x y z, then the quaternion x y z w. */
 export const POSE = 7;
 
 /**
- * Poses of all bodies, a slot each: at the last step but one, at the last, and what is drawn between them.
- * All are of the body's own frame. Grows by doubling; nothing is allocated in a frame.
+ * Poses of all bodies, a slot each: at the last step but one, at the last, and what is drawn between them. The first two
+ * are in Bullet's world, what is drawn is in its author's. All are of the body's own frame. Grows by doubling; nothing is allocated in a frame.
  */
 export class Poses {
   previous = new Float64Array(POSE * 16);
@@ -70,7 +71,7 @@ export class Poses {
    * Fills `data` and `moved`: `fraction` 0 is the last step but one, 1 the last. Straight line for the position, normalised
    * line for the quaternion (the angle per step is small). No call within the loop: a body takes half as long.
    */
-  interpolate(fraction: number): void {
+  interpolate(fraction: number, [ox, oy, oz]: Vec3): void {
     const { previous: a, current: b, data: out, marks, moved } = this;
     let count = 0;
     for (let slot = 0, slots = this.#count; slot < slots; slot++) {
@@ -79,9 +80,9 @@ export class Poses {
       moved[count++] = slot;
       if (fraction >= 1 || mark === 1) marks[slot] = 0;
       const at = slot * POSE;
-      out[at] = a[at]! + (b[at]! - a[at]!) * fraction;
-      out[at + 1] = a[at + 1]! + (b[at + 1]! - a[at + 1]!) * fraction;
-      out[at + 2] = a[at + 2]! + (b[at + 2]! - a[at + 2]!) * fraction;
+      out[at] = ox + a[at]! + (b[at]! - a[at]!) * fraction;
+      out[at + 1] = oy + a[at + 1]! + (b[at + 1]! - a[at + 1]!) * fraction;
+      out[at + 2] = oz + a[at + 2]! + (b[at + 2]! - a[at + 2]!) * fraction;
       const ax = a[at + 3]!;
       const ay = a[at + 4]!;
       const az = a[at + 5]!;

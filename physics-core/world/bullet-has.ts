@@ -1,3 +1,4 @@
+import { add } from '../base/math.js';
 import { POSE } from '../dynamics/poses.js';
 import { contacts } from '../effects/effect/chunks.js';
 import { kindOf } from '../engine/shape-kind.js';
@@ -39,7 +40,7 @@ function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
     shapes: shapesOf(body),
     mass: body.movable ? body.mass.mass : 0,
     principalMoments: body.movable ? [...body.mass.moments] : [0, 0, 0],
-    centerOfMass: [...pose.subarray(0, 3)],
+    centerOfMass: add([pose[0]!, pose[1]!, pose[2]!], body.world.bullet.origin),
     principalAxes: [...pose.subarray(3)],
     linearVelocity: [...velocity.subarray(0, 3)],
     angularVelocity: [...velocity.subarray(3)],

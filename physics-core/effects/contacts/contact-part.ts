@@ -40,7 +40,7 @@ export const isRound = (body: Body): boolean =>
 
 /** The number of the mesh among the solid parts of a body whose box lies nearest to a point, world frame. */
 function meshNumberAt(body: Body, position: Vec3): number {
-  const local = within(body.pose(), position);
+  const local = within(body.poseInBullet(), position);
   let nearest = 0;
   let least = Infinity;
   body.solidParts.forEach((part, i) => {

@@ -1,4 +1,5 @@
 import { ContactPoint } from '../../engine/contact-point.js';
+import { add } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import type { Collider } from '../../dynamics/pairs.js';
@@ -183,7 +184,7 @@ export class ContactReader extends Effect {
       if ((first !== a || second !== b) && (first !== b || second !== a)) return;
       const point = this.#point.at(pointer, first.pointer, second.pointer);
       points.push({
-        position: point.positionVector(),
+        position: add(point.positionVector(), this.#simulation.bullet.origin),
         normal: point.normalVector(first === into ? 1 : -1),
         depth: -point.distance,
         impulse: point.impulse,

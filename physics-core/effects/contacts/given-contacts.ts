@@ -1,5 +1,6 @@
 import { ContactPoint, PLACE } from '../../engine/contact-point.js';
 import { length, normalize, subtract } from '../../base/math.js';
+import type { Vec3 } from '../../fields/types.js';
 import type { Contact, ContactGiver } from '../../dynamics/contact.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -157,7 +158,13 @@ export class GivenContacts extends Effect {
     if (!all) return undefined;
     // Two bodies that may not touch anywhere do not meet at a new point either.
     if (all.every(isLeftOut)) return null;
-    const said = nearest(all, point, BREAKING + Math.abs(point.distance) + point.reach(this.#dt));
+    const { origin } = this.#simulation.bullet;
+    const said = nearest(
+      all,
+      point,
+      origin,
+      BREAKING + Math.abs(point.distance) + point.reach(this.#dt),
+    );
     if (said?.listed && isMoved(said.listed, said.contact)) this.#move(point, pair, said.listed);
     return said && said.parameters;
   }
@@ -166,7 +173,8 @@ export class GivenContacts extends Effect {
   #move(point: ContactPoint, pair: Pair, contact: Contact): void {
     this.#moved.push(point.pointer);
     point.savePlace(this.#places);
-    const { position, depth, ...touching } = contact.touching;
+    const { depth, ...touching } = contact.touching;
+    const position = subtract(touching.position, this.#simulation.bullet.origin);
     const normal = normalize(touching.normal);
     for (let i = 0; i < 3; i++) {
       const n = normal[i]! * pair.carried;
@@ -193,13 +201,18 @@ function isMoved(listed: Contact, contact: Contact): boolean {
 const isLeftOut = ({ parameters }: Said): boolean => parameters === null;
 
 /** The contact reported nearest to a point. One that two sensors reported counts as listed if one of them is. */
-function nearest(all: readonly Said[], point: ContactPoint, within: number): Said | undefined {
+function nearest(
+  all: readonly Said[],
+  point: ContactPoint,
+  origin: Vec3,
+  within: number,
+): Said | undefined {
   let best: Said | undefined;
   let least = within;
   for (const said of all) {
     const { position, depth } = said.contact.found!;
     // Pushing an overlap apart moves the point without speed.
-    const distance = point.distanceTo(position) - Math.abs(depth);
+    const distance = point.distanceTo(subtract(position, origin)) - Math.abs(depth);
     if (distance > least + SAME) continue;
     if (!best || distance < least - SAME || said.parameters) best = said;
     least = Math.min(least, distance);

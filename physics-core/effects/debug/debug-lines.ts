@@ -2,7 +2,7 @@ import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Joint } from '../../dynamics/joint.js';
-import { AXES, rotate, scale, type Pose } from '../../base/math.js';
+import { add, AXES, rotate, scale, type Pose } from '../../base/math.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { COLOR, type Color } from './colors.js';
@@ -64,11 +64,13 @@ export class DebugLines extends LineBuffer {
     return MARK * this.#outlineOf(body).reach;
   }
 
-  /** The pose of a body's centre of mass, as Bullet has it. */
-  poseOf(body: Body): Pose {
+  /** The pose of a body's centre of mass, or of the world, as Bullet has it. */
+  poseOf(body: Body | undefined): Pose {
     const p = this.#pose;
-    this.#simulation.engine.reader.pose(body.body, body.pointer, p, 0);
-    return { p: [p[0]!, p[1]!, p[2]!], q: [p[3]!, p[4]!, p[5]!, p[6]!] };
+    const { engine, bullet } = this.#simulation;
+    if (!body) return { p: [...bullet.origin], q: [0, 0, 0, 1] };
+    engine.reader.pose(body.body, body.pointer, p, 0);
+    return { p: add([p[0]!, p[1]!, p[2]!], bullet.origin), q: [p[3]!, p[4]!, p[5]!, p[6]!] };
   }
 
   #outlineOf(body: Body): Outline {

@@ -1,17 +1,7 @@
 import { cos, sin } from '../../base/exact/index.js';
 import { JointView } from '../../engine/joint-view.js';
 import type { Vec3 } from '../../fields/types.js';
-import {
-  add,
-  AXES,
-  compose,
-  cross,
-  identityPose,
-  normalize,
-  rotate,
-  scale,
-  type Pose,
-} from '../../base/math.js';
+import { add, AXES, compose, cross, normalize, rotate, scale, type Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -40,7 +30,7 @@ export function markJoint(lines: DebugLines, { engine }: Simulation, joint: Join
   const view = new JointView(engine.ammo);
   const [bodyA, bodyB] = constraint.swapped ? [body2, body1] : [body1, body2];
   const frame = (body: Body | undefined, side: 'A' | 'B'): Pose =>
-    compose(body ? lines.poseOf(body) : identityPose(), view.frame(constraint.pointer, side));
+    compose(lines.poseOf(body), view.frame(constraint.pointer, side));
   const seen: Seen = {
     lines,
     size: sizeOf(lines, [body1, body2]),

@@ -47,8 +47,8 @@ export class JointEnds {
   takeFrames(k: number, joint: Joint, ways?: Ways): void {
     const { a, b } = this.edges[k]!;
     this.#carried[k] = ways ? 1 : 0;
-    this.#takeEnd(k * 2, joint.centred1, a < 0 ? joint.worldFrame(1) : undefined, ways?.one);
-    this.#takeEnd(k * 2 + 1, joint.centred2, b < 0 ? joint.worldFrame(2) : undefined, ways?.two);
+    this.#takeEnd(k * 2, joint.centred1, a < 0 ? joint.frameInBullet(1) : undefined, ways?.one);
+    this.#takeEnd(k * 2 + 1, joint.centred2, b < 0 ? joint.frameInBullet(2) : undefined, ways?.two);
   }
 
   #takeEnd(end: number, centred: Pose, fixed: Pose | undefined, way: Way | undefined): void {

@@ -53,8 +53,8 @@ export class PointConstraints {
   }
 
   takePoints(pin: number, joint: Joint, { a, b }: Edge, ways?: Ways): void {
-    const one = a < 0 ? joint.worldFrame(1) : joint.centred1;
-    const two = b < 0 ? joint.worldFrame(2) : joint.centred2;
+    const one = a < 0 ? joint.frameInBullet(1) : joint.centred1;
+    const two = b < 0 ? joint.frameInBullet(2) : joint.centred2;
     const childIsFirst = this.#forest.childOf[pin] === a;
     this.#points.set((childIsFirst ? one : two).p, pin * POINTS);
     this.#points.set((childIsFirst ? two : one).p, pin * POINTS + PARENT);

@@ -66,6 +66,12 @@ export class BodyMotion {
 
   /** The pose of the body's origin at the last finished step. */
   pose(): Pose {
+    const { p, q } = this.poseInBullet();
+    return { p: add(p, this.#node.world.bullet.origin), q };
+  }
+
+  /** The same, seen from Bullet's origin. */
+  poseInBullet(): Pose {
     const at = this.#node.slot * POSE;
     const c = this.#node.world.poses.current;
     return {
@@ -74,14 +80,19 @@ export class BodyMotion {
     };
   }
 
+  #inBullet({ p, q }: Pose): Pose {
+    return { p: subtract(p, this.#node.world.bullet.origin), q };
+  }
+
   /** Puts the body there at once. Joints hang on to where an immovable body is put. */
   place(pose: Pose): void {
     const { world, body, slot, centerOfMass, movable, joints } = this.#node;
-    const center = compose(pose, centerOfMass);
+    const own = this.#inBullet(pose);
+    const center = compose(own, centerOfMass);
     // setWorldTransform would leave the world inertia tensor and the interpolation pose behind.
     body.setCenterOfMassTransform(world.engine.scratch.transform(center.p, center.q));
     world.rays.moved();
-    world.poses.current.set([...pose.p, ...pose.q], slot * POSE);
+    world.poses.current.set([...own.p, ...own.q], slot * POSE);
     world.poses.snap(slot);
     if (!movable && joints.size > 0) world.registry.find(jointSolve)?.carried(this.#node);
   }
@@ -116,13 +127,15 @@ export class BodyMotion {
       this.moveTo(pose);
       return;
     }
-    const from = compose(this.pose(), node.centerOfMass);
+    const from = compose(this.poseInBullet(), node.centerOfMass);
     this.kinematic = true;
     node.object.setFlags();
     this.#wakeTouching();
     this.place(pose);
     keepAwake(node.body);
-    node.world.registry.get(carrying).carry(node, from, compose(pose, node.centerOfMass));
+    node.world.registry
+      .get(carrying)
+      .carry(node, from, compose(this.#inBullet(pose), node.centerOfMass));
   }
 
   /** It goes no further on its way. */

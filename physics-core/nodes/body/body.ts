@@ -222,6 +222,10 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.motion.pose();
   }
 
+  poseInBullet(): Pose {
+    return this.motion.poseInBullet();
+  }
+
   centerOfMassWorld(): Vec3 {
     return this.motion.centerOfMassWorld();
   }
@@ -247,8 +251,10 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   readPose(out: Float32Array | Float64Array | number[]): typeof out {
-    const { current } = this.world.poses;
-    for (let i = 0; i < POSE; i++) out[i] = this.slot < 0 ? 0 : current[this.slot * POSE + i]!;
+    const { poses, bullet } = this.world;
+    const at = this.slot * POSE;
+    for (let i = 0; i < POSE; i++) out[i] = this.slot < 0 ? 0 : poses.current[at + i]!;
+    for (let i = 0; i < 3 && this.slot >= 0; i++) out[i]! += bullet.origin[i]!;
     return out;
   }
 

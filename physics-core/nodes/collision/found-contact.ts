@@ -1,4 +1,5 @@
 import type { ContactPoint } from '../../engine/contact-point.js';
+import { add } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import { carriedBy } from '../../dynamics/contact-order.js';
@@ -36,7 +37,7 @@ export function foundContact(
     body2: bodyOf(first ? b : a),
     geometry1: first ? geometryA : geometryB,
     geometry2: first ? geometryB : geometryA,
-    position: point.positionVector(),
+    position: add(point.positionVector(), world.bullet.origin),
     contactNormal: point.normalVector(first ? 1 : -1),
     frictionDirection: firstDirection(point),
     depth: -point.distance,

@@ -177,11 +177,14 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   }
 
   #make(): JointConstraint {
-    const side = (body: BodyNode | undefined, frame: Pose): Side =>
+    const side = (body: BodyNode | undefined, which: 1 | 2): Side =>
       body
-        ? { body: body.body, frame: compose(invert(body.centerOfMass), frame) }
-        : { body: this.world.bullet.ground, frame };
-    const sides = [side(this.body1, this.frame1), side(this.body2, this.frame2)] as const;
+        ? {
+            body: body.body,
+            frame: compose(invert(body.centerOfMass), which === 1 ? this.frame1 : this.frame2),
+          }
+        : { body: this.world.bullet.ground, frame: this.frameInBullet(which) };
+    const sides = [side(this.body1, 1), side(this.body2, 2)] as const;
     [this.centred1, this.centred2] = [sides[0].frame, sides[1].frame];
     return joints.code.constraint(this.world.bullet, ...sides, this.shouldSwap());
   }

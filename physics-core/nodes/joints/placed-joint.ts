@@ -84,6 +84,12 @@ export abstract class PlacedJoint extends PhysicsNode {
     return body ? compose(body.pose(), frame) : frame;
   }
 
+  /** The same, seen from Bullet's origin. */
+  frameInBullet(which: 1 | 2): Pose {
+    const { p, q } = this.worldFrame(which);
+    return { p: subtract(p, this.world.bullet.origin), q };
+  }
+
   anchorOn(which: 1 | 2): Vec3 {
     return this.placed ? this.worldFrame(which).p : this.asked<Vec3>('anchorPoint');
   }

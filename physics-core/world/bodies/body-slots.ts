@@ -9,6 +9,7 @@ import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
 import { compose7 } from '../../base/flat-math.js';
 import { invert, type Pose } from '../../base/math.js';
+import { originFor } from './origin.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import { POSE, type Poses } from '../../dynamics/poses.js';
 import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
@@ -77,7 +78,9 @@ export class BodySlots implements BodyTable {
     return body?.isObstacle ? undefined : body;
   }
 
+  /** The first one says, with all that are to come, where Bullet counts from. */
   take(body: BodyNode): number {
+    if (!this.#bySlot.some(Boolean)) this.#world.bullet.origin = originFor(this.#world.nodes);
     const slot = this.#poses.take();
     this.#bySlot[slot] = body;
     this.moving.take(slot);

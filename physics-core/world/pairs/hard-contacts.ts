@@ -140,7 +140,7 @@ export class HardContacts implements Reports {
 function heightOver(point: ContactPoint, body: Body, sign: 1 | -1): number {
   const part = body.solidParts.length === 1 ? body.solidParts[0]! : undefined;
   if (!part || !hitShapeOf(part, body)) return NaN;
-  const middle = compose(body.pose(), part.pose).p;
+  const middle = compose(body.poseInBullet(), part.pose).p;
   return sign * dot(point.normalVector(), subtract(middle, point.positionVector()));
 }
 

@@ -77,7 +77,14 @@ export class Rays {
     if (!start || !end || !world.started) return null;
     world.flush();
     this.#updateBoxes();
-    return this.#first(start, end);
+    return this.#seen(start, end);
+  }
+
+  /** From and to Bullet's origin. */
+  #seen(from: Vec3, to: Vec3): RayHit | null {
+    const { origin } = this.#world.bullet;
+    const hit = this.#first(subtract(from, origin), subtract(to, origin));
+    return hit && { ...hit, position: add(hit.position, origin) };
   }
 
   /** Bullet's tolerance takes near misses for hits; the ray then goes on behind them. */
@@ -130,7 +137,7 @@ export class Rays {
     let nearest: { fraction: number; part: NodePart } | undefined;
     for (const [i, part] of parts.entries()) {
       const child = compound.getChildShape(i);
-      const fraction = this.#probe.cast(child, compose(body.pose(), part.pose), from, to);
+      const fraction = this.#probe.cast(child, compose(body.poseInBullet(), part.pose), from, to);
       if (fraction < (nearest?.fraction ?? Infinity)) nearest = { fraction, part };
     }
     return nearest?.part;
@@ -200,7 +207,7 @@ const placed = ({ position, normal, fraction }: Hit): Surface => ({ position, no
 
 /** Boxes, spheres and cylinders have a formula. Null: the ray misses by it. */
 function exactly(body: BodyNode, part: NodePart, from: Vec3, to: Vec3): Surface | null | undefined {
-  const pose = compose(body.pose(), part.pose);
+  const pose = compose(body.poseInBullet(), part.pose);
   const toPart = invert(pose);
   const local = (point: Vec3): Vec3 => add(toPart.p, rotate(toPart.q, point));
   const found = entryInto(part.geometry, local(from), local(to));

@@ -226,6 +226,18 @@ export const guardRows: Row[] = [
     },
   },
   {
+    guard: 'near',
+    fact: 'a ball that is thrown 1000 km from 0 0 0 flies its parabola to 10 µm',
+    run: async () => {
+      const w = await world();
+      const from = 1e6;
+      const ball = addBody(w, { position: [from, 0, from], linearVelocity: [3, 2, 1] });
+      w.advance(1);
+      const [x, y, z] = position(ball);
+      close([x - from, y, z - from], [3, 2 - way(9.8, 1), 1], 1e-5, 'm');
+    },
+  },
+  {
     guard: 'impulseOfOtherMass',
     fact: 'a pile that loses its mass at rest is not thrown away by what bore it, by iterations either',
     run: async () => {
