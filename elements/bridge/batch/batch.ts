@@ -1,7 +1,8 @@
-import type { Affine } from '../geometry/matrix.js';
+import { copyInto, identity, type Affine } from '../geometry/matrix.js';
+import { fromX3D } from '../x3dom/matrices.js';
 import { x3dom, type NodeContext } from '../x3dom/x3dom.js';
-import type { X3DShape, X3DVolume } from '../x3dom/renderer.js';
-import { drawnFor } from './boxes.js';
+import type { X3DShape, X3DVolume, Way } from '../x3dom/renderer.js';
+import { drawnFor, halfSizeOf } from './boxes.js';
 import type { Group } from './group.js';
 import { Instances } from './instances.js';
 import { appearanceOf, colorOf, geometryOf } from './look.js';
@@ -9,6 +10,9 @@ import type { ManyRenderer } from './many.js';
 import type { Member } from './member.js';
 import type { Resting } from './ticks.js';
 import { freeBuffers } from './meshes.js';
+
+// Scratch: nothing is allocated in a frame.
+const stands: Affine = identity();
 
 /**
  * Bodies that look alike and stand in the same group, drawn by one Shape that stands there beside them: what is above
@@ -25,6 +29,10 @@ export class Batch {
   readonly #volume: X3DVolume;
   /** Whose geometry and Appearance it draws. */
   #model!: Member;
+  /** Where the group is in the world. */
+  readonly #above: Affine = identity();
+  /** What x3dom collected last to draw it. */
+  #collection: unknown;
 
   constructor(renderer: ManyRenderer, group: Group, resting: Resting) {
     this.#resting = resting;
@@ -43,9 +51,12 @@ export class Batch {
   #behave(shape: X3DShape): void {
     const { collectDrawableObjects } = shape;
     shape.collectDrawableObjects = (...way) => {
-      if (this.#renderer.ready(shape, way)) return collectDrawableObjects.apply(shape, way);
-      for (const member of this.members) member.drawPlainly(...way);
-      return undefined;
+      if (this.#isAgain(way) || !this.#renderer.ready(shape, way)) {
+        for (const member of this.members) member.drawPlainly(...way);
+        return undefined;
+      }
+      this.#stand(way);
+      return collectDrawableObjects.apply(shape, way);
     };
     shape.getVolume = () => {
       this.instances.bounds(this.#volume);
@@ -57,6 +68,22 @@ export class Batch {
     shape.doIntersect = () => false;
     // x3dom asks for an id before it draws something to be picked; each instance has its own.
     shape._objectID = 1;
+  }
+
+  /** The group is drawn in a second place. */
+  #isAgain([, collection]: Way): boolean {
+    const isAgain = this.#collection === collection;
+    this.#collection = collection;
+    return isAgain;
+  }
+
+  /** What is above may have moved. */
+  #stand([matrix]: Way): void {
+    const above = fromX3D(matrix, stands);
+    if (above.every((value, i) => value === this.#above[i])) return;
+    copyInto(above, this.#above);
+    for (const member of this.members)
+      member.place(member.readMatrix(), this.#above, this.instances);
   }
 
   // ---- members ----------------------------------------------------------------------------------------------------
@@ -102,7 +129,8 @@ export class Batch {
   reread(member: Member): void {
     if (member === this.#model) this.#copy(member);
     const { shape } = member;
-    this.instances.look(member.at, colorOf(shape!), shape!._objectID);
+    const size = halfSizeOf(geometryOf(shape!)!);
+    this.instances.look(member.at, size, shape!._objectID, colorOf(shape!));
     this.#place(member, member.readMatrix());
     member.attach();
   }
@@ -120,7 +148,7 @@ export class Batch {
 
   #place(member: Member, local: Affine): void {
     const { node } = this.#group;
-    member.place(local, this.instances);
+    member.place(local, this.#above, this.instances);
     // Where its own bounds are unknown, so are those of all above it.
     if (node.volumeValid()) node.invalidateVolume();
   }

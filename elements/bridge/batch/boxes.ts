@@ -1,27 +1,19 @@
-import {
-  x3dom,
-  type NodeContext,
-  type X3DMatrix,
-  type X3DNode,
-  type X3DVector,
-} from '../x3dom/x3dom.js';
+import { x3dom, type NodeContext, type X3DNode, type X3DVector } from '../x3dom/x3dom.js';
 import { ownMesh } from './meshes.js';
 import { typeOf } from './types.js';
 
-// Boxes of all sizes look alike: each is the one of x3dom's own size, scaled.
+// Boxes of all sizes look alike: each is the one of x3dom's own size, whose corners are one away from its middle.
 
-/** Metres, or whatever lengths a file has. */
-const SIZE = 2;
+const ONE: X3DVector = { x: 1, y: 1, z: 1 };
 
 export const isScaled = (geometry: X3DNode): boolean =>
   typeOf(geometry) === 'Box' && geometry._vf.ccw === true && geometry._vf.hasHelperColors === false;
 
-/** From the frame of the geometry that `drawnFor` gives to that of this one. */
-export function scalingOf(geometry: X3DNode): X3DMatrix {
-  const { SFMatrix4f, SFVec3f } = x3dom()!.fields;
-  if (!isScaled(geometry)) return SFMatrix4f.identity();
+/** What the corners of what `drawnFor` gives are multiplied with. x3dom halves a Box's size, too. */
+export function halfSizeOf(geometry: X3DNode): X3DVector {
+  if (!isScaled(geometry)) return ONE;
   const { x, y, z } = geometry._vf.size as X3DVector;
-  return SFMatrix4f.scale(new SFVec3f(x / SIZE, y / SIZE, z / SIZE));
+  return { x: x / 2, y: y / 2, z: z / 2 };
 }
 
 /** What is drawn for all whose geometry is alike. */

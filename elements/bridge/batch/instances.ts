@@ -1,65 +1,61 @@
 import type { Affine } from '../geometry/matrix.js';
 import type { X3DColor, X3DVolume } from '../x3dom/renderer.js';
+import type { X3DVector } from '../x3dom/x3dom.js';
+import type { Passes } from './passes.js';
+import { AFFINE } from './products.js';
 import { BOX, reachInto } from './reach.js';
+import { InstanceRows, LOOK, type Placed } from './rows.js';
 
-/** Per instance: three rows of its matrix; red, green, blue and the id that it is picked by. */
-const FLOATS = 16;
-const VECTORS = 4;
-const BYTES = 4;
-/** Attributes of the last places, of which WebGL 2 has sixteen: x3dom's own begin at the first. */
-export const FIRST_ATTRIBUTE = 12;
+const FEW = 8;
 
-/** What tells the bodies of one batch apart, here and in WebGL, and how far each of them reaches. */
-export class Instances {
+/** What tells the bodies of one batch apart, and how far each of them reaches. */
+export class Instances implements Placed {
   count = 0;
-  #data = new Float32Array(8 * FLOATS);
+  models = new Float64Array(FEW * AFFINE);
+  looks = new Float32Array(FEW * LOOK);
   /** How far each of them reaches. */
-  #boxes = new Float64Array(8 * BOX);
-  #buffer: WebGLBuffer | null = null;
-  /** Bytes that WebGL has room for. */
-  #room = 0;
-  /** What WebGL does not have yet. */
-  #from = Infinity;
-  #to = 0;
+  #boxes = new Float64Array(FEW * BOX);
+  /** By what they are drawn for. */
+  readonly #rows: InstanceRows[] = [];
+  /** That the next draw call takes. */
+  #bound: InstanceRows | undefined;
 
   /** The place of one more. */
   add(): number {
     const at = this.count++;
-    if (this.count * FLOATS > this.#data.length) {
-      const [data, boxes] = [this.#data, this.#boxes];
-      this.#data = new Float32Array(2 * data.length);
-      this.#boxes = new Float64Array(2 * boxes.length);
-      this.#data.set(data);
-      this.#boxes.set(boxes);
-    }
+    if (this.count * AFFINE > this.models.length) this.#grow();
     return at;
+  }
+
+  #grow(): void {
+    const { models, looks } = this;
+    const boxes = this.#boxes;
+    this.models = new Float64Array(2 * models.length);
+    this.looks = new Float32Array(2 * looks.length);
+    this.#boxes = new Float64Array(2 * boxes.length);
+    this.models.set(models);
+    this.looks.set(looks);
+    this.#boxes.set(boxes);
   }
 
   /** The last one comes to this place. */
   remove(at: number): void {
     const last = --this.count;
-    this.#data.copyWithin(at * FLOATS, last * FLOATS, (last + 1) * FLOATS);
+    this.models.copyWithin(at * AFFINE, last * AFFINE, (last + 1) * AFFINE);
+    this.looks.copyWithin(at * LOOK, last * LOOK, (last + 1) * LOOK);
     this.#boxes.copyWithin(at * BOX, last * BOX, (last + 1) * BOX);
     this.#note(at);
   }
 
   #note(at: number): void {
-    if (at < this.#from) this.#from = at;
-    if (at >= this.#to) this.#to = at + 1;
+    for (let i = 0; i < this.#rows.length; i++) this.#rows[i]?.note(at);
   }
 
   // ---- one instance -----------------------------------------------------------------------------------------------
 
-  /** `inner`: from the frame of what is drawn to that of `m`. */
-  place(at: number, m: Affine, inner: Affine): void {
-    const data = this.#data;
-    for (let row = 0; row < 12; row += 4) {
-      const [i, x, y, z] = [at * FLOATS + row, m[row], m[row + 1], m[row + 2]];
-      data[i] = x * inner[0] + y * inner[4] + z * inner[8];
-      data[i + 1] = x * inner[1] + y * inner[5] + z * inner[9];
-      data[i + 2] = x * inner[2] + y * inner[6] + z * inner[10];
-      data[i + 3] = x * inner[3] + y * inner[7] + z * inner[11] + m[row + 3];
-    }
+  /** `model`: from the frame of its Shape to the world. */
+  place(at: number, model: Affine): void {
+    for (let i = 0; i < AFFINE; i++) this.models[at * AFFINE + i] = model[i];
     this.#note(at);
   }
 
@@ -70,17 +66,13 @@ export class Instances {
 
   /** Of no size, it covers no pixel, and reaches nowhere. */
   hide(at: number): void {
-    this.#data.fill(0, at * FLOATS, at * FLOATS + 12);
+    this.models.fill(0, at * AFFINE, (at + 1) * AFFINE);
     this.#boxes.fill(NaN, at * BOX, (at + 1) * BOX);
     this.#note(at);
   }
 
-  look(at: number, { r, g, b }: X3DColor, id: number): void {
-    const i = at * FLOATS + 12;
-    this.#data[i] = r;
-    this.#data[i + 1] = g;
-    this.#data[i + 2] = b;
-    this.#data[i + 3] = id;
+  look(at: number, { x, y, z }: X3DVector, id: number, { r, g, b }: X3DColor): void {
+    this.looks.set([x, y, z, id, r, g, b], at * LOOK);
     this.#note(at);
   }
 
@@ -102,40 +94,16 @@ export class Instances {
   }
 
   /** The next draw call takes them. */
-  bind(gl: WebGL2RenderingContext): void {
-    this.#buffer ??= gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffer);
-    this.#upload(gl);
-    for (let i = 0; i < VECTORS; i++) {
-      const at = FIRST_ATTRIBUTE + i;
-      gl.enableVertexAttribArray(at);
-      gl.vertexAttribPointer(at, 4, gl.FLOAT, false, FLOATS * BYTES, 4 * i * BYTES);
-      gl.vertexAttribDivisor(at, 1);
-    }
+  bind(gl: WebGL2RenderingContext, eye: Passes): void {
+    this.#bound = this.#rows[eye.index] ??= new InstanceRows(eye.pass);
+    this.#bound.bind(gl, eye, this);
   }
 
   unbind(gl: WebGL2RenderingContext): void {
-    for (let i = 0; i < VECTORS; i++) {
-      gl.disableVertexAttribArray(FIRST_ATTRIBUTE + i);
-      gl.vertexAttribDivisor(FIRST_ATTRIBUTE + i, 0);
-    }
-  }
-
-  #upload(gl: WebGL2RenderingContext): void {
-    const data = this.#data;
-    const [first, end] = [this.#from * FLOATS, Math.min(this.#to, this.count) * FLOATS];
-    if (this.#room < data.byteLength) {
-      this.#room = data.byteLength;
-      gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
-    } else if (first < end)
-      gl.bufferSubData(gl.ARRAY_BUFFER, first * BYTES, data, first, end - first);
-    this.#from = Infinity;
-    this.#to = 0;
+    this.#bound?.unbind(gl);
   }
 
   free(gl: WebGL2RenderingContext): void {
-    gl.deleteBuffer(this.#buffer);
-    this.#buffer = null;
-    this.#room = 0;
+    for (const rows of this.#rows) rows?.free(gl);
   }
 }

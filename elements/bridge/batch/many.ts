@@ -7,13 +7,15 @@ import type {
   Way,
 } from '../x3dom/renderer.js';
 import type { Instances } from './instances.js';
-import { instanced, type Pass } from './shaders.js';
+import { Passes, type Pass } from './passes.js';
+import { instanced } from './shaders.js';
 
 /** Has x3dom's renderer draw some Shapes many times, by the methods of its own that are put in the place of these. */
 export class ManyRenderer {
   readonly gl: WebGL2RenderingContext;
   readonly #document: X3DDrawnDocument;
   readonly #renderer: X3DRenderer;
+  readonly #passes: Passes;
   readonly #instances = new Map<X3DNode, Instances>();
   readonly #programs = new WeakMap<X3DProgram, X3DProgram>();
   /** What the next call draws many of. */
@@ -26,7 +28,7 @@ export class ManyRenderer {
     this.#renderer = document.ctx;
     this.gl = this.#renderer.ctx3d;
     if (!('drawElementsInstanced' in this.gl)) this.failure = 'there is no WebGL 2';
-    this.#hookFrames(beforeFrame);
+    this.#passes = new Passes(this.#renderer, beforeFrame);
     this.#hookShaders();
     this.#hookDraws();
   }
@@ -68,15 +70,6 @@ export class ManyRenderer {
 
   // ---- x3dom's methods --------------------------------------------------------------------------------------------
 
-  #hookFrames(beforeFrame: () => void): void {
-    const renderer = this.#renderer;
-    const { renderScene } = renderer;
-    renderer.renderScene = (...args) => {
-      beforeFrame();
-      renderScene.apply(renderer, args);
-    };
-  }
-
   #hookShaders(): void {
     const { cache } = this.#renderer;
     const { getShaderByProperties } = cache;
@@ -105,7 +98,7 @@ export class ManyRenderer {
     renderer.setVertexAttribPointerPosition = (gl, shape, ...rest) => {
       setVertexAttribPointerPosition.call(renderer, gl, shape, ...rest);
       this.#next = this.#instances.get(shape);
-      this.#next?.bind(gl);
+      this.#next?.bind(gl, this.#passes);
     };
     renderer.drawElements = (gl, mode, count, type, offset, times) => {
       drawElements.call(renderer, gl, mode, count, type, offset, this.#next?.count ?? times);
@@ -126,7 +119,8 @@ export class ManyRenderer {
   unhook(): void {
     const { cache } = this.#renderer;
     Reflect.deleteProperty(cache, 'getShaderByProperties');
-    const names = ['renderScene', 'setVertexAttribPointerPosition', 'drawElements', 'drawArrays'];
+    this.#passes.unhook();
+    const names = ['setVertexAttribPointerPosition', 'drawElements', 'drawArrays'];
     for (const name of names) Reflect.deleteProperty(this.#renderer, name);
   }
 }

@@ -5,10 +5,9 @@ import { fromX3D } from '../x3dom/matrices.js';
 import { matrixFor } from '../x3dom/placing.js';
 import type { X3DNode } from '../x3dom/x3dom.js';
 import type { X3DBounded, X3DShape, X3DTransform, Way } from '../x3dom/renderer.js';
-import { scalingOf } from './boxes.js';
 import type { Instances } from './instances.js';
 import { Late } from './late.js';
-import { geometryOf, obstacle } from './look.js';
+import { obstacle } from './look.js';
 import { passes, Strand } from './strand.js';
 
 // Scratch: nothing is allocated while bodies move.
@@ -61,7 +60,7 @@ export class Member {
     this.strand = new Strand(this.transform, isMoved);
     this.why = this.#obstacle();
     if (this.why !== undefined) return;
-    this.strand.measure(scalingOf(geometryOf(this.shape!)!));
+    this.strand.measure();
     this.#seen = this.strand.seen;
   }
 
@@ -121,8 +120,9 @@ export class Member {
     return fromX3D(this.transform._trafo, read);
   }
 
-  place(local: Affine, instances: Instances): void {
-    if (this.#seen) this.strand.place(local, instances, this.at);
+  /** `above`: where the group is that it stands in. */
+  place(local: Affine, above: Affine, instances: Instances): void {
+    if (this.#seen) this.strand.place(local, above, instances, this.at);
     else instances.hide(this.at);
   }
 

@@ -1,6 +1,6 @@
-import { copyInto, identity, multiply, type Affine } from '../geometry/matrix.js';
+import { identity, multiply, type Affine } from '../geometry/matrix.js';
 import { fromX3D } from '../x3dom/matrices.js';
-import { x3dom, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
+import { x3dom, type X3DNode } from '../x3dom/x3dom.js';
 import type { X3DBounded, X3DTransform } from '../x3dom/renderer.js';
 import type { Instances } from './instances.js';
 import { BOX, boxOf, reachInto } from './reach.js';
@@ -35,9 +35,8 @@ const isOwn = (node: X3DBounded, isMoved: (node: X3DNode) => boolean): boolean =
   GROUPS.has(typeOf(node)) && node._parentNodes.length === 1 && !isMoved(node);
 
 // Scratch: nothing is allocated while bodies move.
-const whole: Affine = identity();
-const outermost: Affine = identity();
-const product: Affine = identity();
+const part: Affine = identity();
+const [product, next]: Affine[] = [identity(), identity()];
 const reach = new Array<number>(BOX).fill(0);
 
 /**
@@ -47,10 +46,11 @@ const reach = new Array<number>(BOX).fill(0);
 export class Strand {
   readonly nodes: X3DBounded[];
   readonly #transform: X3DTransform;
-  /** Above that, from below to above. */
+  /** All that have a matrix, from above to below. */
+  readonly #transforms: X3DTransform[];
+  /** Those above the one that is moved, from below to above. */
   readonly #outer: X3DTransform[];
-  /** In the frame of the Transform that is moved: what is drawn, and how far it reaches. */
-  #inner!: Affine;
+  /** How far it reaches in the frame of the Transform that is moved. */
   #inside!: number[];
   /** The last thing in it. */
   readonly shape: X3DBounded | undefined;
@@ -71,28 +71,35 @@ export class Strand {
       outer.push(above);
     this.nodes.unshift(...outer.toReversed());
     this.#outer = outer.filter(({ _trafo }) => _trafo) as X3DTransform[];
+    this.#transforms = this.nodes.filter(({ _trafo }) => _trafo) as X3DTransform[];
   }
 
-  /** `scaling`: of what is drawn, in the frame of the Shape. */
-  measure(scaling: X3DMatrix): void {
-    const below = this.nodes.slice(this.nodes.indexOf(this.#transform) + 1);
-    const matrix = below.reduceRight((m, { _trafo }) => (_trafo ? _trafo.mult(m) : m), scaling);
-    this.#inner = fromX3D(matrix);
-    this.#inside = boxOf((below[0] ?? this.shape!).getVolume());
+  measure(): void {
+    const below = this.nodes[this.nodes.indexOf(this.#transform) + 1];
+    this.#inside = boxOf((below ?? this.shape!).getVolume());
   }
 
-  /** `local`: the matrix of the Transform that is moved. */
-  place(local: Affine, instances: Instances, at: number): void {
-    let [matrix, last, box] = [local, local, this.#inside];
+  /** `local`: the matrix of the Transform that is moved, `above`: that of what all of it stands in. */
+  place(local: Affine, above: Affine, instances: Instances, at: number): void {
+    let [matrix, box] = [local, this.#inside];
     // x3dom takes the bounds of the bounds at each of them.
     for (const { _trafo } of this.#outer) {
-      reachInto(last, box, reach, 0);
-      last = fromX3D(_trafo, outermost);
-      matrix = copyInto(multiply(last, matrix, product), whole);
+      reachInto(matrix, box, reach, 0);
+      matrix = fromX3D(_trafo, part);
       box = reach;
     }
-    instances.place(at, matrix, this.#inner);
-    instances.reach(at, last, box);
+    instances.reach(at, matrix, box);
+    instances.place(at, this.#whole(local, above));
+  }
+
+  /** From above to below, as x3dom multiplies. */
+  #whole(local: Affine, above: Affine): Affine {
+    let whole = above;
+    for (const transform of this.#transforms) {
+      const own = transform === this.#transform ? local : fromX3D(transform._trafo, part);
+      whole = multiply(whole, own, whole === product ? next : product);
+    }
+    return whole;
   }
 
   get seen(): boolean {

@@ -77,6 +77,29 @@ export interface X3DRenderer {
   /** How many pictures it draws of everything: two where somebody wears glasses. */
   VRMode: number;
   renderScene(...args: unknown[]): void;
+  renderShape(
+    drawable: unknown,
+    area: unknown,
+    lights: unknown,
+    count: number,
+    view: X3DMatrix,
+    scene: X3DMatrix,
+    ...rest: unknown[]
+  ): void;
+  renderShadowPass(
+    gl: WebGL2RenderingContext,
+    area: unknown,
+    scene: X3DMatrix,
+    view: X3DMatrix,
+    ...rest: unknown[]
+  ): void;
+  renderPickingPass(
+    gl: WebGL2RenderingContext,
+    all: unknown,
+    view: X3DMatrix,
+    scene: X3DMatrix,
+    ...rest: unknown[]
+  ): void;
   drawElements(
     gl: WebGL2RenderingContext,
     mode: number,

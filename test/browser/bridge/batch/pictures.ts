@@ -38,15 +38,15 @@ export function draws(x3d: Element): number {
 
 export const errorOf = (x3d: Element): number => documentOf(x3d).ctx.ctx3d.getError();
 
-/** Shares of all pixels: of those that differ, and of those that do so by more than 4 of 255. */
-export function difference(a: Uint8Array, b: Uint8Array): { any: number; more: number } {
-  let [any, more] = [0, 0];
+/** How many pixels differ, and the one that does so most by how many of 255. */
+export function difference(a: Uint8Array, b: Uint8Array): { any: number; most: number } {
+  let [any, most] = [0, 0];
   for (let i = 0; i < a.length; i += 4) {
     const by = Math.max(...[0, 1, 2].map((c) => Math.abs(a[i + c]! - b[i + c]!)));
     if (by > 0) any++;
-    if (by > 4) more++;
+    most = Math.max(most, by);
   }
-  return { any: (4 * any) / a.length, more: (4 * more) / a.length };
+  return { any, most };
 }
 
 /** Pixels that are not of the same colour as the first. */
