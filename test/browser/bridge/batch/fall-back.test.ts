@@ -2,7 +2,17 @@ import { expect } from 'chai';
 import { claim } from '../../console.js';
 import { codes, drawn, nextFrame, show, until, wait } from '../../scene.js';
 import { worldOf } from '../../inside.js';
-import { bodies, colored, covered, difference, draws, picture, showBatched } from './pictures.js';
+import {
+  bodies,
+  colored,
+  covered,
+  difference,
+  documentOf,
+  drawPlainly,
+  draws,
+  picture,
+  showBatched,
+} from './pictures.js';
 
 const COUNT = 12;
 const boxes = bodies(COUNT, (i) => `${colored(i)}<box size="1 1 1"></box>`);
@@ -70,6 +80,69 @@ describe('bodies that look alike', () => {
     const { x3d } = await showBatched(`<clipplane plane="0 1 0 0"></clipplane>${boxes}`, COUNT);
     await wait(300);
     expect(draws(x3d)).to.equal(COUNT);
+  });
+
+  it('that stand in two places are drawn one by one in the second', async () => {
+    const group = `<group def="G">${boxes}</group>`;
+    const { x3d } = await showBatched(
+      `${group}<transform translation="0.4 0.3 -4"><group use="G"></group></transform>`,
+      1 + COUNT,
+    );
+    await until(() => draws(x3d) === 1 + COUNT);
+    const together = picture(x3d);
+    x3d.querySelector('#c')!.setAttribute('batch', 'false');
+    await until(() => draws(x3d) === 2 * COUNT);
+    expect(difference(together, picture(x3d)).any).to.equal(0);
+  });
+
+  it('look as drawn one by one while what they stand in moves', async () => {
+    const { x3d, collection } = await showBatched(`<transform id="m">${boxes}</transform>`, 1);
+    const above = x3d.querySelector('#m')!;
+    const before = picture(x3d);
+    above.setAttribute('rotation', '1 1 0 0.4');
+    above.setAttribute('scale', '1 0.8 1.1');
+    await drawn();
+    const together = picture(x3d);
+    expect(draws(x3d)).to.equal(1);
+    expect(difference(before, together).any).to.be.above(500);
+    await drawPlainly(collection, true);
+    expect(difference(together, picture(x3d)).any).to.equal(0);
+  });
+
+  it('that stand still are brought to WebGL once, however often they are drawn', async () => {
+    const { x3d } = await showBatched(boxes, 1);
+    picture(x3d);
+    const gl = documentOf(x3d).ctx.ctx3d;
+    let brought = 0;
+    const { bufferData, bufferSubData } = gl;
+    gl.bufferData = (...args: unknown[]) => (brought++, Reflect.apply(bufferData, gl, args));
+    gl.bufferSubData = (...args: unknown[]) => (brought++, Reflect.apply(bufferSubData, gl, args));
+    for (let i = 0; i < 3; i++) picture(x3d);
+    expect(brought).to.equal(0);
+    x3d.querySelector('viewpoint')!.setAttribute('position', '0 0 11');
+    await drawn();
+    expect(brought).to.be.above(0);
+  });
+
+  it('stay as they are where x3dom reads the page again, and those of another `<x3d>` come to it', async () => {
+    const { x3d } = await showBatched(boxes, 1);
+    const before = picture(x3d);
+    document.body.insertAdjacentHTML(
+      'beforeend',
+      `<x3d width="200px" height="100px"><scene><viewpoint position="0 0 12"></viewpoint>
+        <x3d-rigid-body-collection default enabled="false"></x3d-rigid-body-collection>
+        ${boxes}</scene></x3d>`,
+    );
+    (globalThis as unknown as { x3dom: { reload(): void } }).x3dom.reload();
+    const other = document.body.lastElementChild!;
+    await worldOf(other)!.ready;
+    await until(() => other.querySelector('canvas') !== null && draws(other) === 1, 8000);
+    expect(draws(x3d)).to.equal(1);
+    expect(difference(before, picture(x3d)).any).to.equal(0);
+    x3d.querySelector('#s3 material')!.setAttribute('diffuseColor', '1 0 0');
+    await drawn();
+    expect(draws(x3d)).to.equal(1);
+    expect(difference(before, picture(x3d)).any).to.be.above(0);
   });
 
   it('go with their `<x3d>`, and are drawn in one call again when that is back', async () => {
