@@ -38,8 +38,10 @@ export function putProjected(
   to: number,
 ): void {
   for (let column = 0; column < 4; column++) {
-    const [x, y, z] = [model[at + column]!, model[at + 4 + column]!, model[at + 8 + column]!];
-    const w = column === 3 ? 1 : 0;
+    const x = model[at + column]!,
+      y = model[at + 4 + column]!,
+      z = model[at + 8 + column]!,
+      w = column === 3 ? 1 : 0;
     for (let row = 0; row < 4; row++) {
       const i = 4 * row;
       out[to + 4 * column + row] =
@@ -51,7 +53,9 @@ export function putProjected(
 /** `view` × `model`. */
 export function multiplyInto(view: Rows, model: Rows, at: number, out: Rows): void {
   for (let row = 0; row < AFFINE; row += 4) {
-    const [a, b, c] = [view[row]!, view[row + 1]!, view[row + 2]!];
+    const a = view[row]!,
+      b = view[row + 1]!,
+      c = view[row + 2]!;
     for (let column = 0; column < 4; column++)
       out[row + column] =
         a * model[at + column]! + b * model[at + 4 + column]! + c * model[at + 8 + column]!;
@@ -73,9 +77,15 @@ export function putAffine(matrix: Rows, at: number, out: Float32Array, to: numbe
  * its cameras one but for rounding.
  */
 export function putNormals(m: Rows, w: number, out: Float32Array, to: number): void {
-  const [a, b, c] = [m[0]!, m[1]!, m[2]!];
-  const [d, e, f] = [m[4]!, m[5]!, m[6]!];
-  const [g, h, i] = [m[8]!, m[9]!, m[10]!];
+  const a = m[0]!,
+    b = m[1]!,
+    c = m[2]!,
+    d = m[4]!,
+    e = m[5]!,
+    f = m[6]!,
+    g = m[8]!,
+    h = m[9]!,
+    i = m[10]!;
   const x = e * i * w - f * h * w;
   const y = b * i * w - c * h * w;
   const z = b * f * w - c * e * w;

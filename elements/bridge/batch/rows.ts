@@ -27,7 +27,7 @@ export interface Placed {
  */
 export const VECTORS: Record<Pass, number> = { shadow: 5, pick: 8, picture: 11 };
 const BYTES = 4;
-/** WebGL 2 has sixteen attributes: x3dom's own, five at the most, begin at the first. */
+/** WebGL 2 has sixteen attributes: x3dom's own, four at the most, begin at the first. */
 export const FIRST_ATTRIBUTE = 16 - VECTORS.picture;
 
 // Scratch: nothing is allocated while bodies move.
@@ -103,7 +103,9 @@ export class InstanceRows {
 
   #work(at: number, { models, looks }: Placed): void {
     const data = this.#data;
-    const [to, model, look] = [at * this.#floats, at * AFFINE, at * LOOK];
+    const to = at * this.#floats,
+      model = at * AFFINE,
+      look = at * LOOK;
     putProjected(this.#scene, models, model, data, to);
     for (let i = 0; i < 4; i++) data[to + 16 + i] = looks[look + i]!;
     if (this.#pass === 'pick') putAffine(models, model, data, to + 20);

@@ -24,6 +24,17 @@ const IMAGE =
 const FACES = `<indexedfaceset coordindex="0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1">
   <coordinate point="-0.6 -0.5 -0.4 0.6 -0.5 -0.4 0 0.7 -0.2 0 0 0.8"></coordinate></indexedfaceset>`;
 
+/** All that x3dom's shaders take of a corner. */
+const FULL_FACES = FACES.replace(
+  'coordindex',
+  'solid="false" colorpervertex="true" coordindex',
+).replace(
+  '</indexedfaceset>',
+  `<color color="1 0 0 0 1 0 0 0 1 1 1 0"></color>
+  <normal vector="-0.7 -0.5 -0.4 0.7 -0.5 -0.4 0 1 -0.2 0 0 1"></normal>
+  <texturecoordinate point="0 0 1 0 0.5 1 0.5 0.5"></texturecoordinate></indexedfaceset>`,
+);
+
 const SCENES: Record<string, string> = {
   'boxes by the headlight': boxes,
   'boxes of many sizes': bodies(
@@ -37,9 +48,15 @@ const SCENES: Record<string, string> = {
   cylinders: bodies(COUNT, (i) => `${colored(i)}<cylinder radius="0.4" height="1"></cylinder>`),
   cones: bodies(COUNT, (i) => `${colored(i)}<cone bottomradius="0.5" height="1"></cone>`),
   'an IndexedFaceSet': bodies(COUNT, (i) => colored(i) + FACES),
+  'an IndexedFaceSet with colours, normals and a texture': bodies(
+    COUNT,
+    () =>
+      `<appearance><material></material><imagetexture url="${IMAGE}"></imagetexture></appearance>${FULL_FACES}`,
+  ),
   'a DirectionalLight': `${DARK}<directionallight direction="-0.5 -1 -0.7" ambientintensity="0.3"></directionallight>${boxes}`,
   'a PointLight': `${DARK}<pointlight location="3 4 5"></pointlight>${boxes}`,
   'a SpotLight': `${DARK}<spotlight location="0 0 9" direction="0 0 -1" cutoffangle="0.6" beamwidth="0.3"></spotlight>${boxes}`,
+  'fog, of another kind': `<fog fogtype="EXPONENTIAL" visibilityrange="30" color="0.5 0.6 0.8"></fog>${boxes}`,
   fog: `<fog visibilityrange="20" color="0.5 0.6 0.8"></fog>${boxes}`,
   'a texture': bodies(
     COUNT,
