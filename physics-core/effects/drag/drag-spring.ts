@@ -23,6 +23,12 @@ const SWING = 4;
 const GRIP = 4;
 
 /**
+ * Radii of gyration that an arm counts for at most: how a body gives way along it and across differs by the square, and from
+ * 10⁸ on double precision has no digits left for the lesser.
+ */
+const LONGEST_ARM = 1e5;
+
+/**
  * The spring between a hand and the grabbed point: stiff in proportion to the mass that it has to move, with the damper that
  * just lets it not overshoot. Both act by the velocity at the end of the step (implicit Euler), which is stable for any mass
  * and step, and takes a critically damped spring to one: of an offset s at rest, s (1 + n h / (1 + h)) / (1 + h)ⁿ is left after
@@ -53,7 +59,10 @@ export class DragSpring {
   }
 
   get #arm(): Vec3 {
-    return subtract(this.point, this.#body.centerOfMassWorld());
+    const { mass, moments } = this.#body.mass;
+    const arm = subtract(this.point, this.#body.centerOfMassWorld());
+    const longest = LONGEST_ARM * Math.sqrt(Math.min(...moments) / mass);
+    return scale(arm, Math.min(1, longest / length(arm)) || 1);
   }
 
   /** From the centre of mass to the farthest joint, or to the grabbed point; on its own a body has none. */

@@ -181,3 +181,14 @@ fact(
     close(position(bob), [0, 1, 0], 0.03, 'm');
   },
 );
+
+fact('a body that is held by a point far away from it keeps its numbers', async () => {
+  for (const far of [1e5, 1e7, 1e10, 1e12]) {
+    const w = await world();
+    const body = addBody(w, { geometry: [box(1)] });
+    body.drag([0, far, far]);
+    w.step(10);
+    below(distance(position(body), [0, 0, 0]), 0.1, 'm');
+    below(distance(spin(body), [0, 0, 0]), 0.1, 'rad/s');
+  }
+});
