@@ -158,7 +158,6 @@ export class ContactSolve extends Effect {
     this.#direct.clear();
     this.#heaps.clear();
     this.#savings.forget();
-    this.#joints.reset();
     this.#rolling.forget();
     this.#again = 0;
     this.#letGo();

@@ -102,11 +102,6 @@ export class CoupledJoints {
     kept.values[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
   }
 
-  /** The world begins anew: nothing is begun with. */
-  reset(): void {
-    this.#impulses.clear();
-  }
-
   /** A joint that is made anew begins anew. */
   forget(joint: Joint): void {
     this.#impulses.delete(joint);
