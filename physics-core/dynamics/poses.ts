@@ -9,6 +9,11 @@ export const POSE = 7;
  * are in Bullet's world, what is drawn is in its author's. All are of the body's own frame. Grows by doubling; nothing is allocated in a frame.
  */
 export class Poses {
+  /**
+   * Where Bullet's 0 0 0 lies in its author's world, metres. Bullet counts in single precision, which has steps of 1 mm at
+   * 10 km: what is far from the author's 0 0 0 is near to Bullet's.
+   */
+  origin: Vec3 = [0, 0, 0];
   previous = new Float64Array(POSE * 16);
   current = new Float64Array(POSE * 16);
   /** What is drawn. */
@@ -71,7 +76,8 @@ export class Poses {
    * Fills `data` and `moved`: `fraction` 0 is the last step but one, 1 the last. Straight line for the position, normalised
    * line for the quaternion (the angle per step is small). No call within the loop: a body takes half as long.
    */
-  interpolate(fraction: number, [ox, oy, oz]: Vec3): void {
+  interpolate(fraction: number): void {
+    const [ox, oy, oz] = this.origin;
     const { previous: a, current: b, data: out, marks, moved } = this;
     let count = 0;
     for (let slot = 0, slots = this.#count; slot < slots; slot++) {

@@ -45,12 +45,6 @@ export class BulletWorld {
   #meshesMove = false;
   settings!: SolverSettings;
 
-  /**
-   * Where Bullet's 0 0 0 lies in its author's world, metres. Bullet counts in single precision, which has steps of 1 mm at
-   * 10 km: what is far from the author's 0 0 0 is near to Bullet's.
-   */
-  origin: [number, number, number] = [0, 0, 0];
-
   constructor(engine: Engine) {
     const { ammo } = engine;
     this.engine = engine;

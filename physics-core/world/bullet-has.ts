@@ -40,7 +40,7 @@ function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
     shapes: shapesOf(body),
     mass: body.movable ? body.mass.mass : 0,
     principalMoments: body.movable ? [...body.mass.moments] : [0, 0, 0],
-    centerOfMass: add([pose[0]!, pose[1]!, pose[2]!], body.world.bullet.origin),
+    centerOfMass: add([pose[0]!, pose[1]!, pose[2]!], body.world.poses.origin),
     principalAxes: [...pose.subarray(3)],
     linearVelocity: [...velocity.subarray(0, 3)],
     angularVelocity: [...velocity.subarray(3)],

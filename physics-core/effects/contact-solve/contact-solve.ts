@@ -277,8 +277,11 @@ export class ContactSolve extends Effect {
     this.#bodies.writeVelocity(body);
     this.#bodies.writePlace(body);
     const spins = this.#effects.caused(gyroscopic);
-    if (!spins || !this.#bodies.isTurned(body, TURNED)) return;
+    if (!spins || !this.#bodies.isTurned(body, 0)) return;
     const node = this.#simulation.bodyAt(this.#bodies.pointers[body]!);
-    if (node) spins.turnAside(node, this.#bodies.change, body * SIZE + 3);
+    if (!node) return;
+    spins.displace(node, this.#bodies.change, body * SIZE + 3);
+    if (this.#bodies.isTurned(body, TURNED))
+      spins.turnAside(node, this.#bodies.change, body * SIZE + 3);
   }
 }

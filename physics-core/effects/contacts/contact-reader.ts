@@ -184,7 +184,7 @@ export class ContactReader extends Effect {
       if ((first !== a || second !== b) && (first !== b || second !== a)) return;
       const point = this.#point.at(pointer, first.pointer, second.pointer);
       points.push({
-        position: add(point.positionVector(), this.#simulation.bullet.origin),
+        position: add(point.positionVector(), this.#simulation.poses.origin),
         normal: point.normalVector(first === into ? 1 : -1),
         depth: -point.distance,
         impulse: point.impulse,

@@ -158,7 +158,7 @@ export class GivenContacts extends Effect {
     if (!all) return undefined;
     // Two bodies that may not touch anywhere do not meet at a new point either.
     if (all.every(isLeftOut)) return null;
-    const { origin } = this.#simulation.bullet;
+    const { origin } = this.#simulation.poses;
     const said = nearest(
       all,
       point,
@@ -174,7 +174,7 @@ export class GivenContacts extends Effect {
     this.#moved.push(point.pointer);
     point.savePlace(this.#places);
     const { depth, ...touching } = contact.touching;
-    const position = subtract(touching.position, this.#simulation.bullet.origin);
+    const position = subtract(touching.position, this.#simulation.poses.origin);
     const normal = normalize(touching.normal);
     for (let i = 0; i < 3; i++) {
       const n = normal[i]! * pair.carried;

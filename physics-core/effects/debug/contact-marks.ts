@@ -11,7 +11,7 @@ export function markContacts(lines: DebugLines, simulation: Simulation): void {
   const point = new ContactPoint(simulation.engine.ammo);
   eachContactPoint(simulation, (pointer, a, b) => {
     point.at(pointer, a.pointer, b.pointer);
-    const at = add(point.positionVector(), simulation.bullet.origin);
+    const at = add(point.positionVector(), simulation.poses.origin);
     const normal = point.normalVector();
     const size = Math.min(lines.markOn(a), lines.markOn(b));
     const color = point.distance <= TOUCHING ? COLOR.contact : COLOR.near;

@@ -67,10 +67,10 @@ export class DebugLines extends LineBuffer {
   /** The pose of a body's centre of mass, or of the world, as Bullet has it. */
   poseOf(body: Body | undefined): Pose {
     const p = this.#pose;
-    const { engine, bullet } = this.#simulation;
-    if (!body) return { p: [...bullet.origin], q: [0, 0, 0, 1] };
+    const { engine, poses } = this.#simulation;
+    if (!body) return { p: [...poses.origin], q: [0, 0, 0, 1] };
     engine.reader.pose(body.body, body.pointer, p, 0);
-    return { p: add([p[0]!, p[1]!, p[2]!], bullet.origin), q: [p[3]!, p[4]!, p[5]!, p[6]!] };
+    return { p: add([p[0]!, p[1]!, p[2]!], poses.origin), q: [p[3]!, p[4]!, p[5]!, p[6]!] };
   }
 
   #outlineOf(body: Body): Outline {

@@ -48,8 +48,9 @@ interface Spin {
   missed: Float64Array;
   /** It turns farther in the step than Bullet does, or is turned aside: its axes are elsewhere at the end. */
   beyond: boolean;
-  /** By how much it is turned aside, radians. */
+  /** By how much it is turned aside, radians; `displaced` where its spin does not turn along. */
   aside: Float64Array;
+  displaced: Float64Array;
 }
 
 /**
@@ -96,6 +97,12 @@ export class Gyroscopic extends Effect {
     this.#spinning.delete(body);
   }
 
+  /** It is turned within the step to take an overlap out: its spin stays as it is. */
+  displace(body: Body, radians: Float64Array, at: number): void {
+    const state = this.#spinning.get(body);
+    if (state) for (let i = 0; i < 3; i++) state.displaced[i] = radians[at + i]!;
+  }
+
   /** It is turned aside within the step, by so many radians, and that is no motion: its spin turns along. */
   turnAside(body: Body, radians: Float64Array, at: number): void {
     const state = this.#spinning.get(body);
@@ -132,12 +139,16 @@ export class Gyroscopic extends Effect {
     applyInertia(this.#change, 0, state.axes, body.mass.moments, this.#spin, 0);
     for (let i = 0; i < 3; i++) this.#change[i]! += state.momentum[i]!;
     turnFreely(orientation, top, this.#change, dt / 2);
+    writeTurn(this.#turn, state.displaced, 1);
+    multiply4(orientation, this.#turn, 0, orientation, 0);
     return orientation;
   }
 
   override beforeStep(dt: number): void {
     for (const [body, top] of this.#tops) {
       if (body.active && !body.sleeping) this.#lead(body, top, dt);
+      // What wakes within the step has a spin that none of this is about.
+      else this.#spinning.delete(body);
     }
   }
 
@@ -170,11 +181,15 @@ export class Gyroscopic extends Effect {
     state.even = false;
     state.slow = top.thinness * turn * turn < MOST_TURN;
     const { moments } = body.mass;
-    if (!same3(left, v, 3)) applyInertia(momentum, 0, this.#axes, moments, v, 3);
+    if (!same3(left, v, 3)) {
+      applyInertia(momentum, 0, this.#axes, moments, v, 3);
+      state.missed.fill(0);
+    }
     this.#orientation.set(state.from);
     turnFreely(this.#orientation, top, momentum, dt);
     this.#writeSpin(given, dt);
     state.aside.fill(0);
+    state.displaced.fill(0);
     state.beyond = hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
     this.#writeEnd(body, state, this.#orientation, 0);
     this.#give(body, given);
@@ -295,6 +310,7 @@ const newSpin = (): Spin => ({
   missed: new Float64Array(3),
   beyond: false,
   aside: new Float64Array(3),
+  displaced: new Float64Array(3),
 });
 
 const same3 = (a: Float64Array, b: Float64Array, at: number): boolean =>

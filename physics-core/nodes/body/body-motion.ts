@@ -67,7 +67,7 @@ export class BodyMotion {
   /** The pose of the body's origin at the last finished step. */
   pose(): Pose {
     const { p, q } = this.poseInBullet();
-    return { p: add(p, this.#node.world.bullet.origin), q };
+    return { p: add(p, this.#node.world.poses.origin), q };
   }
 
   /** The same, seen from Bullet's origin. */
@@ -81,7 +81,7 @@ export class BodyMotion {
   }
 
   #inBullet({ p, q }: Pose): Pose {
-    return { p: subtract(p, this.#node.world.bullet.origin), q };
+    return { p: subtract(p, this.#node.world.poses.origin), q };
   }
 
   /** Puts the body there at once. Joints hang on to where an immovable body is put. */

@@ -251,10 +251,10 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   readPose(out: Float32Array | Float64Array | number[]): typeof out {
-    const { poses, bullet } = this.world;
+    const { poses } = this.world;
     const at = this.slot * POSE;
     for (let i = 0; i < POSE; i++) out[i] = this.slot < 0 ? 0 : poses.current[at + i]!;
-    for (let i = 0; i < 3 && this.slot >= 0; i++) out[i]! += bullet.origin[i]!;
+    for (let i = 0; i < 3 && this.slot >= 0; i++) out[i]! += poses.origin[i]!;
     return out;
   }
 

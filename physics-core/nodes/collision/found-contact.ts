@@ -37,7 +37,7 @@ export function foundContact(
     body2: bodyOf(first ? b : a),
     geometry1: first ? geometryA : geometryB,
     geometry2: first ? geometryB : geometryA,
-    position: add(point.positionVector(), world.bullet.origin),
+    position: add(point.positionVector(), world.poses.origin),
     contactNormal: point.normalVector(first ? 1 : -1),
     frictionDirection: firstDirection(point),
     depth: -point.distance,

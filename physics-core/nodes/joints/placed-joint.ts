@@ -87,7 +87,7 @@ export abstract class PlacedJoint extends PhysicsNode {
   /** The same, seen from Bullet's origin. */
   frameInBullet(which: 1 | 2): Pose {
     const { p, q } = this.worldFrame(which);
-    return { p: subtract(p, this.world.bullet.origin), q };
+    return { p: subtract(p, this.world.poses.origin), q };
   }
 
   anchorOn(which: 1 | 2): Vec3 {

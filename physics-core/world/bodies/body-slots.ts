@@ -10,6 +10,7 @@ import { guards } from '../../base/guards.js';
 import { compose7 } from '../../base/flat-math.js';
 import { invert, type Pose } from '../../base/math.js';
 import { originFor } from './origin.js';
+import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import { POSE, type Poses } from '../../dynamics/poses.js';
 import type { BodyTable, NodeWorld } from '../../nodes/node/node-world.js';
@@ -20,6 +21,7 @@ const WILD = 1e6;
 /** The built bodies of a world by slot, and what is read of them after every step. */
 export class BodySlots implements BodyTable {
   readonly #world: NodeWorld;
+  #origin: Vec3 | undefined;
   readonly #poses: Poses;
   readonly #bySlot: (BodyNode | undefined)[] = [];
   readonly #byPointer = new Map<number, BodyNode>();
@@ -78,9 +80,14 @@ export class BodySlots implements BodyTable {
     return body?.isObstacle ? undefined : body;
   }
 
-  /** The first one says, with all that are to come, where Bullet counts from. */
+  /** Where Bullet is to count from; undefined: the first body says, with all that are to come. */
+  countFrom(origin: Vec3 | undefined): void {
+    this.#origin = origin;
+  }
+
   take(body: BodyNode): number {
-    if (!this.#bySlot.some(Boolean)) this.#world.bullet.origin = originFor(this.#world.nodes);
+    if (!this.#bySlot.some(Boolean))
+      this.#poses.origin = this.#origin ?? originFor(body, this.#world.nodes);
     const slot = this.#poses.take();
     this.#bySlot[slot] = body;
     this.moving.take(slot);

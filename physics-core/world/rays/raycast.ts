@@ -82,7 +82,7 @@ export class Rays {
 
   /** From and to Bullet's origin. */
   #seen(from: Vec3, to: Vec3): RayHit | null {
-    const { origin } = this.#world.bullet;
+    const { origin } = this.#world.poses;
     const hit = this.#first(subtract(from, origin), subtract(to, origin));
     return hit && { ...hit, position: add(hit.position, origin) };
   }

@@ -27,10 +27,12 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
   const found = new Lookup(world.nodes, snapshot);
   const tellWoken = world.bodies.sleepers();
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
+  world.bodies.countFrom(snapshot.origin);
   world.lifecycle.rebuild(() => {
     world.control.begin(snapshot.level);
     for (const node of [...world.nodes]) loadNode(node, found);
   });
+  world.bodies.countFrom(undefined);
   world.stepping.resume(snapshot.time);
   world.registry.get(resting).sinceLook = snapshot.sinceLook;
   for (const node of world.nodes) loadState(node, found, slept);
@@ -64,7 +66,9 @@ export function* copyInto(
   }
   for (const [name, value] of Object.entries(settings)) world.set(name, value);
   world.control.begin(snapshot.level);
+  world.bodies.countFrom(snapshot.origin);
   yield* world.lifecycle.starting(engine);
+  world.bodies.countFrom(undefined);
   world.stepping.resume(snapshot.time);
   world.registry.get(resting).sinceLook = snapshot.sinceLook;
   for (const node of world.nodes) {

@@ -1,5 +1,6 @@
 import type { Pose } from '../../base/math.js';
 import type { Load } from '../../dynamics/body.js';
+import type { Vec3 } from '../../fields/types.js';
 import type { LevelName } from '../../dynamics/levels.js';
 import type { Field } from '../../nodes/node/table.js';
 
@@ -50,6 +51,8 @@ export interface Snapshot {
   /** The level in force. */
   level: LevelName;
   nodes: NodeState[];
+  /** Where Bullet counted from. */
+  origin?: Vec3;
 }
 
 /** What the simulation makes nothing of, whatever it may be, stays where it is. */

@@ -31,6 +31,7 @@ export function takeSnapshot(world: SnapshotWorld): Snapshot {
     time: world.time,
     sinceLook: world.registry.find(resting)?.sinceLook ?? 0,
     level: world.accuracy,
+    origin: [...world.poses.origin],
     nodes: nodes.map((node) => stateOf(node, children.has(node))),
   };
 }

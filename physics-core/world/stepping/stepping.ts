@@ -174,7 +174,7 @@ export class Stepping {
     if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.#moving) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
-    world.poses.interpolate(this.#moving ? fraction : 1, world.bullet.origin);
+    world.poses.interpolate(this.#moving ? fraction : 1);
     return this.needsFrame;
   }
 

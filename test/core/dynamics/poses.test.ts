@@ -57,10 +57,10 @@ fact('what wakes is drawn on its way from where it slept', async () => {
   const body = addBody(w, { position: [0, 5, 0] });
   w.step(30);
   body.sleep();
-  w.poses.interpolate(1, [0, 0, 0]);
+  w.poses.interpolate(1);
   const [, slept] = body.readPose([]);
   body.wake();
   w.step();
-  w.poses.interpolate(0, [0, 0, 0]);
+  w.poses.interpolate(0);
   close(drawn(w, body)[1]!, slept!, 1e-12, 'm');
 });

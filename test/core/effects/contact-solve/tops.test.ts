@@ -15,6 +15,7 @@ import {
   world,
   type Body,
   type Vec3,
+  WEIGHTLESS,
 } from '../../helpers.js';
 import { G } from './scenes.js';
 
@@ -89,4 +90,19 @@ fact('a box that stands on a corner, spins and falls keeps its energy until it l
     off = Math.max(off, Math.abs(energyOf(body) - before));
   }
   below(off, 2e-4, 'J');
+});
+
+fact('what was put to sleep while it turned has no spin when something wakes it', async () => {
+  const w = await world(WEIGHTLESS);
+  const stone = addBody(w, { mass: 1, angularVelocity: [12, 9, 7], geometry: [box(...SIZE)] });
+  w.step(10);
+  stone.sleep();
+  addBody(w, {
+    position: [0, 3, 0],
+    linearVelocity: [0, -6, 0],
+    geometry: [sphere(0.1)],
+    mass: 1e-3,
+  });
+  w.advance(0.5);
+  below(length(spin(stone)), 0.05, 'rad/s');
 });
