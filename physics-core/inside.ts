@@ -25,7 +25,7 @@ export { PhysicsNode } from './nodes/node/node.js';
 export { nodeTypes } from './nodes/index.js';
 export type { NodeDefinition as NodeType } from './nodes/node/define.js';
 export { defaultOf, type Field } from './nodes/node/table.js';
-export { nearest } from './base/nearest.js';
+export { meant } from './nodes/node/meant.js';
 export { show } from './base/show.js';
 export { codecs } from './fields/values.js';
 export { fromSI, SI, toSI, type Units } from './fields/units.js';

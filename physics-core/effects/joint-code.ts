@@ -1,9 +1,10 @@
 // The chunk `joints`.
 import { JointConstraint } from '../engine/joint-constraint.js';
 import type { JointCode } from './effect/chunks.js';
+import { direction, notAlong, reportAxis } from './joints/axes.js';
 import { jointSolve, motors, stops, suspension } from './joints/effects.js';
 import { leverRatio, orientations } from './joints/joint-frames.js';
-import { reportBodies, reportMassRatio } from './joints/joint-reports.js';
+import { reportBodies, reportIdle, reportMassRatio } from './joints/joint-reports.js';
 import { JointSolve } from './joints/joint-solve.js';
 import { Motors } from './joints/motors.js';
 import { Stops } from './joints/stops.js';
@@ -18,7 +19,11 @@ export function provide(): JointCode {
     constraint: (...parts) => new JointConstraint(...parts),
     orientations,
     leverRatio,
+    direction,
+    notAlong,
+    reportAxis,
     reportBodies,
+    reportIdle,
     reportMassRatio,
   };
 }

@@ -44,7 +44,7 @@ const motorRates = ['.motor1AngleRate', '.motor2AngleRate', '.motor3AngleRate'];
 
 const motorEdits = (n: number): Record<string, Edit> => ({
   [`motor${n}Axis`]: anew(AXES, []),
-  [`axis${n}Angle`]: kept(ANGLES, [`.motor${n}Angle`]),
+  [`axis${n}Angle`]: { ...kept(ANGLES, [`.motor${n}Angle`]), tells: ['idle-motor'] },
   [`axis${n}Torque`]: { values: [2, 3], given: { enabledAxes: 3 }, changes: ['~effects'] },
   [`stop${n}Bounce`]: kept(SHARES),
   [`stop${n}ErrorCorrection`]: kept(SHARES),
@@ -112,7 +112,7 @@ export const edits: Record<string, Record<string, Edit>> = {
   MotorJoint: {
     ...jointEdits([], motorRates),
     autoCalc: anew(ON, []),
-    enabledAxes: { values: [2, 3], given: { axis2Torque: 1 }, changes: ['~effects'] },
+    enabledAxes: { values: [0, 2], given: { axis1Torque: 1 }, changes: ['~effects'] },
     ...motorEdits(1),
     ...motorEdits(2),
     ...motorEdits(3),

@@ -1,4 +1,4 @@
-import { nearest, show, type ProblemReport } from '../../../physics-core/inside.js';
+import { meant, show, type ProblemReport } from '../../../physics-core/inside.js';
 import { attribute, type NodeType } from './dom.js';
 import { attributeOf, fieldsByAttribute } from './fields.js';
 
@@ -55,14 +55,13 @@ interface Labelled {
 }
 
 export function unknownAttribute({ element, type, label }: Labelled, name: string): ProblemReport {
-  const meant = nearest(name, attributesOf(type));
   return {
     code: 'unknown-attribute',
     severity: 'warning',
     attribute: name,
     value: attribute(element, name),
     used: 'nothing',
-    message: `${label} has no attribute ${show(name)}${meant ? `; did you mean ${meant}?` : ''}`,
+    message: `${label} has no attribute ${show(name)}${meant(name, attributesOf(type))}`,
   };
 }
 

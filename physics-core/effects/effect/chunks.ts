@@ -32,6 +32,11 @@ export interface ContactCode {
   reportOverlaps(simulation: Simulation): void;
   /** What a body touches now. */
   touchedBy(simulation: Simulation, body: Body): Set<Body>;
+  /** `unknown`: words of appliedParameters that no parameter has. */
+  reportTokens(collection: Reported, unknown: readonly string[]): void;
+  /** Contacts that yield do not spring back. */
+  reportSoftness(collection: Reported, softness: number): void;
+  reportOneSided(collection: Reported, is: boolean): void;
 }
 
 /** Where a joint sits, world frame, at the moment it is made. */
@@ -46,10 +51,30 @@ export interface JointFrame {
 /** The frame's axes as body1 and as body2 carry them. */
 export type Orientations = [Quaternion, Quaternion];
 
-/** A joint that says what is odd about it. */
-export interface ReportedJoint extends Pick<Joint, 'body1' | 'body2' | 'label'> {
+/** A node that says what is odd about it. */
+export interface Reported {
+  readonly label: string;
   /** Reports while it is the case, and takes it back. */
   reportWhile(is: boolean, report: ProblemReport): void;
+}
+
+export interface ReportedJoint extends Pick<Joint, 'body1' | 'body2'>, Reported {}
+
+/** A joint with axes that its author wrote. */
+export interface AxedJoint extends Reported {
+  readonly type: { readonly fields: Readonly<Record<string, { default: unknown }>> };
+  asked<T>(field: string): T;
+}
+
+/** An authored axis that can't be used as it is. */
+export interface OddAxis {
+  attribute: string;
+  used: Vec3;
+  why: string;
+}
+
+export interface ReportedMotor extends AxedJoint {
+  authored(field: string): boolean;
 }
 
 /** What joints are made with. */
@@ -59,8 +84,15 @@ export interface JointCode {
   orientations(frame: JointFrame, arm: Vec3): Orientations;
   /** m r² / I: how badly a point at the end of the lever arm couples to the body's rotation. */
   leverRatio(body: Body | undefined, anchor: Vec3): number;
+  /** The authored axis, or X3D 4.0's default after a report where it has no direction. */
+  direction(joint: AxedJoint, attribute: string): Vec3;
+  /** The second axis, or one at right angles to the first after a report where both are nearly one. */
+  notAlong(joint: AxedJoint, axis1: Vec3, attribute: string): Vec3;
+  reportAxis(joint: AxedJoint, is: boolean, axis: OddAxis): void;
   reportBodies(joint: ReportedJoint): void;
   reportMassRatio(joint: ReportedJoint): void;
+  /** What its author wrote, but what turns nothing. */
+  reportIdle(motor: ReportedMotor): void;
 }
 
 export const joints = new Chunk<JointCode>({ name: 'joints', causes: 'a joint' });

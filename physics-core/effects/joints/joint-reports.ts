@@ -1,4 +1,6 @@
-import type { ReportedJoint } from '../effect/chunks.js';
+import type { Vec3 } from '../../fields/types.js';
+import type { ReportedJoint, ReportedMotor } from '../effect/chunks.js';
+import { isDirected } from './axes.js';
 
 /** With masses more unlike than this a chain whips faster than steps of `standard` follow (measured: 5 mm off in 1 s). */
 const HARD_MASS_RATIO = 100;
@@ -31,4 +33,47 @@ export function reportMassRatio(joint: ReportedJoint): void {
     used: 'the present accuracy',
     message: `${label} holds ${body1?.label} (${masses[0]} kg) to ${body2?.label} (${masses[1]} kg): so unlike masses hold, but whip about faster than coarse steps follow: accuracy="fine" or better keeps their way true`,
   });
+}
+
+const AXES = [1, 2, 3] as const;
+
+/** Fields of a motor that look as if they turned something, and do not; each by the field that it takes to turn. */
+export function reportIdle(motor: ReportedMotor): void {
+  const driven = AXES.filter((n) => motor.asked<number>(`axis${n}Torque`) !== 0);
+  reportEnabled(motor, driven.at(-1));
+  for (const n of AXES) {
+    reportAxis(motor, n, driven.includes(n));
+    reportAngle(motor, n);
+  }
+}
+
+const idle = (motor: ReportedMotor, is: boolean, attribute: string, why: string): void =>
+  motor.reportWhile(is, {
+    code: 'idle-motor',
+    severity: 'warning',
+    attribute,
+    used: 'no torque',
+    message: `${motor.label}: ${why}`,
+  });
+
+function reportAxis(motor: ReportedMotor, n: number, driven: boolean): void {
+  const axis = `motor${n}Axis`;
+  const is = driven && !isDirected(motor.asked<Vec3>(axis));
+  idle(motor, is, axis, `${axis}="0 0 0" has no direction, so axis${n}Torque turns nothing`);
+}
+
+/** Who wrote enabledAxes means it: that is how motors are switched off. */
+function reportEnabled(motor: ReportedMotor, last = 0): void {
+  const enabled = motor.asked<number>('enabledAxes');
+  const is = last > enabled && !motor.authored('enabledAxes');
+  const why = `axis${last}Torque turns nothing, since enabledAxes is ${enabled}; write enabledAxes="${last}"`;
+  idle(motor, is, 'enabledAxes', why);
+}
+
+/** An angle without any torque was meant as a target. */
+function reportAngle(motor: ReportedMotor, n: number): void {
+  const [angle, torque] = [`axis${n}Angle`, `axis${n}Torque`];
+  const wanted = motor.asked<number>(angle) !== 0;
+  const is = wanted && !AXES.some((axis) => motor.authored(`axis${axis}Torque`));
+  idle(motor, is, torque, `${angle} is no target and turns nothing; a motor turns by ${torque}`);
 }

@@ -73,6 +73,7 @@ export const rigidBody = defineNode<BodyNode>({
       type: 'SFMatrix3f',
       access: 'inputOutput',
       default: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+      implied: true,
       dimension: { mass: 1, length: 2 },
       edit: 'live',
       patch: mass,

@@ -4,7 +4,6 @@ import type { Collider } from '../../dynamics/pairs.js';
 import { contactParameters, unknownTokens } from './contact-parameters.js';
 import { Members, type MemberList } from './members.js';
 import { description } from '../node/common-fields.js';
-import { cut } from '../../base/show.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
@@ -40,8 +39,8 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
   /** A parameter changed: contacts read it from the next step on. */
   updateParameters(): void {
     this.#parameters = undefined;
-    this.#reportTokens();
-    this.#reportSoftness(this.parameters);
+    contacts.code.reportTokens(this, unknownTokens(this));
+    contacts.code.reportSoftness(this, this.parameters.softness);
     for (const body of this.world.bodies) {
       this.world.pairs.contactsChanged(body);
       // What lay still may slide now.
@@ -56,32 +55,6 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
 
   get parameters(): ContactParameters {
     return (this.#parameters ??= contactParameters(this, 'slipFactors'));
-  }
-
-  #reportTokens(): void {
-    const unknown = unknownTokens(this);
-    if (unknown.length === 0) return;
-    this.report({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: 'appliedParameters',
-      value: unknown.join(' '),
-      used: 'the others',
-      message: `${this.label}: appliedParameters has no ${cut(unknown.join(', '))}; the others are used`,
-    });
-  }
-
-  /** Bullet's contacts are hard; the depth is made to follow the force, and what they would spring back is lost. */
-  #reportSoftness({ softness }: ContactParameters): void {
-    const field = 'softnessConstantForceMix';
-    this.reportWhile(softness !== 0, {
-      code: 'approximated-field',
-      severity: 'info',
-      attribute: field,
-      value: softness,
-      used: 'a contact that yields and does not spring back',
-      message: `${this.label}: under a body at rest soft contacts are as deep as the standard says (within 1 %), though no deeper than a quarter of the thinner body; they give back none of the energy of a hit, and stacked on each other they are as deep as that only roughly`,
-    });
   }
 }
 
@@ -148,6 +121,7 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
       access: 'inputOutput',
       default: [0, 0],
       range: [0, Infinity],
+      implied: true,
       edit: 'live',
       patch: parameters,
       doc: 'Coulomb friction along direction 1 and 2; without FRICTION_COEFFICIENT-2 the first acts in both. Not authored: 0.5. Direction 1 is the world’s x axis laid into the surface (z where the surface faces along x), direction 2 is across: z on a floor. Two different ones act each along its own direction, so that sliding obliquely meets both.',

@@ -14,7 +14,6 @@ import {
   type OwnCorrection,
 } from './joint.js';
 import { doubleAxisHingeFields } from './double-axis-hinge-fields.js';
-import { direction, notAlong } from './joint-fields.js';
 import { nearlyWhole } from './stop-fields.js';
 import { defineNode } from '../node/define.js';
 
@@ -40,8 +39,8 @@ export class DoubleAxisHingeJointNode extends JointNode {
   }
 
   #axes(): readonly [Vec3, Vec3] {
-    const axis1 = direction(this, 'axis1');
-    return [axis1, notAlong(this, axis1, 'axis2')];
+    const axis1 = joints.code.direction(this, 'axis1');
+    return [axis1, joints.code.notAlong(this, axis1, 'axis2')];
   }
 
   protected override zeroed(): void {

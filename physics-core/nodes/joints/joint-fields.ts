@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../fields/types.js';
-import { cross, length, normalize, perpendicular } from '../../base/math.js';
+import { normalize } from '../../base/math.js';
 import type { JointNode } from './joint.js';
 import type { Doc, Field } from '../node/table.js';
 
@@ -96,39 +96,4 @@ export function output<N extends JointNode>(
     read,
     doc,
   };
-}
-
-/** The authored axis, or X3D 4.0's default after a report where it has no direction. */
-export function direction(joint: JointNode, attribute: string): Vec3 {
-  const axis = joint.asked<Vec3>(attribute);
-  const directed = length(axis) > 1e-9;
-  const used = joint.type.fields[attribute]!.default as Vec3;
-  joint.reportWhile(!directed, {
-    code: 'bad-value',
-    severity: 'warning',
-    attribute,
-    value: axis,
-    used,
-    message: `${joint.label}: ${attribute}="0 0 0" has no direction; ${used.join(' ')} is used`,
-  });
-  return directed ? normalize(axis) : [...used];
-}
-
-/** Sine of the angle between two axes below which they count as one. */
-const PARALLEL = 0.05;
-
-/** The second axis, or one at right angles to the first after a report where both are nearly one. */
-export function notAlong(joint: JointNode, axis1: Vec3, attribute: string): Vec3 {
-  const axis2 = direction(joint, attribute);
-  if (length(cross(axis1, axis2)) > PARALLEL) return axis2;
-  const used = perpendicular(axis1);
-  joint.report({
-    code: 'bad-value',
-    severity: 'warning',
-    attribute,
-    value: joint.asked(attribute),
-    used,
-    message: `${joint.label}: ${attribute} runs along the first axis; ${used.map((n) => Number(n.toFixed(4))).join(' ')}, at right angles to it, is used`,
-  });
-  return used;
 }

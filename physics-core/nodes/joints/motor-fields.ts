@@ -6,7 +6,11 @@ import type { Field } from '../node/table.js';
 
 type MotorField = Field<MotorJointNode>;
 
-const torque = (joint: MotorJointNode): void => joint.updateMotors();
+const idle = (joint: MotorJointNode): void => joint.reportIdle();
+const torque = (joint: MotorJointNode): void => {
+  joint.updateMotors();
+  joint.reportIdle();
+};
 
 const axisOf = (n: AxisNumber, value: Vec3): MotorField =>
   axisField(value, {
@@ -20,6 +24,7 @@ const angleOf = (n: AxisNumber): MotorField => ({
   range: [-Math.PI, Math.PI],
   dimension: { angle: 1 },
   edit: 'passive',
+  patch: idle,
   doc: `Angle about axis ${n} as the author measured it, radians: motor${n}Angle says it again, unless autoCalc measures it. It drives nothing.`,
 });
 

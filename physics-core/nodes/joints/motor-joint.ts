@@ -50,13 +50,10 @@ export class MotorJointNode extends JointNode {
     const along = dot(first, third);
     const skew = Math.abs(along) >= SKEW;
     const used = skew ? normalize(subtract(third, scale(first, along)), NOWHERE) : third;
-    this.reportWhile(skew, {
-      code: 'bad-value',
-      severity: 'warning',
+    joints.code.reportAxis(this, skew, {
       attribute: 'motor3Axis',
-      value: this.asked('motor3Axis'),
       used,
-      message: `${this.label}: with autoCalc motor3Axis stands at right angles to motor1Axis; ${used.map((n) => Number(n.toFixed(4))).join(' ')} is used`,
+      why: 'has to stand at right angles to motor1Axis where autoCalc is',
     });
     return used;
   }
@@ -93,6 +90,10 @@ export class MotorJointNode extends JointNode {
   override get drivenBy(): string | undefined {
     const driven = AXES.find((n) => this.#torque(n) !== 0);
     return driven && `axis${driven}Torque`;
+  }
+
+  reportIdle(): void {
+    joints.code.reportIdle(this);
   }
 
   /** About an axis that `enabledAxes` (a count) covers. */

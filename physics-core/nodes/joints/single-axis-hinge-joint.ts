@@ -9,7 +9,7 @@ import {
   type Limit,
   type OwnCorrection,
 } from './joint.js';
-import { anchorFields, axisField, direction, jointFields, output } from './joint-fields.js';
+import { anchorFields, axisField, jointFields, output } from './joint-fields.js';
 import { angleStop, bounceField, correctionField, nearlyWhole } from './stop-fields.js';
 import { defineNode } from '../node/define.js';
 
@@ -18,7 +18,7 @@ const ANGLE = 3;
 
 export class SingleAxisHingeJointNode extends JointNode {
   protected override wantedFrame(): JointFrame {
-    return { anchor: this.asked('anchorPoint'), axis: direction(this, 'axis') };
+    return { anchor: this.asked('anchorPoint'), axis: joints.code.direction(this, 'axis') };
   }
 
   /** Stops of the angle; none where min is above max or both lie a full turn apart. */

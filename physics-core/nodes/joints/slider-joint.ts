@@ -10,7 +10,7 @@ import {
   type Limit,
   type OwnCorrection,
 } from './joint.js';
-import { direction, jointFields, output } from './joint-fields.js';
+import { jointFields, output } from './joint-fields.js';
 import { bounceField, correctionField } from './stop-fields.js';
 import { defineNode } from '../node/define.js';
 import type { Doc, Field } from '../node/table.js';
@@ -36,7 +36,7 @@ export class SliderJointNode extends JointNode {
       moving.length === 2
         ? scale(add(moving[0]!, moving[1]!), 0.5)
         : (moving[0] ?? (centres.slice(0, 3) as Vec3));
-    return { anchor, axis: direction(this, 'axis') };
+    return { anchor, axis: joints.code.direction(this, 'axis') };
   }
 
   /** Bullet pushes at the point that its B carries: where only one body moves, that one does, at its centre. */

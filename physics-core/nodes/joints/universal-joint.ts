@@ -2,14 +2,7 @@ import { joints } from '../../effects/effect/chunks.js';
 import type { Vec3 } from '../../fields/types.js';
 import { dot, normalize, scale, subtract } from '../../base/math.js';
 import { FREE, JointNode, LOCKED, type JointFrame, type Limit } from './joint.js';
-import {
-  anchorFields,
-  axisField,
-  axisOutput,
-  direction,
-  jointFields,
-  notAlong,
-} from './joint-fields.js';
+import { anchorFields, axisField, axisOutput, jointFields } from './joint-fields.js';
 import { idleStop } from './stop-fields.js';
 import { defineNode } from '../node/define.js';
 
@@ -19,22 +12,19 @@ const SKEW = 1e-4;
 /** Two bodies on the cross of a cardan shaft: each turns about its own arm, and the arms stay at right angles. */
 export class UniversalJointNode extends JointNode {
   protected override wantedFrame(): JointFrame {
-    const axis1 = direction(this, 'axis1');
+    const axis1 = joints.code.direction(this, 'axis1');
     return { anchor: this.asked('anchorPoint'), axes: [axis1, this.#axis2(axis1)] };
   }
 
   #axis2(axis1: Vec3): Vec3 {
-    const axis2 = notAlong(this, axis1, 'axis2');
+    const axis2 = joints.code.notAlong(this, axis1, 'axis2');
     const cosine = dot(axis1, axis2);
     if (Math.abs(cosine) <= SKEW) return axis2;
     const used = normalize(subtract(axis2, scale(axis1, cosine)));
-    this.report({
-      code: 'bad-value',
-      severity: 'warning',
+    joints.code.reportAxis(this, true, {
       attribute: 'axis2',
-      value: this.asked('axis2'),
       used,
-      message: `${this.label}: axis2 is not at right angles to axis1; ${used.map((n) => Number(n.toFixed(4))).join(' ')} is used`,
+      why: 'is not at right angles to axis1',
     });
     return used;
   }

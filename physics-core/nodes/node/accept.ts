@@ -2,9 +2,9 @@ import { codecs } from '../../fields/values.js';
 import type { Value } from '../../fields/types.js';
 import { boundOf, shownBound } from '../../fields/bounds.js';
 import { guards } from '../../base/guards.js';
-import { nearest } from '../../base/nearest.js';
 import type { ProblemReport } from '../../base/problems.js';
 import { cut, show, showUsed } from '../../base/show.js';
+import { meant } from './meant.js';
 import type { FieldOwner } from './field-owner.js';
 import type { Field } from './table.js';
 
@@ -12,13 +12,12 @@ import type { Field } from './table.js';
 export function fieldOf(node: FieldOwner, name: string): Field | undefined {
   const field = node.type.fields[name];
   if (!field) {
-    const meant = nearest(name, Object.keys(node.type.fields));
     node.report({
       code: 'unknown-attribute',
       severity: 'warning',
       attribute: name,
       used: 'nothing',
-      message: `${node.label} has no field ${show(name)}${meant ? `; did you mean ${meant}?` : ''}`,
+      message: `${node.label} has no field ${show(name)}${meant(name, Object.keys(node.type.fields))}`,
     });
   }
   return field;
@@ -74,23 +73,26 @@ export function accept(
   return accepted;
 }
 
-/** Reports a value; `instead` is used in its place, or else the last valid one. */
-type Refuse = (code: string, why: string, instead?: Value) => Value | undefined;
+/** Reports a value; `nearest` is used in its place, or else the last valid one. */
+type Refuse = (code: string, why: string, nearest?: Value) => Value | undefined;
 
 function refusal(node: FieldOwner, name: string, text: unknown): Refuse {
-  return (code, why, instead) => {
-    const used = instead ?? node.asked(name);
-    node.fieldState.refused.add(name);
+  return (code, why, nearest) => {
+    const used = nearest ?? node.asked(name);
+    const { authored, refused } = node.fieldState;
+    refused.add(name);
+    const implied = node.type.fields[name]!.implied && !authored.has(name);
+    const instead = implied ? 'it counts as not written' : `${showUsed(used)} is used`;
     const report: ProblemReport = {
       code,
       severity: 'warning',
       attribute: name,
       value: text,
       used,
-      message: `${node.label}: ${name}="${show(text)}" ${why}; ${showUsed(used)} is used`,
+      message: `${node.label}: ${name}="${show(text)}" ${why}; ${instead}`,
     };
     node.report(report);
-    return instead;
+    return nearest;
   };
 }
 
@@ -100,7 +102,8 @@ function outside(field: Field, value: Value, refuse: Refuse): Value | undefined 
   const clamp = (number: number): number => Math.min(high, Math.max(low, number));
   const clamped = Array.isArray(value) ? value.map(clamp) : clamp(value as number);
   const closed = Number.isFinite(low) && Number.isFinite(high);
-  const why = `is outside ${field.open ? '(' : '['}${low}, ${high}]`;
+  const unit = closed && field.dimension?.angle ? ' radians' : '';
+  const why = `is outside ${field.open ? '(' : '['}${low}, ${high}]${unit}`;
   return refuse('out-of-range', why, closed ? clamped : undefined);
 }
 
@@ -110,9 +113,15 @@ function isNamed({ type, values, takesAll }: Field, value: Value): boolean {
   return type !== 'MFNode' || value !== '*' || takesAll === true;
 }
 
+/** What people leave out of a rotation. */
+const ROTATION = ', axis and angle in radians';
+
 function expected(field: Field): string {
   if (field.values) return `one of ${field.values.join(', ')}`;
-  return field.nodes ? `${field.type} of ${cut(field.nodes.join(', '))}` : field.type;
+  if (field.nodes) return `${field.type} of ${cut(field.nodes.join(', '))}`;
+  const { type, default: some } = field;
+  const many = Array.isArray(some) && type.startsWith('SF');
+  return many ? `${type}: ${some.length} numbers${type === 'SFRotation' ? ROTATION : ''}` : type;
 }
 
 const numbersOf = (value: Value): number[] =>

@@ -28,6 +28,8 @@ export interface Field<N = unknown> {
   nodes?: readonly string[];
   /** An MFNode that also takes `*`: all there are in its world. */
   takesAll?: true;
+  /** Not written, it counts for something else than its default. */
+  implied?: true;
   /** Of every node, or of every X3DBoundedObject. */
   common?: true;
   /** An addition of ours, not an X3D field: its attribute is the kebab-case of its name. */

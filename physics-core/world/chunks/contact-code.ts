@@ -1,5 +1,6 @@
 // The chunk `contacts`.
 import { provideContactEffects } from '../../effects/contact-code.js';
+import * as reports from '../../effects/contacts/collection-reports.js';
 import type { ContactCode } from '../../effects/effect/chunks.js';
 import { HardContacts } from '../pairs/hard-contacts.js';
 import { reportOverlaps } from '../pairs/overlaps.js';
@@ -7,5 +8,10 @@ import { touchedBy } from '../pairs/touched-by.js';
 
 export function provide(): ContactCode {
   provideContactEffects();
-  return { hardContacts: (world) => new HardContacts(world), reportOverlaps, touchedBy };
+  return {
+    hardContacts: (world) => new HardContacts(world),
+    reportOverlaps,
+    touchedBy,
+    ...reports,
+  };
 }

@@ -32,13 +32,3 @@ function isCollider(world: NodeWorld, collection: CollisionCollectionNode): bool
     if (node.asked('collider') === collection) return true;
   return false;
 }
-
-export function reportOneSided(collection: CollisionCollectionNode, is: boolean): void {
-  collection.reportWhile(is, {
-    code: 'one-sided-collider',
-    severity: 'warning',
-    attribute: 'collidables',
-    used: 'every pair with one member inside',
-    message: `${collection.label} lists the collidables of one body only and yet says what its contacts are like; every pair with one member inside collides by it`,
-  });
-}

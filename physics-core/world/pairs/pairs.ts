@@ -1,10 +1,11 @@
 import { contactReader, contactSurface } from '../../effects/contacts/effects.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection.js';
 import type { CollisionSpaceNode } from '../../nodes/collision/collision-space.js';
 import { CollisionFilterGroups } from './collision-filter-groups.js';
-import { isOneSided, reportOneSided } from './one-sided.js';
+import { isOneSided } from './one-sided.js';
 import type { NodeWorld, PairRules } from '../../nodes/node/node-world.js';
 
 /** Whether contacts act; `where given`: those that set_contacts hands on. */
@@ -251,7 +252,7 @@ export class Pairs implements PairRules {
       changed = true;
       if (now) this.#oneSided.add(collection);
       else this.#oneSided.delete(collection);
-      reportOneSided(collection, now);
+      contacts.code.reportOneSided(collection, now);
     }
     return changed;
   }

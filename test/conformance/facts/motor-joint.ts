@@ -79,6 +79,7 @@ const ofAxis = (n: 1 | 2 | 3): Fact[] => [
   {
     field: `motor${n}Axis`,
     says: 'is the direction that its torque turns about, of whatever length',
+    tells: ['idle-motor'],
     scene: driven({ enabledAxes: 3, [`axis${n}Torque`]: 1 }),
     run: async (x) => {
       await x.advance(0.5);
@@ -116,6 +117,7 @@ const ofAxis = (n: 1 | 2 | 3): Fact[] => [
     field: `axis${n}Angle`,
     says: 'is the angle as the author measured it: the motor says it again, and turns nothing by it',
     open: 'in user mode the author tells the angle',
+    tells: ['idle-motor'],
     scene: driven({ enabledAxes: 3, [`axis${n}Angle`]: 0.5 }),
     run: async (x) => {
       await x.advance(0.2);
@@ -184,6 +186,7 @@ const euler: Fact[] = [
     field: 'autoCalc',
     says: 'measures the angles: a body that turns about its own third axis after the others has these Euler angles',
     open: 'body1 carries axis 1, body2 axis 3',
+    tells: ['idle-motor'],
     scene: driven({ autoCalc: true, enabledAxes: 3, axis1Angle: 2 }),
     run: async (x) => {
       await x.advance(0.1);

@@ -1,6 +1,7 @@
 import { expect } from 'chai';
 import { codecs, nodeTypes, type NodeType } from '../../../../physics-core/inside.js';
 import { attributeOf, kebab, sample, written } from '../../samples.js';
+import { claim } from '../../console.js';
 import { show } from '../../scene.js';
 import { worldOf, type World } from '../../inside.js';
 
@@ -58,6 +59,12 @@ async function add(type: NodeType, tag: string) {
   return { parent, element, world };
 }
 
+/** A motor whose fields are written one by one says which of them turn nothing yet. */
+function claimIdle({ name }: NodeType, ...fields: string[]): void {
+  if (name === 'MotorJoint') claim(...fields.map((field) => `MotorJoint "new": ${field}`));
+}
+const ALONE = ['axis1Angle', 'axis2Angle', 'axis2Torque', 'axis3Angle', 'axis3Torque'];
+
 type Asked = { asked(name: string): unknown; type: { name: string } };
 const node = (world: World, element: Element): Asked | undefined =>
   world.node(element) as unknown as Asked | undefined;
@@ -83,6 +90,7 @@ for (const type of Object.values(nodeTypes)) {
       });
 
       it(`${spelling} tag: takes every field as an attribute, and the default when it goes`, async () => {
+        claimIdle(type, ...ALONE);
         const { element, world } = await add(type, tag);
         for (const [name, field] of written(type)) {
           const value = sample(name, field);
@@ -100,6 +108,7 @@ for (const type of Object.values(nodeTypes)) {
 
     it('is defined as a custom element with every field as a property', async () => {
       const [[, tag]] = tags(type) as [[string, string]];
+      claimIdle(type, 'axis1Angle');
       expect(customElements.get(tag)?.name).to.equal(`X3D${type.name}Element`);
       const { element, world } = await add(type, tag);
       const own = element as unknown as Record<string, unknown>;
@@ -115,6 +124,7 @@ for (const type of Object.values(nodeTypes)) {
 
     it('takes each field by the property in lower case, too, and lists it once', async () => {
       const [[, tag]] = tags(type) as [[string, string]];
+      claimIdle(type, 'axis1Angle');
       const { element, world } = await add(type, tag);
       const own = element as unknown as Record<string, unknown>;
       for (const [name, field] of written(type)) {

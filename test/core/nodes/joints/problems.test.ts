@@ -46,3 +46,53 @@ fact('a hinge without a direction is told and takes Y', async () => {
   w.step();
   assert.deepEqual(codes(w), []);
 });
+
+/** A motor on a ball, and what is told of it. */
+async function motor(fields: Record<string, unknown>) {
+  const w = await world();
+  const joint = w.add('MotorJoint', { body1: addBody(w), ...fields });
+  w.step();
+  return { w, joint };
+}
+
+fact('a motor with a torque about no direction is told, until it has one', async () => {
+  const { w, joint } = await motor({ motor1Axis: [0, 0, 0], axis1Torque: 5 });
+  const { attribute, message } = only(w, 'idle-motor');
+  assert.equal(attribute, 'motor1Axis');
+  assert.match(message, /motor1Axis="0 0 0" has no direction, so axis1Torque turns nothing/);
+  joint.set('motor1Axis', [0, 1, 0]);
+  w.step();
+  assert.deepEqual(codes(w), []);
+});
+
+fact(
+  'a torque about an axis that enabledAxes leaves out is told, where nobody wrote that',
+  async () => {
+    const { w, joint } = await motor({ axis3Torque: 5 });
+    const { attribute, message } = only(w, 'idle-motor');
+    assert.equal(attribute, 'enabledAxes');
+    assert.match(message, /axis3Torque turns nothing, since enabledAxes is 1; write enabledAxes="3"/);
+    joint.set('enabledAxes', 2);
+    w.step();
+    assert.deepEqual(codes(w), [], 'switched off');
+  },
+);
+
+fact('an angle of a motor without any torque is told to be no target', async () => {
+  const { w, joint } = await motor({ axis1Angle: 1 });
+  const { attribute, message } = only(w, 'idle-motor');
+  assert.equal(attribute, 'axis1Torque');
+  assert.match(message, /axis1Angle is no target and turns nothing; a motor turns by axis1Torque/);
+  let again = 0;
+  w.on('problem', () => again++);
+  joint.set('axis1Angle', 1.5);
+  w.step();
+  assert.equal(again, 0, 'another angle is no other mistake');
+  joint.set('axis1Torque', 0);
+  w.step();
+  assert.deepEqual(codes(w), [], 'who writes torques knows');
+  joint.unset('axis1Torque');
+  joint.set('axis1Angle', 0);
+  w.step();
+  assert.deepEqual(codes(w), [], 'none');
+});

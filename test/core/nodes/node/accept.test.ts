@@ -9,6 +9,7 @@ import {
   world,
   type Node,
   codes,
+  told,
 } from '../../helpers.js';
 import { only } from '../problems.js';
 
@@ -97,6 +98,63 @@ fact('a problem is told once until it changes, and taken back when it is mended'
   assert.equal(told.length, 3);
   ball.remove();
   assert.deepEqual(w.problems, []);
+});
+
+fact('a list that is too short is told how many numbers it takes', async () => {
+  const w = await world();
+  const [collection, ball] = [w.add('CollisionCollection'), addBody(w)];
+  collection.set('frictionCoefficients', '0');
+  assert.match(
+    only(w, 'bad-value').message,
+    /frictionCoefficients="0" is not SFVec2f: 2 numbers; it counts as not written$/,
+  );
+  collection.set('frictionCoefficients', '0 0');
+  collection.set('frictionCoefficients', '1');
+  assert.match(only(w, 'bad-value').message, /2 numbers; 0 0 is used$/);
+  collection.remove();
+  ball.set('orientation', '0 1 0');
+  assert.match(
+    only(w, 'bad-value').message,
+    /SFRotation: 4 numbers, axis and angle in radians; 0 0 1 0 is used$/,
+  );
+});
+
+fact('an angle out of its range is told to be in radians, other numbers are not', async () => {
+  const w = await world();
+  const hinge = w.add('SingleAxisHingeJoint', { body1: addBody(w), minAngle: -90 });
+  assert.match(only(w, 'out-of-range').message, /minAngle="-90" is outside \[.*\] radians; -3.14/);
+  hinge.remove();
+  const ball = addBody(w, { linearDampingFactor: 5 });
+  assert.match(only(w, 'out-of-range').message, /is outside \[0, 1\]; 1 is used/);
+  ball.remove();
+});
+
+fact('everyday words for a field are told which it is, and which node has it', async () => {
+  const w = await world();
+  claim(w, 'unknown-attribute');
+  const [ball, hinge] = [addBody(w), w.add('SingleAxisHingeJoint', { body1: addBody(w) })];
+  const list = w.add('CollisionCollection');
+  for (const [node, word, answer] of [
+    [ball, 'weight', '; did you mean mass?'],
+    [ball, 'Static', '; did you mean fixed?'],
+    [ball, 'velocity', '; did you mean linearVelocity?'],
+    [ball, 'torque', '; did you mean torques?'],
+    [ball, 'friction', '; CollisionCollection has frictionCoefficients'],
+    [ball, 'restitution', '; CollisionCollection has bounce'],
+    [ball, 'gravity', '; RigidBodyCollection has gravity'],
+    [list, 'friction', '; did you mean frictionCoefficients?'],
+    [list, 'restitution', '; did you mean bounce?'],
+    [hinge, 'torque', '; MotorJoint has axis1Torque'],
+    [hinge, 'anchor', '; did you mean anchorPoint?'],
+    [ball, 'mas', '; did you mean mass?'],
+    [ball, 'constructor', ''],
+    [ball, 'colour', ''],
+  ] as const) {
+    node.set(word, 1);
+    const [message] = told(w, 'unknown-attribute');
+    assert.ok(message!.endsWith(`has no field ${word}${answer}`), message);
+    w.settle(node);
+  }
 });
 
 fact(

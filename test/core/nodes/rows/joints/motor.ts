@@ -4,6 +4,7 @@ import {
   addBody,
   addJoint,
   below,
+  claim,
   close,
   position,
   spin,
@@ -62,7 +63,8 @@ export const motorRows: Row[] = [
     field: 'enabledAxes',
     fact: 'is how many axes are driven',
     run: async () => {
-      const { joint, spinAfter } = await motor({
+      const { w, joint, spinAfter } = await motor({
+        enabledAxes: 1,
         axis1Torque: 1,
         axis2Torque: 2,
         axis3Torque: 3,
@@ -79,6 +81,7 @@ export const motorRows: Row[] = [
       }
       joint.unset('enabledAxes');
       close(spinAfter(), [GAIN, 0, 0], 1e-4, 'rad/s, unset');
+      claim(w, 'idle-motor');
     },
   },
   {
@@ -96,6 +99,7 @@ export const motorRows: Row[] = [
     fact: 'switched on it measures the angles from the poses of that moment',
     run: async () => {
       const { w, ball, joint } = await motor({ axis1Angle: 0.3, enabledAxes: 3 });
+      claim(w, 'idle-motor');
       w.step();
       ball.event('orientation', [0, 1, 0, 0.5]);
       w.step();

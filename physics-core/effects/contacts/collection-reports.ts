@@ -1,0 +1,36 @@
+import { cut } from '../../base/show.js';
+import type { Reported } from '../effect/chunks.js';
+
+export function reportTokens(collection: Reported, unknown: readonly string[]): void {
+  if (unknown.length === 0) return;
+  collection.reportWhile(true, {
+    code: 'bad-value',
+    severity: 'warning',
+    attribute: 'appliedParameters',
+    value: unknown.join(' '),
+    used: 'the others',
+    message: `${collection.label}: appliedParameters has no ${cut(unknown.join(', '))}; the others are used`,
+  });
+}
+
+/** Bullet's contacts are hard; the depth is made to follow the force, and what they would spring back is lost. */
+export function reportSoftness(collection: Reported, softness: number): void {
+  collection.reportWhile(softness !== 0, {
+    code: 'approximated-field',
+    severity: 'info',
+    attribute: 'softnessConstantForceMix',
+    value: softness,
+    used: 'a contact that yields and does not spring back',
+    message: `${collection.label}: under a body at rest soft contacts are as deep as the standard says (within 1 %), though no deeper than a quarter of the thinner body; they give back none of the energy of a hit, and stacked on each other they are as deep as that only roughly`,
+  });
+}
+
+export function reportOneSided(collection: Reported, is: boolean): void {
+  collection.reportWhile(is, {
+    code: 'one-sided-collider',
+    severity: 'warning',
+    attribute: 'collidables',
+    used: 'every pair with one member inside',
+    message: `${collection.label} lists the collidables of one body only and yet says what its contacts are like; every pair with one member inside collides by it`,
+  });
+}
