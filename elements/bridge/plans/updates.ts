@@ -3,6 +3,7 @@ import { checkMarkup } from '../document/markup.js';
 import { inOrder } from '../document/order.js';
 import { mayMove } from '../document/rivals.js';
 import { listsAll } from '../document/structure.js';
+import { Unused } from '../document/unused.js';
 import type { Binding } from '../nodes/binding.js';
 import { bindingsIn } from '../nodes/bindings.js';
 import type { PageWorld } from '../nodes/surroundings.js';
@@ -20,6 +21,7 @@ export class Updates {
   readonly #site: Site;
   readonly #following: Following;
   readonly #writer: Writer;
+  readonly #unused = new Unused();
   #queue = new Set<Binding>();
   readonly #left = new Set<Binding>();
   /** Something happened since the last run. */
@@ -138,6 +140,7 @@ export class Updates {
   #plan(binding: Binding): Plan | undefined {
     const world = worldFor(binding);
     binding.world = world ?? null;
+    this.#unused.note(binding);
     checkMarkup(binding);
     // Without what it stands for, nobody knows where it is to start.
     if (binding.is('RigidBody') && binding.waiting.has('for')) return undefined;

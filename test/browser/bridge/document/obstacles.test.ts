@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
-import { drawn, drawnAt, place, show, position } from '../../scene.js';
+import { drawn, drawnAt, place, show, position, wait } from '../../scene.js';
 import { worldOf } from '../../inside.js';
 
 const ball = (at: string): string => `
@@ -90,7 +90,7 @@ describe('a collidable without a body', () => {
       <x3d-collision-collection id="k" collidables="*"></x3d-collision-collection>
     </x3d-rigid-body-collection>`))
     it(`${spelling} tags: is among all that a list names by *, as long as it does`, async () => {
-      claim('not-in-collider');
+      claim('not-in-collider', 'unused-collidable');
       const { x3d, world } = await show(markup, '#c');
       const list = x3d.querySelector('#k')!;
       world.paused = true;
@@ -109,6 +109,7 @@ describe('a collidable without a body', () => {
       list.remove();
       world.advance(0.5);
       expect(position(world, 'ball')[1]).to.be.below(1.5);
+      await wait(30);
     });
 
   it('in a Transform that a body moves says that it stays', async () => {
@@ -160,7 +161,8 @@ describe('a collidable without a body', () => {
       expect(top(3.1)).to.equal(null);
     });
 
-  it('listed nowhere takes part in nothing', async () => {
+  it('listed nowhere takes part in nothing, and says so', async () => {
+    claim('unused-collidable');
     const { world } = await show(
       `${table}<x3d-rigid-body-collection id="c">${ball('3 3 0')}</x3d-rigid-body-collection>`,
       '#c',
@@ -168,6 +170,96 @@ describe('a collidable without a body', () => {
     world.paused = true;
     world.advance(2);
     expect(position(world, 'ball')[1]).to.be.below(0);
+    await wait(30);
+    const [problem] = world.problems;
+    expect([problem!.code, (problem!.element as Element).id]).to.eql([
+      'unused-collidable',
+      'table',
+    ]);
+    expect(problem!.message).to.equal(
+      'CollidableShape "table" is in no RigidBody and no CollisionCollection, and collides with nothing',
+    );
+  });
+
+  for (const [what, use] of [
+    [
+      'a body',
+      `<x3d-rigid-body id="user" fixed="true"><x3d-collidable-shape use="table"></x3d-collidable-shape></x3d-rigid-body>`,
+    ],
+    [
+      'a list',
+      `<x3d-collision-collection id="user"><x3d-collidable-shape use="table"></x3d-collidable-shape></x3d-collision-collection>`,
+    ],
+    [
+      'a list of all',
+      `<x3d-collision-collection id="user" collidables="*"></x3d-collision-collection>`,
+    ],
+    [
+      'a space of a list',
+      `<x3d-collision-collection id="user"><x3d-collision-space><x3d-collidable-shape use="table"></x3d-collidable-shape></x3d-collision-space></x3d-collision-collection>`,
+    ],
+    [
+      'an offset of a body',
+      `<x3d-rigid-body id="user" fixed="true"><x3d-collidable-offset><x3d-collidable-shape use="table"></x3d-collidable-shape></x3d-collidable-offset></x3d-rigid-body>`,
+    ],
+  ] as const)
+    it(`is used as soon as ${what} has it, wherever that stands, and unused without`, async () => {
+      const bodies = ball('3 3 0') + (use.includes('rigid-body') ? use : '');
+      const lists = use.includes('rigid-body') ? '' : use;
+      const { x3d, world } = await show(
+        `${table}<x3d-rigid-body-collection id="c">${bodies}</x3d-rigid-body-collection>${lists}`,
+        '#c',
+      );
+      world.paused = true;
+      await wait(30);
+      expect(world.problems).to.eql([]);
+      const user = x3d.querySelector('#user')!;
+      const parent = user.parentElement!;
+      user.remove();
+      await wait(30);
+      claim('unused-collidable');
+      expect(world.problems.map(({ code }) => code)).to.eql(['unused-collidable']);
+      parent.append(user);
+      world.step(0);
+      expect(world.problems).to.eql([]);
+    });
+
+  it('in an offset or in a space by itself is told of once', async () => {
+    claim(
+      'CollidableOffset "o" is in no RigidBody',
+      'CollisionSpace "s" is in no CollisionCollection',
+    );
+    const { world } = await show(
+      `<x3d-collidable-offset id="o"><x3d-collidable-shape><shape><box></box></shape></x3d-collidable-shape></x3d-collidable-offset>
+      <x3d-collision-space id="s"><x3d-collidable-shape><shape><box></box></shape></x3d-collidable-shape></x3d-collision-space>
+      <MetadataSet><x3d-collidable-shape></x3d-collidable-shape></MetadataSet>
+      <x3d-rigid-body-collection id="c"></x3d-rigid-body-collection>`,
+      '#c',
+    );
+    world.paused = true;
+    await wait(30);
+    expect(world.problems.length).to.equal(2);
+  });
+
+  it('that a body takes later in the same task is not told of', async () => {
+    const { x3d, world } = await show(
+      '<x3d-rigid-body-collection id="c"></x3d-rigid-body-collection>',
+      '#c',
+    );
+    world.paused = true;
+    const scene = x3d.querySelector('scene')!;
+    scene.insertAdjacentHTML(
+      'beforeend',
+      '<x3d-collidable-shape id="late"><shape><box></box></shape></x3d-collidable-shape>',
+    );
+    const body = document.createElement('x3d-rigid-body');
+    body.geometry = [x3d.querySelector('#late')!];
+    // As by a framework that renders in turns.
+    await Promise.resolve();
+    world.step(0);
+    x3d.querySelector('#c')!.append(body);
+    await wait(30);
+    expect(world.problems).to.eql([]);
   });
 });
 

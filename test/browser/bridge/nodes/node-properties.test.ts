@@ -4,7 +4,7 @@ import { show } from '../../scene.js';
 
 describe('nodes as properties', () => {
   it('name elements in the place of children, and give them back', async () => {
-    claim('no-body');
+    claim('no-body', 'unused-collidable');
     const { x3d, world } = await show(
       `<x3d-collidable-shape id="s"><shape><sphere></sphere></shape></x3d-collidable-shape>
        <x3d-rigid-body-collection id="c"><x3d-rigid-body id="a"></x3d-rigid-body><x3d-rigid-body id="b" position="3 0 0"></x3d-rigid-body>
@@ -23,11 +23,13 @@ describe('nodes as properties', () => {
     world.step(0);
     expect([joint.body1, joint.body2]).to.eql([find('a'), find('b')]);
     expect(world.stats.joints).to.equal(1);
+    expect(world.problems).to.eql([]);
     body.geometry = null;
     joint.body2 = null;
     world.step(0);
     expect(body.geometry).to.eql([]);
     expect(joint.body2).to.equal(null);
+    x3d.remove();
   });
 
   it('name the bodies of a joint by text, too, as its attributes do', async () => {

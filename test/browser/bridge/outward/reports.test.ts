@@ -4,7 +4,7 @@ import { place, show, until, wait } from '../../scene.js';
 
 describe('reports', () => {
   it('make no world: the console and the page hear of what lives in none', async () => {
-    claim('unknown-attribute');
+    claim('unknown-attribute', 'unused-collidable');
     const x3d = place('<x3d-collidable-shape id="s" colour="red"></x3d-collidable-shape>');
     const heard: string[] = [];
     x3d.addEventListener('physicsproblem', (event) =>
@@ -14,7 +14,7 @@ describe('reports', () => {
     x3d.addEventListener('physicsready', () => ready++);
     await until(() => heard.length > 0);
     await wait(100);
-    expect([heard, ready]).to.eql([['s unknown-attribute'], 0]);
+    expect([heard, ready]).to.eql([['s unknown-attribute', 's unused-collidable'], 0]);
   });
 
   it('of what stands outside any x3d show as a state, until it is put in', async () => {
