@@ -63,7 +63,7 @@ export class X3DBodyElement extends X3DNodeElement {
     return this.#body?.sleeping ?? false;
   }
 
-  /** Position and quaternion of the last step into `out`, without allocating. */
+  /** Position (3, metres) and quaternion (4, x y z w) of the last step into `out`, without allocating. */
   readPose<Out extends Float32Array | Float64Array | number[]>(out: Out): Out {
     return this.#body?.readPose(out) ?? out;
   }

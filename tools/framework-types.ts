@@ -136,8 +136,8 @@ type Own<Tag extends keyof Physics.SceneTags> = Physics.Lower<Physics.SceneTags[
 type SceneTags = {
   [Tag in keyof Physics.SceneTags]: Html<
     Omit<Own<Tag>, 'size'> & {
-      /** React takes it for HTML's own, a single number, and leaves out what is none: set it by \`ref\`. */
-      size?: never;
+      /** React takes it for HTML's own, a single number, and leaves out what is none. */
+      size?: 'React leaves size out: set it by ref, as in ref={(box) => box?.setAttribute("size", "1 1 1")}';
     },
     HTMLElement
   >;

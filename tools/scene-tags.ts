@@ -43,7 +43,10 @@ export const SCENE_TAGS: Record<string, SceneTag> = {
     texts: 'profile version',
   },
   scene: { numbers: 'pickMode', flags: 'doPickPass', texts: 'shadowObjectIdMapping' },
-  environment: { flags: 'frustumCulling smallFeatureCulling shadowExcludeObjects', texts: 'id' },
+  environment: {
+    flags: 'frustumCulling smallFeatureCulling shadowExcludeObjects',
+    texts: 'id gammaCorrectionDefault',
+  },
   worldinfo: { texts: 'title info' },
   navigationinfo: {
     numbers: 'avatarSize speed transitionTime typeParams visibilityLimit explorationMode',

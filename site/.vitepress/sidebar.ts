@@ -35,6 +35,7 @@ const RECIPES = {
   throwing: 'Throwing',
   many: 'Many bodies',
   sensors: 'Sensors and triggers',
+  tipped: 'Is it tipped over?',
   saving: 'Saving and loading',
   undo: 'Undo and duplicate in devtools',
 };

@@ -66,3 +66,24 @@ test('the door of the recipe is at the asked angle within its stops, and stays t
   );
   world.destroy();
 });
+
+test('the recipe for what is tipped over has 1 for a body that stands, 0 on its side, -1 on its head', async () => {
+  const [, code] = readFileSync('site/recipes/tipped.md', 'utf8').match(
+    /(function upright[^]*?\n  \})/,
+  )!;
+  type Poser = { readPose(out: number[]): number[] };
+  const upright = new Function('pose', `return ${code}`)([]) as (body: Poser) => number;
+  const world = await createWorld();
+  const body = world.add('RigidBody', { geometry: GEOMETRY });
+  for (const [orientation, expected] of [
+    [[0, 1, 0, 2], 1],
+    [[1, 0, 0, Math.PI / 2], 0],
+    [[0, 0, 1, Math.PI], -1],
+    [[0, 0, 1, Math.PI / 4], Math.SQRT1_2],
+  ] as const) {
+    body.teleport([3, 5, 7], [...orientation]);
+    world.step(0);
+    assert.ok(Math.abs(upright(body) - expected) < 1e-6, `${upright(body)}, not ${expected}`);
+  }
+  world.destroy();
+});

@@ -8,7 +8,7 @@ const FENCE = /^```(\w+)\n([^]*?)^```$/gm;
 
 /** By example: the guide's section, and the file that each of its fences becomes. */
 const PLACES = {
-  react: { section: 'React', files: ['src/guide-snippet.tsx'] },
+  react: { section: 'React', files: ['src/guide-snippet.tsx', 'src/guide-list.tsx'] },
   vue: { section: 'Vue', files: ['src/guide-snippet.config.ts', 'src/GuideSnippet.vue'] },
   svelte: { section: 'Svelte', files: ['src/GuideSnippet.svelte'] },
   solid: { section: 'Solid', files: ['src/guide-snippet.tsx'] },

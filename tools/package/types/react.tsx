@@ -41,6 +41,7 @@ export function Scene(): React.JSX.Element {
           <x3d-ball-joint body1="upper" body2="lower" anchorPoint={[0, 3, 0]} />
         </x3d-rigid-body-collection>
         <group>
+          <environment gammacorrectiondefault="linear" />
           <inline url='"a.x3d"' />
           <transform id="ball" translation={[0, 1, 0]} onClick={() => {}}>
             <shape>
