@@ -69,7 +69,7 @@ test('the door of the recipe is at the asked angle within its stops, and stays t
 
 test('the recipe for what is tipped over has 1 for a body that stands, 0 on its side, -1 on its head', async () => {
   const [, code] = readFileSync('site/recipes/tipped.md', 'utf8').match(
-    /(function upright[^]*?\n  \})/,
+    /(function upright[^]*?\n {2}\})/,
   )!;
   type Poser = { readPose(out: number[]): number[] };
   const upright = new Function('pose', `return ${code}`)([]) as (body: Poser) => number;
