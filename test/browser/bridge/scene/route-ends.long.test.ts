@@ -100,6 +100,8 @@ for (const type of Object.values(nodeTypes)) {
         }
         // Both fixed and to be dragged: told when these events reach Bullet, at the latest now.
         if (type.name === 'RigidBody') claim('not-draggable');
+        // No source sends whole numbers: enabledAxes stays 1.
+        if (type.name === 'MotorJoint') claim('idle-motor');
         world.step(0);
       });
 
