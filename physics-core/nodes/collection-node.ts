@@ -1,8 +1,8 @@
 import type { ContactGiver } from '../dynamics/contact.js';
 import { givenContacts } from '../effects/contacts/effects.js';
 import { debugging } from '../effects/debug/debugging.js';
+import { contacts } from '../effects/effect/chunks.js';
 import { BodyNode } from './body/body.js';
-import { unknownTokens } from './collision/contact-parameters.js';
 import { cut, show, showUsed } from '../base/show.js';
 import type { ContactNode } from './collision/contact.js';
 import { PhysicsNode } from './node/node.js';
@@ -59,7 +59,7 @@ export class CollectionNode extends PhysicsNode implements ContactGiver {
 
   /** Here and not at the contacts, which last a step only. */
   #reportTokens(list: readonly ContactNode[]): void {
-    const unknown = [...new Set(list.flatMap(unknownTokens))];
+    const unknown = [...new Set(list.flatMap((each) => contacts.code.unknownTokens(each)))];
     if (unknown.length === 0) return;
     this.report({
       code: 'bad-value',

@@ -1,4 +1,10 @@
-import type { EffectReport, ProblemReport, RayHit, World } from '../../../physics-core/inside.js';
+import type {
+  EffectReport,
+  Problem,
+  ProblemReport,
+  RayHit,
+  World,
+} from '../../../physics-core/inside.js';
 import type { Readers } from '../scopes/readers.js';
 import type { Binding } from './binding.js';
 
@@ -55,6 +61,7 @@ export interface Surroundings {
   readonly unlisted: { worldOf(collidable: Binding): PageWorld | undefined };
   readonly reports: {
     report(report: ProblemReport, binding: Binding): void;
+    of(binding: Binding): Problem[];
     settle(binding: Binding, attributeName?: string, code?: string): void;
   };
   /** It has left, or stands elsewhere now. */

@@ -1,4 +1,4 @@
-import type { ProblemReport } from '../../../physics-core/inside.js';
+import type { Problem, ProblemReport } from '../../../physics-core/inside.js';
 import { tellPage } from '../document/misplaced.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
@@ -31,6 +31,11 @@ export class Reports {
       if (first) this.report(report, binding);
       else if (binding.scope) tellPage(report, binding.element);
     }
+  }
+
+  /** What is told of it: that of a node without a world stands in another's. */
+  of({ element }: Binding): Problem[] {
+    return [...this.#worlds.all].flatMap((world) => world.problemsOf(element));
   }
 
   settle(binding: Binding, attributeName?: string, code?: string): void {

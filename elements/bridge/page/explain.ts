@@ -48,7 +48,7 @@ const APPROXIMATED = new Set(['approximated-field', 'concave-dynamic', 'zero-vol
 
 /** Of an element whose node this is, or whose body; undefined where it has none. */
 export function explanation(element: Element, binding: Binding | undefined): Explanation {
-  const problems = binding?.world?.problemsOf(binding.element) ?? [];
+  const problems = binding?.scene?.reports.of(binding) ?? [];
   const node = binding?.node;
   return plain({
     type: binding?.type.name,

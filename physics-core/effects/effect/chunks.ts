@@ -3,12 +3,13 @@ import { Chunk } from '../../base/chunk.js';
 import type { ProblemReport } from '../../base/problems.js';
 import type { Quaternion } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
+import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { LevelName } from '../../dynamics/levels.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { BulletWorld } from '../../engine/bullet-world.js';
 import type { JointConstraint, Side } from '../../engine/joint-constraint.js';
-import type { Vec3 } from '../../fields/types.js';
+import type { Vec2, Vec3 } from '../../fields/types.js';
 
 /** A world whose contacts are looked at. */
 export interface PiledWorld extends Simulation {
@@ -25,6 +26,13 @@ export interface HardContacts {
   forget(): void;
 }
 
+/** A node that says what contacts are like: a CollisionCollection or a Contact. */
+export interface ParameterNode {
+  readonly world: { readonly settings: { asked<T>(field: string): T } };
+  asked<T>(field: string): T;
+  authored(field: string): boolean;
+}
+
 /** What is asked about contacts beside what effects do with them. */
 export interface ContactCode {
   hardContacts(world: PiledWorld): HardContacts;
@@ -32,6 +40,15 @@ export interface ContactCode {
   reportOverlaps(simulation: Simulation): void;
   /** What a body touches now. */
   touchedBy(simulation: Simulation, body: Body): Set<Body>;
+  /** The parameters of a CollisionCollection or a Contact, which name one field differently. */
+  contactParameters(
+    node: ParameterNode,
+    slipField: 'slipFactors' | 'slipCoefficients',
+  ): ContactParameters;
+  /** Without strict rules, friction nobody wrote is the library's default and not the field's 0. */
+  frictionOf(node: ParameterNode): Vec2;
+  /** Words of appliedParameters that no parameter has. */
+  unknownTokens(node: ParameterNode): string[];
   /** `unknown`: words of appliedParameters that no parameter has. */
   reportTokens(collection: Reported, unknown: readonly string[]): void;
   /** Contacts that yield do not spring back. */

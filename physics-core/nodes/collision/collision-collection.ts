@@ -1,7 +1,6 @@
 import type { CollidableNode } from './collidable.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Collider } from '../../dynamics/pairs.js';
-import { contactParameters, unknownTokens } from './contact-parameters.js';
 import { Members, type MemberList } from './members.js';
 import { description } from '../node/common-fields.js';
 import { contacts } from '../../effects/effect/chunks.js';
@@ -39,7 +38,7 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
   /** A parameter changed: contacts read it from the next step on. */
   updateParameters(): void {
     this.#parameters = undefined;
-    contacts.code.reportTokens(this, unknownTokens(this));
+    contacts.code.reportTokens(this, contacts.code.unknownTokens(this));
     contacts.code.reportSoftness(this, this.parameters.softness);
     for (const body of this.world.bodies) {
       this.world.pairs.contactsChanged(body);
@@ -54,7 +53,7 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
   }
 
   get parameters(): ContactParameters {
-    return (this.#parameters ??= contactParameters(this, 'slipFactors'));
+    return (this.#parameters ??= contacts.code.contactParameters(this, 'slipFactors'));
   }
 }
 

@@ -5,7 +5,6 @@ import type { Body } from '../../dynamics/body.js';
 import type { Contact, Touching } from '../../dynamics/contact.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { NodeContext } from '../node/node-world.js';
-import { contactParameters } from './contact-parameters.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
@@ -81,7 +80,7 @@ export class ContactNode extends PhysicsNode implements Contact {
   }
 
   get parameters(): ContactParameters {
-    const parameters = contactParameters(this, 'slipCoefficients');
+    const parameters = contacts.code.contactParameters(this, 'slipCoefficients');
     const normal = this.asked<Vec3>('contactNormal');
     const direction = this.asked<Vec3>('frictionDirection');
     const size = length(direction) * length(normal);

@@ -1,6 +1,7 @@
 // The chunk `contacts`.
 import { provideContactEffects } from '../../effects/contact-code.js';
 import * as reports from '../../effects/contacts/collection-reports.js';
+import * as parameters from '../../effects/contacts/parameters.js';
 import type { ContactCode } from '../../effects/effect/chunks.js';
 import { HardContacts } from '../pairs/hard-contacts.js';
 import { reportOverlaps } from '../pairs/overlaps.js';
@@ -13,5 +14,6 @@ export function provide(): ContactCode {
     reportOverlaps,
     touchedBy,
     ...reports,
+    ...parameters,
   };
 }

@@ -2,6 +2,7 @@ import { expect } from 'chai';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
 import { drawn, drawnAt, place, show, position, wait } from '../../scene.js';
+import { explain } from '../../../../elements/index.js';
 import { worldOf } from '../../inside.js';
 
 const ball = (at: string): string => `
@@ -176,6 +177,8 @@ describe('a collidable without a body', () => {
       'unused-collidable',
       'table',
     ]);
+    const told = explain(problem!.element as Element).problems;
+    expect(told.map(({ code }) => code)).to.eql(['unused-collidable']);
     expect(problem!.message).to.equal(
       'CollidableShape "table" is in no RigidBody and no CollisionCollection, and collides with nothing',
     );

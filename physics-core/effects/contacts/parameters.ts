@@ -1,6 +1,6 @@
 import { DEFAULT_FRICTION, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Vec2 } from '../../fields/types.js';
-import type { PhysicsNode } from '../node/node.js';
+import type { ParameterNode } from '../effect/chunks.js';
 
 /** Both spellings stand in real files: schema and examples print hyphens, the 4.0 prose underscores. */
 const normal = (token: string): string => token.toUpperCase().replace(/[-_](?=[12]$)/, '_');
@@ -19,7 +19,7 @@ const TOKENS = new Set([
 
 /** The parameters of a CollisionCollection or a Contact, which name one field differently. */
 export function contactParameters(
-  node: PhysicsNode,
+  node: ParameterNode,
   slipField: 'slipFactors' | 'slipCoefficients',
 ): ContactParameters {
   const tokens = new Set(node.asked<string[]>('appliedParameters').map(normal));
@@ -50,12 +50,12 @@ export function contactParameters(
 const alongBoth = ([x, y]: Vec2, both: boolean): Vec2 => [x, both ? y : x];
 
 /** Without strict rules, friction nobody wrote is the library's default and not the field's 0. */
-export function frictionOf(node: PhysicsNode): Vec2 {
-  const strict = node.world.settings.asked('collisionRules') === 'strict';
+export function frictionOf(node: ParameterNode): Vec2 {
+  const strict = node.world.settings.asked<string>('collisionRules') === 'strict';
   const meant = strict || node.authored('frictionCoefficients');
   return meant ? node.asked<Vec2>('frictionCoefficients') : [DEFAULT_FRICTION, DEFAULT_FRICTION];
 }
 
 /** Words that no parameter has. */
-export const unknownTokens = (node: PhysicsNode): string[] =>
+export const unknownTokens = (node: ParameterNode): string[] =>
   node.asked<string[]>('appliedParameters').filter((token) => !TOKENS.has(normal(token)));
