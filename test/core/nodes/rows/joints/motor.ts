@@ -1,3 +1,4 @@
+import assert from 'node:assert/strict';
 import { quaternionOf, rotate } from '../../../../../physics-core/base/math.js';
 import {
   above,
@@ -6,6 +7,7 @@ import {
   below,
   claim,
   close,
+  codes,
   position,
   spin,
   world,
@@ -115,6 +117,21 @@ export const motorRows: Row[] = [
     },
   },
   ...[1, 2, 3].flatMap((n): Row[] => [
+    {
+      field: `axis${n}Angle`,
+      fact: `an angle about axis ${n} without any torque is told when it is written, and no more when it goes`,
+      run: async () => {
+        const { w, joint } = await motor({});
+        w.step();
+        claim(w, 'idle-motor');
+        joint.set(`axis${n}Angle`, 1);
+        w.step(0);
+        assert.deepEqual(codes(w), ['idle-motor']);
+        joint.unset(`axis${n}Angle`);
+        w.step(0);
+        assert.deepEqual(codes(w), []);
+      },
+    },
     {
       field: `motor${n}Axis`,
       fact: `axis ${n} is a direction of the world when it is set, however the body stands then, and goes with it on`,
