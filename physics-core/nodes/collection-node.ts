@@ -3,7 +3,7 @@ import { givenContacts } from '../effects/contacts/effects.js';
 import { debugging } from '../effects/debug/debugging.js';
 import { contacts } from '../effects/effect/chunks.js';
 import { BodyNode } from './body/body.js';
-import { cut, show, showUsed } from '../base/show.js';
+import { show, showUsed } from '../base/show.js';
 import type { ContactNode } from './collision/contact.js';
 import { PhysicsNode } from './node/node.js';
 
@@ -60,15 +60,7 @@ export class CollectionNode extends PhysicsNode implements ContactGiver {
   /** Here and not at the contacts, which last a step only. */
   #reportTokens(list: readonly ContactNode[]): void {
     const unknown = [...new Set(list.flatMap((each) => contacts.code.unknownTokens(each)))];
-    if (unknown.length === 0) return;
-    this.report({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: 'set_contacts',
-      value: unknown.join(' '),
-      used: 'the others',
-      message: `${this.label}: the appliedParameters of a contact in set_contacts have no ${cut(unknown.join(', '))}; the others are used`,
-    });
+    if (unknown.length > 0) contacts.code.reportTokens(this, unknown, 'set_contacts');
   }
 
   updateDebug(): void {

@@ -1,15 +1,25 @@
 import { cut } from '../../base/show.js';
 import type { Reported } from '../effect/chunks.js';
 
-export function reportTokens(collection: Reported, unknown: readonly string[]): void {
+/** Of what a collection says itself, or the contacts that it is given. */
+const OF = {
+  appliedParameters: 'appliedParameters has',
+  set_contacts: 'the appliedParameters of a contact in set_contacts have',
+};
+
+export function reportTokens(
+  node: Reported,
+  unknown: readonly string[],
+  attribute: keyof typeof OF,
+): void {
   if (unknown.length === 0) return;
-  collection.reportWhile(true, {
+  node.reportWhile(true, {
     code: 'bad-value',
     severity: 'warning',
-    attribute: 'appliedParameters',
+    attribute,
     value: unknown.join(' '),
     used: 'the others',
-    message: `${collection.label}: appliedParameters has no ${cut(unknown.join(', '))}; the others are used`,
+    message: `${node.label}: ${OF[attribute]} no ${cut(unknown.join(', '))}; the others are used`,
   });
 }
 

@@ -50,7 +50,11 @@ export interface ContactCode {
   /** Words of appliedParameters that no parameter has. */
   unknownTokens(node: ParameterNode): string[];
   /** `unknown`: words of appliedParameters that no parameter has. */
-  reportTokens(collection: Reported, unknown: readonly string[]): void;
+  reportTokens(
+    node: Reported,
+    unknown: readonly string[],
+    attribute: 'appliedParameters' | 'set_contacts',
+  ): void;
   /** Contacts that yield do not spring back. */
   reportSoftness(collection: Reported, softness: number): void;
   reportOneSided(collection: Reported, is: boolean): void;

@@ -38,7 +38,7 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
   /** A parameter changed: contacts read it from the next step on. */
   updateParameters(): void {
     this.#parameters = undefined;
-    contacts.code.reportTokens(this, contacts.code.unknownTokens(this));
+    contacts.code.reportTokens(this, contacts.code.unknownTokens(this), 'appliedParameters');
     contacts.code.reportSoftness(this, this.parameters.softness);
     for (const body of this.world.bodies) {
       this.world.pairs.contactsChanged(body);

@@ -4,11 +4,14 @@ import { contactReader, givenContacts } from '../../effects/contacts/effects.js'
 import type { CollidableNode } from './collidable.js';
 import type { CollisionCollectionNode } from './collision-collection.js';
 import type { ContactNode } from './contact.js';
-import { foundContact } from './found-contact.js';
+import type { foundContact } from './found-contact.js';
 import { description } from '../node/common-fields.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
+
+/** Makes Contacts of points that were found; the code of contacts puts it here. */
+export const making: { contact?: typeof foundContact } = {};
 
 /** Tells whether members of a CollisionCollection touch, and which. */
 export class CollisionSensorNode extends PhysicsNode implements Sensor {
@@ -35,7 +38,7 @@ export class CollisionSensorNode extends PhysicsNode implements Sensor {
     const contacts: ContactNode[] = [];
     const { registry: effects } = this.world;
     effects.get(contactReader).eachWatched(this, (point, a, b, first, second) => {
-      contacts.push(foundContact(this.world, point, a, b, first, second));
+      contacts.push(making.contact!(this.world, point, a, b, first, second));
     });
     effects.get(givenContacts).report(contacts);
     return contacts;
