@@ -71,7 +71,10 @@ fact(
     const { w, joint } = await motor({ axis3Torque: 5 });
     const { attribute, message } = only(w, 'idle-motor');
     assert.equal(attribute, 'enabledAxes');
-    assert.match(message, /axis3Torque turns nothing, since enabledAxes is 1; write enabledAxes="3"/);
+    assert.match(
+      message,
+      /axis3Torque turns nothing, since enabledAxes is 1; write enabledAxes="3"/,
+    );
     joint.set('enabledAxes', 2);
     w.step();
     assert.deepEqual(codes(w), [], 'switched off');
