@@ -280,8 +280,9 @@ export class ContactSolve extends Effect {
     if (!spins || !this.#bodies.isTurned(body, 0)) return;
     const node = this.#simulation.bodyAt(this.#bodies.pointers[body]!);
     if (!node) return;
-    spins.displace(node, this.#bodies.change, body * SIZE + 3);
-    if (this.#bodies.isTurned(body, TURNED))
-      spins.turnAside(node, this.#bodies.change, body * SIZE + 3);
+    // Its spin stays as it is.
+    const at = body * SIZE + 3;
+    spins.spinOf(node)?.displaced.set(this.#bodies.change.subarray(at, at + 3));
+    if (this.#bodies.isTurned(body, TURNED)) spins.turnAside(node, this.#bodies.change, at);
   }
 }

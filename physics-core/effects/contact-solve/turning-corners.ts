@@ -8,6 +8,7 @@ import { flight } from '../flight/flight.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import { eccentricBallAt, isFlatAt } from './eccentric-ball.js';
+import { turnedEvenly } from './even-push.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
 
@@ -166,11 +167,11 @@ export class TurningCorners {
 
   /** Bullet has the spin that a top has in the middle of the step; what it has at the end is to meet the contact. */
   #spinOn(c: Float64Array, arm: number, body: number, pointer: number, share: number): void {
-    const spins = this.#effects.caused(gyroscopic);
-    if (!spins || body < 0) return;
+    const spin =
+      body < 0 ? undefined : this.#effects.caused(gyroscopic)?.spinOf(this.#bodyAt(pointer));
+    if (!spin) return;
     const [gained, turned] = [this.#against, this.#turned];
-    gained.fill(0);
-    spins.addGain(this.#bodyAt(pointer), gained);
+    for (let k = 0; k < 3; k++) gained[k] = spin.end[k]! - spin.given[k]! + spin.missed[k]!;
     cross3(turned, 0, gained, 0, c, arm);
     for (let k = 0; k < 3; k++) this.#swing[k]! += share * turned[k]!;
   }
@@ -192,7 +193,12 @@ export class TurningCorners {
 
   readonly #turns = (body: number): void => {
     if (!this.#met.has(body))
-      this.#effects.caused(flight)?.turnsOn(this.#bodyAt(this.#bodies.pointers[body]!));
+      this.#effects.caused(flight)?.turnsOn(this.#bodyAt(this.#bodies.pointers[body]!), this.#to);
+  };
+
+  readonly #to = (body: Body, velocity: Float64Array, dt: number): Float64Array | undefined => {
+    const spins = this.#effects.caused(gyroscopic);
+    return spins && turnedEvenly(spins, body, velocity, dt);
   };
 
   #eachTurning(contact: number, visit: (body: number) => void): void {

@@ -17,6 +17,9 @@ import { forces } from './forces.js';
 import { gyroscopic } from './gyroscopic.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 
+/** Where contacts that it turns about turn a body in a step, with these six numbers; undefined: evenly by what they gave it. */
+type TurnedTo = (body: Body, velocity: Float64Array, dt: number) => Float64Array | undefined;
+
 /** A body that something known pulls or turns: linear parts, then angular ones. */
 interface Flyer {
   body: Body;
@@ -44,7 +47,7 @@ export class Flight extends Effect {
   /** Those whose forces are others than in the step before. */
   readonly #varying: Flyer[] = [];
   /** Those that turn about a corner in this step. */
-  readonly #turning = new Set<Body>();
+  readonly #turning = new Map<Body, TurnedTo>();
   readonly #now = new Float64Array(VELOCITY);
   /** What is to be added to the place and the orientation, and whether velocities are others than Bullet's. */
   readonly #displacement = new Float64Array(VELOCITY);
@@ -96,8 +99,8 @@ export class Flight extends Effect {
   }
 
   /** It turns about a corner in this step: that goes on evenly, too, however slow it is. */
-  turnsOn(body: Body): void {
-    this.#turning.add(body);
+  turnsOn(body: Body, to: TurnedTo): void {
+    this.#turning.set(body, to);
   }
 
   override settle(dt: number): void {
@@ -105,7 +108,7 @@ export class Flight extends Effect {
     const joints = this.#effects.caused(jointSolve);
     const fall = this.#fall;
     joints?.eachMoved(this.#standAside);
-    this.#turning.forEach(this.#standAside);
+    for (const body of this.#turning.keys()) this.#standAside(body);
     if (engine.heapTrusted) fall.all(engine.ammo, bodies.moving, dt);
     else fall.none(bodies.moving);
     for (let i = 0; i < fall.asideCount; i++) {
@@ -114,7 +117,7 @@ export class Flight extends Effect {
       if (!flyer.varies && !joints?.lastStep(flyer.body)) this.#fly(flyer, dt);
     }
     joints?.eachMoved(this.#comeBack);
-    this.#turning.forEach(this.#comeBack);
+    for (const body of this.#turning.keys()) this.#comeBack(body);
     this.#turning.clear();
     if (this.#varying.length > 0) this.#steady();
   }
@@ -215,17 +218,17 @@ export class Flight extends Effect {
   /** By what was found, and turned as evenly where it turns about a corner. */
   #goOn(body: Body, dt: number): void {
     const displacement = this.#displacement;
-    if (!this.#turning.has(body)) {
+    const to = this.#turning.get(body);
+    if (!to) {
       this.#shift(body, displacement[0]!, displacement[1]!, displacement[2]!);
       return;
     }
-    const spins = this.#effects.caused(gyroscopic);
-    const given = spins?.given(body);
+    const given = this.#effects.caused(gyroscopic)?.given(body);
     const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY + 3;
     for (let i = 0; i < 3; i++)
       displacement[3 + i] = (-dt / 2) * (this.#now[3 + i]! - (given ? given[i]! : v[at + i]!));
-    this.#place(body, spins?.turned(body, this.#now, dt));
+    this.#place(body, to(body, this.#now, dt));
   }
 
   /** With another orientation: `to`, or what is to be added to the one that it has. */

@@ -30,7 +30,7 @@ const MOST_TURN = 1;
 const FARTHEST_TURN = Math.PI / 4;
 
 /** Of a body in this step. */
-interface Spin {
+export interface Spin {
   momentum: Float64Array;
   /** The spin given to Bullet for the step, and the one that belongs to the momentum at its end. */
   given: Float64Array;
@@ -97,12 +97,6 @@ export class Gyroscopic extends Effect {
     this.#spinning.delete(body);
   }
 
-  /** It is turned within the step to take an overlap out: its spin stays as it is. */
-  displace(body: Body, radians: Float64Array, at: number): void {
-    const state = this.#spinning.get(body);
-    if (state) for (let i = 0; i < 3; i++) state.displaced[i] = radians[at + i]!;
-  }
-
   /** It is turned aside within the step, by so many radians, and that is no motion: its spin turns along. */
   turnAside(body: Body, radians: Float64Array, at: number): void {
     const state = this.#spinning.get(body);
@@ -116,32 +110,13 @@ export class Gyroscopic extends Effect {
     return this.#spinning.get(body)?.given;
   }
 
-  /** What it adds to that spin until the end of the step, by free motion and, as in the last step, by being pushed evenly. */
-  addGain(body: Body, spin: Float64Array): void {
-    const state = this.#spinning.get(body);
-    if (!state) return;
-    for (let i = 0; i < 3; i++) spin[i]! += state.end[i]! - state.given[i]! + state.missed[i]!;
+  /** What is known of it in this step; undefined: it hardly turns. */
+  spinOf(body: Body): Spin | undefined {
+    return this.#spinning.get(body);
   }
 
-  /**
-   * Where it is turned to by the end of a step in which it was pushed evenly: as if all of that were one blow in the middle,
-   * with free motion before and after it. Undefined: that is not known. `velocity`: six numbers, what was found.
-   */
-  turned(body: Body, velocity: Float64Array, dt: number): Float64Array | undefined {
-    const state = this.#spinning.get(body);
-    if (!state?.slow) return undefined;
-    state.even = true;
-    const top = this.#tops.get(body)!;
-    const orientation = this.#orientation;
-    orientation.set(state.from);
-    turnFreely(orientation, top, state.momentum, dt / 2);
-    for (let i = 0; i < 3; i++) this.#spin[i] = velocity[3 + i]! - state.given[i]!;
-    applyInertia(this.#change, 0, state.axes, body.mass.moments, this.#spin, 0);
-    for (let i = 0; i < 3; i++) this.#change[i]! += state.momentum[i]!;
-    turnFreely(orientation, top, this.#change, dt / 2);
-    writeTurn(this.#turn, state.displaced, 1);
-    multiply4(orientation, this.#turn, 0, orientation, 0);
-    return orientation;
+  topOf(body: Body): Top {
+    return this.#tops.get(body)!;
   }
 
   override beforeStep(dt: number): void {
