@@ -1,7 +1,7 @@
 import { writeFileSync } from 'node:fs';
 import { relative } from 'node:path';
 
-const none = () => ({ passed: 0, failed: 0, skipped: 0 });
+export const none = () => ({ passed: 0, failed: 0, skipped: 0 });
 
 const countSuite = (suite) => {
   const total = none();
@@ -12,7 +12,7 @@ const countSuite = (suite) => {
   return total;
 };
 
-function add(total, more) {
+export function add(total, more) {
   for (const key of Object.keys(total)) total[key] += more[key];
   return total;
 }
@@ -25,26 +25,29 @@ function countSession(session) {
 }
 
 /**
- * Reporter of Web Test Runner: one line per test file as progress (seconds since the one before), and at the end the counts as JSON in the
- * file that tools/test.js names.
+ * Reporter of Web Test Runner: one line per test file as progress (seconds since the one before), and the counts by file
+ * as JSON in the file that tools/test.js names: after each, so that something is known where a browser takes the runner
+ * along. `ended` says that it came to its end.
  */
 export function countReporter(outputFile, sourceOf) {
+  const files = {};
   let last = Date.now();
+  const write = (ended) => {
+    if (outputFile) writeFileSync(outputFile, JSON.stringify({ ended, files }));
+  };
   return {
     reportTestFileResults({ logger, sessionsForTestFile, testFile }) {
-      const { passed, failed, skipped } = sessionsForTestFile.map(countSession).reduce(add, none());
-      const name = sourceOf(relative(process.cwd(), testFile));
+      const file = relative(process.cwd(), testFile);
+      const counts = sessionsForTestFile.map(countSession).reduce(add, none());
+      const { passed, failed, skipped } = (files[file] = counts);
       const left = skipped ? `, ${skipped} skipped` : '';
       const time = ((Date.now() - last) / 1000).toFixed(1);
       last = Date.now();
       logger.log(
-        `${failed ? '✗' : '✓'} ${name}: ${passed} passed, ${failed} failed${left}, ${time} s`,
+        `${failed ? '✗' : '✓'} ${sourceOf(file)}: ${passed} passed, ${failed} failed${left}, ${time} s`,
       );
+      write(false);
     },
-    stop({ sessions }) {
-      if (!outputFile) return;
-      const total = sessions.map(countSession).reduce(add, none());
-      writeFileSync(outputFile, JSON.stringify(total));
-    },
+    stop: () => write(true),
   };
 }

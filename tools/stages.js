@@ -4,6 +4,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { canShowWindows, findFirefox, findWebKit } from './browsers.js';
 import { bundleTests } from './bundle-tests.js';
+import { add, none } from './count-reporter.js';
 import { BIN, runNode } from './processes.js';
 
 /** Scenes that others made for other X3D browsers. They are no part of the project. */
@@ -54,17 +55,38 @@ async function labErrors() {
 }
 const LAB_COUNTS = /(\d+) runs compared in \d+ s, (\d+) came out otherwise/;
 
-const inBrowser = (config) => async (files, temporary) => {
-  const report = join(temporary, `${config}.json`);
-  const bundles = await bundleTests(files, 'browser');
-  const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...bundles], {
-    env: { TEST_COUNTS: report },
-  });
+/** What the runner has counted so far, and whether it came to its end. */
+function countsIn(report) {
   try {
-    return { ok, ...JSON.parse(readFileSync(report, 'utf8')) };
+    return JSON.parse(readFileSync(report, 'utf8'));
   } catch {
-    return { ok: false, passed: 0, failed: 1 }; // The runner itself did not come to its end.
+    return { ended: false, files: {} };
   }
+}
+
+/**
+ * In a browser. One that dies takes the runner along: what failed with it and what it had not come to is run in another,
+ * once, and that is said.
+ */
+const inBrowser = (config) => async (files, temporary) => {
+  const total = none();
+  const run = async (bundles, last) => {
+    const report = join(temporary, `${config}${last ? '-again' : ''}.json`);
+    const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...bundles], {
+      env: { TEST_COUNTS: report },
+    });
+    const { ended, files: counted } = countsIn(report);
+    const final = ended || last;
+    const done = bundles.filter(
+      (bundle) => bundle in counted && (final || !counted[bundle].failed),
+    );
+    for (const bundle of done) add(total, counted[bundle]);
+    const left = bundles.filter((bundle) => !done.includes(bundle));
+    if (final || left.length === 0) return { ok: ended ? ok : left.length === 0, ...total };
+    console.log(`The browser ended with ${left[0]}: what is left runs in a new one.`);
+    return run(left, true);
+  };
+  return run(await bundleTests(files, 'browser'), false);
 };
 
 const noWindow = () => (canShowWindows() ? null : 'no display, and Xvfb is not installed');
