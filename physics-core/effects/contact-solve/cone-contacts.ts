@@ -36,7 +36,12 @@ export const C = {
   rounding: 39,
   /** 1: the pair comes near each other and was not in touch before. */
   meets: 40,
-  size: 41,
+  /** Where it bounces: its normal speed before forces act, below 0, and how fast it is to let go, m/s. */
+  approach: 41,
+  back: 42,
+  /** Normal speed of what its author moves, m/s. */
+  driven: 43,
+  size: 44,
 } as const;
 
 export const OPEN = 0;
@@ -75,6 +80,12 @@ export class ConeContacts {
     const c = this.values;
     for (let j = 0; j < contacts.length; j++)
       for (let k = 0; k < 3; k++) c[contacts[j]! * C.size + C.impulse + k] = this.#kept[3 * j + k]!;
+  }
+
+  /** Impulses are to begin at none. */
+  forget(contacts: readonly number[]): void {
+    const c = this.values;
+    for (const i of contacts) c.fill(0, i * C.size + C.impulse, i * C.size + C.impulse + 3);
   }
 
   #grow(): void {

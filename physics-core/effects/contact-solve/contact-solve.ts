@@ -7,6 +7,7 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { resting } from '../rest/resting.js';
+import { BounceEnergy } from './bounce-energy.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
@@ -57,6 +58,7 @@ export class ContactSolve extends Effect {
   readonly #reader: PartReader;
   readonly #ways: Ways;
   readonly #solvers: { readonly matrix: Newton; readonly sweeps: Sweeps };
+  readonly #bounces: BounceEnergy;
   readonly #rolling: RollingResistance;
   readonly #savings = new Savings();
   readonly #port: ContactPort;
@@ -97,6 +99,7 @@ export class ContactSolve extends Effect {
       matrix: new Newton(this.#contacts, this.#rows, this.#bodies),
       sweeps: new Sweeps(this.#contacts, this.#rows, this.#bodies),
     };
+    this.#bounces = new BounceEnergy(this.#contacts, this.#rows, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
@@ -225,11 +228,21 @@ export class ContactSolve extends Effect {
     // Joints are stiff: sweeps would leave them open.
     if (way !== 'matrix' && part.jointed) return;
     this.#solvers.sweeps.slow = way === 'either';
-    const solver = way === 'matrix' ? this.#solvers.matrix : this.#solvers.sweeps;
-    if (solver.solve(part)) {
+    let solver: Solver | undefined;
+    const find = (): boolean => (solver = this.#find(part, way)) !== undefined;
+    if (this.#bounces.solve(part, find)) {
       this.#failed.delete(pointer);
-      this.#take(part, solver);
+      this.#take(part, solver!);
     } else this.#failed.set(pointer, stepsTaken + PAUSE);
+  }
+
+  /** Where a matrix finds no end, contacts are gone over one at a time: from nothing on: that takes energy whatever comes. */
+  #find(part: Part, way: Way): Solver | undefined {
+    const { matrix, sweeps } = this.#solvers;
+    if (way !== 'matrix') return sweeps.solve(part) ? sweeps : undefined;
+    if (matrix.solve(part)) return matrix;
+    this.#contacts.forget(part.contacts);
+    return !part.jointed && sweeps.solve(part) ? sweeps : undefined;
   }
 
   /** A matrix for what sweeps would be enough for, with what is saved up. */
@@ -238,7 +251,7 @@ export class ContactSolve extends Effect {
     const { stepsTaken } = this.#simulation;
     const settled = this.#savings.spend(stepsTaken, this.#ways.sways(part), (most) => {
       this.#contacts.keep(part.contacts);
-      const done = matrix.solve(part, most);
+      const done = this.#bounces.solve(part, () => matrix.solve(part, most));
       if (!done) this.#contacts.putBack(part.contacts);
       return { done, used: matrix.used };
     });

@@ -1,4 +1,5 @@
 import { hypot } from '../../base/exact/index.js';
+import { guards } from '../../base/guards.js';
 import {
   answerTo,
   C,
@@ -102,7 +103,8 @@ export class Newton {
       share = miss > SLOW * before ? 0.5 : 1;
       before = miss;
     }
-    return Number.isFinite(before);
+    const speed = this.#bodies.fastestOf(part.bodies, this.#bodies.free);
+    return guards.explained(this.#unexplained(), speed);
   }
 
   #begin(part: Part): void {
@@ -212,16 +214,24 @@ export class Newton {
 
   /** The gradient goes to `momentum`. Returns the greatest speed that it would take from a body by itself. */
   #readSlope(): number {
+    return this.#slope(C.pushed, R.pushed);
+  }
+
+  /** The same of the impulses that were found: the greatest speed that does not follow from them. */
+  #unexplained(): number {
+    return this.#slope(C.impulse, R.impulse);
+  }
+
+  #slope(pushes: number, pushesOfRows: number): number {
     const { values: c, a, b } = this.#contacts;
     const { momentum } = this.#bodies;
     const { bodies } = this.#part;
     this.#bodies.gradient(bodies);
-    for (const i of this.#part.contacts)
-      takePush(c, i * C.size, momentum, a[i]!, b[i]!, C.pushed, 1);
+    for (const i of this.#part.contacts) takePush(c, i * C.size, momentum, a[i]!, b[i]!, pushes, 1);
     const r = this.#rows;
     for (const i of this.#part.rows) {
       const at = i * R.size;
-      takeAlong(r.values, at, momentum, r.a[i]!, r.b[i]!, r.values[at + R.pushed]!);
+      takeAlong(r.values, at, momentum, r.a[i]!, r.b[i]!, r.values[at + pushesOfRows]!);
     }
     return this.#bodies.fastest(bodies);
   }

@@ -124,12 +124,14 @@ export class ContactPort {
     const share = asked || gap < -SHALLOW ? PUSH_SHARE : SHARE;
     c[at + C.target] = gap > 0 ? -gap / step.dt : 0;
     c[at + C.overlap] = gap < 0 ? -gap * share : 0;
+    c[at + C.approach] = c[at + C.back] = c[at + C.driven] = 0;
     if (restitution === 0) return;
     // Of the approach before forces act, as Bullet has it.
     speeds(c, at, this.#bodies.velocities, p, q, C.miss);
     const back = -restitution * c[at + C.miss]!;
     if (back <= 0) return;
-    c[at + C.target] = back;
+    c[at + C.approach] = c[at + C.miss]!;
+    c[at + C.target] = c[at + C.back] = back;
     c[at + C.overlap] = 0;
   }
 
@@ -156,6 +158,7 @@ export class ContactPort {
     this.#leadCarried(c, at, p, q, dt);
     speeds(c, at, this.#carried, p < 0 ? 0 : -1, p < 0 ? -1 : 0, C.miss);
     for (let k = 0; k < 3; k++) c[at + C.target + k]! -= c[at + C.miss + k]!;
+    c[at + C.driven] = -c[at + C.miss]!;
   }
 
   /**

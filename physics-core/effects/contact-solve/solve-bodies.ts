@@ -119,8 +119,7 @@ export class SolveBodies {
   }
 
   /** The greatest linear speed of all, m/s. */
-  fastestOf(bodies: readonly number[]): number {
-    const v = this.velocities;
+  fastestOf(bodies: readonly number[], v = this.velocities): number {
     let most = 0;
     for (const body of bodies) {
       const i = body * SIZE;
