@@ -7,6 +7,7 @@ import { STAGES } from '../physics-core/effects/effect/effect.js';
 import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../physics-core/base/guards.js';
+import { energyGuards } from '../physics-core/effects/contact-solve/energy-guards.js';
 import { nodeTypes } from '../physics-core/inside.js';
 import { factsOf } from '../test/conformance/all.js';
 import { wrongInCore } from '../test/conformance/core-driver.js';
@@ -109,13 +110,20 @@ const open: Partial<Record<keyof typeof guards, unknown>> = {
   alike: () => true,
   roomy: () => true,
 };
+const openEnergy: Partial<Record<keyof typeof energyGuards, unknown>> = {
+  energyOfBounce: () => true,
+  energyOfJoints: () => true,
+  explained: () => true,
+};
 
 /** The other guards limit their first argument. */
-const guardMutants = (): Mutant[] =>
-  (Object.keys(guards) as (keyof typeof guards)[]).map((name) => ({
+const guardMutants = (): Mutant[] => [...opened(guards, open), ...opened(energyGuards, openEnergy)];
+
+const opened = <T extends object>(of: T, wide: Partial<Record<keyof T, unknown>>): Mutant[] =>
+  (Object.keys(of) as (keyof T & string)[]).map((name) => ({
     name: `guard ${name} lets everything through`,
     rows: allRows.filter((row) => row.guard === name),
-    apply: replacing(guards, name, open[name] ?? ((value: unknown) => value)),
+    apply: replacing(of, name, wide[name] ?? ((value: unknown) => value)),
   }));
 
 /** Whether a row throws. */

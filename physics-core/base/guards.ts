@@ -56,15 +56,6 @@ export const guards = {
   /** What an impulse of the last step is worth once a body of its contact has another mass: it would throw a light one. */
   impulseOfOtherMass: (_impulse: number): number => 0,
 
-  /** What contacts that bounce give, as a share of all their work: more than rounding comes from nowhere. */
-  energyOfBounce: (share: number): boolean => share <= 1e-3,
-
-  /**
-   * Velocities that the impulses found with them do not lead to, as a solution that runs away leaves them: m/s, of bodies
-   * this fast. What only is not quite done has less than a hundredth (measured in 5000 parts).
-   */
-  explained: (off: number, fastest: number): boolean => off <= 0.1 * fastest + 0.05,
-
   /** Bodies that are so near to 0 0 0 that single precision is fine enough, metres. */
   near: (distance: number, most: number): boolean => distance <= most,
 

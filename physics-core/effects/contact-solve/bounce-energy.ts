@@ -1,6 +1,6 @@
-import { guards } from '../../base/guards.js';
 import { R, type BoundRows } from './bound-rows.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
+import { energyGuards } from './energy-guards.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
@@ -37,7 +37,7 @@ export class BounceEnergy {
   solve(part: Part, solve: () => boolean): boolean {
     const found = solve();
     if (!this.#bounces(part)) return found;
-    if (found && guards.energyOfBounce(this.#excess(part))) return true;
+    if (found && energyGuards.energyOfBounce(this.#excess(part))) return true;
     this.#keep(part);
     this.#setBounce(part, -1);
     const without = solve();
@@ -89,9 +89,8 @@ export class BounceEnergy {
     if (c[at + C.back]! > 0) c[at + C.pushed] = Math.min(c[at + C.pushed]!, c[at + C.approach]!);
     speeds(c, at, velocities, a[i]!, b[i]!, C.miss);
     for (let k = 0; k < 3; k++) {
-      const driven = k === 0 ? c[at + C.driven]! : c[at + C.target + k]!;
-      c[at + C.pushed + k]! -= driven;
-      c[at + C.miss + k]! -= driven;
+      c[at + C.pushed + k]! -= c[at + C.driven + k]!;
+      c[at + C.miss + k]! -= c[at + C.driven + k]!;
     }
   }
 

@@ -33,6 +33,11 @@ export class BoundRows {
     return i * R.size;
   }
 
+  /** Impulses are to begin at none. */
+  forget(rows: readonly number[]): void {
+    for (const i of rows) this.values[i * R.size + R.impulse] = 0;
+  }
+
   #grow(): void {
     const room = 2 * this.a.length;
     this.values = grown(this.values, R.size * room);

@@ -39,9 +39,9 @@ export const C = {
   /** Where it bounces: its normal speed before forces act, below 0, and how fast it is to let go, m/s. */
   approach: 41,
   back: 42,
-  /** Normal speed of what its author moves, m/s. */
+  /** Speeds of surfaces that move and of what is carried, along the three directions, m/s. */
   driven: 43,
-  size: 44,
+  size: 46,
 } as const;
 
 export const OPEN = 0;

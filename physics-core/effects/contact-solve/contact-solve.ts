@@ -11,6 +11,7 @@ import { BounceEnergy } from './bounce-energy.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
+import { JointedEnergy } from './jointed-energy.js';
 import { Newton } from './newton.js';
 import type { Part } from './part.js';
 import { PartReader } from './part-reader.js';
@@ -33,7 +34,7 @@ const ASIDE = 1e24;
  */
 const TURNED = 0.1;
 
-/** Steps before what found no end is tried again, and before a busy world without a calm part is looked at again. */
+/** Steps before what is too dear is tried again, and before a busy world without a calm part is looked at again. */
 const PAUSE = 8;
 
 interface Solver {
@@ -59,6 +60,7 @@ export class ContactSolve extends Effect {
   readonly #ways: Ways;
   readonly #solvers: { readonly matrix: Newton; readonly sweeps: Sweeps };
   readonly #bounces: BounceEnergy;
+  readonly #jointed: JointedEnergy;
   readonly #rolling: RollingResistance;
   readonly #savings = new Savings();
   readonly #port: ContactPort;
@@ -100,6 +102,7 @@ export class ContactSolve extends Effect {
       sweeps: new Sweeps(this.#contacts, this.#rows, this.#bodies),
     };
     this.#bounces = new BounceEnergy(this.#contacts, this.#rows, this.#bodies);
+    this.#jointed = new JointedEnergy(this.#contacts, this.#rows, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
@@ -217,7 +220,7 @@ export class ContactSolve extends Effect {
     if (rest) rest.heaps = this.#heaps;
   }
 
-  /** What found no end is left to Bullet for some steps. */
+  /** What is too dear is left to Bullet for some steps. */
   #try(part: Part, way: Way): void {
     const { stepsTaken } = this.#simulation;
     const pointer = this.#bodies.pointers[part.bodies[0]!]!;
@@ -230,19 +233,27 @@ export class ContactSolve extends Effect {
     this.#solvers.sweeps.slow = way === 'either';
     let solver: Solver | undefined;
     const find = (): boolean => (solver = this.#find(part, way)) !== undefined;
+    this.#jointed.begin(part);
     if (this.#bounces.solve(part, find)) {
+      this.#jointed.limit(part);
       this.#failed.delete(pointer);
       this.#take(part, solver!);
     } else this.#failed.set(pointer, stepsTaken + PAUSE);
   }
 
-  /** Where a matrix finds no end, contacts are gone over one at a time: from nothing on: that takes energy whatever comes. */
+  /**
+   * Where a matrix runs away contacts are gone over one at a time, joints too. Without the impulses of before that only takes
+   * energy, however far it comes.
+   */
   #find(part: Part, way: Way): Solver | undefined {
     const { matrix, sweeps } = this.#solvers;
-    if (way !== 'matrix') return sweeps.solve(part) ? sweeps : undefined;
-    if (matrix.solve(part)) return matrix;
-    this.#contacts.forget(part.contacts);
-    return !part.jointed && sweeps.solve(part) ? sweeps : undefined;
+    if (way === 'matrix') {
+      if (matrix.solve(part)) return matrix;
+      if (!matrix.ranAway) return undefined;
+      this.#contacts.forget(part.contacts);
+      this.#rows.forget(part.rows);
+    }
+    return sweeps.solve(part) ? sweeps : undefined;
   }
 
   /** A matrix for what sweeps would be enough for, with what is saved up. */

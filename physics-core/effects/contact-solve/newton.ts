@@ -1,5 +1,4 @@
 import { hypot } from '../../base/exact/index.js';
-import { guards } from '../../base/guards.js';
 import {
   answerTo,
   C,
@@ -12,6 +11,7 @@ import {
   type ConeContacts,
 } from './cone-contacts.js';
 import { clamp, gives, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
+import { energyGuards } from './energy-guards.js';
 import type { Part } from './part.js';
 import { PartMatrix } from './part-matrix.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -79,6 +79,8 @@ export class Newton {
   /** Matrices that it may factor, and did. */
   #most = Infinity;
   used = 0;
+  /** Its velocities did not follow from its impulses any more. */
+  ranAway = false;
 
   constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
     this.#contacts = contacts;
@@ -92,6 +94,7 @@ export class Newton {
     this.#begin(part);
     this.#most = matrices;
     this.used = 0;
+    this.ranAway = false;
     if (this.#readSlope() < this.#still) return true;
     let before = Infinity;
     let share = 1;
@@ -104,7 +107,8 @@ export class Newton {
       before = miss;
     }
     const speed = this.#bodies.fastestOf(part.bodies, this.#bodies.free);
-    return guards.explained(this.#unexplained(), speed);
+    this.ranAway = !energyGuards.explained(this.#unexplained(), speed);
+    return !this.ranAway;
   }
 
   #begin(part: Part): void {

@@ -125,6 +125,7 @@ export class ContactPort {
     c[at + C.target] = gap > 0 ? -gap / step.dt : 0;
     c[at + C.overlap] = gap < 0 ? -gap * share : 0;
     c[at + C.approach] = c[at + C.back] = c[at + C.driven] = 0;
+    for (let k = 1; k < 3; k++) c[at + C.driven + k] = c[at + C.target + k]!;
     if (restitution === 0) return;
     // Of the approach before forces act, as Bullet has it.
     speeds(c, at, this.#bodies.velocities, p, q, C.miss);
@@ -157,8 +158,10 @@ export class ContactPort {
     readVelocity(this.#ammo, carried, this.#carried, 0);
     this.#leadCarried(c, at, p, q, dt);
     speeds(c, at, this.#carried, p < 0 ? 0 : -1, p < 0 ? -1 : 0, C.miss);
-    for (let k = 0; k < 3; k++) c[at + C.target + k]! -= c[at + C.miss + k]!;
-    c[at + C.driven] = -c[at + C.miss]!;
+    for (let k = 0; k < 3; k++) {
+      c[at + C.target + k]! -= c[at + C.miss + k]!;
+      c[at + C.driven + k]! -= c[at + C.miss + k]!;
+    }
   }
 
   /**

@@ -128,6 +128,18 @@ export class SolveBodies {
     return Math.sqrt(most);
   }
 
+  /** Of motion at these velocities, J. */
+  energyOf(bodies: readonly number[], v: Float64Array): number {
+    let sum = 0;
+    for (const body of bodies) {
+      const at = body * SIZE;
+      sum += this.masses[body]! * dot3(v, at, v, at);
+      for (let k = 0; k < 3; k++)
+        sum += v[at + 3 + k]! * dot3(this.inertias, 9 * body + 3 * k, v, at + 3);
+    }
+    return sum / 2;
+  }
+
   /** Whether it is turned by more than this where it was pushed apart, radians. */
   isTurned(body: number, least: number): boolean {
     const at = body * SIZE + 3;

@@ -1,5 +1,5 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
-import { R, type BoundRows } from './bound-rows.js';
+import { R, rate, type BoundRows } from './bound-rows.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -11,6 +11,9 @@ import { SIZE } from './sparse-cholesky.js';
  */
 const SWEEPS = 16;
 const SWEEPS_OF_SLOW = 32;
+
+/** With joints, which are stiff; only what no matrix could solve comes to this. */
+const SWEEPS_OF_JOINTED = 64;
 
 /** Times that overlaps are, there and back by turns. */
 const PUSHES = 4;
@@ -47,12 +50,14 @@ export class Sweeps {
     this.#bodies = bodies;
   }
 
+  /** False: numbers that are none. */
   solve(part: Part): boolean {
     this.#part = part;
     this.#begin();
-    const times = this.slow ? SWEEPS_OF_SLOW : SWEEPS;
-    for (let i = 0; i < times; i++) if (this.#sweep(i % 2 === 1) < MISS) break;
-    return true;
+    const times = part.jointed ? SWEEPS_OF_JOINTED : this.slow ? SWEEPS_OF_SLOW : SWEEPS;
+    let worst = Infinity;
+    for (let i = 0; i < times && worst >= MISS; i++) worst = this.#sweep(i % 2 === 1);
+    return Number.isFinite(worst);
   }
 
   // ---- velocities ---------------------------------------------------------------------------------------------------
@@ -70,7 +75,7 @@ export class Sweeps {
       this.#write(i, c[p]!, c[p + 1]!, c[p + 2]!);
       this.#kick(velocities, i, c[p]!, c[p + 1]!, c[p + 2]!);
     }
-    for (const i of this.#part.rows) this.#turn(i, this.#rows.values[i * R.size + R.impulse]!);
+    for (const i of this.#part.rows) this.#pull(i, this.#rows.values[i * R.size + R.impulse]!);
   }
 
   #sweep(back: boolean): number {
@@ -79,7 +84,7 @@ export class Sweeps {
     const last = contacts.length - 1;
     for (let j = 0; j <= last; j++)
       worst = Math.max(worst, this.#hold(contacts[back ? last - j : j]!));
-    for (const i of rows) this.#brake(i);
+    for (const i of rows) worst = Math.max(worst, this.#keep(i));
     return worst;
   }
 
@@ -101,36 +106,50 @@ export class Sweeps {
     return Math.max(Math.abs(dn) * w[d]!, Math.abs(et) * w[d + 3]!, Math.abs(eu) * w[d + 5]!);
   }
 
-  /** What keeps one body from turning about an axis, within its bounds. */
-  #brake(i: number): void {
-    const { values: r, a } = this.#rows;
+  /** A joint's row, or what keeps one body from turning, within its bounds. Returns by how much its rate was changed. */
+  #keep(i: number): number {
+    const { values: r, a, b } = this.#rows;
     const at = i * R.size;
-    const spin = dot3(r, at + 3, this.#bodies.velocities, SIZE * a[i]! + 3);
+    const gives = this.#givesOf(i);
+    const missed = r[at + R.target]! - rate(r, at, this.#bodies.velocities, a[i]!, b[i]!);
     const before = r[at + R.impulse]!;
-    const wanted = before - spin / this.#turning(i);
-    const now = Math.min(r[at + R.most]!, Math.max(r[at + R.least]!, wanted));
+    const now = Math.min(r[at + R.most]!, Math.max(r[at + R.least]!, before + missed / gives));
     r[at + R.impulse] = now;
-    this.#turn(i, now - before);
+    this.#pull(i, now - before);
+    return Math.abs(now - before) * gives;
   }
 
-  /** What a moment of 1 N m s makes of its spin, rad/s. */
-  #turning(i: number): number {
-    const { values: r, a } = this.#rows;
-    let sum = 0;
+  /** What an impulse of 1 N s, or a moment of 1 N m s, makes of its rate. */
+  #givesOf(i: number): number {
+    const { a, b } = this.#rows;
+    return this.#givesOfBody(i * R.size + R.a, a[i]!) + this.#givesOfBody(i * R.size + R.b, b[i]!);
+  }
+
+  #givesOfBody(at: number, body: number): number {
+    if (body < 0) return 0;
+    const { values: r } = this.#rows;
+    const { masses, inverseInertias } = this.#bodies;
+    let sum = dot3(r, at, r, at) / masses[body]!;
     for (let k = 0; k < 3; k++)
-      sum +=
-        r[i * R.size + 3 + k]! *
-        dot3(this.#bodies.inverseInertias, 9 * a[i]! + 3 * k, r, i * R.size + 3);
+      sum += r[at + 3 + k]! * dot3(inverseInertias, 9 * body + 3 * k, r, at + 3);
     return sum;
   }
 
-  #turn(i: number, moment: number): void {
-    const { values: r, a } = this.#rows;
-    const { velocities, inverseInertias } = this.#bodies;
-    const body = a[i]!;
-    for (let k = 0; k < 3; k++)
+  #pull(i: number, impulse: number): void {
+    const { a, b } = this.#rows;
+    this.#pullBody(i * R.size + R.a, a[i]!, impulse);
+    this.#pullBody(i * R.size + R.b, b[i]!, impulse);
+  }
+
+  #pullBody(at: number, body: number, impulse: number): void {
+    if (body < 0) return;
+    const { values: r } = this.#rows;
+    const { velocities, masses, inverseInertias } = this.#bodies;
+    for (let k = 0; k < 3; k++) {
+      velocities[SIZE * body + k]! += (impulse * r[at + k]!) / masses[body]!;
       velocities[SIZE * body + 3 + k]! +=
-        moment * dot3(inverseInertias, 9 * body + 3 * k, r, i * R.size + 3);
+        impulse * dot3(inverseInertias, 9 * body + 3 * k, r, at + 3);
+    }
   }
 
   /** Impulses, as Coulomb's law allows them. */
@@ -149,6 +168,8 @@ export class Sweeps {
 
   /** How bodies move apart that overlap, metres and radians, goes to `change`. */
   pushApart(): boolean {
+    // Each body by itself would tear them.
+    if (this.#part.jointed) return false;
     const c = this.#contacts.values;
     const { change } = this.#bodies;
     const { bodies, contacts } = this.#part;

@@ -31,12 +31,30 @@ export function topOf(moments: readonly number[]): Top {
   };
 }
 
+/**
+ * Radians about `other` that are taken at once, and parts of a step at most. Bodies of mass come to this only at hundreds of
+ * radians a second; moments that no body has (one larger than both others together), as authors may write them, at a few.
+ */
+const AT_ONCE = 0.5;
+const MOST_PARTS = 64;
+
 const axes = new Float64Array(9);
 const spin = new Float64Array(3);
 const turn = new Float64Array(4);
 
 /** Turns an orientation as the top goes on for so many seconds with its angular momentum, if nothing else acts. */
 export function turnFreely(
+  orientation: Float64Array,
+  top: Top,
+  momentum: Float64Array,
+  time: number,
+): void {
+  const uneven = Math.abs(top.uneven * time) * Math.sqrt(dot3(momentum, 0, momentum, 0));
+  const parts = Math.min(MOST_PARTS, Math.ceil(uneven / AT_ONCE)) || 1;
+  for (let i = 0; i < parts; i++) turnPart(orientation, top, momentum, time / parts);
+}
+
+function turnPart(
   orientation: Float64Array,
   { axis, other, own, uneven, across }: Top,
   momentum: Float64Array,

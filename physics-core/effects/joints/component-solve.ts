@@ -158,13 +158,19 @@ export class ComponentSolve {
     return guards.torn(error, this.#mended.goesOn(component) ? NO_MISS : TORN);
   }
 
-  /** Whether it has loops, and nothing but forces does work on it: no motor, nothing soft, nobody who drags or carries. */
-  #isFree({ joints, loops }: Component): boolean {
-    if (loops.length === 0 || this.#system.resisting.size > 0) return false;
+  /**
+   * Whether it may crack like a whip, by a loop or a joint of two axes, and nothing but forces does work on it: no motor,
+   * nothing soft, nobody who drags or carries.
+   */
+  #isFree({ joints, rows, loops }: Component): boolean {
+    if (this.#system.resisting.size > 0) return false;
+    if (loops.length === 0 && !rows.some(this.#crosses)) return false;
     for (const k of joints)
       if (this.#ends.moves(k) || this.#bounded.any(k) || this.#rows.anySoft(k)) return false;
     return true;
   }
+
+  readonly #crosses = (k: number): boolean => this.#rows.crosses(k);
 
   /** What has more energy than joints could leave it is slowed, and led on anew. */
   #slow(component: Component, dt: number): void {

@@ -70,6 +70,14 @@ export class LockedRows {
     return this.#counts[k]!;
   }
 
+  /** Whether a joint keeps two axes at right angles and no more of how its bodies are turned: where both ends' frames come to lie alike, it turns in no time. */
+  crosses(k: number): boolean {
+    let angular = 0;
+    for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++)
+      if (this.#numbers[i]! >= LINEAR) angular++;
+    return angular === 1;
+  }
+
   /** Whether a locked row of a joint gives way. */
   anySoft(k: number): boolean {
     for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++)

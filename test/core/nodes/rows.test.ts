@@ -2,6 +2,7 @@ import { allEffects } from '../../../physics-core/effects/all.js';
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { guards } from '../../../physics-core/base/guards.js';
+import { energyGuards } from '../../../physics-core/effects/contact-solve/energy-guards.js';
 import { nodeTypes } from '../../../physics-core/inside.js';
 import { factsOf } from '../../conformance/all.js';
 import { fact, world } from '../helpers.js';
@@ -28,7 +29,8 @@ describe('guards', () => {
 
   fact('every guard has at least one row', () => {
     const covered = new Set([...guardRows, ...Object.values(rowsOf).flat()].map((r) => r.guard));
-    for (const guard of Object.keys(guards)) assert.ok(covered.has(guard), guard);
+    for (const guard of Object.keys({ ...guards, ...energyGuards }))
+      assert.ok(covered.has(guard), guard);
   });
 });
 

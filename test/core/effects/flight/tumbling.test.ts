@@ -39,6 +39,25 @@ for (const accuracy of levelNames)
     },
   );
 
+fact('moments that no body has, as authors may write them, give no energy either', async () => {
+  for (const accuracy of levelNames) {
+    const w = await world({ ...WEIGHTLESS, accuracy });
+    // One is larger than both others together.
+    const body = addBody(w, {
+      inertia: [1, 0, 0, 0, 0.0285, 0, 0, 0, 0.123],
+      angularVelocity: [12, 24, 6],
+      ...UNDAMPED,
+    });
+    w.step(0);
+    const before = energyOf(body);
+    for (let i = 0; i < 2 / w.timeStep; i++) {
+      w.step();
+      // At `game` it was 80 times as much.
+      close(energyOf(body), before, 0.02 * before, 'J');
+    }
+  }
+});
+
 fact(
   'an open mesh whose enclosed volume is an accident has moments that a body can have',
   async () => {

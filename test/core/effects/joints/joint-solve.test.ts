@@ -2,7 +2,22 @@ import { jointSolve, type World } from '../../../../physics-core/inside.js';
 import { chainEnd, type Chain } from '../../../../references/chain.js';
 import { ballChain, boxChain } from '../../../../references/chains.js';
 import { addBallChain, addBoxChain, type Jointed } from './scenes.js';
-import { above, below, claim, distance, fact, velocity, world } from '../../helpers.js';
+import { dot } from '../../../../physics-core/base/math.js';
+import { applyInertia } from '../../../../physics-core/dynamics/inertia.js';
+import { levelNames } from '../../../../physics-core/dynamics/levels.js';
+import {
+  above,
+  addBody,
+  addJoint,
+  below,
+  claim,
+  distance,
+  fact,
+  sphere,
+  spin,
+  velocity,
+  world,
+} from '../../helpers.js';
 
 const EARTH = [0, -9.81, 0];
 
@@ -105,5 +120,33 @@ fact(
     // The energy of the whole fall in one of the light balls.
     const fall = 9.81 * (2 * 8 + 0.1 * 28);
     below(fastest, Math.sqrt((2 * fall) / 0.1), 'm/s');
+  },
+);
+
+fact(
+  'a ball on a joint of two axes gains nothing where it has gone as far as that lets it',
+  async () => {
+    for (const accuracy of levelNames) {
+      const w = await world({ gravity: [0, 0, 0], accuracy });
+      const ball = addBody(w, {
+        position: [-2.177, 0, 1.808],
+        geometry: [sphere(0.33)],
+        linearVelocity: [0, -4.69, 0],
+      });
+      addJoint(w, 'DoubleAxisHingeJoint', {
+        body1: ball,
+        axis1: [0, 0, 1],
+        axis2: [2.429, 2.999, 1.762],
+      });
+      w.step();
+      const energy = (): number =>
+        dot(velocity(ball), velocity(ball)) / 2 +
+        dot(spin(ball), applyInertia(ball, spin(ball))) / 2;
+      const before = energy();
+      for (let i = 0; i < 2 / w.timeStep; i++) {
+        w.step();
+        below(energy(), 1.02 * before, 'J');
+      }
+    }
   },
 );

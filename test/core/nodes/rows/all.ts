@@ -8,7 +8,8 @@ import { bodyDragRows, collectionDragRows } from './body/dragging.js';
 import { setContactsRows } from './collision/set-contacts.js';
 import { commonRows } from './common.js';
 import { jointSolveRows } from './joints/joint-solve.js';
-import { guardRows } from './guards.js';
+import { guardRows as valueRows } from './guards.js';
+import { jamRows } from './jammed.js';
 import { ballRows, hingeRows } from './joints/hinge.js';
 import { motorRows } from './joints/motor.js';
 import { sliderRows } from './joints/slider.js';
@@ -40,4 +41,4 @@ export const rowsOf: Record<string, Row[]> = Object.fromEntries(
   Object.entries(ownRows).map(([type, rows]) => [type, [...rows, ...commonRows(type)]]),
 );
 
-export { guardRows };
+export const guardRows: Row[] = [...valueRows, ...jamRows];

@@ -15,44 +15,10 @@ import {
   way,
   world,
   type Body,
-  type Vec3,
   WEIGHTLESS,
   overflow,
 } from '../../helpers.js';
 import type { Row } from './row.js';
-
-type Shape = ReturnType<typeof box>;
-
-const block = (position: Vec3, orientation: number[], geometry: Shape) => ({
-  position,
-  orientation,
-  geometry: [geometry],
-});
-
-interface Jam {
-  bounce: number;
-  blocks: ReturnType<typeof block>[];
-  shape: Shape;
-  linearVelocity: Vec3;
-  angularVelocity: Vec3;
-  /** m/s */
-  most: number;
-}
-
-/** A body begins inside two fixed ones, and is pushed out without being thrown. */
-async function jammed({ bounce, blocks, shape, most, ...body }: Jam): Promise<void> {
-  const w = await world({ ...WEIGHTLESS, accuracy: 'game' });
-  claim(w, 'initial-overlap');
-  w.add('CollisionCollection', { collidables: '*', bounce });
-  for (const each of blocks) addBody(w, { fixed: true, ...each });
-  const jam = addBody(w, { ...body, geometry: [shape] });
-  let fastest = 0;
-  for (let i = 0; i < 40; i++) {
-    w.step();
-    fastest = Math.max(fastest, Math.hypot(...velocity(jam)));
-  }
-  below(fastest, most, 'm/s');
-}
 
 /** What keeps bad numbers away from Bullet. */
 export const guardRows: Row[] = [
@@ -258,40 +224,6 @@ export const guardRows: Row[] = [
       }
       below(touched.pose().p[1] - 1.7, 0.1, 'm, moved');
     },
-  },
-  {
-    guard: 'energyOfBounce',
-    fact: 'a stick that bounces and is jammed between two blocks is not shot out',
-    run: () =>
-      jammed({
-        bounce: 0.7,
-        blocks: [
-          block([-0.8, -0.5, -0.7], [-0.6, 0.6, 1, -0.6], box(2.1, 1.9, 1.7)),
-          block([-0.2, 1, 0.2], [0.3, -0.9, 1, -0.8], box(2.8, 0.8, 1.8)),
-        ],
-        shape: box(0.2, 0.2, 1.8),
-        linearVelocity: [2.4, 0.5, -0.3],
-        angularVelocity: [2.2, 0.9, 0.5],
-        // Measured 2.4 m/s; else 40.
-        most: 4,
-      }),
-  },
-  {
-    guard: 'explained',
-    fact: 'a solution of contacts that runs away is not taken',
-    run: () =>
-      jammed({
-        bounce: 0.9,
-        blocks: [
-          block([-0.7, 0, -0.1], [0.4, 0.7, 1, -0.8], box(0.9, 0.4, 2.8)),
-          block([-0.9, 0.9, -0.3], [-0.4, -0.6, 1, 0.2], box(1.6, 1.7, 3)),
-        ],
-        shape: box(0.8, 0.5, 1.3),
-        linearVelocity: [-1.6, -1.8, 1.3],
-        angularVelocity: [-0.5, 1.4, -2.4],
-        // Measured 1.6 m/s; else 95.
-        most: 4,
-      }),
   },
   {
     guard: 'near',

@@ -1,0 +1,77 @@
+import { R, rate, type BoundRows } from './bound-rows.js';
+import { C, type ConeContacts } from './cone-contacts.js';
+import { energyGuards } from './energy-guards.js';
+import type { Part } from './part.js';
+import type { SolveBodies } from './solve-bodies.js';
+import { SIZE } from './sparse-cholesky.js';
+
+/**
+ * Keeps contacts of jointed bodies from giving energy. Rows of joints lead along the round ways of the motion without
+ * contacts; where a hard hit makes that another one, they do work that no joint does, and what is jammed gets more of it in
+ * each step. Velocities beyond what was there before and what motors and carried bodies give are made less, all alike:
+ * contacts and joints hold all the same.
+ */
+export class JointedEnergy {
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  #before = 0;
+
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
+  }
+
+  /** Before velocities are looked for. */
+  begin({ bodies, jointed }: Part): void {
+    if (!jointed) return;
+    const { free, velocities } = this.#bodies;
+    this.#before = Math.max(
+      this.#bodies.energyOf(bodies, free),
+      this.#bodies.energyOf(bodies, velocities),
+    );
+  }
+
+  /** They are found. */
+  limit(part: Part): void {
+    if (!part.jointed) return;
+    const now = this.#bodies.energyOf(part.bodies, this.#bodies.velocities);
+    // What is given is reckoned only where it counts.
+    if (energyGuards.energyOfJoints(now, this.#before)) return;
+    const most = this.#before + this.#given(part);
+    if (energyGuards.energyOfJoints(now, most)) return;
+    const share = Math.sqrt(most / now);
+    const { velocities } = this.#bodies;
+    for (const body of part.bodies)
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! *= share;
+  }
+
+  /** What carried bodies, surfaces that move and motors give, J. */
+  #given({ contacts, rows }: Part): number {
+    const c = this.#contacts.values;
+    let sum = 0;
+    for (const i of contacts) {
+      const at = i * C.size;
+      for (let k = 0; k < 3; k++)
+        sum += Math.max(0, c[at + C.impulse + k]! * c[at + C.driven + k]!);
+    }
+    for (const i of rows) if (this.#mayGive(i)) sum += Math.max(0, this.#workOf(i));
+    return sum;
+  }
+
+  /** A motor, a stop, or a joint with something that its author may move. */
+  #mayGive(i: number): boolean {
+    const { values: r, a, b } = this.#rows;
+    const at = i * R.size;
+    return a[i]! < 0 || b[i]! < 0 || r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
+  }
+
+  #workOf(i: number): number {
+    const { values: r, a, b } = this.#rows;
+    const { free, velocities } = this.#bodies;
+    const at = i * R.size;
+    const pace = rate(r, at, free, a[i]!, b[i]!) + rate(r, at, velocities, a[i]!, b[i]!);
+    return 0.5 * r[at + R.impulse]! * pace;
+  }
+}
