@@ -33,17 +33,25 @@ export class BounceEnergy {
     this.#bodies = bodies;
   }
 
-  /** Finds velocities by `solve`. False: it finds none, not even without bounce. */
-  solve(part: Part, solve: () => boolean): boolean {
+  /**
+   * Finds velocities by `solve`; without bounce by `solveRoughly` where `solve` finds none then, or such as give energy, too.
+   * False: neither does.
+   */
+  solve(part: Part, solve: () => boolean, solveRoughly: () => boolean): boolean {
     const found = solve();
     if (!this.#bounces(part)) return found;
-    if (found && energyGuards.energyOfBounce(this.#excess(part))) return true;
+    if (found && this.#givesNothing(part)) return true;
     this.#keep(part);
     this.#setBounce(part, -1);
-    const without = solve();
+    const without = solve() && this.#givesNothing(part);
+    const done = without || solveRoughly();
     this.#setBounce(part, 1);
     if (found && without) this.#blend(part, shareOf(this.#work(part)));
-    return without;
+    return done;
+  }
+
+  #givesNothing(part: Part): boolean {
+    return energyGuards.energyOfBounce(this.#excess(part));
   }
 
   #bounces({ contacts }: Part): boolean {

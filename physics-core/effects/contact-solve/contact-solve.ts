@@ -233,26 +233,27 @@ export class ContactSolve extends Effect {
     this.#solvers.sweeps.slow = way === 'either';
     let solver: Solver | undefined;
     const find = (): boolean => (solver = this.#find(part, way)) !== undefined;
+    const findRoughly = (): boolean => (solver = this.#findRoughly(part)) !== undefined;
     this.#jointed.begin(part);
-    if (this.#bounces.solve(part, find)) {
+    if (this.#bounces.solve(part, find, findRoughly)) {
       this.#jointed.limit(part);
       this.#failed.delete(pointer);
       this.#take(part, solver!);
     } else this.#failed.set(pointer, stepsTaken + PAUSE);
   }
 
-  /**
-   * Where a matrix runs away contacts are gone over one at a time, joints too. Without the impulses of before that only takes
-   * energy, however far it comes.
-   */
   #find(part: Part, way: Way): Solver | undefined {
     const { matrix, sweeps } = this.#solvers;
-    if (way === 'matrix') {
-      if (matrix.solve(part)) return matrix;
-      if (!matrix.ranAway) return undefined;
-      this.#contacts.forget(part.contacts);
-      this.#rows.forget(part.rows);
-    }
+    if (way !== 'matrix') return sweeps.solve(part) ? sweeps : undefined;
+    if (matrix.solve(part)) return matrix;
+    return matrix.ranAway ? this.#findRoughly(part) : undefined;
+  }
+
+  /** Where a matrix runs away contacts are gone over one at a time, joints too, from no impulse on: that never runs away. */
+  #findRoughly(part: Part): Solver | undefined {
+    const { sweeps } = this.#solvers;
+    this.#contacts.forget(part.contacts);
+    this.#rows.forget(part.rows);
     return sweeps.solve(part) ? sweeps : undefined;
   }
 
@@ -261,10 +262,18 @@ export class ContactSolve extends Effect {
     const { matrix } = this.#solvers;
     const { stepsTaken } = this.#simulation;
     const settled = this.#savings.spend(stepsTaken, this.#ways.sways(part), (most) => {
+      let used = 0;
+      const solve = (): boolean => {
+        const done = matrix.solve(part, most - used);
+        used += matrix.used;
+        return done;
+      };
       this.#contacts.keep(part.contacts);
-      const done = this.#bounces.solve(part, () => matrix.solve(part, most));
-      if (!done) this.#contacts.putBack(part.contacts);
-      return { done, used: matrix.used };
+      this.#jointed.begin(part);
+      const done = this.#bounces.solve(part, solve, () => false);
+      if (done) this.#jointed.limit(part);
+      else this.#contacts.putBack(part.contacts);
+      return { done, used };
     });
     if (settled) this.#take(part, matrix);
     return settled;

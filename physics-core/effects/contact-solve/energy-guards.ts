@@ -10,8 +10,8 @@ export const energyGuards = {
   energyOfJoints: (energy: number, most: number): boolean => energy <= 1.01 * most + 1e-9,
 
   /**
-   * Velocities that the impulses found with them do not lead to, as a solution that runs away leaves them: m/s, of bodies
-   * this fast. What only is not quite done has less than a hundredth (measured in 5000 parts).
+   * Velocities that the impulses found with them do not lead to, as a solution that runs away leaves them, m/s or rad/s, of
+   * bodies this fast. What only is not quite done mostly has less than a hundredth (measured in 5000 parts).
    */
-  explained: (off: number, fastest: number): boolean => off <= 0.1 * fastest + 0.05,
+  explained: (off: number, fastest: number): boolean => off <= 0.03 * fastest + 0.05,
 };

@@ -8,8 +8,8 @@ import { SIZE } from './sparse-cholesky.js';
 /**
  * Keeps contacts of jointed bodies from giving energy. Rows of joints lead along the round ways of the motion without
  * contacts; where a hard hit makes that another one, they do work that no joint does, and what is jammed gets more of it in
- * each step. Velocities beyond what was there before and what motors and carried bodies give are made less, all alike:
- * contacts and joints hold all the same.
+ * each step. Velocities beyond what was there before and what motors and carried bodies give are made less, all alike: what
+ * holds at rest holds all the same. Where something is carried against them they are left alone.
  */
 export class JointedEnergy {
   readonly #contacts: ConeContacts;
@@ -38,7 +38,7 @@ export class JointedEnergy {
     if (!part.jointed) return;
     const now = this.#bodies.energyOf(part.bodies, this.#bodies.velocities);
     // What is given is reckoned only where it counts.
-    if (energyGuards.energyOfJoints(now, this.#before)) return;
+    if (energyGuards.energyOfJoints(now, this.#before) || this.#isDriven(part)) return;
     const most = this.#before + this.#given(part);
     if (energyGuards.energyOfJoints(now, most)) return;
     const share = Math.sqrt(most / now);
@@ -47,15 +47,17 @@ export class JointedEnergy {
       for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! *= share;
   }
 
-  /** What carried bodies, surfaces that move and motors give, J. */
-  #given({ contacts, rows }: Part): number {
+  #isDriven({ contacts }: Part): boolean {
     const c = this.#contacts.values;
+    for (const i of contacts)
+      for (let k = i * C.size + C.driven; k < i * C.size + C.driven + 3; k++)
+        if (c[k] !== 0) return true;
+    return false;
+  }
+
+  /** What motors, and joints with what is carried, give, J. */
+  #given({ rows }: Part): number {
     let sum = 0;
-    for (const i of contacts) {
-      const at = i * C.size;
-      for (let k = 0; k < 3; k++)
-        sum += Math.max(0, c[at + C.impulse + k]! * c[at + C.driven + k]!);
-    }
     for (const i of rows) if (this.#mayGive(i)) sum += Math.max(0, this.#workOf(i));
     return sum;
   }

@@ -106,9 +106,21 @@ export class Newton {
       share = miss > SLOW * before ? 0.5 : 1;
       before = miss;
     }
-    const speed = this.#bodies.fastestOf(part.bodies, this.#bodies.free);
-    this.ranAway = !energyGuards.explained(this.#unexplained(), speed);
+    this.ranAway = !this.#follows() && !this.#followsWithoutForesight();
     return !this.ranAway;
+  }
+
+  /** Whether velocities follow from the impulses that were found with them. */
+  #follows(): boolean {
+    return energyGuards.explained(this.#unexplained(), this.#bodies.pace(this.#part.bodies));
+  }
+
+  #followsWithoutForesight(): boolean {
+    if (this.used === 0) return false;
+    const { velocities, change } = this.#bodies;
+    for (const body of this.#part.bodies)
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! -= change[k]!;
+    return this.#follows();
   }
 
   #begin(part: Part): void {

@@ -119,12 +119,23 @@ export class SolveBodies {
   }
 
   /** The greatest linear speed of all, m/s. */
-  fastestOf(bodies: readonly number[], v = this.velocities): number {
+  fastestOf(bodies: readonly number[]): number {
+    const v = this.velocities;
     let most = 0;
     for (const body of bodies) {
       const i = body * SIZE;
       most = Math.max(most, dot3(v, i, v, i));
     }
+    return Math.sqrt(most);
+  }
+
+  /** The greatest speed or spin of all without contacts, m/s or rad/s. */
+  pace(bodies: readonly number[]): number {
+    const v = this.free;
+    let most = 0;
+    for (const body of bodies)
+      for (let i = body * SIZE; i < (body + 1) * SIZE; i += 3)
+        most = Math.max(most, dot3(v, i, v, i));
     return Math.sqrt(most);
   }
 

@@ -110,7 +110,7 @@ export class Sweeps {
   #keep(i: number): number {
     const { values: r, a, b } = this.#rows;
     const at = i * R.size;
-    const gives = this.#givesOf(i);
+    const gives = this.#givesOf(i) || 1;
     const missed = r[at + R.target]! - rate(r, at, this.#bodies.velocities, a[i]!, b[i]!);
     const before = r[at + R.impulse]!;
     const now = Math.min(r[at + R.most]!, Math.max(r[at + R.least]!, before + missed / gives));

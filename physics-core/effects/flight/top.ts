@@ -32,8 +32,8 @@ export function topOf(moments: readonly number[]): Top {
 }
 
 /**
- * Radians about `other` that are taken at once, and parts of a step at most. Bodies of mass come to this only at hundreds of
- * radians a second; moments that no body has (one larger than both others together), as authors may write them, at a few.
+ * Radians about `other` that are taken at once, and parts of a step at most. Bodies of mass come to this at spins of 30 rad/s
+ * and more at `game`; moments that no body has (one larger than both others together), as authors may write them, at a few.
  */
 const AT_ONCE = 0.5;
 const MOST_PARTS = 64;
