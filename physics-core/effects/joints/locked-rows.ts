@@ -70,7 +70,10 @@ export class LockedRows {
     return this.#counts[k]!;
   }
 
-  /** Whether a joint keeps two axes at right angles and no more of how its bodies are turned: where both ends' frames come to lie alike, it turns in no time. */
+  /**
+   * Whether all that a joint keeps of how its bodies are turned is the angle between two axes: a body that has gone as far as
+   * that lets it is turned back in no time.
+   */
   crosses(k: number): boolean {
     let angular = 0;
     for (let i = k * ROWS; i < k * ROWS + this.#counts[k]!; i++)
