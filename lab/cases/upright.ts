@@ -64,8 +64,6 @@ const kapitza = drivenCase({
   },
   seconds: 4,
   size: 0.4,
-  behind:
-    'what holds it up is the square of the shaking speed, of which every engine here sees the mean of a step: (ω dt)²/12 of it is missing, the same in all; a step of Rapier and Jolt takes a quarter of the time of one of ours.',
 });
 
 export const cases: Case[] = [largeSwing, kapitza];

@@ -16,6 +16,7 @@ import { PointConstraints } from './point-constraints.js';
 import { PostStabilization } from './post-stabilization.js';
 import { Recent } from './recent.js';
 import { RowSystem } from './row-system.js';
+import { ShakenPivots } from './shaken-pivots.js';
 import { TornJoints } from './torn-joints.js';
 import { LEFT_OPEN, NO_MISS, VelocitySearch } from './velocity-search.js';
 
@@ -47,6 +48,7 @@ export class ComponentSolve {
   readonly #rows: LockedRows;
   readonly #bounded: BoundedRows;
   readonly #stiffness: GeometricStiffness;
+  readonly #shaken: ShakenPivots;
   readonly #budget: EnergyBudget;
   readonly #search: VelocitySearch;
   readonly #closing: JointClosing;
@@ -66,10 +68,11 @@ export class ComponentSolve {
     this.bodies = new JointedBodies(simulation, this.#system);
     this.#next = new NextPoses(this.#system, this.bodies);
     this.#stabilization = new PostStabilization(simulation, this.#system, this.bodies);
-    this.#pins = new PointConstraints(this.#system.pins, this.bodies, this.#next);
+    this.#pins = new PointConstraints(this.#system, this.bodies, this.#next);
     this.#rows = new LockedRows(this.#system, this.bodies, this.#next, this.#ends);
     this.#bounded = new BoundedRows(this.#system, this.bodies, this.#rows);
     this.#stiffness = new GeometricStiffness(this.#system, this.bodies);
+    this.#shaken = new ShakenPivots(this.#system, this.#pins, this.#bounded);
     const parts = {
       system: this.#system,
       bodies: this.bodies,
@@ -104,6 +107,7 @@ export class ComponentSolve {
     this.#rows.take(joints);
     this.#bounded.take(joints);
     this.#stiffness.take(before, joints);
+    this.#shaken.take(bodies.length);
     this.#budget.forget();
     this.#search.taut.forget();
     this.#mended.forget();
@@ -128,6 +132,7 @@ export class ComponentSolve {
   solve(component: Component, dt: number): boolean {
     const torn = this.#isTorn(component, this.#fill(component, dt));
     this.#system.firm = this.#search.taut.goesOn(component);
+    this.#shaken.lean(component, dt);
     const free = this.#isFree(component);
     if (free) this.#budget.begin(component);
     else this.#budget.forget(component);

@@ -1,10 +1,12 @@
 import type { Joint } from '../../dynamics/joint.js';
 import { compose, subtract } from '../../base/math.js';
+import { SIDE } from './blocks.js';
 import type { Edge, Forest } from './forest.js';
 import type { Ways } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { NextPoses } from './next-poses.js';
 import type { PointSolver } from './point-solver.js';
+import type { RowSystem } from './row-system.js';
 
 /** Numbers of both points of a pin; the parent's begins half-way. */
 const POINTS = 6;
@@ -22,6 +24,7 @@ export const isPin = ({ corrections, limits }: Joint): boolean =>
 
 /** Where the points of pins are and at what rate they are to come together: for pins what `LockedRows` is for rows. */
 export class PointConstraints {
+  readonly #system: RowSystem;
   readonly #pins: PointSolver;
   readonly #bodies: JointedBodies;
   readonly #next: NextPoses;
@@ -37,9 +40,14 @@ export class PointConstraints {
   /** What `correct` asked for in the last step: the round ways of the next one are nearly the same. */
   #nonlinearCorrections = new Float64Array(0);
   readonly #apart = new Float64Array(3);
+  /** Both points from the centres of mass as the bodies are turned now; those at which they pull may lean. */
+  #arms = new Float64Array(0);
+  /** On what way the last step took the parent's point; of joints numbered anew nobody knows. */
+  #lastWays = new Float64Array(0);
 
-  constructor(pins: PointSolver, bodies: JointedBodies, next: NextPoses) {
-    this.#pins = pins;
+  constructor(system: RowSystem, bodies: JointedBodies, next: NextPoses) {
+    this.#system = system;
+    this.#pins = system.pins;
     this.#bodies = bodies;
     this.#next = next;
   }
@@ -48,6 +56,7 @@ export class PointConstraints {
     this.#forest = forest;
     if (this.#erps.length < joints.length) this.#grow(joints.length * 2);
     this.#nonlinearCorrections.fill(0);
+    this.#lastWays.fill(NaN);
     for (const { pins } of forest.components)
       for (const pin of pins) this.takePoints(pin, joints[pin]!, edges[pin]!);
   }
@@ -70,7 +79,9 @@ export class PointConstraints {
 
   #grow(room: number): void {
     this.#points = new Float64Array(room * POINTS);
+    this.#arms = new Float64Array(room * POINTS);
     this.#ways = new Float64Array(room * 3);
+    this.#lastWays = new Float64Array(room * 3);
     this.#erps = new Float64Array(room);
     this.#errors = new Float64Array(room * 3);
     this.#nonlinearCorrections = new Float64Array(room * 3);
@@ -80,7 +91,7 @@ export class PointConstraints {
 
   /** Its points where the step begins; returns the worst error, metres. */
   fill(pin: number): number {
-    const { arms } = this.#pins.factors;
+    const arms = this.#arms;
     const { place } = this.#bodies;
     const e = pin * 3;
     const at = pin * POINTS;
@@ -102,10 +113,47 @@ export class PointConstraints {
       y -= place[parent * 3 + 1]! + arms[o + 1]!;
       z -= place[parent * 3 + 2]! + arms[o + 2]!;
     }
+    for (let i = at; i < at + POINTS; i++) this.#pins.factors.arms[i] = arms[i]!;
     this.#errors[e] = x;
     this.#errors[e + 1] = y;
     this.#errors[e + 2] = z;
     return Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+  }
+
+  /** Asks for nothing but that it be shaken: for the change of its point's velocity. False: there is none. */
+  setShaking(pin: number, dt: number): boolean {
+    const { targetVelocity } = this.#pins;
+    const at = pin * 3;
+    let any = false;
+    for (let i = at; i < at + 3; i++) {
+      const change = this.#ways[i]! - this.#lastWays[i]!;
+      this.#lastWays[i] = this.#ways[i]!;
+      targetVelocity[i] = Number.isNaN(change) ? 0 : change / dt;
+      any ||= targetVelocity[i] !== 0;
+    }
+    return any;
+  }
+
+  /** Has it pull as if its bodies were turned by the velocities found times `dt`. */
+  lean(pin: number, dt: number): void {
+    const child = this.#forest.childOf[pin]!;
+    const parent = this.#forest.parentOf[child]!;
+    this.#lean(pin * POINTS, child, dt);
+    if (parent >= 0) this.#lean(pin * POINTS + PARENT, parent, dt);
+  }
+
+  #lean(at: number, body: number, dt: number): void {
+    const { velocity, pins } = this.#system;
+    const spin = body * SIDE + 3;
+    const x = velocity[spin]! * dt;
+    const y = velocity[spin + 1]! * dt;
+    const z = velocity[spin + 2]! * dt;
+    const a = this.#arms[at]!;
+    const b = this.#arms[at + 1]!;
+    const c = this.#arms[at + 2]!;
+    pins.factors.arms[at] = a + y * c - z * b;
+    pins.factors.arms[at + 1] = b + z * a - x * c;
+    pins.factors.arms[at + 2] = c + x * b - y * a;
   }
 
   /** The rate at which the points are to come together; `repair` 0 leaves them apart as they are. */
@@ -132,7 +180,7 @@ export class PointConstraints {
   /** As that of `LockedRows`. Returns by how much the step would miss, metres. */
   correct(pin: number, dt: number, repair: 0 | 1): number {
     const { targetVelocity } = this.#pins;
-    const { arms } = this.#pins.factors;
+    const arms = this.#arms;
     const child = this.#forest.childOf[pin]!;
     const parent = this.#forest.parentOf[child]!;
     const apart = this.#apart;
