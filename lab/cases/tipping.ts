@@ -94,8 +94,6 @@ export const cases: Case[] = [
     // What is off by the last digit of a half at first is off by e^(3.8 t) times that in the end.
     singlePrecision: 2 ** -25 * grows(threshold),
     watch: offPaths({ stands: stays(-1), tips: tips(WIDTHS.tips, 1) }),
-    exception:
-      'what turns more slowly than 1.5 mrad/s counts as trembling and is not led on evenly: shorter steps take longer to get there, and what is off by then grows by e^(3.8 t).',
   },
   {
     id: 'tip-or-slide',

@@ -10,13 +10,14 @@ const spin = new Float64Array(3);
 
 /**
  * Where a body is turned to by the end of a step in which contacts pushed it evenly: as if all of that were one blow in the
- * middle, with free motion before and after it. Undefined: that is not known. `velocity`: six numbers, what was found.
+ * middle, with free motion before and after it; of what begins to turn, after it alone. Undefined: that is not known. `velocity`: six numbers, what was found.
  */
 export function turnedEvenly(
   spins: Gyroscopic,
   body: Body,
   velocity: Float64Array,
   dt: number,
+  begins: boolean,
 ): Float64Array | undefined {
   const state = spins.spinOf(body);
   if (!state?.slow) return undefined;
@@ -24,7 +25,7 @@ export function turnedEvenly(
   const { from, axes, momentum, given, displaced } = state;
   const top = spins.topOf(body);
   orientation.set(from);
-  turnFreely(orientation, top, momentum, dt / 2);
+  if (!begins) turnFreely(orientation, top, momentum, dt / 2);
   for (let i = 0; i < 3; i++) spin[i] = velocity[3 + i]! - given[i]!;
   applyInertia(change, 0, axes, body.mass.moments, spin, 0);
   for (let i = 0; i < 3; i++) change[i]! += momentum[i]!;

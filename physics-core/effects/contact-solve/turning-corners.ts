@@ -4,7 +4,8 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { ContactPoint, CORNER } from '../../engine/contact-point.js';
 import { isCarried } from '../../engine/solver-body.js';
 import type { Effects } from '../effect/effects.js';
-import { flight } from '../flight/flight.js';
+import { VELOCITY } from '../../engine/moving-bodies.js';
+import { flight, type Turning } from '../flight/flight.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import { eccentricBallAt, isFlatAt } from './eccentric-ball.js';
@@ -192,14 +193,24 @@ export class TurningCorners {
   readonly #meets = (body: number): unknown => this.#met.add(body);
 
   readonly #turns = (body: number): void => {
-    if (!this.#met.has(body))
-      this.#effects.caused(flight)?.turnsOn(this.#bodyAt(this.#bodies.pointers[body]!), this.#to);
+    if (this.#met.has(body)) return;
+    const node = this.#bodyAt(this.#bodies.pointers[body]!);
+    const { velocities } = this.#simulation.bodies;
+    const at = node.slot * VELOCITY + 3;
+    const rested = dot3(velocities, at, velocities, at) < RESTING ** 2;
+    this.#effects.caused(flight)?.turnsOn(node, rested ? this.#begins : this.#goesOn);
   };
 
-  readonly #to = (body: Body, velocity: Float64Array, dt: number): Float64Array | undefined => {
-    const spins = this.#effects.caused(gyroscopic);
-    return spins && turnedEvenly(spins, body, velocity, dt);
-  };
+  readonly #goesOn = this.#turning(false);
+  readonly #begins = this.#turning(true);
+
+  #turning(begins: boolean): Turning {
+    const to: Turning['to'] = (body, velocity, dt) => {
+      const spins = this.#effects.caused(gyroscopic);
+      return spins && turnedEvenly(spins, body, velocity, dt, begins);
+    };
+    return { to, begins };
+  }
 
   #eachTurning(contact: number, visit: (body: number) => void): void {
     const { a, b } = this.#contacts;

@@ -15,10 +15,18 @@ import { impactPropagation } from '../hits/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import { forces } from './forces.js';
 import { gyroscopic } from './gyroscopic.js';
-import { multiply4, writeTurn } from '../../base/flat-math.js';
+import { dot3, multiply4, writeTurn } from '../../base/flat-math.js';
 
-/** Where contacts that it turns about turn a body in a step, with these six numbers; undefined: evenly by what they gave it. */
-type TurnedTo = (body: Body, velocity: Float64Array, dt: number) => Float64Array | undefined;
+/** How contacts that it turns about turn a body in a step. */
+export interface Turning {
+  /** To where, with these six numbers; undefined: evenly by what they gave it. */
+  to(body: Body, velocity: Float64Array, dt: number): Float64Array | undefined;
+  /**
+   * It began to turn just now. What rests is moved by what it has at the end of each step, and so is ahead by half a step
+   * of its speed: that much is taken back.
+   */
+  readonly begins: boolean;
+}
 
 /** A body that something known pulls or turns: linear parts, then angular ones. */
 interface Flyer {
@@ -47,7 +55,7 @@ export class Flight extends Effect {
   /** Those whose forces are others than in the step before. */
   readonly #varying: Flyer[] = [];
   /** Those that turn about a corner in this step. */
-  readonly #turning = new Map<Body, TurnedTo>();
+  readonly #turning = new Map<Body, Turning>();
   readonly #now = new Float64Array(VELOCITY);
   /** What is to be added to the place and the orientation, and whether velocities are others than Bullet's. */
   readonly #displacement = new Float64Array(VELOCITY);
@@ -99,8 +107,8 @@ export class Flight extends Effect {
   }
 
   /** It turns about a corner in this step: that goes on evenly, too, however slow it is. */
-  turnsOn(body: Body, to: TurnedTo): void {
-    this.#turning.set(body, to);
+  turnsOn(body: Body, turning: Turning): void {
+    this.#turning.set(body, turning);
   }
 
   override settle(dt: number): void {
@@ -201,6 +209,8 @@ export class Flight extends Effect {
   #glide(body: Body, acceleration: Float64Array, dt: number): boolean {
     const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY;
+    const turning = this.#turning.get(body);
+    const rested = turning?.begins && dot3(v, at, v, at) < RESTING ** 2;
     let change = 0;
     let most = 0;
     let speed = 0;
@@ -209,26 +219,28 @@ export class Flight extends Effect {
       speed += this.#now[i]! ** 2;
       change += gained ** 2;
       most += (acceleration[i]! * dt) ** 2;
-      this.#displacement[i] = (-dt / 2) * gained;
+      this.#displacement[i] = (-dt / 2) * (rested ? this.#now[i]! : gained);
     }
-    if (speed < RESTING ** 2 && !this.#turning.has(body)) return false;
+    if (speed < RESTING ** 2 && !turning) return false;
     return change <= most * EVEN && this.glides(body);
   }
 
   /** By what was found, and turned as evenly where it turns about a corner. */
   #goOn(body: Body, dt: number): void {
     const displacement = this.#displacement;
-    const to = this.#turning.get(body);
-    if (!to) {
+    const turning = this.#turning.get(body);
+    if (!turning) {
       this.#shift(body, displacement[0]!, displacement[1]!, displacement[2]!);
       return;
     }
     const given = this.#effects.caused(gyroscopic)?.given(body);
     const v = this.#simulation.bodies.velocities;
     const at = body.slot * VELOCITY + 3;
-    for (let i = 0; i < 3; i++)
-      displacement[3 + i] = (-dt / 2) * (this.#now[3 + i]! - (given ? given[i]! : v[at + i]!));
-    this.#place(body, to(body, this.#now, dt));
+    for (let i = 0; i < 3; i++) {
+      const before = turning.begins ? 0 : given ? given[i]! : v[at + i]!;
+      displacement[3 + i] = (-dt / 2) * (this.#now[3 + i]! - before);
+    }
+    this.#place(body, turning.to(body, this.#now, dt));
   }
 
   /** With another orientation: `to`, or what is to be added to the one that it has. */
