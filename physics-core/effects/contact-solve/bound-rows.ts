@@ -78,6 +78,10 @@ export function clamp(r: Float64Array, at: number, s: number): void {
 export const gives = (r: Float64Array, at: number): boolean =>
   r[at + R.pushed]! > r[at + R.least]! && r[at + R.pushed]! < r[at + R.most]!;
 
+/** Whether it may ever do other than give. */
+export const isBounded = (r: Float64Array, at: number): boolean =>
+  r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
+
 /** H ← H + s jᵢᵀ jₖ, of six numbers each. */
 export function addOuter(
   h: Float64Array,

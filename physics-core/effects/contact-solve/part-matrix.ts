@@ -1,6 +1,6 @@
 import { stiffnessOf, C, type ConeContacts } from './cone-contacts.js';
 import { addContact } from './contact-blocks.js';
-import { addOuter, gives, R, type BoundRows } from './bound-rows.js';
+import { addOuter, gives, isBounded, R, type BoundRows } from './bound-rows.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE, SparseCholesky } from './sparse-cholesky.js';
@@ -19,7 +19,8 @@ export class PartMatrix {
   /** By body: its number in the part. */
   #number = new Int32Array(16);
   #part!: Part;
-  #analysed = false;
+  /** What does not change in a step is in it. */
+  #begun = false;
 
   constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
     this.#contacts = contacts;
@@ -29,7 +30,7 @@ export class PartMatrix {
 
   begin(part: Part): void {
     this.#part = part;
-    this.#analysed = false;
+    this.#begun = false;
     const { count } = this.#bodies;
     if (this.#number.length < count) this.#number = new Int32Array(2 * count);
     if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
@@ -37,34 +38,50 @@ export class PartMatrix {
 
   /** As contacts and rows are now. False: it takes too much work, or has no end. */
   factor(): boolean {
-    if (!this.#analyse()) return false;
+    if (!this.#begun && !this.#beginMatrix()) return false;
     const { values: c, a, b } = this.#contacts;
     const matrix = this.#matrix;
-    const { bodies, contacts, rows } = this.#part;
-    matrix.clear();
-    for (let i = 0; i < bodies.length; i++)
-      this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
+    const { contacts, rows } = this.#part;
+    matrix.restore();
     for (const i of contacts)
       if (stiffnessOf(c, i * C.size, this.#w))
         addContact(matrix, this.#w, c, i * C.size, this.#numberOf(a[i]!), this.#numberOf(b[i]!));
-    for (const i of rows) if (gives(this.#rows.values, i * R.size)) this.#addRow(i);
+    for (const i of rows)
+      if (this.#isBounded(i) && gives(this.#rows.values, i * R.size)) this.#addRow(i);
     return matrix.factor();
   }
 
-  /** The structure: only once it is needed. */
-  #analyse(): boolean {
-    if (this.#analysed) return true;
-    const { bodies, contacts, rows } = this.#part;
-    this.#matrix.begin(bodies.length);
-    for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
-    for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!);
-    for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!);
-    this.#analysed = this.#matrix.analyse(PRODUCTS * bodies.length);
-    return this.#analysed;
+  /** Masses and what joints hold are the same in all of a step: only once a matrix is needed. */
+  #beginMatrix(): boolean {
+    const matrix = this.#matrix;
+    const { bodies, rows } = this.#part;
+    if (!this.#analyse()) return false;
+    matrix.clear();
+    for (let i = 0; i < bodies.length; i++)
+      this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
+    for (const i of rows) if (!this.#isBounded(i)) this.#addRow(i);
+    return (this.#begun = matrix.factorConstant());
   }
 
-  #connect(a: number, b: number): void {
-    if (a >= 0 && b >= 0) this.#matrix.connect(this.#number[a]!, this.#number[b]!);
+  #analyse(): boolean {
+    const { bodies, contacts, rows } = this.#part;
+    const matrix = this.#matrix;
+    matrix.begin(bodies.length);
+    for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
+    for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!, true);
+    for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!, this.#isBounded(i));
+    return matrix.analyse(PRODUCTS * bodies.length);
+  }
+
+  #connect(a: number, b: number, changes: boolean): void {
+    const p = this.#numberOf(a);
+    const q = this.#numberOf(b);
+    if (p >= 0 && q >= 0) this.#matrix.connect(p, q);
+    if (changes) for (const i of [p, q]) if (i >= 0) this.#matrix.changes(i);
+  }
+
+  #isBounded(i: number): boolean {
+    return isBounded(this.#rows.values, i * R.size);
   }
 
   #numberOf(body: number): number {

@@ -9,6 +9,8 @@ export interface Part {
   /** Of joints, or what keeps bodies of a heap from rolling. */
   readonly rows: number[];
   jointed: boolean;
+  /** Joints of it close loops: a net, a bridge on two ropes. */
+  looped: boolean;
   /** It is near so many others that they make a heap. */
   inHeap: boolean;
 }
@@ -19,9 +21,11 @@ export class Parts {
   #count = 0;
   #parents = new Int32Array(16);
   #partOf = new Int32Array(16);
+  readonly #looped = new Set<number>();
 
   begin(): void {
     this.#count = 0;
+    this.#looped.clear();
   }
 
   /** One more body, which hangs together with nobody so far. */
@@ -43,6 +47,11 @@ export class Parts {
     this.#parents[this.#root(a)] = this.#root(b);
   }
 
+  /** The joints that it hangs on close loops. */
+  loops(body: number): void {
+    this.#looped.add(body);
+  }
+
   /** All are joined: each body goes to its part. */
   sort(bodies: number): void {
     this.#partOf.fill(-1, 0, bodies);
@@ -52,6 +61,7 @@ export class Parts {
       const part = this.#partOf[root]!;
       this.#pool[part]!.bodies.push(i);
     }
+    for (const body of this.#looped) this.of(body).looped = true;
   }
 
   #begin(): number {
@@ -61,8 +71,10 @@ export class Parts {
       contacts: [],
       rows: [],
       jointed: false,
+      looped: false,
       inHeap: false,
     });
+    part.looped = false;
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
     return this.#count++;
   }

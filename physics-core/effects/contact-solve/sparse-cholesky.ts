@@ -4,10 +4,19 @@
 export const SIZE = 6;
 export const BLOCK = SIZE * SIZE;
 
-/** A sparse block matrix and its factor. Blocks are full, row after row; those off the diagonal lie below it. */
+/**
+ * A sparse block matrix and its factor. Blocks are full, row after row; those off the diagonal lie below it. Bodies whose
+ * blocks change from one factor to the next are eliminated last: what comes before them is factored once.
+ */
 export class SparseCholesky {
   /** Rows of blocks. */
   count = 0;
+  readonly #changing = new Set<number>();
+  /** Rows that do not change come before this one, and so many products are theirs. */
+  #firstChanging = 0;
+  #constantProducts = 0;
+  /** Blocks that change, as the others leave them: those on the diagonal, then the rest. */
+  #left = new Float64Array(BLOCK);
   /** Number of the row in which a body is eliminated. */
   #place = new Int32Array(16);
   /** Where the column of a row begins in `#rows`; its blocks off the diagonal follow those on it in `values`. */
@@ -28,6 +37,12 @@ export class SparseCholesky {
   begin(count: number): void {
     this.count = count;
     for (let i = 0; i < count; i++) (this.#neighbours[i] ??= new Set()).clear();
+    this.#changing.clear();
+  }
+
+  /** Blocks of this body are others in each factor. */
+  changes(i: number): void {
+    this.#changing.add(i);
   }
 
   connect(a: number, b: number): void {
@@ -40,20 +55,23 @@ export class SparseCholesky {
     const { count } = this;
     if (this.#place.length < count) this.#place = new Int32Array(2 * count);
     if (this.#starts.length <= count) this.#starts = new Int32Array(2 * count + 1);
-    const left = new Set<number>();
-    for (let i = 0; i < count; i++) left.add(i);
+    const constant = new Set<number>();
+    const changing = new Set<number>();
+    for (let i = 0; i < count; i++) (this.#changing.has(i) ? changing : constant).add(i);
+    this.#firstChanging = constant.size;
     const columns: number[][] = [];
     this.products = 0;
-    for (let k = 0; k < count; k++) {
-      const i = this.#leastDegree(left);
-      left.delete(i);
-      this.#place[i] = k;
-      const near = [...this.#neighbours[i]!];
-      columns.push(near);
-      this.products += 1 + near.length + (near.length * (near.length + 1)) / 2;
-      if (this.products > most) return false;
-      this.#eliminate(i, near);
-    }
+    for (const left of [constant, changing])
+      while (left.size > 0) {
+        const i = this.#leastDegree(left);
+        left.delete(i);
+        this.#place[i] = columns.length;
+        const near = [...this.#neighbours[i]!];
+        columns.push(near);
+        this.products += 1 + near.length + (near.length * (near.length + 1)) / 2;
+        if (this.products > most) return false;
+        this.#eliminate(i, near);
+      }
     this.#lay(columns);
     return true;
   }
@@ -95,12 +113,14 @@ export class SparseCholesky {
     if (this.#targets.length < this.products) this.#targets = new Int32Array(2 * this.products);
     const rows = this.#rows;
     let next = 0;
-    for (let k = 0; k < this.count; k++)
+    for (let k = 0; k < this.count; k++) {
+      if (k === this.#firstChanging) this.#constantProducts = next;
       for (let p = this.#starts[k]!; p < this.#starts[k + 1]!; p++) {
         const i = rows[p]!;
         for (let q = this.#starts[k]!; q < p; q++) this.#targets[next++] = this.#find(i, rows[q]!);
         this.#targets[next++] = i * BLOCK;
       }
+    }
   }
 
   // ---- values -------------------------------------------------------------------------------------------------------
@@ -135,12 +155,45 @@ export class SparseCholesky {
 
   // ---- factor and solution ------------------------------------------------------------------------------------------
 
-  /** In place. False: not positive definite. */
+  /** Eliminates what does not change, once all of that is added. False: not positive definite. */
+  factorConstant(): boolean {
+    if (!this.#factor(0, this.#firstChanging, 0)) return false;
+    const { onDiagonal, others } = this.#changingBlocks();
+    const room = onDiagonal.length + others.length;
+    if (this.#left.length < room) this.#left = new Float64Array(2 * room);
+    this.#left.set(onDiagonal);
+    this.#left.set(others, onDiagonal.length);
+    return true;
+  }
+
+  /** Only what changes is to be added anew. */
+  restore(): void {
+    const { onDiagonal, others } = this.#changingBlocks();
+    onDiagonal.set(this.#left.subarray(0, onDiagonal.length));
+    others.set(this.#left.subarray(onDiagonal.length, onDiagonal.length + others.length));
+  }
+
+  #changingBlocks() {
+    const { values, count } = this;
+    const first = this.#firstChanging;
+    return {
+      onDiagonal: values.subarray(first * BLOCK, count * BLOCK),
+      others: values.subarray(
+        (count + this.#starts[first]!) * BLOCK,
+        (count + this.#starts[count]!) * BLOCK,
+      ),
+    };
+  }
+
+  /** The rest, in place. False: not positive definite. */
   factor(): boolean {
+    return this.#factor(this.#firstChanging, this.count, this.#constantProducts);
+  }
+
+  #factor(first: number, end: number, next: number): boolean {
     const { values, count } = this;
     const targets = this.#targets;
-    let next = 0;
-    for (let k = 0; k < count; k++) {
+    for (let k = first; k < end; k++) {
       const diagonal = k * BLOCK;
       if (!factorBlock(values, diagonal)) return false;
       const from = this.#starts[k]!;

@@ -72,6 +72,8 @@ export class TouchingParts {
       const body = this.#simulation.bodyAt(this.#bodies.pointers[i]!);
       const jointed = body && body.joints.size > 0 && joints.solvedWith(body);
       if (!jointed) continue;
+      // A tree, held by the world, has as many joints as bodies.
+      if (jointed.joints.length > jointed.bodies.length) this.#parts.loops(i);
       for (const { pointer } of jointed.bodies) {
         const other = this.#numberOf(pointer);
         if (other >= 0) this.#parts.join(i, other);

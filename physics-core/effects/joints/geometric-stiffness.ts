@@ -84,7 +84,11 @@ export class GeometricStiffness {
       this.#stiffen(pin, parent, pins.factors.arms, pin * SIDE + 3, sign === 1 ? -1 : 1, dt);
   }
 
-  /** At the end of an arm of the body, which is the joint's first one (`sign` 1) or its second. */
+  /**
+   * At the end of an arm of the body, which is the joint's first one (`sign` 1) or its second. What counts of the arm lies
+   * along the pull: of two joints that hold a wide plank side by side the rest cancels out, but each by itself would look
+   * as if the plank could hardly swing (with all of the arm a bridge of forty planks between two posts tore within a second).
+   */
   #stiffen(
     joint: number,
     body: number,
@@ -98,23 +102,27 @@ export class GeometricStiffness {
     const y = arms[at + 1]!;
     const z = arms[at + 2]!;
     const p = joint * 3;
-    const outward = sign * (pulls[p]! * x + pulls[p + 1]! * y + pulls[p + 2]! * z);
+    const fx = pulls[p]!;
+    const fy = pulls[p + 1]!;
+    const fz = pulls[p + 2]!;
+    const outward = sign * (fx * x + fy * y + fz * z);
     // A push needs no care: it lets go by itself.
     if (!(outward > 0)) return;
-    const length2 = x * x + y * y + z * z;
+    const pull2 = fx * fx + fy * fy + fz * fz;
+    const arm2 = (outward * outward) / pull2;
     const stiffness = outward * dt;
-    const fast = stiffness / (this.#bodies.mass(body) * length2 + this.#bodies.leastMoment(body));
+    const fast = stiffness / (this.#bodies.mass(body) * arm2 + this.#bodies.leastMoment(body));
     const square = (fast / TOO_FAST) ** 2;
     const lost = 1 - 1 / (1 + square * square);
-    const k = (stiffness * lost) / length2;
-    // k (r² 1 - r rᵀ) on the turning of the body.
+    const k = (stiffness * lost) / pull2;
+    // k (f² 1 - f fᵀ) on the turning of the body.
     const { inertia } = this.#system;
     const to = body * INERTIA + 1;
-    inertia[to]! += k * (length2 - x * x);
-    inertia[to + 1]! -= k * x * y;
-    inertia[to + 2]! += k * (length2 - y * y);
-    inertia[to + 3]! -= k * x * z;
-    inertia[to + 4]! -= k * y * z;
-    inertia[to + 5]! += k * (length2 - z * z);
+    inertia[to]! += k * (pull2 - fx * fx);
+    inertia[to + 1]! -= k * fx * fy;
+    inertia[to + 2]! += k * (pull2 - fy * fy);
+    inertia[to + 3]! -= k * fx * fz;
+    inertia[to + 4]! -= k * fy * fz;
+    inertia[to + 5]! += k * (pull2 - fz * fz);
   }
 }

@@ -9,6 +9,7 @@ import {
   distance,
   fact,
   position,
+  sphere,
   spin,
   velocity,
   world,
@@ -148,4 +149,30 @@ fact('a board on a hinge leans on a wall with what statics has it push', async (
   // Moments about the hinge: the weight at half its length, the wall at its upper edge.
   const push = (2 * G * (sin / 2)) / (cos - thin * sin);
   close(borne(w, board, upright) / push, 1, 2e-3, 'of the push');
+});
+
+fact('a net that falls over a ball lies on it', async () => {
+  const [size, link, radius, knotRadius] = [12, 0.15, 0.5, 0.03];
+  const w = await world();
+  addBody(w, { fixed: true, position: [0, 0, 0], geometry: [sphere(radius)] });
+  const at = (n: number): [number, number, number] => [
+    (Math.floor(n / size) - (size - 1) / 2) * link,
+    radius + 2 * knotRadius,
+    ((n % size) - (size - 1) / 2) * link,
+  ];
+  const knots = Array.from({ length: size * size }, (_, n) =>
+    addBody(w, { mass: 0.1, position: at(n), geometry: [sphere(knotRadius)] }),
+  );
+  const join = (n: number, other: number): void => {
+    const anchorPoint = at(n).map((x, axis) => (x + at(other)[axis]!) / 2);
+    addJoint(w, 'BallJoint', { body1: knots[n], body2: knots[other], anchorPoint });
+  };
+  knots.forEach((_, n) => {
+    if (n + size < size * size) join(n, n + size);
+    if ((n + 1) % size) join(n, n + 1);
+  });
+  w.advance(1.5);
+  const depths = knots.map((knot) => radius + knotRadius - distance(position(knot), [0, 0, 0]));
+  // Where it is left to iterations joints pull it into the ball.
+  below(Math.max(...depths), 1e-3, 'm');
 });

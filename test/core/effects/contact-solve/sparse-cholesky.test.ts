@@ -50,9 +50,15 @@ const GRAPHS: Record<string, [bodies: number, pairs: [number, number][]]> = {
 };
 
 /** Random symmetric matrices, positive definite by their diagonals. */
-function fill(matrix: SparseCholesky, bodies: number, pairs: readonly [number, number][]): void {
+function fill(
+  matrix: SparseCholesky,
+  bodies: number,
+  pairs: readonly [number, number][],
+  changing: readonly number[] = [],
+): void {
   matrix.begin(bodies);
   for (const [a, b] of pairs) matrix.connect(a, b);
+  for (const i of changing) matrix.changes(i);
   assert.ok(matrix.analyse(1e6));
   matrix.clear();
   for (let i = 0; i < bodies; i++) {
@@ -80,9 +86,34 @@ for (const [name, [bodies, pairs]] of Object.entries(GRAPHS))
       const full = fullOf(shared, bodies, pairs);
       const b = range(SIZE * bodies).map(some);
       const x = Float64Array.from(b);
-      assert.ok(shared.factor());
+      assert.ok(shared.factorConstant() && shared.factor());
       shared.solve(x);
       solved(full, b).forEach((value, i) => below(Math.abs(value - x[i]!), 1e-10));
+    }
+  });
+
+for (const [name, [bodies, pairs]] of Object.entries(GRAPHS))
+  void test(`${name}: what changes is factored anew, by itself`, () => {
+    const changing = range(bodies).filter((i) => i % 3 === 0);
+    fill(shared, bodies, pairs, changing);
+    const full = fullOf(shared, bodies, pairs);
+    assert.ok(shared.factorConstant());
+    for (let run = 0; run < 3; run++) {
+      shared.restore();
+      const more = changing.map(() => 10 * next());
+      changing.forEach((i, k) => {
+        for (let r = 0; r < SIZE; r++)
+          shared.values[shared.diagonal(i) + r * SIZE + r]! += more[k]!;
+      });
+      const changed = full.map((row) => [...row]);
+      changing.forEach((i, k) => {
+        for (let r = i * SIZE; r < (i + 1) * SIZE; r++) changed[r]![r]! += more[k]!;
+      });
+      const b = range(SIZE * bodies).map(some);
+      const x = Float64Array.from(b);
+      assert.ok(shared.factor());
+      shared.solve(x);
+      solved(changed, b).forEach((value, i) => below(Math.abs(value - x[i]!), 1e-10));
     }
   });
 
@@ -92,6 +123,10 @@ void test('what costs more than it may is not analysed, and what is not positive
   for (const i of range(4)) matrix.connect(i, i + 1);
   assert.equal(matrix.analyse(5), false);
   fill(matrix, 2, [[0, 1]]);
+  matrix.values[matrix.diagonal(1)] = -1;
+  assert.equal(matrix.factorConstant(), false);
+  fill(matrix, 2, [[0, 1]], [1]);
+  assert.ok(matrix.factorConstant());
   matrix.values[matrix.diagonal(1)] = -1;
   assert.equal(matrix.factor(), false);
 });
