@@ -92,19 +92,25 @@ export class HardContacts implements Reports {
     this.#sinking = false;
     eachContactPoint(this.#simulation, (pointer, a, b) => {
       point.at(pointer, a.pointer, b.pointer);
-      if (a.movable !== b.movable) this.#lookAtObstacle(point, a, b);
+      if (a.movable !== b.movable) this.#lookAt(point, a, b, a.movable ? a : b);
+      else if (a.joints.size !== b.joints.size)
+        this.#lookAt(point, a, b, a.leastExtent < b.leastExtent ? a : b);
     });
   }
 
-  /** What moves has come halfway through what does not. Only of what is convex the middle says so. */
-  #lookAtObstacle(point: ContactPoint, a: Body, b: Body): void {
-    const moving = a.movable ? a : b;
+  /**
+   * What moves has come halfway through what does not; or, where one of both hangs on joints, the thinner one into the other.
+   * Only of what is convex the middle says so.
+   */
+  #lookAt(point: ContactPoint, a: Body, b: Body, moving: Body): void {
     if (-point.distance < SINKING * moving.leastExtent) return;
     this.#sinking = true;
-    const height = heightOver(point, moving, a.movable ? 1 : -1);
+    const height = heightOver(point, moving, moving === a ? 1 : -1);
     if (!(height < 0)) return;
     // Under a strong gravity the next look may be too late.
-    if (this.#sunk.note(keyOf(a, b)) >= (this.#strong ? 1 : LOOKS)) this.#tellSunk(a, b);
+    if (this.#sunk.note(keyOf(a, b)) < (this.#strong ? 1 : LOOKS)) return;
+    if (a.movable && (!b.movable || a.mass.mass > b.mass.mass)) this.#tellSunk(a, b);
+    else this.#tellSunk(b, a);
   }
 
   #tellFar(body: Body, gravity: number, dt: number): void {
@@ -121,8 +127,7 @@ export class HardContacts implements Reports {
     );
   }
 
-  #tellSunk(a: Body, b: Body): void {
-    const [sunk, obstacle] = a.movable ? [a, b] : [b, a];
+  #tellSunk(sunk: Body, obstacle: Body): void {
     this.#simulation.report(
       {
         code: 'sunk',

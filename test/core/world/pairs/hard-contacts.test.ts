@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import {
   addBody,
   addFloor,
+  addJoint,
   box,
   claim,
   close,
@@ -11,6 +12,7 @@ import {
   position,
   told,
   world,
+  type Body,
 } from '../../helpers.js';
 import type { World } from '../../../../physics-core/inside.js';
 import { MOST_MASS_RATIO } from '../../../../physics-core/world/pairs/unlike-masses.js';
@@ -109,4 +111,28 @@ fact('a gram on a ton, and a pile of like masses, are nothing to tell of', async
   addBody(w, { position: [5, 1.5, 0], mass: 50, geometry: [box(1)] });
   w.advance(1);
   assert.deepEqual(codes(w), []);
+});
+
+fact('what falls through a bridge that is too light for it does so not untold', async () => {
+  const w = await world();
+  addFloor(w);
+  let last: Body | undefined;
+  for (let i = 0; i <= 20; i++) {
+    const x = -3 + 0.3 * i;
+    const plank =
+      i < 20
+        ? addBody(w, { position: [x + 0.15, 3, 0], geometry: [box(0.28, 0.1, 2)] })
+        : undefined;
+    for (const z of [-0.9, 0.9])
+      addJoint(w, 'BallJoint', {
+        body1: plank ?? last,
+        ...(plank && last && { body2: last }),
+        anchorPoint: [x, 3, z],
+      });
+    last = plank ?? last;
+  }
+  const weight = addBody(w, { mass: 1000, position: [0, 3.6, 0], geometry: [box(1)] });
+  w.advance(1.2);
+  claim(w, ...codes(w));
+  assert.ok(height(weight) > 2.5 || codes(w).includes('sunk'), 'below, and nothing said');
 });
