@@ -1,3 +1,4 @@
+import { shakenBlock } from '../../references/shaken-block.js';
 import type { Case } from '../case.js';
 import { offPathsOnFloor, roundingOf, type Path } from './paths.js';
 
@@ -58,4 +59,43 @@ const stickAndSlip: Case = {
     'a force of page code is known at the start of a step only, and acts all through it: at the same step Jolt is off by as much, and its step takes a ninth of the time.',
 };
 
-export const cases: Case[] = [stickAndSlip];
+// ---- on a shaken plate -----------------------------------------------------------------------------------------------
+
+const SHAKEN = { way: 0.05, rate: 4 * Math.PI, grip: 0.5 * GRAVITY };
+const SHAKEN_SECONDS = 3;
+
+const shakenPlate: Path = (time) => [SHAKEN.way * Math.sin(SHAKEN.rate * time), -0.5, 0];
+const placeOfBlock = shakenBlock(SHAKEN, SHAKEN_SECONDS);
+const shaken: Path = (time) => [placeOfBlock(time), SIZE / 2, 0];
+
+const shakenOff: Case = {
+  id: 'stick-slip-shaken',
+  name: 'Stick and slip on a shaken plate',
+  says: 'A block on a plate that is moved to and fro by 10 cm twice a second, friction 0.5: it sticks while the plate speeds up by less than μ g, then slips until both are as fast; its place against that.',
+  scene: {
+    gravity: [0, -GRAVITY, 0],
+    bodies: [
+      {
+        name: 'plate',
+        fixed: true,
+        shape: { type: 'Box', size: [4, 1, 4] },
+        position: shakenPlate(0),
+        path: shakenPlate,
+      },
+      {
+        name: 'block',
+        shape: { type: 'Box', size: [SIZE, SIZE, SIZE] },
+        position: shaken(0),
+        linearVelocity: [SHAKEN.way * SHAKEN.rate, 0, 0],
+      },
+    ],
+    contact: { bounce: 0, friction: 0.5 },
+  },
+  seconds: SHAKEN_SECONDS,
+  unit: 'm',
+  size: SHAKEN.way,
+  singlePrecision: roundingOf(0.25, SHAKEN_SECONDS),
+  watch: offPathsOnFloor({ block: shaken }),
+};
+
+export const cases: Case[] = [stickAndSlip, shakenOff];

@@ -11,6 +11,7 @@ import { BounceEnergy } from './bounce-energy.js';
 import { BoundRows } from './bound-rows.js';
 import { ConeContacts } from './cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
+import { Grips } from './grips.js';
 import { JointedEnergy } from './jointed-energy.js';
 import { Newton } from './newton.js';
 import type { Part } from './part.js';
@@ -66,6 +67,7 @@ export class ContactSolve extends Effect {
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   readonly #corners: TurningCorners;
+  readonly #grips: Grips;
   /** Those that were solved directly. */
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
@@ -107,6 +109,7 @@ export class ContactSolve extends Effect {
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
     this.#corners = new TurningCorners(simulation, effects, this.#bodies, this.#contacts);
+    this.#grips = new Grips(simulation, effects, this.#bodies, this.#contacts);
     this.#reader = new PartReader(
       simulation,
       effects,
@@ -284,6 +287,7 @@ export class ContactSolve extends Effect {
     if (!solver.pushApart())
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
     this.#solved.push(part);
+    this.#grips.tell(part);
     const { ammo } = this.#simulation.engine;
     for (const i of part.contacts) {
       const point = this.#contacts.pointers[i]!;

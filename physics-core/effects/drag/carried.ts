@@ -1,3 +1,4 @@
+import { hypot } from '../../base/exact/index.js';
 import {
   conjugate,
   length,
@@ -10,6 +11,7 @@ import {
 } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Way } from '../joints/joint-ends.js';
+import { SmoothWay, type StepWay } from './smooth-way.js';
 
 /**
  * Changes of speed and spin within a step, m/s and rad/s, from which on a move is a jump: an edit that brings a body
@@ -17,6 +19,9 @@ import type { Way } from '../joints/joint-ends.js';
  */
 const SUDDEN_SPEED = 10;
 const SUDDEN_SPIN = 20;
+
+/** rad/s: rounding of what does not turn is less. */
+const TURNING = 1e-6;
 
 /** Speed and spin. */
 class Pace {
@@ -62,6 +67,10 @@ export class Carried implements Way {
   #step = new Pace();
   #before = new Pace();
   #wanted = new Pace();
+  readonly #way = new SmoothWay();
+  /** When the step began, and whether it is under way in it. */
+  #time = 0;
+  #goes = false;
 
   constructor(at: Pose) {
     this.now = this.next = this.#to = this.#from = at;
@@ -73,14 +82,15 @@ export class Carried implements Way {
     if (time !== this.since) this.#begin(time, turn, dt);
     this.#to = to;
     this.jumped = this.#isJump(turn > dt * 1.5 && this.#interval === 0);
-    if (this.jumped) this.now = this.next = to;
-    else this.now = this.next = this.#from;
+    if (this.jumped) this.#way.forget();
+    this.now = this.next = this.jumped ? to : this.#from;
   }
 
   #begin(time: number, turn: number, dt: number): void {
     const first = this.since === -Infinity;
     const interval = first ? 0 : time - this.since;
     this.#from = this.now;
+    this.#way.begin(time, this.now.p);
     this.#before.copy(this.#wanted);
     // Who speaks before each step may do so before each second one only; frames are not all alike.
     if (first) this.#duration = turn;
@@ -101,6 +111,8 @@ export class Carried implements Way {
    */
   begin(time: number, dt: number): Pose | undefined {
     const left = this.#duration - (time - this.since);
+    this.#time = time;
+    this.#goes = left > dt / 2;
     if (this.jumped)
       return left > dt / 2
         ? mix(this.#to, this.#from, Math.min(1, dt / this.#duration))
@@ -114,6 +126,18 @@ export class Carried implements Way {
       p: subtract(scale(p, 2), this.next.p),
       q: multiply(back, q),
     };
+  }
+
+  /** That its move takes. */
+  get seconds(): number {
+    return this.#duration;
+  }
+
+  /** Where it goes in the step; undefined: it turns, stands, or goes no smooth way. */
+  get way(): StepWay | undefined {
+    const v = this.velocity;
+    if (!this.#goes || hypot(v[3]!, v[4]!, v[5]!) > TURNING) return undefined;
+    return this.#way.from(this.#time, { time: this.since + this.#duration, p: this.#to.p });
   }
 
   /** The step is over: it is where it was going. */

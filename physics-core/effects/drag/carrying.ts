@@ -5,7 +5,7 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import { Carried } from './carried.js';
-import { Riders } from './riders.js';
+import { Riders, type Grip } from './riders.js';
 
 /** Seconds without a new pose after which a carried body stands still. */
 const STILL = 0.1;
@@ -49,7 +49,12 @@ export class Carrying extends Effect {
     this.#effects.find(jointSolve)?.stands(node as Body);
   }
 
-  /** Whether a body stands on what is carried, and went along with it in the step. */
+  /** By what a body that touches nothing else is held and rubbed in this step. */
+  grips(body: Body, grip: Grip): void {
+    this.#riders.grip(body, grip);
+  }
+
+  /** Whether a body that stands or slips on what is carried was put where it is after the step. */
   carries(body: Body): boolean {
     return this.active && this.#riders.has(body);
   }

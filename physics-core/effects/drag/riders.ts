@@ -2,6 +2,7 @@ import {
   add,
   conjugate,
   cross,
+  dot,
   length,
   multiply,
   rotate,
@@ -13,6 +14,8 @@ import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
 import { turnOf, type Carried } from './carried.js';
+import { rub } from './rub.js';
+import { flat, type StepWay } from './smooth-way.js';
 
 /** Numbers of a velocity: linear, then angular. */
 const VELOCITY = 6;
@@ -20,12 +23,37 @@ const VELOCITY = 6;
 /** What moves no faster than that against what carries it goes along with it, m/s: a contact solver leaves as much. */
 export const ALONG = 0.02;
 
-/** What stands on carried bodies, or on what stands there, and goes along with them in a step. */
+const NONE: Vec3 = [0, 0, 0];
+
+/** How a body lies on the face of another in a step. */
+export interface Grip {
+  /** What it lies on, by pointer. */
+  on: number;
+  /** Into the body. */
+  normal: Vec3;
+  friction: number;
+  /** What all but contacts gives it, m/s². */
+  pull: Vec3;
+  /** Its velocity as the step began, m/s. */
+  from: Vec3;
+}
+
+/** How a step left what it put somewhere: what goes along has the velocity of the whole step, what slips that of its end. */
+interface Ride {
+  on: Carried;
+  sticks: boolean;
+  /** m/s, in double precision. */
+  velocity: Vec3;
+}
+
+/** What stands on carried bodies, or on what stands there, and goes along with them in a step or slips. */
 export class Riders {
   readonly #simulation: Simulation;
   /** Bodies that touch in the step, two pointers each. */
   readonly #pairs: number[] = [];
-  readonly #on = new Map<Body, Carried>();
+  readonly #grips = new Map<Body, Grip>();
+  #rides = new Map<Body, Ride>();
+  #before = new Map<Body, Ride>();
   readonly #velocity = new Float64Array(VELOCITY);
   readonly #pose = new Float64Array(POSE);
 
@@ -35,7 +63,9 @@ export class Riders {
 
   begin(): void {
     this.#pairs.length = 0;
-    this.#on.clear();
+    this.#grips.clear();
+    [this.#rides, this.#before] = [this.#before, this.#rides];
+    this.#rides.clear();
   }
 
   note(a: number, b: number): void {
@@ -45,12 +75,17 @@ export class Riders {
     this.#pairs.push(a, b);
   }
 
+  grip(body: Body, grip: Grip): void {
+    this.#grips.set(body, grip);
+  }
+
   has(body: Body): boolean {
-    return this.#on.has(body);
+    return this.#rides.has(body);
   }
 
   /** Bullet has moved them: what goes along is taken on the round way of what carries it. */
   take(all: ReadonlyMap<Body, Carried>, dt: number): void {
+    this.#rub(all, dt);
     const pairs = this.#pairs;
     for (let found = true; found;) {
       found = false;
@@ -66,26 +101,93 @@ export class Riders {
     return this.#simulation.bodyAt(this.#pairs[i]!);
   }
 
+  // ---- by friction alone ------------------------------------------------------------------------------------------
+
+  #rub(all: ReadonlyMap<Body, Carried>, dt: number): void {
+    for (const [body, grip] of this.#grips) {
+      const carried = all.get(this.#simulation.bodyAt(grip.on)!);
+      if (carried && !carried.jumped) this.#rubBy(body, carried, grip, dt);
+    }
+  }
+
+  /** It sticks and slips when it should within the step. */
+  #rubBy(body: Body, on: Carried, grip: Grip, dt: number): void {
+    const { way, now, next } = on;
+    if (!way || !lies(grip, way)) return;
+    const { normal } = grip;
+    const before = this.#before.get(body);
+    const rode = before?.on === on && before.sticks;
+    const most = grip.friction * Math.max(0, this.#weightOf(body, grip, way, dt));
+    let from = exactly(grip, before);
+    // What goes along has the velocity of the whole step, which is that of its middle.
+    if (rode) {
+      const ahead = flat(subtract(way.velocity(0), before.velocity), normal);
+      from = add(from, within(ahead, (most * on.seconds) / 2));
+    }
+    const rubs = { grip: most, pull: flat(grip.pull, normal) };
+    const { moved, speed, sticks } = rub(way.along(normal), flat(from, normal), rubs, dt);
+    // Moves of several steps go straight, what slips does not.
+    const start = rode ? subtract(way.place(0), now.p) : NONE;
+    const end = sticks ? subtract(next.p, way.place(dt)) : NONE;
+    const to = add(moved, flat(add(start, end), normal));
+    const velocity = sticks ? flat(scale(subtract(next.p, now.p), 1 / dt), normal) : speed;
+    this.#rides.set(body, { on, sticks, velocity: this.#put(body, normal, to, velocity, dt) });
+  }
+
+  /**
+   * By what it is pressed on, m/s². What contacts push in a single step has in it what they need to stay in touch, which the
+   * next one takes back: that counts only where it comes to lie.
+   */
+  #weightOf(body: Body, { normal, pull, from }: Grip, way: StepWay, dt: number): number {
+    const sped = this.#before.has(body)
+      ? subtract(way.velocity(dt), way.velocity(0))
+      : subtract(this.#velocityOf(body), from);
+    return dot(subtract(scale(sped, 1 / dt), pull), normal);
+  }
+
+  /** Along a surface, so far and with such a speed instead of Bullet's. Returns its velocity. */
+  #put(body: Body, normal: Vec3, to: Vec3, along: Vec3, dt: number): Vec3 {
+    const { reader, velocities } = this.#simulation.engine;
+    const v = this.#velocityOf(body);
+    const bullets = flat(v, normal);
+    const velocity = add(subtract(v, bullets), along);
+    this.#velocity.set(velocity);
+    velocities.write(body.body, body.pointer, this.#velocity, 0);
+    reader.shift(body.body, body.pointer, ...subtract(to, scale(bullets, dt)));
+    return velocity;
+  }
+
+  #velocityOf({ body, pointer }: Body): Vec3 {
+    this.#simulation.engine.reader.velocity(body, pointer, this.#velocity, 0);
+    return [this.#velocity[0]!, this.#velocity[1]!, this.#velocity[2]!];
+  }
+
+  // ---- whatever holds it ------------------------------------------------------------------------------------------
+
   /** Whether a body is found to ride on another. */
   #goesOn(body: Body, on: Body, all: ReadonlyMap<Body, Carried>, dt: number): boolean {
-    const carried = all.get(on) ?? this.#on.get(on);
-    if (!carried || carried.jumped || !body.isDynamic || this.#on.has(body)) return false;
+    const carried = all.get(on) ?? this.#carrierOf(on);
+    if (!carried || carried.jumped || !body.isDynamic || this.has(body)) return false;
     return this.#goesAlong(body, carried, dt);
+  }
+
+  #carrierOf(body: Body): Carried | undefined {
+    const ride = this.#rides.get(body);
+    return ride?.sticks ? ride.on : undefined;
   }
 
   #goesAlong(body: Body, carried: Carried, dt: number): boolean {
     const { reader } = this.#simulation.engine;
     const { now, next } = carried;
-    reader.velocity(body.body, body.pointer, this.#velocity, 0);
+    const velocity = this.#velocityOf(body);
     reader.pose(body.body, body.pointer, this.#pose, 0);
-    const v: Vec3 = [this.#velocity[0]!, this.#velocity[1]!, this.#velocity[2]!];
     const end: Vec3 = [this.#pose[0]!, this.#pose[1]!, this.#pose[2]!];
     // Where it was when the step began, from what carries it.
-    const from = subtract(subtract(end, scale(v, dt)), now.p);
+    const from = subtract(subtract(end, scale(velocity, dt)), now.p);
     const turn = turnOf(now, next);
     const straight = add(subtract(next.p, now.p), cross(turn, from));
-    if (length(subtract(scale(v, dt), straight)) > ALONG * dt) return false;
-    this.#on.set(body, carried);
+    if (length(subtract(scale(velocity, dt), straight)) > ALONG * dt) return false;
+    this.#rides.set(body, { on: carried, sticks: true, velocity });
     const to = add(
       subtract(next.p, now.p),
       subtract(rotate(multiply(next.q, conjugate(now.q)), from), from),
@@ -95,3 +197,17 @@ export class Riders {
     return true;
   }
 }
+
+/** It neither comes nor goes. */
+const lies = ({ from, normal }: Grip, way: StepWay): boolean =>
+  Math.abs(dot(subtract(from, way.velocity(0)), normal)) < ALONG;
+
+/** No longer than so. */
+function within(v: Vec3, most: number): Vec3 {
+  const size = length(v);
+  return size > most ? scale(v, most / size) : v;
+}
+
+/** Its velocity as the step began: single precision alone took something from it. */
+const exactly = ({ from }: Grip, before: Ride | undefined): Vec3 =>
+  before?.velocity.every((v, i) => Math.fround(v) === from[i]) ? before.velocity : from;
