@@ -53,10 +53,6 @@ const stickAndSlip: Case = {
   size: BELT / rate,
   singlePrecision: roundingOf(0.25, 4),
   watch: offPathsOnFloor({ block }),
-  exception:
-    'the 10 µm by which contacts keep in touch are as much, in a step of 1/960 s, as the weight gives; what the belt bears varies from step to step, and with it what it rubs in the step in which the block comes loose.',
-  behind:
-    'a force of page code is known at the start of a step only, and acts all through it: at the same step Jolt is off by as much, and its step takes a ninth of the time.',
 };
 
 // ---- on a shaken plate -----------------------------------------------------------------------------------------------

@@ -157,6 +157,7 @@ export class ContactSolve extends Effect {
   override unmade(node: Cause): void {
     this.#joints.forget(node as Joint);
     this.#rolling.leave((node as Body).pointer);
+    this.#grips.forget(node as Body);
     this.#failed.clear();
     this.release(node);
   }

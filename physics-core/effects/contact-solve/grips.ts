@@ -1,20 +1,26 @@
 import { dot3 } from '../../base/flat-math.js';
-import { scale } from '../../base/math.js';
+import { dot, length, scale } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { bodyAAt, bodyBAt, solverDistanceAt } from '../../engine/manifold.js';
 import { isCarried, readLoad, readVelocity } from '../../engine/solver-body.js';
 import type { Vec3 } from '../../fields/types.js';
 import { carrying } from '../drag/effects.js';
+import type { StepWay } from '../drag/smooth-way.js';
 import type { Effects } from '../effect/effects.js';
 import { flight } from '../flight/flight.js';
 import { C, type ConeContacts } from './cone-contacts.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
+import { Pulls, steadily } from './pulls.js';
 import { SIZE } from './sparse-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s: boxes that slide do. */
 const TREMBLING = 0.0015;
+
+/** Contacts of what lies flat, at least, and how near they are, in depths that resting contacts keep. */
+const FLAT = 3;
+const NEAR = 3;
 
 /** Normals and speeds that differ by this share are the same. */
 const SAME = 1e-6;
@@ -28,6 +34,7 @@ export class Grips {
   readonly #effects: Effects;
   readonly #bodies: SolveBodies;
   readonly #contacts: ConeContacts;
+  readonly #pulls = new Pulls();
   readonly #from = new Float64Array(SIZE);
   readonly #load = new Float64Array(SIZE);
   readonly #carried = new Float64Array(SIZE);
@@ -44,36 +51,36 @@ export class Grips {
     this.#contacts = contacts;
   }
 
+  forget(body: Body): void {
+    this.#pulls.forget(body);
+  }
+
   /** A part was solved, and Bullet's points are what they were. */
   tell(part: Part): void {
     const carries = this.#effects.caused(carrying);
-    if (!carries || !this.#touches(part)) return;
-    const { ammo } = this.#simulation.engine;
+    if (!carries) return;
     const on = this.#onlyCarrier(part);
-    if (on === undefined) return;
+    const nearby = part.contacts.filter(this.#touches).length;
+    if (on === undefined || nearby === 0) return;
+    const { ammo } = this.#simulation.engine;
     const number = part.bodies[0]!;
     const pointer = this.#bodies.pointers[number]!;
     const body = this.#simulation.bodyAt(pointer)!;
+    const normal = this.#normalOf(part);
     readVelocity(ammo, pointer, this.#from, 0);
-    if (!this.#slides(body, number) || !this.#isPlain(part, on)) return;
-    readLoad(ammo, pointer, this.#load, 0);
-    carries.grips(body, {
-      on,
-      normal: this.#normalOf(part),
-      friction: this.#frictionOf(part),
-      pull: scale(vector(this.#load), 1 / this.#bodies.masses[number]!),
-      from: vector(this.#from),
-    });
+    if (!this.#slides(number, nearby < FLAT ? undefined : normal)) return;
+    if (!this.#isPushed(body) || !this.#isPlain(part, on)) return;
+    const pull = this.#pullOf(body, number);
+    const friction = this.#frictionOf(part);
+    carries.grips(body, { on, normal, friction, pull, from: vector(this.#from) });
   }
 
   /** Not only near. */
-  #touches({ contacts }: Part): boolean {
+  readonly #touches = (i: number): boolean => {
     const { bullet, engine } = this.#simulation;
-    const { pointers } = this.#contacts;
-    return contacts.some(
-      (i) => solverDistanceAt(engine.ammo, pointers[i]!) < bullet.settings.linearSlop,
-    );
-  }
+    const distance = solverDistanceAt(engine.ammo, this.#contacts.pointers[i]!);
+    return distance < NEAR * bullet.settings.linearSlop;
+  };
 
   /** What the one body of a part lies on, by pointer, where that is one that is carried. */
   #onlyCarrier({ bodies, manifolds, jointed }: Part): number | undefined {
@@ -84,16 +91,28 @@ export class Grips {
     return isCarried(ammo, on) ? on : undefined;
   }
 
-  /** Whether it turns neither before nor after the step, and nothing else is to happen to it. */
-  #slides(body: Body, number: number): boolean {
-    const { velocities } = this.#bodies;
-    const at = number * SIZE + 3;
-    return (
-      dot3(this.#from, 3, this.#from, 3) < TREMBLING ** 2 &&
-      dot3(velocities, at, velocities, at) < TREMBLING ** 2 &&
-      body.dampedShare.linear === 0 &&
-      (this.#effects.caused(flight)?.glides(body) ?? false)
-    );
+  /** Whether it turns neither before nor after the step; what lies flat does so about the normal alone. */
+  #slides(number: number, normal: Vec3 | undefined): boolean {
+    const after = vector(this.#bodies.velocities, number * SIZE + 3);
+    return [vector(this.#from, 3), after].every((spin) => {
+      const turn = normal ? Math.abs(dot(spin, normal)) : length(spin);
+      return turn < TREMBLING;
+    });
+  }
+
+  /** Whether nothing else is to happen to it. */
+  #isPushed(body: Body): boolean {
+    const flies = this.#effects.caused(flight);
+    return body.dampedShare.linear === 0 && flies !== undefined && flies.isPushed(body);
+  }
+
+  /** What its author and gravity do to it in the step; undefined: nobody knows. */
+  #pullOf(body: Body, number: number): StepWay | undefined {
+    const { time, timeStep, engine } = this.#simulation;
+    readLoad(engine.ammo, body.pointer, this.#load, 0);
+    const pull = scale(vector(this.#load), 1 / this.#bodies.masses[number]!);
+    if (this.#effects.caused(flight)!.glides(body)) return steadily(pull);
+    return this.#pulls.of(body, pull, time, timeStep);
   }
 
   /** Whether all contacts face one way and none throws back, over a surface that moves only with its body. */

@@ -71,6 +71,8 @@ export class Carried implements Way {
   /** When the step began, and whether it is under way in it. */
   #time = 0;
   #goes = false;
+  /** What is known of its way there. */
+  #inStep: { way: StepWay | undefined } | undefined;
 
   constructor(at: Pose) {
     this.now = this.next = this.#to = this.#from = at;
@@ -113,6 +115,7 @@ export class Carried implements Way {
     const left = this.#duration - (time - this.since);
     this.#time = time;
     this.#goes = left > dt / 2;
+    this.#inStep = undefined;
     if (this.jumped)
       return left > dt / 2
         ? mix(this.#to, this.#from, Math.min(1, dt / this.#duration))
@@ -135,6 +138,10 @@ export class Carried implements Way {
 
   /** Where it goes in the step; undefined: it turns, stands, or goes no smooth way. */
   get way(): StepWay | undefined {
+    return (this.#inStep ??= { way: this.#readWay() }).way;
+  }
+
+  #readWay(): StepWay | undefined {
     const v = this.velocity;
     if (!this.#goes || hypot(v[3]!, v[4]!, v[5]!) > TURNING) return undefined;
     return this.#way.from(this.#time, { time: this.since + this.#duration, p: this.#to.p });

@@ -49,6 +49,11 @@ export class Carrying extends Effect {
     this.#effects.find(jointSolve)?.stands(node as Body);
   }
 
+  override unmade(node: Cause): void {
+    this.#riders.forget(node as Body);
+    this.release(node);
+  }
+
   /** By what a body that touches nothing else is held and rubbed in this step. */
   grips(body: Body, grip: Grip): void {
     this.#riders.grip(body, grip);

@@ -14,7 +14,7 @@ import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
 import { turnOf, type Carried } from './carried.js';
-import { rub } from './rub.js';
+import { rub, type Rub } from './rub.js';
 import { flat, type StepWay } from './smooth-way.js';
 
 /** Numbers of a velocity: linear, then angular. */
@@ -32,8 +32,8 @@ export interface Grip {
   /** Into the body. */
   normal: Vec3;
   friction: number;
-  /** What all but contacts gives it, m/s². */
-  pull: Vec3;
+  /** Where all but contacts would take it, from rest; undefined: nobody knows. */
+  pull: StepWay | undefined;
   /** Its velocity as the step began, m/s. */
   from: Vec3;
 }
@@ -42,6 +42,8 @@ export interface Grip {
 interface Ride {
   on: Carried;
   sticks: boolean;
+  /** It slips with the velocities of the middles of steps, as what hangs on springs of page code does. */
+  leaps?: boolean;
   /** m/s, in double precision. */
   velocity: Vec3;
 }
@@ -66,6 +68,11 @@ export class Riders {
     this.#grips.clear();
     [this.#rides, this.#before] = [this.#before, this.#rides];
     this.#rides.clear();
+  }
+
+  forget(body: Body): void {
+    this.#rides.delete(body);
+    this.#before.delete(body);
   }
 
   note(a: number, b: number): void {
@@ -110,39 +117,66 @@ export class Riders {
     }
   }
 
-  /** It sticks and slips when it should within the step. */
   #rubBy(body: Body, on: Carried, grip: Grip, dt: number): void {
-    const { way, now, next } = on;
+    const { way } = on;
     if (!way || !lies(grip, way)) return;
-    const { normal } = grip;
+    const by = this.#rubOf(body, grip, way, dt);
+    if (by && !this.#before.get(body)?.leaps && isGentle(by, dt))
+      this.#slide(body, on, way, by, grip, dt);
+    else this.#leap(body, on, grip.normal, dt);
+  }
+
+  #rubOf(body: Body, grip: Grip, way: StepWay, dt: number): Rub | undefined {
+    const { normal, friction, pull } = grip;
+    if (!pull) return undefined;
+    const weight = this.#weightOf(body, grip, way, pull, dt);
+    return { normal, pull, grip: friction * Math.max(0, weight) };
+  }
+
+  /** It sticks and slips when it should within the step. */
+  #slide(body: Body, on: Carried, way: StepWay, by: Rub, grip: Grip, dt: number): void {
+    const { now, next, seconds } = on;
+    const { normal } = by;
     const before = this.#before.get(body);
     const rode = before?.on === on && before.sticks;
-    const most = grip.friction * Math.max(0, this.#weightOf(body, grip, way, dt));
     let from = exactly(grip, before);
     // What goes along has the velocity of the whole step, which is that of its middle.
     if (rode) {
       const ahead = flat(subtract(way.velocity(0), before.velocity), normal);
-      from = add(from, within(ahead, (most * on.seconds) / 2));
+      from = add(from, within(ahead, (by.grip * seconds) / 2));
     }
-    const rubs = { grip: most, pull: flat(grip.pull, normal) };
-    const { moved, speed, sticks } = rub(way.along(normal), flat(from, normal), rubs, dt);
+    const { moved, speed, sticks } = rub(way, from, by, dt);
     // Moves of several steps go straight, what slips does not.
     const start = rode ? subtract(way.place(0), now.p) : NONE;
     const end = sticks ? subtract(next.p, way.place(dt)) : NONE;
-    const to = add(moved, flat(add(start, end), normal));
-    const velocity = sticks ? flat(scale(subtract(next.p, now.p), 1 / dt), normal) : speed;
-    this.#rides.set(body, { on, sticks, velocity: this.#put(body, normal, to, velocity, dt) });
+    const to = flat(add(moved, add(start, end)), normal);
+    const along = flat(sticks ? scale(subtract(next.p, now.p), 1 / dt) : speed, normal);
+    this.#rides.set(body, { on, sticks, velocity: this.#put(body, normal, to, along, dt) });
   }
 
   /**
    * By what it is pressed on, m/s². What contacts push in a single step has in it what they need to stay in touch, which the
    * next one takes back: that counts only where it comes to lie.
    */
-  #weightOf(body: Body, { normal, pull, from }: Grip, way: StepWay, dt: number): number {
+  #weightOf(body: Body, { normal, from }: Grip, way: StepWay, pull: StepWay, dt: number): number {
     const sped = this.#before.has(body)
       ? subtract(way.velocity(dt), way.velocity(0))
       : subtract(this.#velocityOf(body), from);
-    return dot(subtract(scale(sped, 1 / dt), pull), normal);
+    const pulled = subtract(pull.velocity(dt), pull.velocity(0));
+    return dot(subtract(sped, pulled), normal) / dt;
+  }
+
+  /** From middle to middle of steps, until it rides again: what had the velocity of an end gains half as much first. */
+  #leap(body: Body, on: Carried, normal: Vec3, dt: number): void {
+    const before = this.#before.get(body);
+    let velocity = this.#velocityOf(body);
+    if (before && !before.sticks && !before.leaps) {
+      const mean = flat(scale(add(before.velocity, velocity), 1 / 2), normal);
+      velocity = this.#put(body, normal, scale(mean, dt), mean, dt);
+    }
+    const [x, y, z] = on.velocity;
+    if (length(subtract(velocity, [x!, y!, z!])) > ALONG)
+      this.#rides.set(body, { on, sticks: false, leaps: true, velocity });
   }
 
   /** Along a surface, so far and with such a speed instead of Bullet's. Returns its velocity. */
@@ -187,7 +221,7 @@ export class Riders {
     const turn = turnOf(now, next);
     const straight = add(subtract(next.p, now.p), cross(turn, from));
     if (length(subtract(scale(velocity, dt), straight)) > ALONG * dt) return false;
-    this.#rides.set(body, { on: carried, sticks: true, velocity });
+    this.#rides.set(body, { on: carried, sticks: true, velocity: scale(straight, 1 / dt) });
     const to = add(
       subtract(next.p, now.p),
       subtract(rotate(multiply(next.q, conjugate(now.q)), from), from),
@@ -201,6 +235,10 @@ export class Riders {
 /** It neither comes nor goes. */
 const lies = ({ from, normal }: Grip, way: StepWay): boolean =>
   Math.abs(dot(subtract(from, way.velocity(0)), normal)) < ALONG;
+
+/** What pulls it changes in a step by no more than friction gives. */
+const isGentle = ({ pull, grip }: Rub, dt: number): boolean =>
+  length(subtract(pull.acceleration(dt), pull.acceleration(0))) <= grip;
 
 /** No longer than so. */
 function within(v: Vec3, most: number): Vec3 {

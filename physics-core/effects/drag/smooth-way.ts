@@ -17,41 +17,36 @@ export interface PlaceInTime {
 
 /** A way in time, by rising powers of the seconds since a step began. */
 export class StepWay {
-  readonly #place: readonly Vec3[];
-  readonly #velocity: readonly Vec3[];
-  readonly #acceleration: readonly Vec3[];
+  readonly #powers: readonly Vec3[];
 
   constructor(powers: readonly Vec3[]) {
-    this.#place = powers;
-    this.#velocity = derived(powers);
-    this.#acceleration = derived(this.#velocity);
+    this.#powers = powers;
   }
 
   place(t: number): Vec3 {
-    return at(this.#place, t);
+    return this.#derivative(0, t);
   }
 
   velocity(t: number): Vec3 {
-    return at(this.#velocity, t);
+    return this.#derivative(1, t);
   }
 
   acceleration(t: number): Vec3 {
-    return at(this.#acceleration, t);
+    return this.#derivative(2, t);
   }
 
-  /** What of it goes along a surface. */
-  along(normal: Vec3): StepWay {
-    return new StepWay(this.#place.map((c) => flat(c, normal)));
+  #derivative(order: 0 | 1 | 2, t: number): Vec3 {
+    const sum: Vec3 = [0, 0, 0];
+    for (let k = this.#powers.length - 1; k >= order; k--) {
+      const factor = order === 0 ? 1 : order === 1 ? k : k * (k - 1);
+      for (let i = 0; i < 3; i++) sum[i] = sum[i]! * t + factor * this.#powers[k]![i]!;
+    }
+    return sum;
   }
 }
 
 /** What of a vector lies in a plane. */
 export const flat = (v: Vec3, normal: Vec3): Vec3 => subtract(v, scale(normal, dot(v, normal)));
-
-const at = (powers: readonly Vec3[], t: number): Vec3 =>
-  powers.reduceRight((sum, c) => add(scale(sum, t), c), [0, 0, 0]);
-
-const derived = (powers: readonly Vec3[]): Vec3[] => powers.map((c, k) => scale(c, k)).slice(1);
 
 /**
  * Where what its author moves is within a step. He tells where it is to be at the end of each move only, but at the
@@ -75,7 +70,7 @@ export class SmoothWay {
   /** In the step that begins at a time, with its move ending there; undefined: it goes no smooth way. */
   from(time: number, end: PlaceInTime): StepWay | undefined {
     const places = [end, ...this.#begun];
-    return places.length > 2 && isSmooth(places) ? through(places, time) : undefined;
+    return places.length > 2 && isSmooth(places) ? new StepWay(through(places, time)) : undefined;
   }
 }
 
@@ -94,8 +89,8 @@ function isSmooth(places: readonly PlaceInTime[]): boolean {
 const differences = (places: readonly PlaceInTime[]): Vec3[] =>
   places.slice(1).map(({ p }, i) => subtract(places[i]!.p, p));
 
-/** The polynomial through some places, by Newton's divided differences. */
-function through(places: readonly PlaceInTime[], from: number): StepWay {
+/** The polynomial through some places, by rising powers of the time since `from`, by Newton's divided differences. */
+export function through(places: readonly PlaceInTime[], from: number): Vec3[] {
   const times = places.map(({ time }) => time - from);
   let column = places.map(({ p }) => p);
   const newton = [column[0]!];
@@ -105,9 +100,7 @@ function through(places: readonly PlaceInTime[], from: number): StepWay {
       .map((next, i) => scale(subtract(next, column[i]!), 1 / (times[i + order]! - times[i]!)));
     newton.push(column[0]!);
   }
-  return new StepWay(
-    newton.reduceRight<Vec3[]>((powers, c, i) => timesLinear(powers, times[i]!, c), []),
-  );
+  return newton.reduceRight<Vec3[]>((powers, c, i) => timesLinear(powers, times[i]!, c), []);
 }
 
 /** A polynomial times (t - root), and a number more. */

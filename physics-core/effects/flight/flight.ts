@@ -94,14 +94,20 @@ export class Flight extends Effect {
 
   /** Whether nothing acts on it in this step but what is known and, evenly, what touches it. */
   glides(body: Body): boolean {
-    const flyer = this.#flyers[body.slot];
     return (
-      flyer?.body === body &&
-      !flyer.varies &&
+      this.isPushed(body) &&
+      !this.#flyers[body.slot]!.varies &&
+      !this.#effects.find(carrying)?.carries(body) &&
+      !this.#effects.find(forces)?.pending(body)
+    );
+  }
+
+  /** The same, with whatever page code does. */
+  isPushed(body: Body): boolean {
+    return (
+      this.#flyers[body.slot]?.body === body &&
       !this.#effects.caused(jointSolve)?.lastStep(body) &&
       !this.#effects.find(impactPropagation)?.struck(body) &&
-      !this.#effects.find(carrying)?.carries(body) &&
-      !this.#effects.find(forces)?.pending(body) &&
       !this.#effects.find(dragging)?.isNeededBy(body)
     );
   }

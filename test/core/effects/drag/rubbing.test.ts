@@ -143,6 +143,48 @@ describe('what lies on a plate that is moved', () => {
     close(stopped, 0.5 + 1 / (2 * GRIP), 2e-3, 'm');
   });
 
+  fact('sticks and slips on a belt by a spring of page code as by one that is known', async () => {
+    const [belt, stiffness, friction] = [0.5, 20, 0.3];
+    const rate = Math.sqrt(stiffness);
+    const slipsAt = (friction * 9.8) / stiffness;
+    const slips = slipsAt / belt;
+    const truth = (t: number): number =>
+      t < slips ? belt * t : slipsAt + (belt / rate) * Math.sin(rate * (t - slips));
+    for (const accuracy of LEVELS) {
+      const made = await plate(accuracy, { mass: 1, linearVelocity: [belt, 0, 0] }, friction);
+      const { w, stone } = made;
+      w.on('beforestep', () => stone.set('forces', [[-stiffness * position(stone)[0], 0, 0]]));
+      let off = 0;
+      move(
+        made,
+        (t) => [belt * t, -0.5, 0],
+        3,
+        (t) => {
+          off = Math.max(off, Math.abs(position(stone)[0] - truth(t)));
+        },
+      );
+      below(off, 2e-5, `m at ${accuracy}`);
+    }
+  });
+
+  fact('neither gains nor loses where such a spring is stiff for its steps', async () => {
+    const [belt, rate, friction] = [0.5, 30, 0.3];
+    const made = await plate('standard', { mass: 1, linearVelocity: [belt, 0, 0] }, friction);
+    const { w, stone } = made;
+    w.on('beforestep', () => stone.set('forces', [[-(rate ** 2) * position(stone)[0], 0, 0]]));
+    let widest = 0;
+    move(
+      made,
+      (t) => [belt * t, -0.5, 0],
+      3,
+      (t) => {
+        if (t < 2) return;
+        widest = Math.max(widest, Math.abs(position(stone)[0] - (friction * 9.8) / rate ** 2));
+      },
+    );
+    close(widest / (belt / rate), 1, 0.01, 'of the amplitude');
+  });
+
   fact('two restores of a shaken plate run alike, bit for bit', async () => {
     const made = await plate('standard', { linearVelocity: [0.2 * Math.PI, 0, 0] });
     const { w, stone } = made;
