@@ -1,5 +1,5 @@
 import { dot3 } from '../../base/flat-math.js';
-import { dot, length, scale } from '../../base/math.js';
+import { add, dot, length, normalize, scale } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { bodyAAt, bodyBAt, solverDistanceAt } from '../../engine/manifold.js';
@@ -69,9 +69,12 @@ export class Grips {
     const normal = this.#normalOf(part);
     readVelocity(ammo, pointer, this.#from, 0);
     if (!this.#slides(number, nearby < FLAT ? undefined : normal)) return;
+    readLoad(ammo, pointer, this.#load, 0);
+    if (dot3(this.#load, 3, this.#load, 3) > 0) return;
     if (!this.#isPushed(body) || !this.#isPlain(part, on)) return;
-    const pull = this.#pullOf(body, number);
     const friction = this.#frictionOf(part);
+    if (this.#mayTip(part, normal, friction)) return;
+    const pull = this.#pullOf(body, number);
     carries.grips(body, { on, normal, friction, pull, from: vector(this.#from) });
   }
 
@@ -108,8 +111,7 @@ export class Grips {
 
   /** What its author and gravity do to it in the step; undefined: nobody knows. */
   #pullOf(body: Body, number: number): StepWay | undefined {
-    const { time, timeStep, engine } = this.#simulation;
-    readLoad(engine.ammo, body.pointer, this.#load, 0);
+    const { time, timeStep } = this.#simulation;
     const pull = scale(vector(this.#load), 1 / this.#bodies.masses[number]!);
     if (this.#effects.caused(flight)!.glides(body)) return steadily(pull);
     return this.#pulls.of(body, pull, time, timeStep);
@@ -136,6 +138,28 @@ export class Grips {
   #normalOf({ contacts: [first] }: Part): Vec3 {
     const { values, a } = this.#contacts;
     return scale(vector(values, first! * C.size + C.normal), a[first!]! < 0 ? -1 : 1);
+  }
+
+  /** Whether all that friction can give would take the load beyond what it stands on: then it turns about an edge. */
+  #mayTip({ contacts }: Part, normal: Vec3, friction: number): boolean {
+    const { values: c, a } = this.#contacts;
+    const rubbed = contacts.reduce<Vec3>((sum, i) => add(sum, this.#rubAt(i)), [0, 0, 0]);
+    if (length(rubbed) === 0) return false;
+    const direction = normalize(rubbed);
+    const arms = contacts.map((i) => vector(c, i * C.size + (a[i]! < 0 ? C.armB : C.armA)));
+    const reaches = arms.map((arm) => dot(arm, direction));
+    const height = -dot(arms[0]!, normal);
+    return friction * height > Math.min(Math.max(...reaches), -Math.min(...reaches));
+  }
+
+  /** Its friction, N s. */
+  #rubAt(i: number): Vec3 {
+    const { values: c } = this.#contacts;
+    const at = i * C.size;
+    return add(
+      scale(vector(c, at + C.direction1), c[at + C.impulse + 1]!),
+      scale(vector(c, at + C.direction2), c[at + C.impulse + 2]!),
+    );
   }
 
   /** The mean of its contacts. */

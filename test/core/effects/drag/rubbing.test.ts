@@ -1,7 +1,17 @@
 import { describe } from 'node:test';
 import type { LevelName } from '../../../../physics-core/inside.js';
 import { shakenBlock } from '../../../../references/shaken-block.js';
-import { addBody, below, box, close, distance, fact, position, world } from '../../helpers.js';
+import {
+  above,
+  addBody,
+  below,
+  box,
+  close,
+  distance,
+  fact,
+  position,
+  world,
+} from '../../helpers.js';
 
 const LEVELS: readonly LevelName[] = ['game', 'standard', 'fine', 'precise', 'reference'];
 const FRICTION = 0.5;
@@ -183,6 +193,25 @@ describe('what lies on a plate that is moved', () => {
       },
     );
     close(widest / (belt / rate), 1, 0.01, 'of the amplitude');
+  });
+
+  fact('tips over on a plate that is pulled by more than its width to its height', async () => {
+    const over = async (share: number): Promise<number> => {
+      const made = await plate(
+        'reference',
+        { position: [0, 0.5, 0], geometry: [box(0.2, 1, 0.2)] },
+        0.8,
+      );
+      move(
+        made,
+        (t) => [(share * 9.8 * t ** 2) / 2, -0.5, 0],
+        1,
+        () => {},
+      );
+      return (made.stone.get('orientation') as number[])[3]!;
+    };
+    below(await over(0.19), 1e-3, 'rad');
+    above(await over(0.21), 0.15, 'rad');
   });
 
   fact('two restores of a shaken plate run alike, bit for bit', async () => {
