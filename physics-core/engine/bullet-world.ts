@@ -60,6 +60,7 @@ export class BulletWorld {
     // Every body carries its own collection's gravity.
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
     if (engine.heapTrusted) engine.solverHook.attach(ammo.getPointer(solver));
+    engine.stages?.attach(ammo.getPointer(this.bullet));
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
     this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
   }

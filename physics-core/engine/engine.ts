@@ -1,10 +1,11 @@
 import { fetchGlue, loadAmmo, type Ammo } from './ammo.js';
 import { HeapExhausted } from './exhausted.js';
-import { bodyOffsetsHold, manifoldOffsetsHold } from './heap-check.js';
+import { bodyOffsetsHold, manifoldOffsetsHold, stagesThatHold } from './heap-check.js';
 import { ApiReader, HeapReader, type BodyReader } from './heap.js';
 import type { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { SolverHook } from './solver-hook.js';
+import type { StepStages } from './step-stages.js';
 import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
 import type { Sweep } from './sweep.js';
 import { compileAmmo, type LoadOptions } from './wasm.js';
@@ -21,6 +22,8 @@ export class Engine {
   readonly reader: BodyReader;
   readonly velocities: VelocityWriter;
   readonly solverHook: SolverHook;
+  /** Undefined where they were not found: Bullet's step is then its own. */
+  readonly stages: StepStages | undefined;
   /** Made by those who ask first: `pairTestOf`, `sweepOf`. */
   pairTest: PairTest | undefined;
   sweep: Sweep | undefined;
@@ -33,6 +36,7 @@ export class Engine {
     this.scratch = new Scratch(ammo);
     this.solverHook = new SolverHook(ammo);
     this.heapTrusted = bodyOffsetsHold(ammo) && manifoldOffsetsHold(ammo, this.solverHook);
+    this.stages = this.heapTrusted ? stagesThatHold(ammo) : undefined;
     this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
     this.velocities = this.heapTrusted
       ? new HeapVelocityWriter(ammo)

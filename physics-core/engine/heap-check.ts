@@ -1,7 +1,8 @@
 import type { Ammo } from './ammo.js';
-import { HeapReader, ApiReader } from './heap.js';
+import { HeapReader, ApiReader, type BtBody } from './heap.js';
 import { Owner } from './owner.js';
 import type { SolverHook } from './solver-hook.js';
+import { StepStages } from './step-stages.js';
 import {
   BODY,
   DISPATCHER,
@@ -11,6 +12,7 @@ import {
   SHAPE_TYPE,
   SIX_DOF,
   SOLVER,
+  WORLD,
 } from './offsets.js';
 
 /** Bytes of a btMatrix3x3, which a btTransform's origin follows. */
@@ -140,35 +142,41 @@ export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
   );
 }
 
-/**
- * Of two cubes of 2 m, one of which has sunk 0.1 m into the other: where their contact points are, how they live, and
- * whether the hook is called when they are found and when they are solved.
- */
+/** A world of two cubes of 2 m, one of which has sunk 0.1 m into the other. */
+function sunkCubes(ammo: Ammo, owner: Owner) {
+  const vector = owner.own(new ammo.btVector3(1, 1, 1));
+  const shape = owner.own(new ammo.btBoxShape(vector));
+  const configuration = owner.own(new ammo.btDefaultCollisionConfiguration());
+  const dispatcher = owner.own(new ammo.btCollisionDispatcher(configuration));
+  const broadphase = owner.own(new ammo.btDbvtBroadphase());
+  const solver = owner.own(new ammo.btSequentialImpulseConstraintSolver());
+  const world = owner.own(
+    new ammo.btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
+  );
+  const transform = owner.own(new ammo.btTransform());
+  transform.setIdentity();
+  const bodies = [0, 1].map((mass) => {
+    const info = owner.own(
+      new ammo.btRigidBodyConstructionInfo(mass, null as never, shape, vector),
+    );
+    const body = owner.own(new ammo.btRigidBody(info));
+    vector.setValue(0, 1.9 * mass, 0);
+    transform.setOrigin(vector);
+    body.setCenterOfMassTransform(transform);
+    world.addRigidBody(body);
+    return body;
+  });
+  const end = (): void => {
+    for (const body of bodies) world.removeRigidBody(body);
+  };
+  return { dispatcher, solver, world, bodies, vector, end };
+}
+
+/** Where their contact points are, how they live, and whether the hook is called when they are found and when they are solved. */
 export function manifoldOffsetsHold(ammo: Ammo, hook: SolverHook): boolean {
   const owner = new Owner(ammo);
   try {
-    const vector = owner.own(new ammo.btVector3(1, 1, 1));
-    const shape = owner.own(new ammo.btBoxShape(vector));
-    const configuration = owner.own(new ammo.btDefaultCollisionConfiguration());
-    const dispatcher = owner.own(new ammo.btCollisionDispatcher(configuration));
-    const broadphase = owner.own(new ammo.btDbvtBroadphase());
-    const solver = owner.own(new ammo.btSequentialImpulseConstraintSolver());
-    const world = owner.own(
-      new ammo.btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
-    );
-    const transform = owner.own(new ammo.btTransform());
-    transform.setIdentity();
-    const bodies = [0, 1].map((mass) => {
-      const info = owner.own(
-        new ammo.btRigidBodyConstructionInfo(mass, null as never, shape, vector),
-      );
-      const body = owner.own(new ammo.btRigidBody(info));
-      vector.setValue(0, 1.9 * mass, 0);
-      transform.setOrigin(vector);
-      body.setCenterOfMassTransform(transform);
-      world.addRigidBody(body);
-      return body;
-    });
+    const { dispatcher, solver, world, end } = sunkCubes(ammo, owner);
     const called: string[] = [];
     hook.attach(ammo.getPointer(solver));
     hook.listen({
@@ -178,11 +186,46 @@ export function manifoldOffsetsHold(ammo: Ammo, hook: SolverHook): boolean {
     world.stepSimulation(1e-3, 0);
     hook.listen(null);
     const holds = called.join() === 'found 1,solved' && layoutHolds(ammo, dispatcher);
-    for (const body of bodies) world.removeRigidBody(body);
+    end();
     return holds;
   } finally {
     owner.dispose();
   }
+}
+
+/** Steps stage by stage, where that moves them as Bullet's own steps do. */
+export function stagesThatHold(ammo: Ammo): StepStages | undefined {
+  const owner = new Owner(ammo);
+  try {
+    const [theirs, ours] = [sunkCubes(ammo, owner), sunkCubes(ammo, owner)];
+    const stages = StepStages.of(ammo, ammo.getPointer(ours.world));
+    stages?.attach(ammo.getPointer(ours.world));
+    const states = [theirs, ours].map(({ world, bodies, vector, end }) => {
+      vector.setValue(3, -2, 1);
+      bodies[1]!.setAngularVelocity(vector);
+      for (let i = 0; i < 3; i++) world.stepSimulation(1 / 64, 0);
+      const state = stateOf(ammo, bodies[1]!);
+      end();
+      return state;
+    });
+    const holds =
+      ammo.getPointer(ours.world.getDispatchInfo()) ===
+        ammo.getPointer(ours.world) + WORLD.dispatchInfo &&
+      ammo.getPointer(ours.world.getSolverInfo()) ===
+        ammo.getPointer(ours.world) + WORLD.solverInfo &&
+      states[0]!.every((value, i) => value === states[1]![i]);
+    return holds ? stages : undefined;
+  } finally {
+    owner.dispose();
+  }
+}
+
+function stateOf(ammo: Ammo, body: BtBody): Float64Array {
+  const state = new Float64Array(13);
+  const reader = new HeapReader(ammo);
+  reader.pose(body, ammo.getPointer(body), state, 0);
+  reader.velocity(body, ammo.getPointer(body), state, 7);
+  return state;
 }
 
 function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prototype']): boolean {

@@ -47,7 +47,12 @@ export const SIX_DOF = {
   useOffsetForConstraintFrame: 1301,
 } as const;
 
+/** Bytes of btDiscreteDynamicsWorld: its btDispatcherInfo, whose time step comes first, and its btContactSolverInfo. */
+export const WORLD = { dispatchInfo: 28, solverInfo: 92 } as const;
+
+/** Bytes of btContactSolverInfo. */
 export const SOLVER = {
+  timeStep: 12,
   iterations: 20,
   errorReduction: 32,
   errorReduction2: 36,
@@ -57,8 +62,20 @@ export const SOLVER = {
   mode: 64,
 } as const;
 
-/** Of btSequentialImpulseConstraintSolver: entries before and after where its pointer leads, and two of them. */
-export const SOLVER_VTABLE = { before: 2, after: 14, prepareSolve: 2, allSolved: 4 } as const;
+/** Of btSequentialImpulseConstraintSolver: how many functions at least, and two of them. */
+export const SOLVER_VTABLE = { count: 14, prepareSolve: 2, allSolved: 4 } as const;
+
+/** Of btDiscreteDynamicsWorld: how many functions, and what a step consists of, in its order. */
+export const WORLD_VTABLE = {
+  count: 45,
+  internalSingleStepSimulation: 40,
+  predictUnconstraintMotion: 35,
+  performDiscreteCollisionDetection: 11,
+  calculateSimulationIslands: 37,
+  solveConstraints: 38,
+  integrateTransforms: 36,
+  updateActivationState: 39,
+} as const;
 
 /** btContactSolverInfo::m_solverMode bits. */
 export const SOLVER_MODE = {
