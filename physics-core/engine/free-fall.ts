@@ -2,6 +2,10 @@ import type { Ammo } from './ammo.js';
 import { VELOCITY, type MovingBodies } from './moving-bodies.js';
 import { BODY } from './offsets.js';
 
+/** Words of a btRigidBody: its place and its velocity. */
+const O = BODY.origin >> 2;
+const V = BODY.linearVelocity >> 2;
+
 /** Share of a velocity and of its change that single precision may take or add in a step. */
 const SAME = 1e-6;
 
@@ -64,7 +68,6 @@ export class FreeFall {
     const { motions, accelerations, aside } = this;
     const slots = Math.min(moving.slots, motions.length);
     const half = dt / 2;
-    const { origin, linearVelocity } = BODY;
     const { unknown, other } = MOTION;
     let asideCount = 0;
     for (let slot = 0; slot < slots; slot++) {
@@ -75,24 +78,26 @@ export class FreeFall {
         aside[asideCount++] = slot;
         continue;
       }
+      const body = pointer >> 2;
       const at = slot * VELOCITY;
-      const v = (pointer + linearVelocity) >> 2;
+      const vx = velocities[at]!;
+      const vy = velocities[at + 1]!;
+      const vz = velocities[at + 2]!;
       const x = accelerations[slot * 3]! * dt;
       const y = accelerations[slot * 3 + 1]! * dt;
       const z = accelerations[slot * 3 + 2]! * dt;
       if (
-        !same(HEAPF32[v]!, velocities[at]!, x) ||
-        !same(HEAPF32[v + 1]!, velocities[at + 1]!, y) ||
-        !same(HEAPF32[v + 2]!, velocities[at + 2]!, z)
+        !same(HEAPF32[body + V]!, vx, x) ||
+        !same(HEAPF32[body + V + 1]!, vy, y) ||
+        !same(HEAPF32[body + V + 2]!, vz, z)
       ) {
         aside[asideCount++] = slot;
         continue;
       }
-      const o = (pointer + origin) >> 2;
       // Mostly along one axis.
-      if (x !== 0) HEAPF32[o]! -= x * half;
-      if (y !== 0) HEAPF32[o + 1]! -= y * half;
-      if (z !== 0) HEAPF32[o + 2]! -= z * half;
+      if (x !== 0) HEAPF32[body + O]! -= x * half;
+      if (y !== 0) HEAPF32[body + O + 1]! -= y * half;
+      if (z !== 0) HEAPF32[body + O + 2]! -= z * half;
     }
     this.asideCount = asideCount;
     this.#leaveOutResting(HEAPF32, moving, dt);
@@ -107,7 +112,7 @@ export class FreeFall {
       let change = 0;
       let most = 0;
       for (let j = 0; j < 3; j++) {
-        const now = heap[((pointers[slot]! + BODY.linearVelocity) >> 2) + j]!;
+        const now = heap[(pointers[slot]! >> 2) + V + j]!;
         speed += now ** 2;
         change += (now - velocities[slot * VELOCITY + j]!) ** 2;
         most += (this.accelerations[slot * 3 + j]! * dt) ** 2;

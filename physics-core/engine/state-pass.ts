@@ -6,6 +6,13 @@ import { ACTIVATION, BODY } from './offsets.js';
 /** Numbers per pose: x y z, then the quaternion x y z w. */
 const POSE = 7;
 
+/** Words of a btRigidBody: its state, its place, the rows of its rotation, and its velocities. */
+const STATE = BODY.activationState >> 2;
+const O = BODY.origin >> 2;
+const B = BODY.basis >> 2;
+const V = BODY.linearVelocity >> 2;
+const W = BODY.angularVelocity >> 2;
+
 /** The mark of a slot whose body just moved. */
 export const MOVED = 2;
 
@@ -44,8 +51,9 @@ export class StatePass {
   }
 
   /**
-   * After a step of `dt` seconds. No call within the loop, and numbers are read where they are needed: the compiler then
-   * asks once where the heap is, and the processor looks several bodies ahead (measured: 13 ns a body, 33 otherwise).
+   * After a step of `dt` seconds. No call within the loop, indices are constants beside one another, and a body's numbers
+   * are read before any are written: the compiler then asks least often where the arrays are, and the processor looks
+   * several bodies ahead (measured: 14 ns a body, 33 otherwise).
    */
   all(ammo: Ammo, moving: MovingBodies, { current, marks }: Poses, dt: number): void {
     const { HEAP32, HEAPF32 } = ammo;
@@ -53,7 +61,6 @@ export class StatePass {
     this.#begin(slots);
     const { aside } = this;
     const turned = this.#turned;
-    const { origin, basis, linearVelocity, angularVelocity, activationState } = BODY;
     const { sleeping } = ACTIVATION;
     let count = 0;
     let asideCount = 0;
@@ -61,21 +68,21 @@ export class StatePass {
     for (let slot = 0; slot < slots; slot++) {
       const pointer = pointers[slot]!;
       if (pointer === 0) continue;
-      if (HEAP32[(pointer + activationState) >> 2] === sleeping) continue;
-      const o = (pointer + origin) >> 2;
-      const b = (pointer + basis) >> 2;
-      const v = (pointer + linearVelocity) >> 2;
-      const w = (pointer + angularVelocity) >> 2;
-      const vx = HEAPF32[v]!;
-      const vy = HEAPF32[v + 1]!;
-      const vz = HEAPF32[v + 2]!;
+      const body = pointer >> 2;
+      if (HEAP32[body + STATE] === sleeping) continue;
+      const vx = HEAPF32[body + V]!;
+      const vy = HEAPF32[body + V + 1]!;
+      const vz = HEAPF32[body + V + 2]!;
+      const wx = HEAPF32[body + W]!;
+      const wy = HEAPF32[body + W + 1]!;
+      const wz = HEAPF32[body + W + 2]!;
+      const x = HEAPF32[body + O]!;
+      const y = HEAPF32[body + O + 1]!;
+      const z = HEAPF32[body + O + 2]!;
       const way = (vx * vx + vy * vy + vz * vz) * dt * dt;
-      const trace = HEAPF32[b]! + HEAPF32[b + 5]! + HEAPF32[b + 10]!;
+      const trace = HEAPF32[body + B]! + HEAPF32[body + B + 5]! + HEAPF32[body + B + 10]!;
       // One NaN or infinity shows in the sum. Bullet makes a rotation of a quaternion: what is in one of it is in all.
-      const sum =
-        way +
-        (HEAPF32[o]! + HEAPF32[o + 1]! + HEAPF32[o + 2]!) +
-        (HEAPF32[w]! + HEAPF32[w + 1]! + HEAPF32[w + 2]! + trace);
+      const sum = way + (x + y + z) + (wx + wy + wz + trace);
       if (!(way <= limits[slot]!) || sum - sum !== 0) {
         aside[asideCount++] = slot;
         continue;
@@ -84,19 +91,19 @@ export class StatePass {
       velocities[to] = vx;
       velocities[to + 1] = vy;
       velocities[to + 2] = vz;
-      velocities[to + 3] = HEAPF32[w]!;
-      velocities[to + 4] = HEAPF32[w + 1]!;
-      velocities[to + 5] = HEAPF32[w + 2]!;
+      velocities[to + 3] = wx;
+      velocities[to + 4] = wy;
+      velocities[to + 5] = wz;
       const at = slot * POSE;
-      current[at] = HEAPF32[o]!;
-      current[at + 1] = HEAPF32[o + 1]!;
-      current[at + 2] = HEAPF32[o + 2]!;
+      current[at] = x;
+      current[at + 1] = y;
+      current[at + 2] = z;
       // As `writeQuaternion` begins.
       if (trace > 0) {
         const s = 0.5 / Math.sqrt(trace + 1);
-        current[at + 3] = (HEAPF32[b + 9]! - HEAPF32[b + 6]!) * s;
-        current[at + 4] = (HEAPF32[b + 2]! - HEAPF32[b + 8]!) * s;
-        current[at + 5] = (HEAPF32[b + 4]! - HEAPF32[b + 1]!) * s;
+        current[at + 3] = (HEAPF32[body + B + 9]! - HEAPF32[body + B + 6]!) * s;
+        current[at + 4] = (HEAPF32[body + B + 2]! - HEAPF32[body + B + 8]!) * s;
+        current[at + 5] = (HEAPF32[body + B + 4]! - HEAPF32[body + B + 1]!) * s;
         current[at + 6] = 0.25 / s;
       } else turned[turnedCount++] = slot;
       marks[slot] = MOVED;

@@ -108,17 +108,18 @@ export class Resting extends Effect {
     const { bodies } = this.#simulation;
     const { slots, pointers, asleep, velocities } = bodies.moving;
     const limits = this.#limits;
+    const quiet = this.#quiet;
     let ready = false;
     for (let slot = 0; slot < slots; slot++) {
-      const limit = limits[slot];
-      if (pointers[slot] === 0 || asleep[slot] === 1 || !(limit! >= 0)) continue;
+      const limit = limits[slot]!;
+      if (pointers[slot] === 0 || !(limit >= 0)) continue;
       const at = slot * VELOCITY;
       const x = velocities[at]!;
       const y = velocities[at + 1]!;
       const z = velocities[at + 2]!;
       // Most are: none of the rest is asked of them.
-      if (x * x + y * y + z * z >= limit!) this.#quiet[slot] = 0;
-      else ready = this.#watch(bodies.in(slot)!, dt) || ready;
+      if (x * x + y * y + z * z >= limit) quiet[slot] = 0;
+      else if (asleep[slot] === 0) ready = this.#watch(bodies.in(slot)!, dt) || ready;
     }
     this.sinceLook += dt;
     if (!ready || this.sinceLook < LOOK) return;
