@@ -1,5 +1,6 @@
-// npm run bench: what our step and our frame cost above Bullet's own step, and whether a body costs the same in a large
-// scene, in one process and interleaved.
+// npm run bench: what our step and our frame cost beside Bullet's own step, and whether a body costs the same in a large
+// scene, in one process and interleaved. Bullet's own step is of a world that we set up, without motion states, through
+// none of our code; `raw Ammo` is a program that makes the same bodies as ammo.js's examples do, with motion states.
 //   --pairs <n>     pairs of runs to take the median of (15)
 //   --seconds <s>   simulated seconds per run (2)
 //   --scene <name>  only scenes whose name has this in it
@@ -9,13 +10,15 @@ import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { columnsOf } from './draw/table.js';
 import { measureEffects, showEffects } from './effects/run.js';
-import { leaveJointsToBullet } from './engines/ours.js';
+import { ammo } from './engines/ammo.js';
+import { bulletAlone, leaveJointsToBullet } from './engines/ours.js';
 import { medianInterval } from './run/bootstrap.js';
 import { collect } from './run/collect.js';
 import { interleaved } from './run/interleaved.js';
 import { machine } from './run/machine.js';
 import { median } from './run/median.js';
 import { falling, scenes, started, type Scene } from './scenes.js';
+import type { World } from '../physics-core/inside.js';
 
 const { values: options } = parseArgs({
   options: {
@@ -50,19 +53,38 @@ interface Result {
   /** Milliseconds per step: medians. */
   ours: number;
   bullet: number;
-  /** Our step to Bullet's. */
+  raw: number | undefined;
+  /** Our step to Bullet's, and to one of raw Ammo. */
   step: Ratio;
-  /** All that is ours in a frame, what is drawn between two steps included, to the Bullet steps of that frame. */
+  rawStep: Ratio | undefined;
+  /** What a frame takes more than the Bullet steps of that frame, what is drawn between two steps included, to these. */
   frame: Ratio;
+  /** And all of it that is our code: we leave out a stage of Bullet's step. */
+  code: Ratio;
 }
 
-/** The same scene built three times by us; one is stepped by Bullet alone, through none of our code. */
+/** Its bodies made by hand in Ammo, stepped as ours. */
+async function rawAmmo({ told, warmUp }: Scene, { timeStep, bullet }: World) {
+  if (!told) return undefined;
+  const { iterations } = bullet.settings;
+  const made = await ammo.make(told, { step: timeStep, iterations });
+  for (let i = 0; i < warmUp / timeStep; i++) made.step();
+  return made;
+}
+
+/** A world that goes on by Bullet's own rows of joints. */
+async function left(scene: Scene): Promise<World> {
+  const world = await started(scene);
+  leaveJointsToBullet(world);
+  world.step();
+  return world;
+}
+
+/** The same scene built four times by us, two of them stepped by none of our code, and once by hand. */
 async function pair(scene: Scene, first: number) {
-  const [ours, drawn, raw] = [await started(scene), await started(scene), await started(scene)];
-  const { bullet } = raw.bullet;
-  // Its own rows of joints hold from here on.
-  leaveJointsToBullet(raw);
-  raw.step();
+  const [ours, drawn] = [await started(scene), await started(scene)];
+  const [alone, short] = [await left(scene), await left(scene)];
+  const raw = await rawAmmo(scene, ours);
   const { timeStep } = ours;
   // One call is one step's share, so that all worlds have simulated as much.
   const perFrame = Math.round(FRAME / timeStep);
@@ -72,16 +94,22 @@ async function pair(scene: Scene, first: number) {
     frame: () => {
       if (calls++ % perFrame === 0) drawn.frame(FRAME);
     },
-    bullet: () => bullet.stepSimulation(timeStep, 0),
+    bullet: bulletAlone(alone),
+    short: () => short.bullet.step(timeStep),
+    raw: () => raw?.step(),
   };
   collect();
   const times = interleaved(sides, SECONDS / timeStep, first);
   const { bodies, joints, contacts } = ours.stats;
-  for (const world of [ours, drawn, raw]) world.destroy();
+  for (const world of [ours, drawn, alone, short]) world.destroy();
+  raw?.destroy();
   return {
     ...times,
+    raw: raw && times.raw,
     step: times.ours / times.bullet,
+    rawStep: raw && times.ours / times.raw,
     share: times.frame / times.bullet - 1,
+    code: (times.frame - times.short) / times.bullet,
     bodies,
     joints,
     contacts,
@@ -102,6 +130,8 @@ async function pairs<T>(name: string, one: (first: number) => Promise<T>): Promi
 async function measured(scene: Scene): Promise<Result> {
   const all = await pairs(scene.name, (first) => pair(scene, first));
   const { bodies, joints, contacts } = all[0]!;
+  const raw = all.flatMap((one) => one.raw ?? []);
+  const rawStep = all.flatMap((one) => one.rawStep ?? []);
   return {
     scene: scene.name,
     bodies,
@@ -109,8 +139,11 @@ async function measured(scene: Scene): Promise<Result> {
     contacts,
     ours: median(all.map(({ ours }) => ours)),
     bullet: median(all.map(({ bullet }) => bullet)),
+    raw: raw.length > 0 ? median(raw) : undefined,
     step: ratioOf(all.map(({ step }) => step)),
+    rawStep: rawStep.length > 0 ? ratioOf(rawStep) : undefined,
     frame: ratioOf(all.map(({ share }) => share)),
+    code: ratioOf(all.map(({ code }) => code)),
   };
 }
 
@@ -124,13 +157,11 @@ async function perBody() {
       SIZES.flatMap((n) => [started(falling(n)), started(falling(n))]),
     );
     const [small, rawSmall, large, rawLarge] = worlds;
-    const alone = (world: typeof small) => () =>
-      world!.bullet.bullet.stepSimulation(world!.timeStep, 0);
     const sides = {
       small: () => small!.step(),
       large: () => large!.step(),
-      rawSmall: alone(rawSmall),
-      rawLarge: alone(rawLarge),
+      rawSmall: bulletAlone(rawSmall!),
+      rawLarge: bulletAlone(rawLarge!),
     };
     collect();
     const times = interleaved(sides, 40, first);
@@ -152,18 +183,29 @@ const results: Result[] = [];
 for (const scene of chosen) results.push(await measured(scene));
 const bodies = options.scene ? undefined : await perBody();
 
-const COLUMNS = ['scene', 'bodies', 'joints', 'contacts', 'ours', 'bullet'] as const;
-const cell = (value: string | number) =>
-  typeof value === 'number' && !Number.isInteger(value) ? value.toFixed(3) : String(value);
-const shown = ({ median: middle, interval: [low, high] }: Ratio): string =>
-  `${cell(middle)} (${cell(low)} – ${cell(high)})`;
+const COLUMNS = ['scene', 'bodies', 'joints', 'contacts', 'ours', 'bullet', 'raw'] as const;
+const cell = (value: string | number | undefined) =>
+  typeof value === 'number' && !Number.isInteger(value) ? value.toFixed(3) : String(value ?? '–');
+const shown = (ratio: Ratio | undefined): string => {
+  if (!ratio) return '–';
+  const [low, high] = ratio.interval;
+  return `${cell(ratio.median)} (${cell(low)} – ${cell(high)})`;
+};
 console.log(`milliseconds per step, and ratios: medians of ${PAIRS} interleaved pairs (95 %)`);
 const rows = [
-  [...COLUMNS, 'step to Bullet’s', 'ours in a frame to Bullet’s'],
+  [
+    ...COLUMNS,
+    'step to Bullet’s',
+    'to raw Ammo’s',
+    'more in a frame to Bullet’s',
+    'our code in it to Bullet’s',
+  ],
   ...results.map((result) => [
     ...COLUMNS.map((column) => cell(result[column])),
     shown(result.step),
+    shown(result.rawStep),
     shown(result.frame),
+    shown(result.code),
   ]),
 ];
 console.log(columnsOf(rows, 1));

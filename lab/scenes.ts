@@ -1,3 +1,4 @@
+import type { CaseBody, CaseScene } from './case.js';
 import { addWalls } from './walls.js';
 import { loadEngine, World, type PhysicsNode } from '../physics-core/inside.js';
 
@@ -9,6 +10,8 @@ export interface Scene {
   /** Seconds simulated before anything is measured. */
   warmUp: number;
   build(world: World): void;
+  /** The same in words that every engine can be told. */
+  told?: CaseScene;
 }
 
 /** The scene in a world that never rests, ready to be measured. */
@@ -119,21 +122,24 @@ const hinges =
   };
 
 /** Boxes in the air that touch nothing, in a world whose bodies may rest as by default. */
-export const falling = (count: number): Scene => ({
-  name: `${count} falling boxes`,
-  fields: { rest: 'auto' },
-  warmUp: 0.1,
-  build(world) {
-    const side = Math.ceil(Math.cbrt(count));
-    for (let i = 0; i < count; i++)
-      world.add('RigidBody', {
-        position: [i % side, Math.floor(i / side) % side, Math.floor(i / side ** 2)].map(
-          (k) => 3 * k,
-        ),
-        geometry: [box(1, 1, 1)],
-      });
-  },
-});
+export function falling(count: number): Scene {
+  const side = Math.ceil(Math.cbrt(count));
+  const bodies = Array.from({ length: count }, (_, i): CaseBody => ({
+    name: String(i),
+    position: [3 * (i % side), 3 * (Math.floor(i / side) % side), 3 * Math.floor(i / side ** 2)],
+    shape: { type: 'Box', size: [1, 1, 1] },
+  }));
+  return {
+    name: `${count} falling boxes`,
+    fields: { rest: 'auto' },
+    warmUp: 0.1,
+    build(world) {
+      for (const { position, shape } of bodies)
+        world.add('RigidBody', { position, geometry: [shape] });
+    },
+    told: { gravity: [0, -9.8, 0], bodies, contact: { bounce: 0, friction: 0.5 } },
+  };
+}
 
 export const scenes: readonly Scene[] = [
   falling(1000),

@@ -1,5 +1,5 @@
 import type { World } from '../../physics-core/inside.js';
-import { leaveJointsToBullet } from '../engines/ours.js';
+import { bulletAlone, leaveJointsToBullet } from '../engines/ours.js';
 import { median } from '../run/median.js';
 import { started, type Scene } from '../scenes.js';
 import { scenes } from './scenes.js';
@@ -50,11 +50,11 @@ async function worldsOf(scene: Scene): Promise<[World, World, World]> {
 export async function costOf(scene: Scene): Promise<ContactCost> {
   const worlds = await worldsOf(scene);
   const [ours, iterated, raw] = worlds;
-  const { bullet } = raw.bullet;
+  const bullet = bulletAlone(raw);
   const turns = Array.from({ length: TURNS }, () => {
     const solve = timeOf(() => ours.step());
     const without = timeOf(() => iterated.step());
-    const alone = timeOf(() => bullet.stepSimulation(raw.timeStep, 0));
+    const alone = timeOf(bullet);
     return { solve, without, alone };
   });
   const { bodies, contacts } = ours.stats;

@@ -94,6 +94,12 @@ export const leaveJointsToBullet = (world: World): void => {
   world.registry.get(jointSolve).on = false;
 };
 
+/** One step after the other of Bullet alone: its own, with all that it does by itself, through none of our code. */
+export function bulletAlone({ engine, bullet: { bullet }, timeStep }: World): () => void {
+  engine.stages?.detach(engine.ammo.getPointer(bullet));
+  return () => bullet.stepSimulation(timeStep, 0);
+}
+
 async function make(scene: CaseScene, setting: Setting, solve: boolean): Promise<Running> {
   const world = new World({ level: levelOf(setting) });
   if (!solve) leaveJointsToBullet(world);

@@ -1,6 +1,6 @@
 import { jointSolve } from '../../physics-core/inside.js';
 import { loadEngine, World, type LevelName, type PhysicsNode } from '../../physics-core/inside.js';
-import { leaveJointsToBullet } from '../engines/ours.js';
+import { bulletAlone, leaveJointsToBullet } from '../engines/ours.js';
 import { median } from '../run/median.js';
 
 /** Steps that one world takes before the next has its turn, and turns of each. */
@@ -75,11 +75,10 @@ async function made(
   return world;
 }
 
-/** Microseconds of one step of Bullet alone. */
-function bulletStep(world: World): number {
-  const { bullet } = world.bullet;
+/** Microseconds of one step. */
+function timeOf(step: () => void): number {
   const start = performance.now();
-  for (let i = 0; i < TURN; i++) bullet.stepSimulation(world.timeStep, 0);
+  for (let i = 0; i < TURN; i++) step();
   return ((performance.now() - start) * 1000) / TURN;
 }
 
@@ -106,9 +105,10 @@ export async function costOf(shape: string, joints: number, level: LevelName): P
     await made(shape, joints, level, true, false),
     await made(shape, joints, level, false, false),
   ];
+  const [rows, nothing] = [bulletAlone(raw), bulletAlone(loose)];
   const turns = Array.from({ length: TURNS }, () => {
     const { whole, solve } = ourStep(ours);
-    const [alone, without] = [bulletStep(raw), bulletStep(loose)];
+    const [alone, without] = [timeOf(rows), timeOf(nothing)];
     return { solve, alone, without, ratio: solve / (alone - without), total: whole / alone };
   });
   for (const world of [ours, raw, loose]) world.destroy();

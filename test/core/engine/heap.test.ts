@@ -77,6 +77,7 @@ fact('reading from the heap and through the API gives the same numbers', async (
 fact('with another memory layout all goes through the API, and nothing is written', async () => {
   const { engine, heap } = await foreignEngine();
   assert.equal(engine.heapTrusted, false);
+  assert.equal(engine.stages, undefined);
   assert.ok(engine.reader instanceof ApiReader);
   const far = new World();
   far.add('RigidBodyCollection', { rest: 'never' });
