@@ -112,18 +112,28 @@ export class BulletWorld {
     }
   }
 
-  /** The same of pairs that Bullet's solver looks at, by pointers alone; only where the heap is trusted. */
-  eachAwakeManifold(visit: (manifold: number, a: number, b: number) => void): void {
+  /** The same by pointers alone; only where the heap is trusted. */
+  eachManifoldInHeap(visit: (manifold: number, a: number, b: number) => void): void {
     const { ammo } = this.engine;
     const dispatcher = ammo.getPointer(this.#dispatcher);
     const count = ammo.HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
     for (let i = 0; i < count; i++) {
       const { HEAP32 } = ammo;
       const manifold = HEAP32[(HEAP32[(dispatcher + DISPATCHER.manifolds) >> 2]! >> 2) + i]!;
-      const a = HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!;
-      const b = HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!;
-      if (isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
+      visit(
+        manifold,
+        HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!,
+        HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!,
+      );
     }
+  }
+
+  /** And of those that Bullet's solver looks at. */
+  eachAwakeManifold(visit: (manifold: number, a: number, b: number) => void): void {
+    const { ammo } = this.engine;
+    this.eachManifoldInHeap((manifold, a, b) => {
+      if (isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
+    });
   }
 
   /** Whether any two bodies touch, asleep or not; only where the heap is trusted. */

@@ -91,10 +91,12 @@ export class HardContacts implements Reports {
     this.#sunk.begin();
     this.#sinking = false;
     eachContactPoint(this.#simulation, (pointer, a, b) => {
+      // As in `#weighAll`: most points lie between two that move, and hang on nothing.
+      const alike = a.isDynamic === b.isDynamic;
+      if (alike && a.joints.size === b.joints.size) return;
       point.at(pointer, a.pointer, b.pointer);
-      if (a.movable !== b.movable) this.#lookAt(point, a, b, a.movable ? a : b);
-      else if (a.joints.size !== b.joints.size)
-        this.#lookAt(point, a, b, a.leastExtent < b.leastExtent ? a : b);
+      const moves = alike ? a.leastExtent < b.leastExtent : a.isDynamic;
+      this.#lookAt(point, a, b, moves ? a : b);
     });
   }
 
@@ -109,7 +111,7 @@ export class HardContacts implements Reports {
     if (!(height < 0)) return;
     // Under a strong gravity the next look may be too late.
     if (this.#sunk.note(keyOf(a, b)) < (this.#strong ? 1 : LOOKS)) return;
-    if (a.movable && (!b.movable || a.mass.mass > b.mass.mass)) this.#tellSunk(a, b);
+    if (a.isDynamic && (!b.isDynamic || a.mass.mass > b.mass.mass)) this.#tellSunk(a, b);
     else this.#tellSunk(b, a);
   }
 

@@ -281,8 +281,8 @@ export const sensorRows: Row[] = [
       const body = addBody(w, { position: [0, 0.5, 0] });
       let reads = 0;
       const { bullet } = w;
-      const each = bullet.eachManifold.bind(bullet);
-      bullet.eachManifold = (visit) => {
+      const each = bullet.eachManifoldInHeap.bind(bullet);
+      bullet.eachManifoldInHeap = (visit) => {
         reads++;
         each(visit);
       };
