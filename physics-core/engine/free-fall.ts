@@ -27,7 +27,7 @@ export const MOTION = { unknown: 0, falls: 1, other: 2 } as const;
 
 /**
  * Most bodies only fall: Bullet has taken them ½ a dt² too far in its step, and they are put back in one pass over the
- * heap. Who rests, or was hit, stays as it is. All others are left aside.
+ * heap. Who rests, or was hit, stays as it is; who slides or rolls is led on as evenly. All others are left aside.
  */
 export class FreeFall {
   /** `MOTION`, and m/s², by slot. */
@@ -62,8 +62,11 @@ export class FreeFall {
         this.aside[this.asideCount++] = slot;
   }
 
-  /** After a step of `dt` seconds. No call within the loop, as in `StatePass`. */
-  all({ HEAPF32 }: Ammo, moving: MovingBodies, dt: number): void {
+  /**
+   * After a step of `dt` seconds. No call within the loop, as in `StatePass`. `alone`: nothing acts on any body but what
+   * all have.
+   */
+  all({ HEAPF32 }: Ammo, moving: MovingBodies, dt: number, alone: boolean): void {
     const { pointers, asleep, velocities } = moving;
     const { motions, accelerations, aside } = this;
     const slots = Math.min(moving.slots, motions.length);
@@ -100,25 +103,35 @@ export class FreeFall {
       if (z !== 0) HEAPF32[body + O + 2]! -= z * half;
     }
     this.asideCount = asideCount;
-    this.#leaveOutResting(HEAPF32, moving, dt);
+    this.#leadOn(HEAPF32, moving, dt, alone);
   }
 
-  /** Nothing is to be done for who rests, or gained more speed than by what acts on it. */
-  #leaveOutResting(heap: Float32Array, { pointers, velocities }: MovingBodies, dt: number): void {
+  /**
+   * Nothing is to be done for who rests, or gained more speed than by what acts on it. Who was pushed evenly goes on with
+   * the mean of the speeds at both ends of the step: here where all are `alone`, elsewhere as whoever looks at it says.
+   */
+  #leadOn(heap: Float32Array, { pointers, velocities }: MovingBodies, dt: number, alone: boolean) {
+    const { motions, accelerations, aside } = this;
     let kept = 0;
     for (let i = 0; i < this.asideCount; i++) {
-      const slot = this.aside[i]!;
+      const slot = aside[i]!;
+      const body = pointers[slot]! >> 2;
+      const at = slot * VELOCITY;
       let speed = 0;
       let change = 0;
       let most = 0;
       for (let j = 0; j < 3; j++) {
-        const now = heap[(pointers[slot]! >> 2) + V + j]!;
+        const now = heap[body + V + j]!;
         speed += now ** 2;
-        change += (now - velocities[slot * VELOCITY + j]!) ** 2;
-        most += (this.accelerations[slot * 3 + j]! * dt) ** 2;
+        change += (now - velocities[at + j]!) ** 2;
+        most += (accelerations[slot * 3 + j]! * dt) ** 2;
       }
-      const idle = speed < RESTING ** 2 || change > most * EVEN;
-      if (!idle || this.motions[slot] === MOTION.other) this.aside[kept++] = slot;
+      const falls = motions[slot] === MOTION.falls;
+      if (falls && (speed < RESTING ** 2 || change > most * EVEN)) continue;
+      if (falls && alone && change <= most * EVEN)
+        for (let j = 0; j < 3; j++)
+          heap[body + O + j]! += (-dt / 2) * (heap[body + V + j]! - velocities[at + j]!);
+      else aside[kept++] = slot;
     }
     this.asideCount = kept;
   }

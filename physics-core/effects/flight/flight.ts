@@ -112,6 +112,18 @@ export class Flight extends Effect {
     );
   }
 
+  /** Whether all do that only fall: nobody is here that acts on single ones. */
+  #allGlide(): boolean {
+    const effects = this.#effects;
+    return (
+      !effects.caused(jointSolve) &&
+      !effects.find(impactPropagation) &&
+      !effects.find(carrying) &&
+      !effects.find(forces) &&
+      !effects.find(dragging)
+    );
+  }
+
   /** It turns about a corner in this step: that goes on evenly, too, however slow it is. */
   turnsOn(body: Body, turning: Turning): void {
     this.#turning.set(body, turning);
@@ -123,7 +135,7 @@ export class Flight extends Effect {
     const fall = this.#fall;
     joints?.eachMoved(this.#standAside);
     for (const body of this.#turning.keys()) this.#standAside(body);
-    if (engine.heapTrusted) fall.all(engine.ammo, bodies.moving, dt);
+    if (engine.heapTrusted) fall.all(engine.ammo, bodies.moving, dt, this.#allGlide());
     else fall.none(bodies.moving);
     for (let i = 0; i < fall.asideCount; i++) {
       const flyer = this.#flyers[fall.aside[i]!]!;

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import type { World } from '../../../physics-core/inside.js';
+import { dragging } from '../../../physics-core/effects/drag/dragging.js';
 import { addBody, addFloor, box, claim, fact, world } from '../helpers.js';
 
 /** How often a step asks a body by itself. */
@@ -40,6 +41,23 @@ fact('nor does a step of boxes that lie on the ground', async () => {
   addBoxes(w, 20, 0.5);
   w.advance(2);
   assert.equal(asked(w), 0);
+});
+
+fact('boxes that slide are asked nothing, and go the same way where each is asked', async () => {
+  const worlds = [await world(), await world()];
+  const [all, each] = worlds.map((w) => {
+    addFloor(w);
+    addBoxes(w, 20, 0.5);
+    w.flush();
+    for (const body of w.bodies) if (body.movable) body.set('linearVelocity', [0, 0, 2]);
+    // Whether it pulls one is to be asked from then on.
+    if (w === worlds[1]) w.registry.get(dragging);
+    w.step(20);
+    return { asked: asked(w, 20), state: w.snapshot() };
+  });
+  assert.equal(all!.asked, 0);
+  assert.ok(each!.asked > 0);
+  assert.deepEqual(all!.state, each!.state);
 });
 
 fact('who turns far, has its centre elsewhere or flies far goes the same way alone', async () => {
