@@ -5,6 +5,7 @@ import { ammoModule } from './tools/engine/ammo-module.js';
 import { chunkBytes } from './tools/chunk-bytes.js';
 import { cssText } from './tools/css-text.js';
 import { banner, thirdParties } from './tools/licenses.js';
+import { plainPairs } from './tools/plain-pairs.js';
 import {
   copyWasm,
   minify,
@@ -19,6 +20,7 @@ const common = {
   plugins: [
     typescript(),
     withoutDocs(),
+    plainPairs(),
     cssText(),
     wasmAsText(),
     nodeResolve({ preferBuiltins: false }),

@@ -4,6 +4,7 @@ import { gzipSync } from 'node:zlib';
 import { transform } from 'esbuild';
 import { minify as terser } from 'terser';
 import { usedWasm } from './engine/used-wasm.js';
+import { walk } from './plain-pairs.js';
 
 const TARGET = 'es2022';
 
@@ -77,13 +78,6 @@ const isPlain = (value) =>
   value.type === 'TemplateLiteral' ||
   value.type === 'ObjectExpression' ||
   typeof value.value === 'string';
-
-function walk(node, visit) {
-  if (typeof node?.type === 'string') visit(node);
-  for (const child of Object.values(node)) {
-    if (child && typeof child === 'object') walk(child, visit);
-  }
-}
 
 const ofOthers = (id) => !id.endsWith('.ts');
 
