@@ -1,3 +1,4 @@
+import { PointerNumbers } from '../base/pointer-numbers.js';
 import type { Ammo } from './ammo.js';
 import { MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
 
@@ -14,30 +15,28 @@ const SAME_SIDE = 0.7;
  */
 export class OldPoints {
   readonly #ammo: Ammo;
-  /** Where the points of a manifold begin, by its pointer. */
-  readonly #at = new Map<number, number>();
+  /** The block of points of each manifold. */
+  readonly #blocks = new PointerNumbers();
   #words = new Int32Array(16 * BLOCK);
   #floats = new Float32Array(this.#words.buffer);
   /** Of each block: how many points, and of whom. */
   #counts: number[] = [];
   #a: number[] = [];
   #b: number[] = [];
-  /** Points of the block that is looked at which were taken over. */
-  readonly #taken = [false, false, false, false];
+  /** The block that is looked at, and which of its points were taken over, bit by bit. */
   #block = -1;
-  #blocks = 0;
+  #taken = 0;
 
   constructor(ammo: Ammo) {
     this.#ammo = ammo;
   }
 
   clear(): void {
-    this.#at.clear();
-    this.#blocks = 0;
+    this.#blocks.clear();
   }
 
   keep(manifold: number, a: number, b: number): void {
-    const block = this.#blocks++;
+    const block = this.#blocks.numberOf(manifold);
     if ((block + 1) * BLOCK > this.#words.length) this.#grow();
     const { HEAP32 } = this.#ammo;
     const count = HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
@@ -47,7 +46,6 @@ export class OldPoints {
     this.#counts[block] = count;
     this.#a[block] = a;
     this.#b[block] = b;
-    this.#at.set(manifold, block);
   }
 
   #grow(): void {
@@ -59,11 +57,11 @@ export class OldPoints {
 
   /** Those of this manifold are asked for from now on; where it was not kept (false), they are what stands in it. */
   look(manifold: number, a: number, b: number): boolean {
-    const block = this.#at.get(manifold);
-    const kept = block !== undefined && this.#a[block] === a && this.#b[block] === b;
+    const block = this.#blocks.find(manifold);
+    const kept = block >= 0 && this.#a[block] === a && this.#b[block] === b;
     if (!kept) this.keep(manifold, a, b);
-    this.#block = this.#at.get(manifold)!;
-    this.#taken.fill(false);
+    this.#block = this.#blocks.find(manifold);
+    this.#taken = 0;
     return kept && this.#counts[this.#block]! > 0;
   }
 
@@ -80,7 +78,7 @@ export class OldPoints {
       for (let i = 0; i < WORDS; i++) HEAP32[to + i] = 0;
       return false;
     }
-    this.#taken[found] = true;
+    this.#taken |= 1 << found;
     const from = this.#block * BLOCK + found * WORDS;
     for (let i = 0; i < WORDS; i++) HEAP32[to + i] = this.#words[from + i]!;
     return true;
@@ -91,7 +89,7 @@ export class OldPoints {
     let least = Infinity;
     let found = -1;
     for (let i = 0; i < this.#counts[this.#block]!; i++) {
-      if (this.#taken[i]) continue;
+      if (this.#taken & (1 << i)) continue;
       const at = this.#block * BLOCK + i * WORDS;
       const n = at + POINT.normalB / 4;
       if (f[n]! * nx + f[n + 1]! * ny + f[n + 2]! * nz < SAME_SIDE) continue;

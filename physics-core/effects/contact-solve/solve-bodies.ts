@@ -1,5 +1,6 @@
 import { dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
+import { PointerNumbers } from '../../base/pointer-numbers.js';
 import type { Ammo } from '../../engine/ammo.js';
 import {
   displace,
@@ -26,7 +27,7 @@ export class SolveBodies {
   momentum = new Float64Array(16 * SIZE);
   readonly #ammo: Ammo;
   readonly #load = new Float64Array(SIZE);
-  readonly #numbers = new Map<number, number>();
+  readonly #numbers = new PointerNumbers();
 
   constructor(ammo: Ammo) {
     this.#ammo = ammo;
@@ -40,10 +41,9 @@ export class SolveBodies {
   /** The number of a body, by its pointer; -1: it does not move. A new one is read later. */
   numberOf(pointer: number): number {
     if (inverseMassOf(this.#ammo, pointer) === 0) return -1;
-    const known = this.#numbers.get(pointer);
-    if (known !== undefined) return known;
-    const i = this.count++;
-    this.#numbers.set(pointer, i);
+    const i = this.#numbers.numberOf(pointer);
+    if (i < this.count) return i;
+    this.count++;
     if (i === this.pointers.length) this.#grow();
     this.pointers[i] = pointer;
     return i;

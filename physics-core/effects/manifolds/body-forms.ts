@@ -5,6 +5,7 @@ import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Form } from '../../shapes/forms/form.js';
 import { Surface } from '../../shapes/surface/surface.js';
 import { wanted } from './effects.js';
+import { PlacedForm } from './placed-form.js';
 import { formOf } from '../../shapes/outline.js';
 
 /** The exact form of a part, and where it stands in the frame of its body's centre of mass. */
@@ -14,6 +15,9 @@ export interface PartForm {
   surface: Surface | undefined;
   turn: Float64Array;
   origin: Float64Array;
+  /** Where it stands in the world, and the search for which that holds. */
+  placed: PlacedForm;
+  search: number;
 }
 
 /** The forms of a body's solid parts, in Bullet's order. */
@@ -37,7 +41,9 @@ export function formsOf(body: Body): BodyForms {
     writeMatrix(turn, 0, q, 0);
     const form = outline && formOf(outline);
     const surface = outline?.kind === 'triangles' ? new Surface(outline.mesh) : undefined;
-    return { form, surface, turn, origin: Float64Array.from(p) };
+    const placed = new PlacedForm();
+    if (form) placed.form = form;
+    return { form, surface, turn, origin: Float64Array.from(p), placed, search: 0 };
   });
   const boxes = parts.every(({ outline }) => outline?.kind === 'box');
   return { body, parts, forms, wanted: wanted(body) !== undefined, boxes };

@@ -1,8 +1,8 @@
 import { hypot } from '../../base/exact/index.js';
-import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { MATRIX } from '../../base/matrix.js';
+import { PointerNumbers } from '../../base/pointer-numbers.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { speedBetween, writeFrame } from '../../engine/body-heap.js';
 import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold.js';
@@ -17,7 +17,7 @@ import { formsOf, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
-import { PlacedForm } from './placed-form.js';
+import type { PlacedForm } from './placed-form.js';
 
 /**
  * Where boxes bounce, those that move faster against each other have the points that Bullet has found, m/s; and those
@@ -50,13 +50,17 @@ export class ContactShapes extends Effect {
   readonly #writer: ManifoldWriter;
   /** By slot of the body. */
   readonly #forms: BodyForms[] = [];
+  /** Bodies that were looked up since any of them became another, and their forms. */
+  readonly #bodies = new PointerNumbers();
+  readonly #near: (BodyForms | undefined)[] = [];
+  #reviews = -1;
+  /** Searches of Bullet so far. */
+  #searches = 0;
   readonly #points = new FoundPoints();
   readonly #convex = new ConvexContact();
   /** Undefined: pairs of boxes have no points of their own. */
   solver: BoxSolver | undefined;
   readonly #mesh = new MeshContact();
-  readonly #a = new PlacedForm();
-  readonly #b = new PlacedForm();
   readonly #point: ContactPoint;
   readonly #normal = new Float64Array(3);
   readonly #rows = new Float64Array(MATRIX);
@@ -75,17 +79,28 @@ export class ContactShapes extends Effect {
   override beforeStep(): void {
     if (!this.#simulation.engine.heapTrusted) return;
     this.#old.clear();
+    this.#review();
     const { bullet } = this.#simulation;
     this.#busy = bullet.manifoldCount > BUSY;
     bullet.eachAwakeManifold(this.#keep);
   }
 
   override found(): void {
+    this.#review();
+    this.#searches++;
     const { bullet } = this.#simulation;
     this.#bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
     bullet.eachAwakeManifold(this.#renew);
     // Who comes on in the middle of a step finds nothing of an earlier one.
     this.#old.clear();
+  }
+
+  #review(): void {
+    const { reviews } = this.#simulation.bodies.moving;
+    if (reviews === this.#reviews) return;
+    this.#reviews = reviews;
+    this.#bodies.clear();
+    this.#near.length = 0;
   }
 
   /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
@@ -96,6 +111,13 @@ export class ContactShapes extends Effect {
   }
 
   #formsAt(pointer: number): BodyForms | undefined {
+    const { count } = this.#bodies;
+    const number = this.#bodies.numberOf(pointer);
+    if (number === count) this.#near[number] = this.#lookUp(pointer);
+    return this.#near[number];
+  }
+
+  #lookUp(pointer: number): BodyForms | undefined {
     const body = this.#simulation.bodyAt(pointer);
     if (!body) return undefined;
     const known = this.#forms[body.slot];
@@ -114,15 +136,15 @@ export class ContactShapes extends Effect {
     const boxes = first.boxes && second.boxes;
     const careful = boxes && this.#bouncing;
     if (careful && speedBetween(this.#ammo, a, b) > SLOW) return;
-    const partA = this.#partNumber(manifold, first.body, 0);
-    const partB = this.#partNumber(manifold, second.body, 1);
+    const partA = this.#partNumber(manifold, first, 0);
+    const partB = this.#partNumber(manifold, second, 1);
     const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
     // Of two surfaces, and of a part without an outline, Bullet finds the points.
     if (!ofA || !ofB || !(ofA.form ?? ofB.form)) return;
     if (!(ofA.form ?? ofA.surface) || !(ofB.form ?? ofB.surface)) return;
-    this.#place(this.#a, a, ofA);
-    this.#place(this.#b, b, ofB);
-    const theirs = this.#guess(manifold);
+    this.#place(a, ofA);
+    this.#place(b, ofB);
+    const theirs = this.#guess(manifold, ofA.placed, ofB.placed);
     // One that lies deep in another is Bullet's: from there a nearest face is no longer where it came in.
     if (boxes && theirs < -OFF) return;
     const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
@@ -141,41 +163,44 @@ export class ContactShapes extends Effect {
   /** False: Bullet's points are to stay. */
   #find(ofA: PartForm, ofB: PartForm, theirs: number, limit: number): boolean {
     const [points, normal] = [this.#points, this.#normal];
+    const [a, b] = [ofA.placed, ofB.placed];
     const known = theirs < Infinity;
     points.clear();
-    if (ofB.surface)
-      return this.#mesh.find(this.#a, this.#b, ofB.surface, normal, known, limit, points);
+    if (ofB.surface) return this.#mesh.find(a, b, ofB.surface, normal, known, limit, points);
     if (ofA.surface) {
       for (let k = 0; k < 3; k++) normal[k] = -normal[k]!;
-      const sure = this.#mesh.find(this.#b, this.#a, ofA.surface, normal, known, limit, points);
+      const sure = this.#mesh.find(b, a, ofA.surface, normal, known, limit, points);
       points.swap();
       return sure;
     }
-    this.#convex.find(this.#a, this.#b, normal, limit, points, -1, theirs);
+    this.#convex.find(a, b, normal, limit, points, -1, theirs);
     return true;
   }
 
   /** The number of the part that a manifold is of, -1 where it does not say so: each pair of parts has one of its own. */
-  #partNumber(manifold: number, body: Body, side: 0 | 1): number {
-    if (body.solidParts.length <= 1) return 0;
+  #partNumber(manifold: number, { body, forms }: BodyForms, side: 0 | 1): number {
+    if (forms.length <= 1) return 0;
     const point = firstPointAt(this.#ammo, manifold);
     return point === 0 ? -1 : partNumberAt(this.#point.at(point, 0, 0), body, side);
   }
 
-  #place(placed: PlacedForm, body: number, { form, turn, origin }: PartForm): void {
+  /** Once for all that it is near. */
+  #place(body: number, part: PartForm): void {
+    if (part.search === this.#searches) return;
+    part.search = this.#searches;
     writeFrame(this.#ammo, body, this.#origin, this.#rows);
-    placed.put(form, this.#rows, this.#origin, turn, origin);
+    part.placed.put(this.#rows, this.#origin, part.turn, part.origin);
   }
 
   /**
    * About where the normal points: that of the deepest point that Bullet has, else from middle to middle. Returns Bullet's
    * distance.
    */
-  #guess(manifold: number): number {
+  #guess(manifold: number, a: PlacedForm, b: PlacedForm): number {
     const normal = this.#normal;
     const least = writeDeepestNormal(this.#ammo, manifold, normal);
     if (least < Infinity) return least;
-    for (let k = 0; k < 3; k++) normal[k] = this.#a.origin[k]! - this.#b.origin[k]!;
+    for (let k = 0; k < 3; k++) normal[k] = a.origin[k]! - b.origin[k]!;
     const size = hypot(normal[0]!, normal[1]!, normal[2]!);
     if (size > 0) for (let k = 0; k < 3; k++) normal[k]! /= size;
     else normal[1] = 1;

@@ -64,20 +64,21 @@ export class FoundPoints implements NewPoints {
     corner: number = CORNER.ofNone,
   ): void {
     if (this.count === MOST_FOUND) this.#condense();
+    const { at: places, normal } = this;
     const at = 3 * this.count;
     for (let i = 0; i < at; i += 3)
       if (
-        Math.abs(this.at[i]! - x) + Math.abs(this.at[i + 1]! - y) + Math.abs(this.at[i + 2]! - z) <
+        Math.abs(places[i]! - x) + Math.abs(places[i + 1]! - y) + Math.abs(places[i + 2]! - z) <
           SAME &&
-        this.normal[i]! * nx + this.normal[i + 1]! * ny + this.normal[i + 2]! * nz > 0.999
+        normal[i]! * nx + normal[i + 1]! * ny + normal[i + 2]! * nz > 0.999
       )
         return;
-    this.at[at] = x;
-    this.at[at + 1] = y;
-    this.at[at + 2] = z;
-    this.normal[at] = nx;
-    this.normal[at + 1] = ny;
-    this.normal[at + 2] = nz;
+    places[at] = x;
+    places[at + 1] = y;
+    places[at + 2] = z;
+    normal[at] = nx;
+    normal[at + 1] = ny;
+    normal[at + 2] = nz;
     this.distance[this.count] = distance;
     this.corner[this.count] = corner;
     this.triangle[this.count++] = triangle;
@@ -170,8 +171,10 @@ export class FoundPoints implements NewPoints {
     let least = Infinity;
     let found = -1;
     for (let i = 0; i < this.count; i++) {
-      let apart = 0;
-      for (let k = 0; k < 3; k++) apart += (this.at[3 * i + k]! - to[k]!) ** 2;
+      const x = this.at[3 * i]! - to[0]!;
+      const y = this.at[3 * i + 1]! - to[1]!;
+      const z = this.at[3 * i + 2]! - to[2]!;
+      const apart = x * x + y * y + z * z;
       if (apart < least) [least, found] = [apart, i];
     }
     return found;
@@ -207,9 +210,11 @@ export class FoundPoints implements NewPoints {
   }
 
   #apart(i: number, j: number): number {
-    let sum = 0;
-    for (let k = 0; k < 3; k++) sum += (this.at[3 * i + k]! - this.at[3 * j + k]!) ** 2;
-    return sum;
+    const { at } = this;
+    const x = at[3 * i]! - at[3 * j]!;
+    const y = at[3 * i + 1]! - at[3 * j + 1]!;
+    const z = at[3 * i + 2]! - at[3 * j + 2]!;
+    return x * x + y * y + z * z;
   }
 
   /** Twice the area of a triangle of three points, seen along the normal of the first. */

@@ -3,7 +3,7 @@ import type { Flat, Form } from '../../shapes/forms/form.js';
 
 const local = new Float64Array(3);
 
-/** A form where it stands in the world, in double precision. One object goes from part to part. */
+/** A form where it stands in the world, in double precision. */
 export class PlacedForm {
   form!: Form;
   /** Rows of the rotation, and where the form's origin is. */
@@ -17,8 +17,7 @@ export class PlacedForm {
   }
 
   /** Where its part stands in a body: `turn` and `origin` in the frame of the body, whose own are `rows` and `at`. */
-  put(form: Form | undefined, rows: Flat, at: Flat, turn: Flat, origin: Flat): void {
-    if (form) this.form = form;
+  put(rows: Flat, at: Flat, turn: Flat, origin: Flat): void {
     for (let i = 0; i < 3; i++) {
       const [a, b, c] = [rows[3 * i]!, rows[3 * i + 1]!, rows[3 * i + 2]!];
       for (let j = 0; j < 3; j++)
@@ -46,15 +45,19 @@ export class PlacedForm {
   #outDirection(out: Flat, at: number): void {
     const { turn } = this;
     const [x, y, z] = [out[at]!, out[at + 1]!, out[at + 2]!];
-    for (let i = 0; i < 3; i++)
-      out[at + i] = turn[3 * i]! * x + turn[3 * i + 1]! * y + turn[3 * i + 2]! * z;
+    out[at] = turn[0]! * x + turn[1]! * y + turn[2]! * z;
+    out[at + 1] = turn[3]! * x + turn[4]! * y + turn[5]! * z;
+    out[at + 2] = turn[6]! * x + turn[7]! * y + turn[8]! * z;
   }
 
   /** The same of points. */
   #out(out: Flat, count: number): number {
+    const { origin } = this;
     for (let at = 0; at < 3 * count; at += 3) {
       this.#outDirection(out, at);
-      for (let i = 0; i < 3; i++) out[at + i]! += this.origin[i]!;
+      out[at]! += origin[0]!;
+      out[at + 1]! += origin[1]!;
+      out[at + 2]! += origin[2]!;
     }
     return count;
   }
@@ -70,16 +73,17 @@ export class PlacedForm {
 
   /** How far it reaches along a unit vector, with what is round about it. */
   height(x: number, y: number, z: number): number {
-    this.form.support(this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2), local);
-    const { origin } = this;
+    const { origin, form } = this;
+    const [u, v, w] = [this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2)];
+    form.support(u, v, w, local);
     return (
       x * origin[0]! +
       y * origin[1]! +
       z * origin[2]! +
-      local[0]! * this.#in(x, y, z, 0) +
-      local[1]! * this.#in(x, y, z, 1) +
-      local[2]! * this.#in(x, y, z, 2) +
-      this.form.round
+      local[0]! * u +
+      local[1]! * v +
+      local[2]! * w +
+      form.round
     );
   }
 

@@ -40,7 +40,11 @@ export class PolytopeForm implements Form {
   }
 
   #copy(corner: number, out: Flat, at: number): void {
-    for (let i = 0; i < 3; i++) out[at + i] = this.points[3 * corner + i]!;
+    const { points } = this;
+    const from = 3 * corner;
+    out[at] = points[from]!;
+    out[at + 1] = points[from + 1]!;
+    out[at + 2] = points[from + 2]!;
   }
 
   support(x: number, y: number, z: number, out: Flat): void {

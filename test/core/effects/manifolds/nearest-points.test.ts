@@ -32,7 +32,8 @@ function turned(r: () => number): Float64Array {
 
 function place(r: () => number): PlacedForm {
   const placed = new PlacedForm();
-  placed.put(CYLINDER, turned(r), new Float64Array(3), LEVEL, new Float64Array(3));
+  placed.form = CYLINDER;
+  placed.put(turned(r), new Float64Array(3), LEVEL, new Float64Array(3));
   return placed;
 }
 
