@@ -212,16 +212,18 @@ export class ContactSolve extends Effect {
 
   /** Those that sleep stay what they were. */
   #noteDirect(): void {
-    const [direct, heaps] = [this.#direct, this.#heaps];
-    const { pointers, count } = this.#bodies;
-    for (let i = 0; i < count; i++) {
-      direct.delete(pointers[i]!);
-      heaps.delete(pointers[i]!);
+    for (let i = 0; i < this.#parts.count; i++) {
+      const { bodies, direct } = this.#parts.at(i);
+      for (const body of bodies) this.#note(this.#bodies.pointers[body]!, direct);
     }
-    for (const { bodies } of this.#ways.parts)
-      for (const body of bodies) direct.add(pointers[body]!);
     const rest = this.#effects.caused(resting);
     if (rest) rest.heaps = this.#heaps;
+  }
+
+  #note(pointer: number, isDirect: boolean): void {
+    if (!isDirect) this.#direct.delete(pointer);
+    else if (!this.#direct.has(pointer)) this.#direct.add(pointer);
+    if (this.#heaps.size > 0) this.#heaps.delete(pointer);
   }
 
   /** What is too dear is left to Bullet for some steps. */

@@ -8,6 +8,8 @@ export interface Part {
   readonly contacts: number[];
   /** Of joints, or what keeps bodies of a heap from rolling. */
   readonly rows: number[];
+  /** It is solved here, not by Bullet. */
+  direct: boolean;
   jointed: boolean;
   /** Joints of it close loops: a net, a bridge on two ropes. */
   looped: boolean;
@@ -70,6 +72,7 @@ export class Parts {
       manifolds: [],
       contacts: [],
       rows: [],
+      direct: false,
       jointed: false,
       looped: false,
       inHeap: false,

@@ -67,6 +67,7 @@ export class Ways {
     for (let i = 0; i < all.count; i++) {
       const part = all.at(i);
       const way = part.manifolds.length > 0 ? this.#wayOf(part, busy, tumbling) : undefined;
+      part.direct = way !== undefined;
       if (!way) continue;
       this.parts.push(part);
       this.ways.push(way);
