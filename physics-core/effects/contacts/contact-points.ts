@@ -1,12 +1,6 @@
 import type { Ammo } from '../../engine/ammo.js';
 import { pairTestOf } from '../../engine/pair-test.js';
-import {
-  firstPoint,
-  pointAfter,
-  pointAt,
-  pointCountAt,
-  solverDistanceAt,
-} from '../../engine/manifold.js';
+import { pointAfter, solverDistanceAt } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 
@@ -32,7 +26,7 @@ export function eachContactPoint(
     const b = simulation.bodyAt(pointerB);
     if (a && b && !isFiltered(ammo, pointer)) visit(pointer, a, b);
   });
-  const visitPair = (count: number, first: number, pointerA: number, pointerB: number): void => {
+  bullet.eachTouchingPair((first, count, pointerA, pointerB) => {
     const a = simulation.bodyAt(pointerA);
     const b = a && simulation.bodyAt(pointerB);
     if (!a || !b) return;
@@ -40,16 +34,5 @@ export function eachContactPoint(
       const pointer = pointAfter(first, i);
       if (!isFiltered(ammo, pointer)) visit(pointer, a, b);
     }
-  };
-  // A wrapper of each manifold and each point would take twenty times as long.
-  if (engine.heapTrusted)
-    bullet.eachManifoldInHeap((manifold, a, b) => {
-      const count = pointCountAt(ammo, manifold);
-      if (count > 0) visitPair(count, pointAt(manifold, 0), a, b);
-    });
-  else
-    bullet.eachManifold((manifold, a, b) => {
-      const count = manifold.getNumContacts();
-      if (count > 0) visitPair(count, firstPoint(ammo, manifold), a, b);
-    });
+  });
 }

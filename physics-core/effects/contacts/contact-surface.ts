@@ -1,5 +1,5 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import { firstPoint, pointAfter } from '../../engine/manifold.js';
+import { pointAfter } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable } from '../../dynamics/collidable.js';
 import {
@@ -171,15 +171,12 @@ export class ContactSurface extends Effect {
 
   /** Of all points of a pair. */
   #sumImpulses(): void {
-    const { bullet, engine } = this.#simulation;
     const step = ++this.#steps;
-    bullet.eachManifold((manifold, a, b) => {
-      const count = manifold.getNumContacts();
-      const pair = count > 0 ? this.#pairs.get(a)?.get(b) : undefined;
+    this.#simulation.bullet.eachTouchingPair((first, count, a, b) => {
+      const pair = this.#pairs.get(a)?.get(b);
       if (!pair) return;
       if (pair.summed !== step) pair.impulse.fill(0);
       pair.summed = step;
-      const first = firstPoint(engine.ammo, manifold);
       for (let i = 0; i < count; i++) this.#at(pointAfter(first, i), a, b).addImpulse(pair.impulse);
     });
   }

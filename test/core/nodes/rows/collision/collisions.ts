@@ -281,8 +281,8 @@ export const sensorRows: Row[] = [
       const body = addBody(w, { position: [0, 0.5, 0] });
       let reads = 0;
       const { bullet } = w;
-      const each = bullet.eachManifoldInHeap.bind(bullet);
-      bullet.eachManifoldInHeap = (visit) => {
+      const each = bullet.eachTouchingPair.bind(bullet);
+      bullet.eachTouchingPair = (visit) => {
         reads++;
         each(visit);
       };
