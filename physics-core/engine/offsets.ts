@@ -65,16 +65,21 @@ export const SOLVER = {
 /** Of btSequentialImpulseConstraintSolver: how many functions at least, and two of them. */
 export const SOLVER_VTABLE = { count: 14, prepareSolve: 2, allSolved: 4 } as const;
 
-/** Of btDiscreteDynamicsWorld: how many functions, and what a step consists of, in its order. */
+/**
+ * Of btDiscreteDynamicsWorld: how many functions, `internalSingleStepSimulation`, and the stages that this consists of, in
+ * their order, with how many numbers each takes: the world, and seconds or the solver's settings.
+ */
 export const WORLD_VTABLE = {
   count: 45,
-  internalSingleStepSimulation: 40,
-  predictUnconstraintMotion: 35,
-  performDiscreteCollisionDetection: 11,
-  calculateSimulationIslands: 37,
-  solveConstraints: 38,
-  integrateTransforms: 36,
-  updateActivationState: 39,
+  step: 40,
+  stages: [
+    [35, 2], // predictUnconstraintMotion
+    [11, 1], // performDiscreteCollisionDetection
+    [37, 1], // calculateSimulationIslands
+    [38, 2], // solveConstraints
+    [36, 2], // integrateTransforms
+    [39, 2], // updateActivationState
+  ],
 } as const;
 
 /** btContactSolverInfo::m_solverMode bits. */

@@ -2,32 +2,6 @@ import type { Ammo } from './ammo.js';
 import { SOLVER, WORLD, WORLD_VTABLE as VTABLE } from './offsets.js';
 import { functionsAt, tableLike, tableOf, type WasmFunction } from './virtual-table.js';
 
-/** Of a step, in its order, with how many numbers each takes: the world, and seconds or the solver's settings. */
-const STAGES = {
-  predictUnconstraintMotion: 2,
-  performDiscreteCollisionDetection: 1,
-  calculateSimulationIslands: 1,
-  solveConstraints: 2,
-  integrateTransforms: 2,
-  updateActivationState: 2,
-} as const;
-
-type Stages = Record<keyof typeof STAGES, WasmFunction>;
-
-/** Undefined: this build has others there. */
-function stagesIn(ammo: Ammo, table: number): Stages | undefined {
-  const names = Object.keys(STAGES) as (keyof Stages)[];
-  const functions = functionsAt(
-    ammo,
-    table,
-    names.map((name) => VTABLE[name]),
-  );
-  const known = functions.every((each, i) => each?.length === STAGES[names[i]!]);
-  return known
-    ? (Object.fromEntries(names.map((name, i) => [name, functions[i]])) as Stages)
-    : undefined;
-}
-
 /**
  * Bullet's step, stage by stage. Its own also asks where each body will be, to look ahead of those with a CCD threshold:
  * none here has one, since fast bodies are sent ahead by `continuous collision`. A world that is attached leaves that out,
@@ -36,25 +10,31 @@ function stagesIn(ammo: Ammo, table: number): Stages | undefined {
  */
 export class StepStages {
   readonly #ammo: Ammo;
-  readonly #stages: Stages;
+  readonly #stages: readonly WasmFunction[];
   /** Tables of virtual functions. */
   readonly #theirs: number;
   readonly #ours: number;
 
-  private constructor(ammo: Ammo, theirs: number, stages: Stages) {
+  private constructor(ammo: Ammo, theirs: number, stages: readonly WasmFunction[]) {
     this.#ammo = ammo;
     this.#stages = stages;
     this.#theirs = theirs;
     this.#ours = tableLike(ammo, theirs, VTABLE.count, {
-      [VTABLE.internalSingleStepSimulation]: { call: this.#step, signature: 'vif' },
+      [VTABLE.step]: { call: this.#step, signature: 'vif' },
     });
   }
 
   /** By the pointer of a btDiscreteDynamicsWorld. Only where the heap is trusted; undefined: its functions are not known. */
   static of(ammo: Ammo, world: number): StepStages | undefined {
     const theirs = tableOf(ammo, world);
-    const stages = stagesIn(ammo, theirs);
-    return stages && new StepStages(ammo, theirs, stages);
+    const { stages } = VTABLE;
+    const found = functionsAt(
+      ammo,
+      theirs,
+      stages.map(([entry]) => entry),
+    );
+    if (found.some((each, i) => each?.length !== stages[i]![1])) return undefined;
+    return new StepStages(ammo, theirs, found as WasmFunction[]);
   }
 
   attach(world: number): void {
@@ -67,15 +47,15 @@ export class StepStages {
   }
 
   readonly #step = (world: number, seconds: number): void => {
-    const stages = this.#stages;
-    stages.predictUnconstraintMotion(world, seconds);
+    const [predict, collide, findIslands, solve, integrate, activate] = this.#stages;
+    predict!(world, seconds);
     this.#write(world + WORLD.dispatchInfo, seconds);
-    stages.performDiscreteCollisionDetection(world);
-    stages.calculateSimulationIslands(world);
+    collide!(world);
+    findIslands!(world);
     this.#write(world + WORLD.solverInfo + SOLVER.timeStep, seconds);
-    stages.solveConstraints(world, world + WORLD.solverInfo);
-    stages.integrateTransforms(world, seconds);
-    stages.updateActivationState(world, seconds);
+    solve!(world, world + WORLD.solverInfo);
+    integrate!(world, seconds);
+    activate!(world, seconds);
   };
 
   /** The heap may have grown meanwhile. */
