@@ -101,10 +101,11 @@ export function bulletAlone({ engine, bullet: { bullet }, timeStep }: World): ()
 }
 
 async function make(scene: CaseScene, setting: Setting, solve: boolean): Promise<Running> {
+  const engine = await loadEngine();
   const world = new World({ level: levelOf(setting) });
   if (!solve) leaveJointsToBullet(world);
   const nodes = build(world, scene);
-  world.start(await loadEngine());
+  world.start(engine);
   const wrong = world.problems.filter(({ code }) => !HARD.includes(code));
   if (wrong.length > 0) throw new Error(wrong.map(({ message }) => message).join('; '));
   const move = mover(nodes, scene, world.timeStep);

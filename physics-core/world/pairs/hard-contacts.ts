@@ -16,6 +16,9 @@ const LOOKS = 4;
 /** From this share of its least extent in an obstacle on a body is looked at in every step. */
 const SINKING = 0.1;
 
+/** From so many times the mass of what hangs on joints on, what lies on it is looked at: a weight on a bridge. */
+const HEAVY = 50;
+
 /** From here on every step is looked at: a weight that needs no longer to be somewhere else, m/s². */
 const STRONG_GRAVITY = 200;
 
@@ -91,9 +94,9 @@ export class HardContacts implements Reports {
     this.#sunk.begin();
     this.#sinking = false;
     eachContactPoint(this.#simulation, (pointer, a, b) => {
-      // As in `#weighAll`: most points lie between two that move, and hang on nothing.
+      // As in `#weighAll`: most points lie between two that move, and weigh on nothing that hangs.
       const alike = a.isDynamic === b.isDynamic;
-      if (alike && a.joints.size === b.joints.size) return;
+      if (alike && !weighsOnJoints(a, b)) return;
       point.at(pointer, a.pointer, b.pointer);
       const moves = alike ? a.leastExtent < b.leastExtent : a.isDynamic;
       this.#lookAt(point, a, b, moves ? a : b);
@@ -101,8 +104,8 @@ export class HardContacts implements Reports {
   }
 
   /**
-   * What moves has come halfway through what does not; or, where one of both hangs on joints, the thinner one into the other.
-   * Only of what is convex the middle says so.
+   * What moves has come halfway through what does not; or of something heavy and what it weighs on the thinner one into the
+   * other. Only of what is convex the middle says so.
    */
   #lookAt(point: ContactPoint, a: Body, b: Body, moving: Body): void {
     if (-point.distance < SINKING * moving.leastExtent) return;
@@ -141,6 +144,12 @@ export class HardContacts implements Reports {
       sunk,
     );
   }
+}
+
+function weighsOnJoints(a: Body, b: Body): boolean {
+  if (a.joints.size === b.joints.size) return false;
+  const [hanging, other] = a.joints.size > b.joints.size ? [a, b] : [b, a];
+  return other.mass.mass > HEAVY * hanging.mass.mass;
 }
 
 /** Of the middle of a body over the surface that it touches, metres; NaN where it has several parts or an unknown middle. */
