@@ -7,7 +7,7 @@ import { frameworkTypes } from './framework-types.js';
 import { manifest, types } from './manifest-elements.js';
 
 const write = (file: string, data: unknown): void =>
-  writeFileSync(`dist/${file}`, JSON.stringify(data, null, 2));
+  writeFileSync(`dist/${file}`, JSON.stringify(data));
 
 mkdirSync('dist', { recursive: true });
 write('custom-elements.json', manifest());

@@ -99,9 +99,9 @@ export function minify() {
         // Says that top-level names are private and may be shortened; in a classic script they are globals.
         format: format === 'es' ? 'esm' : undefined,
       });
-      if (format !== 'es' || moduleIds.every(ofOthers)) return { code, map };
+      if (moduleIds.every(ofOthers)) return { code, map };
       return terser(code, {
-        module: true,
+        module: format === 'es',
         ecma: Number(TARGET.slice(2)),
         compress: { passes: 2 },
         format: { comments: 'some' },
