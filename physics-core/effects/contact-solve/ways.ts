@@ -25,6 +25,9 @@ const FAST = 0.25;
  */
 const TOUCHING = 0.25;
 
+/** Seconds: in longer steps what falls comes in so deep that a net which is held where it touches is torn. */
+const COARSE = 1 / 90;
+
 /** Pairs in touch that make a busy world. */
 const BUSY = 400;
 
@@ -86,7 +89,8 @@ export class Ways {
     if (bodies.length <= FEW)
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
     if (bodies.length > MOST) return undefined;
-    if (part.looped || this.#fewTouch(part)) return 'matrix';
+    if (this.#simulation.timeStep < COARSE && (part.looped || this.#fewTouch(part)))
+      return 'matrix';
     // A busy world saves its matrices up.
     const fast = this.#fasterOf(bodies, SLOW, busy ? speedSquared : swiftnessSquared);
     if (fast === 0) return busy && bodies.length > LARGE ? 'either' : 'matrix';
