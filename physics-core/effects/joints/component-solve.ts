@@ -26,11 +26,11 @@ const SLOWING_ROUNDS = 3;
 /** Errors (m, rad) from which on a joint counts as torn by an edit: what steps leave is a hundred times less. */
 const TORN = 1e-4;
 
-/** Bodies of a chain from which on its end may be faster than steps can follow (60 gain 4 % at `reference`, 120 fourteen times). */
-const LONG = 24;
-
 /** And what is brought together again after contacts had their part in a step. */
 const DISTURBED = 2e-5;
+
+/** Bodies of a chain from which on its end may be faster than steps can follow (60 gain 4 % at `reference`, 120 fourteen times). */
+const LONG = 24;
 
 /** Pulls at bodies that joints hold, by more than a force: their joints give way to it as they can. */
 export interface Pull {

@@ -17,8 +17,8 @@ interface Account {
 }
 
 /**
- * Joints do no work. In a loop that cracks like a whip faster than steps can follow they would: what is whole at the end
- * of a step may have been thrown there. Accounts of parts with loops tell by how much their motion is to be slowed.
+ * Joints do no work. In a loop or a long chain that cracks like a whip faster than steps can follow they would: what is
+ * whole at the end of a step may have been thrown there. Accounts of such parts tell by how much their motion is to be slowed.
  */
 export class EnergyBudget {
   readonly #system: RowSystem;
