@@ -5,7 +5,7 @@ import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
 import { chunks } from './world/chunks/all.js';
 import { outlines } from './effects/debug/debugging.js';
-import { JointNode } from './nodes/joints/joint.js';
+import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
 
@@ -57,7 +57,7 @@ export async function debugLines(world: World): Promise<DebugLines> {
   await outlines.load();
   return outlines.code.lines(world, {
     flush: () => world.flush(),
-    joints: () => [...world.nodes].filter((node) => node instanceof JointNode),
+    joints: () => [...world.nodes].filter(isJoint),
   });
 }
 

@@ -2,7 +2,7 @@
 import type { World } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { JointNode } from '../../physics-core/nodes/joints/joint.js';
-import type { SingleAxisHingeJointNode } from '../../physics-core/nodes/joints/single-axis-hinge-joint.js';
+import type { SingleAxisHingeJointNode } from '../../physics-core/nodes/joints/single-axis-hinge-joint-node.js';
 import type { Play } from './case.js';
 
 export type Vec3 = [number, number, number];

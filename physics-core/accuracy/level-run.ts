@@ -3,7 +3,8 @@ import { AXES, dot, rotate } from '../base/math.js';
 import { deepestOverlap } from '../world/pairs/overlaps.js';
 import { jointSolve } from '../effects/joints/effects.js';
 import type { BodyNode } from '../nodes/body/body.js';
-import { JointNode } from '../nodes/joints/joint.js';
+import { isJoint } from '../nodes/joints/is-joint.js';
+import type { JointNode } from '../nodes/joints/joint.js';
 import type { World } from '../world/world.js';
 import type { Level } from '../dynamics/levels.js';
 
@@ -35,7 +36,7 @@ export class LevelRun {
     this.level = level;
     this.bodies = [...world.bodies].filter((body) => body.movable && !body.isObstacle);
     this.positions = new Float64Array(this.bodies.length * 3);
-    this.#joints = [...world.nodes].filter((node) => node instanceof JointNode);
+    this.#joints = [...world.nodes].filter(isJoint);
     this.look(true);
   }
 

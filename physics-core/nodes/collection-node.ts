@@ -4,7 +4,7 @@ import { debugging } from '../effects/debug/debugging.js';
 import { contacts } from '../effects/effect/chunks.js';
 import { BodyNode } from './body/body.js';
 import { show, showUsed } from '../base/show.js';
-import type { ContactNode } from './collision/contact.js';
+import type { ContactNode } from './collision/contact-node.js';
 import { PhysicsNode } from './node/node.js';
 
 /** Fields of bodies that act by what their collection says. */
@@ -53,14 +53,8 @@ export class CollectionNode extends PhysicsNode implements ContactGiver {
     const list = this.asked<ContactNode[]>('set_contacts');
     if (!this.authored('set_contacts') || list === this.#taken) return;
     this.#taken = list;
-    this.#reportTokens(list);
+    contacts.code.reportGiven(this, list);
     this.world.registry.get(givenContacts).give(this, list);
-  }
-
-  /** Here and not at the contacts, which last a step only. */
-  #reportTokens(list: readonly ContactNode[]): void {
-    const unknown = [...new Set(list.flatMap((each) => contacts.code.unknownTokens(each)))];
-    if (unknown.length > 0) contacts.code.reportTokens(this, unknown, 'set_contacts');
   }
 
   updateDebug(): void {

@@ -4,7 +4,7 @@ import { contacts } from '../effects/effect/chunks.js';
 import { kindOf } from '../engine/shape-kind.js';
 import { BodyNode } from '../nodes/body/body.js';
 import { CollidableNode } from '../nodes/collision/collidable.js';
-import { JointNode } from '../nodes/joints/joint.js';
+import { isJoint } from '../nodes/joints/is-joint.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
 import { CollectionNode } from '../nodes/collection-node.js';
 import type { World } from './world.js';
@@ -23,7 +23,7 @@ export function bulletHas(
 ): Record<string, unknown> | undefined {
   if (!node.built || !node.world.started) return undefined;
   if (node instanceof BodyNode) return bodyIn(node, nameOf);
-  if (node instanceof JointNode) return jointIn(node);
+  if (isJoint(node)) return node.inBullet;
   if (node instanceof CollidableNode)
     return node.owner?.built ? { shapeOf: nameOf(node.owner.standsFor) } : undefined;
   return node instanceof CollectionNode ? worldIn(node) : undefined;
@@ -46,7 +46,7 @@ function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
     angularVelocity: [...velocity.subarray(3)],
     gravity: [...body.gravity],
     joints: [...body.joints].flatMap((joint) =>
-      joint.attached && joint instanceof JointNode ? [nameOf(joint)] : [],
+      joint.attached && isJoint(joint) ? [nameOf(joint)] : [],
     ),
   };
 }
@@ -70,18 +70,6 @@ function shapesOf(body: BodyNode): { type: string; margin: number }[] {
     const child = compound.getChildShape(i);
     return { type: nameOf(child), margin: child.getMargin() };
   });
-}
-
-const ROWS = ['along x', 'along y', 'along z', 'about x', 'about y', 'about z'];
-
-function jointIn(joint: JointNode): Record<string, unknown> | undefined {
-  if (!joint.attached) return undefined;
-  const rows = joint.limits.map(([low, high], row) => ({
-    row: ROWS[row],
-    holds: low > high ? 'nothing' : low < high ? [low, high] : low,
-  }));
-  const { p, q } = joint.worldFrame(1);
-  return { anchor: p, frame: q, gap: joint.gap, rows };
 }
 
 function worldIn(collection: CollectionNode): Record<string, unknown> {

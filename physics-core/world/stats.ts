@@ -1,4 +1,4 @@
-import { JointNode } from '../nodes/joints/joint.js';
+import { isJoint } from '../nodes/joints/is-joint.js';
 import type { NodeWorld } from '../nodes/node/node-world.js';
 import type { BodySlots } from './bodies/body-slots.js';
 import type { Stepping } from './stepping/stepping.js';
@@ -9,7 +9,7 @@ export function statsOf(
   { ms, dropped }: Pick<Stepping, 'ms' | 'dropped'>,
 ): Stats {
   let joints = 0;
-  for (const node of world.nodes) if (node instanceof JointNode && node.attached) joints++;
+  for (const node of world.nodes) if (isJoint(node) && node.attached) joints++;
   return {
     bodies: world.bodies.count,
     awake: world.bodies.countAwake(),

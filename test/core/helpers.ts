@@ -2,10 +2,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createWorld, type CreateOptions, type World } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
-import type { CollisionSensorNode } from '../../physics-core/nodes/collision/collision-sensor.js';
+import type { CollisionSensorNode } from '../../physics-core/nodes/collision/collision-sensor-node.js';
 import type { JointNode } from '../../physics-core/nodes/joints/joint.js';
 import type { PhysicsNode } from '../../physics-core/nodes/node/node.js';
-import type { SingleAxisHingeJointNode } from '../../physics-core/nodes/joints/single-axis-hinge-joint.js';
+import type { SingleAxisHingeJointNode } from '../../physics-core/nodes/joints/single-axis-hinge-joint-node.js';
 
 export type Vec3 = [number, number, number];
 export type Body = BodyNode;

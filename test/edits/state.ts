@@ -3,7 +3,7 @@ import type { Field, PhysicsNode, World } from '../../physics-core/inside.js';
 import { BODY } from '../../physics-core/engine/offsets.js';
 import type { JointConstraint } from '../../physics-core/engine/joint-constraint.js';
 import { BodyNode } from '../../physics-core/nodes/body/body.js';
-import { CollisionCollectionNode } from '../../physics-core/nodes/collision/collision-collection.js';
+import { CollisionCollectionNode } from '../../physics-core/nodes/collision/collision-collection-node.js';
 import { JointNode } from '../../physics-core/nodes/joints/joint.js';
 import { quaternionOf } from '../../physics-core/base/math.js';
 import { plain } from '../conformance/plain.js';

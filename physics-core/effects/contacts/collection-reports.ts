@@ -1,5 +1,7 @@
 import { cut } from '../../base/show.js';
-import type { Reported } from '../effect/chunks.js';
+import type { Reported } from '../effect/reported.js';
+import type { ParameterNode } from '../effect/chunks.js';
+import { unknownTokens } from './parameters.js';
 
 /** Of what a collection says itself, or the contacts that it is given. */
 const OF = {
@@ -21,6 +23,11 @@ export function reportTokens(
     used: 'the others',
     message: `${node.label}: ${OF[attribute]} no ${cut(unknown.join(', '))}; the others are used`,
   });
+}
+
+/** Of contacts that a RigidBodyCollection is given: there and not at the contacts, which last a step only. */
+export function reportGiven(giver: Reported, contacts: readonly ParameterNode[]): void {
+  reportTokens(giver, [...new Set(contacts.flatMap(unknownTokens))], 'set_contacts');
 }
 
 /** Bullet's contacts are hard; the depth is made to follow the force, and what they would spring back is lost. */

@@ -1,6 +1,19 @@
 import { cross, length, normalize, perpendicular } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
-import type { AxedJoint, OddAxis } from '../effect/chunks.js';
+import type { Reported } from '../effect/reported.js';
+
+/** A joint with axes that its author wrote. */
+export interface AxedJoint extends Reported {
+  readonly type: { readonly fields: Readonly<Record<string, { default: unknown }>> };
+  asked<T>(field: string): T;
+}
+
+/** An authored axis that can't be used as it is. */
+export interface OddAxis {
+  attribute: string;
+  used: Vec3;
+  why: string;
+}
 
 export function reportAxis(joint: AxedJoint, is: boolean, { attribute, used, why }: OddAxis): void {
   const shown = used.map((n) => Number(n.toFixed(4))).join(' ');

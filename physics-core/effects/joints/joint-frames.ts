@@ -8,9 +8,21 @@ import {
   quaternionOfAxes,
   scale,
   subtract,
+  type Quaternion,
 } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
-import type { JointFrame, Orientations } from '../effect/chunks.js';
+
+/** Where a joint sits, world frame, at the moment it is made. */
+export interface JointFrame {
+  anchor: Vec3;
+  /** The frame's x, for joints about or along one axis. */
+  axis?: Vec3;
+  /** z of body1's frame and x of body2's, for joints about two axes; they need not be at right angles. */
+  axes?: readonly [Vec3, Vec3];
+}
+
+/** The frame's axes as body1 and as body2 carry them. */
+export type Orientations = [Quaternion, Quaternion];
 
 /**
  * Rows along the lever arm: world axes would couple the rows through a small inertia, and the solver would let the

@@ -1,6 +1,13 @@
 import type { Vec3 } from '../../fields/types.js';
-import type { ReportedJoint, ReportedMotor } from '../effect/chunks.js';
-import { isDirected } from './axes.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Reported } from '../effect/reported.js';
+import { isDirected, type AxedJoint } from './axes.js';
+
+export interface ReportedJoint extends Pick<Joint, 'body1' | 'body2'>, Reported {}
+
+export interface ReportedMotor extends AxedJoint {
+  authored(field: string): boolean;
+}
 
 /** With masses more unlike than this a chain whips faster than steps of `standard` follow (measured: 5 mm off in 1 s). */
 const HARD_MASS_RATIO = 100;

@@ -1,61 +1,7 @@
-import type { CollidableNode } from './collidable.js';
-import type { ContactParameters } from '../../dynamics/contact-parameters.js';
-import type { Collider } from '../../dynamics/pairs.js';
-import { Members, type MemberList } from './members.js';
 import { description } from '../node/common-fields.js';
 import { contacts } from '../../effects/effect/chunks.js';
-import { PhysicsNode } from '../node/node.js';
 import { defineNode } from '../node/define.js';
-
-/** Which collidables are tested against each other, and what their contacts are like. */
-export class CollisionCollectionNode extends PhysicsNode implements Collider {
-  #members = new Members();
-  #parameters: ContactParameters | undefined;
-
-  protected override create(): boolean {
-    this.#readMembers();
-    this.world.pairs.addCollection(this);
-    return true;
-  }
-
-  protected override destroy(): void {
-    this.world.pairs.removeCollection(this);
-  }
-
-  lists(collidable: CollidableNode): boolean {
-    return this.#members.has(collidable);
-  }
-
-  updateMembers(): void {
-    this.#readMembers();
-    this.world.pairs.refresh();
-  }
-
-  #readMembers(): void {
-    this.#members = new Members(this.asked<MemberList>('collidables'));
-  }
-
-  /** A parameter changed: contacts read it from the next step on. */
-  updateParameters(): void {
-    this.#parameters = undefined;
-    contacts.code.reportTokens(this, contacts.code.unknownTokens(this), 'appliedParameters');
-    contacts.code.reportSoftness(this, this.parameters.softness);
-    for (const body of this.world.bodies) {
-      this.world.pairs.contactsChanged(body);
-      // What lay still may slide now.
-      if (body.parts.some(({ collidable }) => this.#members.has(collidable))) body.wake();
-    }
-    this.world.pairs.parametersChanged();
-  }
-
-  get enabled(): boolean {
-    return this.asked('enabled');
-  }
-
-  get parameters(): ContactParameters {
-    return (this.#parameters ??= contacts.code.contactParameters(this, 'slipFactors'));
-  }
-}
+import type { CollisionCollectionNode } from './collision-collection-node.js';
 
 const parameters = (collection: CollisionCollectionNode): void => collection.updateParameters();
 
@@ -67,7 +13,6 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
   rank: 4,
   chunk: contacts,
   bounded: true,
-  make: (context) => new CollisionCollectionNode(context),
   fields: {
     ...description,
     collidables: {

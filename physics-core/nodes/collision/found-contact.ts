@@ -5,11 +5,12 @@ import type { Collidable } from '../../dynamics/collidable.js';
 import { carriedBy } from '../../dynamics/contact-order.js';
 import { PLAIN } from '../../dynamics/contact-parameters.js';
 import { firstDirection } from '../../effects/contacts/friction-directions.js';
-import { contacts } from '../../effects/effect/chunks.js';
+import { frictionOf } from '../../effects/contacts/parameters.js';
 import type { Value } from '../../fields/types.js';
 import type { NodeWorld } from '../node/node-world.js';
 import type { PhysicsNode } from '../node/node.js';
-import { contact, ContactNode } from './contact.js';
+import { contact } from './contact.js';
+import { ContactNode } from './contact-node.js';
 
 /** Fields that a Contact copies from the collection that speaks for its pair, by the Contact's name. */
 const COPIED: Record<string, string> = {
@@ -59,6 +60,6 @@ function parametersOf(world: NodeWorld, a: Collidable, b: Collidable): Record<st
   const copied = Object.entries(COPIED).map(([to, from]) => [to, collection.asked(from)]);
   return {
     ...Object.fromEntries(copied),
-    frictionCoefficients: contacts.code.frictionOf(collection),
+    frictionCoefficients: frictionOf(collection),
   };
 }

@@ -1,4 +1,4 @@
-import type { DoubleAxisHingeJointNode } from './double-axis-hinge-joint.js';
+import type { DoubleAxisHingeJointNode } from './double-axis-hinge-joint-node.js';
 import { anchorFields, axisField, axisOutput, jointFields, output } from './joint-fields.js';
 import { angleStop, bounceField, correctionField } from './stop-fields.js';
 import type { Field } from '../node/table.js';

@@ -1,8 +1,9 @@
 import { compose, identityPose, invert, type Pose } from '../../base/math.js';
 import type { Motor, RowCorrection, Spring, Stop } from '../../dynamics/joint.js';
 import { areNear } from '../../effects/rest/touching.js';
-import { joints } from '../../effects/effect/chunks.js';
-import type { JointConstraint, Side } from '../../engine/joint-constraint.js';
+import { leverRatio } from '../../effects/joints/joint-frames.js';
+import { reportBodies, reportMassRatio } from '../../effects/joints/joint-reports.js';
+import { JointConstraint, type Side } from '../../engine/joint-constraint.js';
 import type { Limit } from '../../engine/limits.js';
 import type { BodyNode } from '../body/body.js';
 import type { BodyJoint } from '../body/body-joint.js';
@@ -11,12 +12,13 @@ import { PlacedJoint } from './placed-joint.js';
 
 export { between, FREE, LOCKED, type Limit } from '../../engine/limits.js';
 export type { OwnCorrection } from './joint-corrections.js';
-export type { JointFrame } from '../../effects/effect/chunks.js';
+export type { JointFrame } from '../../effects/joints/joint-frames.js';
 
 /** Lever arms that differ by less than this erp ask alike: rounding is not to decide. */
 const ALIKE = 1e-3;
 
-const ROWS = 6;
+const ROW_NAMES = ['along x', 'along y', 'along z', 'about x', 'about y', 'about z'];
+const ROWS = ROW_NAMES.length;
 
 /**
  * A joint as one btGeneric6DofConstraint, the one constraint of Bullet 2.82 whose every row takes an error
@@ -55,7 +57,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.body1 = this.asked<BodyNode | null>('body1') ?? undefined;
     this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
     for (const body of [this.body1, this.body2]) body?.joints.add(this);
-    joints.code.reportBodies(this);
+    reportBodies(this);
     this.attach();
     return true;
   }
@@ -118,7 +120,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.#constraint.add(this.slides);
     if (bodies.length === 2) this.#part(bodies[0]!, bodies[1]!);
     for (const body of bodies) body.wake();
-    joints.code.reportMassRatio(this);
+    reportMassRatio(this);
     this.#changed();
   }
 
@@ -171,7 +173,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   /** Bullet's rows lie along body A's frame: A is the body whose lever arm asks for it. */
   protected shouldSwap(): boolean {
     const anchor = (body: BodyNode | undefined, frame: Pose): number =>
-      body ? joints.code.leverRatio(body, compose(body.pose(), frame).p) : -1;
+      body ? leverRatio(body, compose(body.pose(), frame).p) : -1;
     const first = anchor(this.body1, this.frame1);
     return anchor(this.body2, this.frame2) > first + Math.abs(first) * ALIKE;
   }
@@ -186,7 +188,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
         : { body: this.world.bullet.ground, frame: this.frameInBullet(which) };
     const sides = [side(this.body1, 1), side(this.body2, 2)] as const;
     [this.centred1, this.centred2] = [sides[0].frame, sides[1].frame];
-    return joints.code.constraint(this.world.bullet, ...sides, this.shouldSwap());
+    return new JointConstraint(this.world.bullet, ...sides, this.shouldSwap());
   }
 
   // ---- limits and softness ------------------------------------------------------------------------------------------
@@ -270,5 +272,16 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   /** Its rate, per second. */
   rateOf(row: number): number {
     return this.placed ? this.jointRows.rateOf(this, row) : 0;
+  }
+
+  /** What Bullet has for it, as plain data. */
+  get inBullet(): Record<string, unknown> | undefined {
+    if (!this.attached) return undefined;
+    const rows = this.limits.map(([low, high], row) => ({
+      row: ROW_NAMES[row],
+      holds: low > high ? 'nothing' : low < high ? [low, high] : low,
+    }));
+    const { p, q } = this.worldFrame(1);
+    return { anchor: p, frame: q, gap: this.gap, rows };
   }
 }

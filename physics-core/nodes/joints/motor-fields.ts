@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../fields/types.js';
 import { axisField, jointFields, output } from './joint-fields.js';
-import type { AxisNumber, MotorJointNode } from './motor-joint.js';
+import type { AxisNumber, MotorJointNode } from './motor-joint-node.js';
 import { idleStop } from './stop-fields.js';
 import type { Field } from '../node/table.js';
 

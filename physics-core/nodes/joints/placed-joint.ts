@@ -7,8 +7,8 @@ import {
   subtract,
   type Pose,
 } from '../../base/math.js';
-import { joints, type JointFrame } from '../../effects/effect/chunks.js';
 import { jointSolve } from '../../effects/joints/effects.js';
+import { leverRatio, orientations, type JointFrame } from '../../effects/joints/joint-frames.js';
 import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from '../body/body.js';
@@ -62,14 +62,13 @@ export abstract class PlacedJoint extends PhysicsNode {
   #framesNow(): { frame1: Pose; frame2: Pose } {
     const frame = this.wantedFrame();
     const { anchor } = frame;
-    const [q1, q2] = joints.code.orientations(frame, this.#longestArm(anchor));
+    const [q1, q2] = orientations(frame, this.#longestArm(anchor));
     const seen = (body: BodyNode | undefined, q: Pose['q']): Pose =>
       compose(invert(body?.pose() ?? identityPose()), { p: anchor, q });
     return { frame1: seen(this.body1, q1), frame2: seen(this.body2, q2) };
   }
 
   #longestArm(anchor: Vec3): Vec3 {
-    const { leverRatio } = joints.code;
     const body =
       (leverRatio(this.body2, anchor) > leverRatio(this.body1, anchor) ? this.body2 : this.body1) ??
       this.body2!;

@@ -5,7 +5,8 @@ import { byName, type NodeType } from './table.js';
 
 /** A node's table, and how a node of it is made. */
 export interface NodeDefinition<N extends PhysicsNode = PhysicsNode> extends NodeType<N> {
-  make(context: NodeContext): N;
+  /** Where its code comes in a chunk, that gives it. */
+  make?(context: NodeContext): N;
 }
 
 /** Adds the fields that all nodes, or all bounded ones, have. */

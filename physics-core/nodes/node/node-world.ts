@@ -22,6 +22,8 @@ export interface NodeContext {
   collection?: PhysicsNode | undefined;
   /** X3D version of the file it stands in, which says its defaults; 4 where nobody says. */
   version?: number | undefined;
+  /** The node itself, where it was made before the code of its class was here. */
+  early?: PhysicsNode;
 }
 
 /** What joints need to know of the solver. */
@@ -91,6 +93,8 @@ export interface NodeWorld extends Simulation {
     readonly collections: Iterable<PhysicsNode>;
     /** A node was added, or fields of it changed. */
     changed(node: PhysicsNode): void;
+    /** Code has come that nodes may wait for. */
+    codeCame(): void;
     /** A node is gone for good. */
     forget(node: PhysicsNode): void;
     /** A node from plain data in a field that takes `types`; undefined: it takes none such. */

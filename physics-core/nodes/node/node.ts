@@ -48,6 +48,8 @@ export class PhysicsNode implements SimulationNode, EditedNode {
     this.name = context.name;
     this.collection = context.collection;
     this.version = context.version ?? 4;
+    // As elements are upgraded: the node that is there already becomes one of this class, with all that it has.
+    if (context.early) return Object.setPrototypeOf(context.early, new.target.prototype) as this;
   }
 
   /** Whether it is an author's node, and so shows in `stats`. */

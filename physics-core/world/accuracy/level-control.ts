@@ -1,6 +1,6 @@
 import { AutoLevel, type Verdict } from './auto-level.js';
 import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../../dynamics/levels.js';
-import { JointNode } from '../../nodes/joints/joint.js';
+import { isJoint } from '../../nodes/joints/is-joint.js';
 import { jointSettings, levelOf, solverSettings } from './solver-settings.js';
 import { contactSurface } from '../../effects/contacts/effects.js';
 import { contacts } from '../../effects/effect/chunks.js';
@@ -48,7 +48,7 @@ export class LevelControl {
     const speed = world.settings.asked<number>('maxCorrectionSpeed');
     this.#limit(speed < 0 ? Infinity : speed);
     this.configureSolver();
-    for (const node of world.nodes) if (node instanceof JointNode) node.updateCorrection();
+    for (const node of world.nodes) if (isJoint(node)) node.updateCorrection();
   }
 
   /** How fast overlaps may be pushed apart, m/s. */

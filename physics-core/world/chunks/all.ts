@@ -6,7 +6,7 @@ import { meshes } from '../../shapes/meshes.js';
 
 /** All code that nodes wait for; pages fetch it when it is needed. */
 export const chunks: readonly Chunk<unknown>[] = [
-  joints.comesFrom(() => import('../../effects/joint-code.js')),
+  joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),

@@ -1,4 +1,4 @@
-import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection.js';
+import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection-node.js';
 import { Members, type MemberList } from '../../nodes/collision/members.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 

@@ -2,8 +2,8 @@ import { contactReader, contactSurface } from '../../effects/contacts/effects.js
 import { contacts } from '../../effects/effect/chunks.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { CollidableNode } from '../../nodes/collision/collidable.js';
-import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection.js';
-import type { CollisionSpaceNode } from '../../nodes/collision/collision-space.js';
+import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection-node.js';
+import type { CollisionSpaceNode } from '../../nodes/collision/collision-space-node.js';
 import { CollisionFilterGroups } from './collision-filter-groups.js';
 import { isOneSided } from './one-sided.js';
 import type { NodeWorld, PairRules } from '../../nodes/node/node-world.js';

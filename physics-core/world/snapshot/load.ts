@@ -2,7 +2,7 @@ import { forces } from '../../effects/flight/forces.js';
 import { jointSolve } from '../../effects/joints/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { BodyNode } from '../../nodes/body/body.js';
-import { JointNode } from '../../nodes/joints/joint.js';
+import { isJoint } from '../../nodes/joints/is-joint.js';
 import { FieldState } from '../../nodes/node/field-state.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import type { Lookup } from './lookup.js';
@@ -23,12 +23,12 @@ export function loadNode(node: PhysicsNode, found: Lookup): void {
   for (const name of state.authored) fields.authored.add(name);
   for (const [name, value] of state.beforeEvent) fields.beforeEvent.set(name, found.decode(value));
   node.load(fields);
-  if (node instanceof JointNode) node.kept = structuredClone(state.joint);
+  if (isJoint(node)) node.kept = structuredClone(state.joint);
 }
 
 /** What stands in Bullet. `slept`: those that were asleep before, and are not said to fall asleep. */
 export function loadState(node: PhysicsNode, found: Lookup, slept?: ReadonlySet<BodyNode>): void {
-  if (node instanceof JointNode) node.kept = undefined;
+  if (isJoint(node)) node.kept = undefined;
   const state = found.states.get(node.id)?.body;
   if (node instanceof BodyNode && node.built && state) loadBody(node, state, slept?.has(node));
 }

@@ -5,7 +5,8 @@ import type { Pose } from '../../base/math.js';
 import type { LevelName } from '../../dynamics/levels.js';
 import type { Value } from '../../fields/types.js';
 import { BodyNode } from '../../nodes/body/body.js';
-import { JointNode } from '../../nodes/joints/joint.js';
+import { isJoint } from '../../nodes/joints/is-joint.js';
+import type { JointNode } from '../../nodes/joints/joint.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import { PhysicsNode } from '../../nodes/node/node.js';
 import {
@@ -58,7 +59,7 @@ function stateOf(node: PhysicsNode, child: boolean): NodeState {
     beforeEvent: encoded(beforeEvent),
     ...(node instanceof BodyNode && { start: structuredClone(node.motion.start) }),
     ...(node instanceof BodyNode && node.built ? { body: bodyState(node) } : {}),
-    ...(node instanceof JointNode && node.placed ? { joint: framesOf(node) } : {}),
+    ...(isJoint(node) && node.placed ? { joint: framesOf(node) } : {}),
   };
 }
 

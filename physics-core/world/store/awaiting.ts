@@ -44,6 +44,7 @@ export class Awaiting {
   /** A Bullet world was made: all that comes into it meets the code that is here. */
   begin(): void {
     this.#seen = chunksHere();
+    this.#world.store.codeCame();
     for (const node of this.#world.nodes) node.codeCame();
   }
 
@@ -94,6 +95,7 @@ export class Awaiting {
   /** Code has come, to this world or another: what was made before may cause effects, too. */
   #look(): void {
     this.#seen = chunksHere();
+    this.#world.store.codeCame();
     for (const node of this.#world.nodes) {
       node.codeCame();
       if (node instanceof BodyNode && node.built) this.#world.registry.codeCame(node);

@@ -1,4 +1,4 @@
-import type { PhysicsNode } from '../../nodes/node/node.js';
+import { PhysicsNode } from '../../nodes/node/node.js';
 import type { NodeData } from '../../nodes/node/node-data.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { Editing } from './editing.js';
@@ -20,6 +20,8 @@ export class NodeStore {
   readonly #world: StoreWorld;
   readonly #nodes = new Set<PhysicsNode>();
   readonly #collections = new Set<CollectionNode>();
+  /** Those that were made before the code of their class was here. */
+  readonly #early = new Set<PhysicsNode>();
   /** X3D's defaults, for a world without a collection. */
   readonly defaults: PhysicsNode;
   #nextId = 1;
@@ -64,16 +66,23 @@ export class NodeStore {
     const nodeType = nodeTypes[type]!;
     const id = options.id ?? this.#nextId;
     this.#nextId = Math.max(this.#nextId, id + 1);
-    const { host, name, collection, version } = options;
-    return nodeType.make({
-      world: this.#world,
-      type: nodeType,
-      id,
-      host,
-      name,
-      collection: collection as PhysicsNode | undefined,
-      version,
-    });
+    const { host, name, version } = options;
+    const collection = options.collection as PhysicsNode | undefined;
+    const context = { world: this.#world, type: nodeType, id, host, name, collection, version };
+    if (nodeType.make) return nodeType.make(context);
+    const early = new PhysicsNode(context);
+    this.#early.add(early);
+    return early;
+  }
+
+  /** Code has come: nodes that were made before become of its classes. */
+  codeCame(): void {
+    for (const early of this.#early) {
+      const { make } = nodeTypes[early.type.name]!;
+      if (!make) continue;
+      make({ world: this.#world, type: early.type, id: early.id, early });
+      this.#early.delete(early);
+    }
   }
 
   /** A node from plain data in a field that takes `types`: for bare geometry a CollidableShape; undefined: it takes none such. */
@@ -108,6 +117,7 @@ export class NodeStore {
 
   forget(node: PhysicsNode): void {
     this.#nodes.delete(node);
+    this.#early.delete(node);
     this.#collections.delete(node as CollectionNode);
     this.#world.edits.drop(node);
     this.#world.takeBack(node);

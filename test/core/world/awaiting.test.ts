@@ -4,7 +4,7 @@ import { describe, mock } from 'node:test';
 import { chunks, contacts, joints, loadBullet, World } from '../../../physics-core/inside.js';
 import { fact } from '../helpers.js';
 
-const JOINT_CODE = () => import('../../../physics-core/effects/joint-code.js');
+const JOINT_CODE = () => import('../../../physics-core/world/chunks/joint-code.js');
 const NO_NETWORK = () => Promise.reject(new Error('no network'));
 /** Longer than the pause before another attempt, milliseconds. */
 const LATER = 6000;

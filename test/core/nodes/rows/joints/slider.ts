@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../../../physics-core/inside.js';
-import type { SliderJointNode } from '../../../../../physics-core/nodes/joints/slider-joint.js';
+import type { SliderJointNode } from '../../../../../physics-core/nodes/joints/slider-joint-node.js';
 import {
   addBody,
   claim,

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../../../physics-core/inside.js';
-import type { DoubleAxisHingeJointNode } from '../../../../../physics-core/nodes/joints/double-axis-hinge-joint.js';
+import type { DoubleAxisHingeJointNode } from '../../../../../physics-core/nodes/joints/double-axis-hinge-joint-node.js';
 import {
   addBody,
   below,
