@@ -1,6 +1,7 @@
 // Effects of the chunk `contacts`.
 import { ContactSolve } from './contact-solve/contact-solve.js';
 import { contactSolve } from './contact-solve/effects.js';
+import { touching } from './contact-solve/touching.js';
 import { ContactReader } from './contacts/contact-reader.js';
 import { ContactSurface } from './contacts/contact-surface.js';
 import { contactReader, contactSurface, givenContacts, pairFilter } from './contacts/effects.js';
@@ -18,6 +19,7 @@ export function provideContactEffects(): void {
   contactShapes.load = (simulation, effects) => new ContactShapes(simulation, effects);
   contactSurface.load = (simulation) => new ContactSurface(simulation);
   givenContacts.load = (simulation, effects) => new GivenContacts(simulation, effects);
+  contactSolve.found = touching;
   contactSolve.load = (simulation, effects) => new ContactSolve(simulation, effects);
   continuousCollision.load = (simulation) => new ContinuousCollision(simulation);
   impactPropagation.load = (simulation, effects) => new ImpactPropagation(simulation, effects);

@@ -3,7 +3,7 @@ import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
 import { isAwake } from './body-state.js';
-import { DISPATCHER, MANIFOLD, SIX_DOF, SOLVER, SOLVER_MODE } from './offsets.js';
+import { DISPATCHER, MANIFOLD, SOLVER, SOLVER_MODE } from './offsets.js';
 import { firstPoint, forgetImpulses, pointAt, pointCountAt, type Manifold } from './manifold.js';
 import { Owner } from './owner.js';
 
@@ -220,39 +220,6 @@ export class BulletWorld {
 
   removeBody(body: BtBody): void {
     this.bullet.removeRigidBody(body);
-  }
-
-  /**
-   * Makes a 6-DoF push both bodies at one point. It would push each at its own frame, and two forces that are not on one
-   * line turn a pair that has slid apart faster and faster (measured).
-   */
-  pushAtOnePoint(constraint: Ammo['btGeneric6DofConstraint']['prototype']): void {
-    if (!this.engine.heapTrusted) return;
-    const { ammo } = this.engine;
-    ammo.HEAPU8[ammo.getPointer(constraint) + SIX_DOF.useOffsetForConstraintFrame] = 0;
-  }
-
-  /** Where a locked row of a 6-DoF is to stand. On an unknown Ammo build it stays as it is. */
-  setRowTarget(constraint: number, row: number, value: number): void {
-    this.#setRow(constraint, row, value, value);
-  }
-
-  /** A row whose bounds cross is free. */
-  releaseRow(constraint: number, row: number): void {
-    this.#setRow(constraint, row, 1, -1);
-  }
-
-  #setRow(constraint: number, row: number, lower: number, upper: number): void {
-    if (!this.engine.heapTrusted) return;
-    const heap = this.engine.ammo.HEAPF32;
-    if (row < 3) {
-      heap[((constraint + SIX_DOF.linearLower) >> 2) + row] = lower;
-      heap[((constraint + SIX_DOF.linearUpper) >> 2) + row] = upper;
-      return;
-    }
-    const at = (constraint + SIX_DOF.angularLower + (row - 3) * SIX_DOF.angularSize) >> 2;
-    heap[at] = lower;
-    heap[at + 1] = upper;
   }
 
   addConstraint(constraint: BtConstraint): void {

@@ -1,7 +1,7 @@
 import type { Ammo } from './ammo.js';
 import type { BtConstraint } from './bullet-world.js';
 import type { BtBody } from './heap.js';
-import { CONSTRAINT_PARAM } from './offsets.js';
+import { CONSTRAINT_PARAM, SIX_DOF } from './offsets.js';
 import { FREE, LOCKED, type Limit } from './limits.js';
 import { Owner } from './owner.js';
 import { compose, identityPose, quaternionOf, type Pose } from '../base/math.js';
@@ -62,8 +62,17 @@ export class JointConstraint {
   /** Into the world. `slides`: its bodies may move apart. */
   add(slides: boolean): void {
     this.atOnePoint = slides;
-    if (slides) this.#world.pushAtOnePoint(this.#bullet);
+    if (slides) this.#pushAtOnePoint();
     this.#world.addConstraint(this.#bullet as BtConstraint);
+  }
+
+  /**
+   * It would push each body at its own frame, and two forces that are not on one line turn a pair that has slid apart faster
+   * and faster (measured).
+   */
+  #pushAtOnePoint(): void {
+    const { ammo, heapTrusted } = this.#world.engine;
+    if (heapTrusted) ammo.HEAPU8[this.pointer + SIX_DOF.useOffsetForConstraintFrame] = 0;
   }
 
   dispose(): void {
@@ -112,19 +121,34 @@ export class JointConstraint {
   setTarget(row: number, value: number): void {
     this.#released = false;
     const shifted = row === MIDDLE ? value : value - this.#shifts[row]!;
-    this.#world.setRowTarget(this.pointer, row, shifted || LOCKED[0]);
+    this.#setRow(row, shifted || LOCKED[0], shifted || LOCKED[1]);
+  }
+
+  /** On an unknown Ammo build it stays as it is. Bounds that cross leave it free. */
+  #setRow(row: number, lower: number, upper: number): void {
+    const { ammo, heapTrusted } = this.#world.engine;
+    if (!heapTrusted) return;
+    const heap = ammo.HEAPF32;
+    if (row < 3) {
+      heap[((this.pointer + SIX_DOF.linearLower) >> 2) + row] = lower;
+      heap[((this.pointer + SIX_DOF.linearUpper) >> 2) + row] = upper;
+      return;
+    }
+    const at = (this.pointer + SIX_DOF.angularLower + (row - 3) * SIX_DOF.angularSize) >> 2;
+    heap[at] = lower;
+    heap[at + 1] = upper;
   }
 
   /** Lets go of locked rows until they are told a target or limits. */
   release(rows: readonly number[]): void {
     if (this.#released) return;
     this.#released = true;
-    for (const row of rows) this.#world.releaseRow(this.pointer, row);
+    this.releaseStops(rows);
   }
 
   /** Lets go of rows with stops until they are told limits. */
   releaseStops(rows: readonly number[]): void {
-    for (const row of rows) this.#world.releaseRow(this.pointer, row);
+    for (const row of rows) this.#setRow(row, ...FREE);
   }
 
   /** Share of a row's error repaired per step, and its softness in Bullet's own terms. */

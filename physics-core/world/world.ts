@@ -14,7 +14,7 @@ import type { BulletWorld } from '../engine/bullet-world.js';
 import type { Engine } from '../engine/engine.js';
 import type { Vec3 } from '../fields/types.js';
 import type { BodyNode } from '../nodes/body/body.js';
-import type { JointSettings } from '../nodes/node/node-world.js';
+import type { JointSettings, PairRules } from '../nodes/node/node-world.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
 import { LevelControl } from './accuracy/level-control.js';
 import { BodySlots } from './bodies/body-slots.js';
@@ -25,8 +25,7 @@ import { HeapLimit } from './store/heap-limit.js';
 import { Lifecycle } from './lifecycle/lifecycle.js';
 import { measure, type LevelMeasurement, type MeasureOptions } from './measuring.js';
 import { NodeStore } from './store/node-store.js';
-import { Obstacles } from './pairs/obstacles.js';
-import { Pairs } from './pairs/pairs.js';
+import { alone, meeting, type Meeting, type ObstacleRules } from './pairs/alone.js';
 import { Rays, type RayHit } from './rays/raycast.js';
 import { Reporting } from './store/reporting.js';
 import { restoreSnapshot } from './snapshot/restore.js';
@@ -49,14 +48,13 @@ export class World implements TimedWorld {
   onwork?: () => void;
 
   readonly #reporting: Reporting;
+  #meeting: Meeting = alone;
   readonly store: NodeStore = new NodeStore(this);
   readonly poses = new Poses();
   readonly bodies: BodySlots = new BodySlots(this, this.poses);
   readonly registry: Effects = new Effects(this, allEffects);
-  readonly pairs: Pairs = new Pairs(this, this.bodies);
   readonly stepping: Stepping = new Stepping(this);
   readonly counts = { created: 0, patched: 0, destroyed: 0 };
-  readonly obstacles: Obstacles = new Obstacles(this, this.pairs);
   readonly rays: Rays = new Rays(this);
   readonly heapLimit: HeapLimit;
   readonly failures: Failures;
@@ -71,7 +69,7 @@ export class World implements TimedWorld {
     this.control = new LevelControl(this, lengthen, options.level);
     this.heapLimit = new HeapLimit(this, () => (this.paused = true), options.maxHeapBytes);
     this.failures = new Failures(this, this.heapLimit);
-    this.edits = new Editing(this, this.awaiting, this.obstacles, this.heapLimit, this.control);
+    this.edits = new Editing(this, this.awaiting, this.heapLimit, this.control);
   }
 
   // ---- nodes ------------------------------------------------------------------------------------------------------
@@ -102,6 +100,14 @@ export class World implements TimedWorld {
     this.store.firstCollection().set(field, value);
   }
 
+  get pairs(): PairRules {
+    return this.#meeting.pairs;
+  }
+
+  get obstacles(): ObstacleRules {
+    return this.#meeting.obstacles;
+  }
+
   bodyAt(pointer: number): BodyNode | undefined {
     return this.bodies.behind(pointer);
   }
@@ -110,6 +116,14 @@ export class World implements TimedWorld {
 
   work(): void {
     this.onwork?.();
+  }
+
+  /** Code has come that it may have waited for. */
+  codeCame(): void {
+    this.store.codeCame();
+    if (this.#meeting !== alone || !meeting.of) return;
+    this.#meeting = meeting.of(this, this.bodies);
+    this.pairs.refresh();
   }
 
   /** Applies pending edits. */

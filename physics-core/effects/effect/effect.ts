@@ -33,8 +33,8 @@ export interface EffectDescriptor<E extends Effect = Effect> {
   };
   /** The joints that cause it: looked at again whenever one changes. */
   readonly joint?: (joint: Joint) => string | undefined;
-  /** Looked at in each step in which Bullet finds bodies near each other. */
-  readonly found?: (simulation: Simulation, effects: Effects) => void;
+  /** Looked at in each step in which Bullet finds bodies near each other; given as `load` is. */
+  found?: (simulation: Simulation, effects: Effects) => void;
   /** The chunk that its code comes in, which gives `load` where there is none before; undefined: it is always there. */
   readonly chunk?: Chunk<unknown>;
   /** Makes it for one world, when it is needed first. */

@@ -23,8 +23,6 @@ export class Effects {
   /** Those that bodies or joints cause. */
   readonly #byBodies: readonly EffectDescriptor[];
   readonly #byJoints: readonly EffectDescriptor[];
-  /** And those that what is found near each other causes. */
-  readonly #byFound: readonly EffectDescriptor[];
   readonly #made = new Map<EffectDescriptor, Effect>();
   /** Those of them that a node causes. */
   readonly #caused = new Map<EffectDescriptor, Effect>();
@@ -45,7 +43,6 @@ export class Effects {
     this.#stages = Object.fromEntries(STAGES.map((stage) => [stage, []])) as never;
     this.#byBodies = ordered.filter((each) => each.body);
     this.#byJoints = ordered.filter((each) => each.joint);
-    this.#byFound = ordered.filter((each) => each.found);
   }
 
   /** The effect of this world, made if it was not needed before. */
@@ -108,8 +105,7 @@ export class Effects {
   /** Bullet's contact search is over. */
   found(): void {
     if (this.#simulation.bullet.manifoldCount === 0) return;
-    for (const descriptor of this.#byFound)
-      if (descriptor.load) descriptor.found!(this.#simulation, this);
+    for (const descriptor of this.#ordered) descriptor.found?.(this.#simulation, this);
   }
 
   #review(descriptor: EffectDescriptor, node: Cause, reason: string | undefined): void {

@@ -20,13 +20,3 @@ export function wakeTouching(simulation: Simulation, effects: Effects, body: Bod
     if (attached) for (const end of [body1, body2]) end?.wake();
   simulation.bullet.eachTouching(body.pointer, (other) => simulation.bodyAt(other)?.wake());
 }
-
-/** Whether Bullet watches for contacts of two bodies: they are near each other. */
-export function areNear({ bullet }: Simulation, a: Body, b: Body): boolean {
-  let near = false;
-  bullet.eachManifold((_, first, second) => {
-    if (first === a.pointer ? second === b.pointer : first === b.pointer && second === a.pointer)
-      near = true;
-  });
-  return near;
-}

@@ -1,8 +1,8 @@
 import { compose, identityPose, invert, type Pose } from '../../base/math.js';
 import type { Motor, RowCorrection, Spring, Stop } from '../../dynamics/joint.js';
-import { areNear } from '../../effects/rest/touching.js';
 import { leverRatio } from '../../effects/joints/joint-frames.js';
 import { reportBodies, reportMassRatio } from '../../effects/joints/joint-reports.js';
+import { areNear } from '../../effects/joints/near.js';
 import { JointConstraint, type Side } from '../../engine/joint-constraint.js';
 import type { Limit } from '../../engine/limits.js';
 import type { BodyNode } from '../body/body.js';

@@ -93,8 +93,6 @@ export interface NodeWorld extends Simulation {
     readonly collections: Iterable<PhysicsNode>;
     /** A node was added, or fields of it changed. */
     changed(node: PhysicsNode): void;
-    /** Code has come that nodes may wait for. */
-    codeCame(): void;
     /** A node is gone for good. */
     forget(node: PhysicsNode): void;
     /** A node from plain data in a field that takes `types`; undefined: it takes none such. */

@@ -11,7 +11,7 @@ import { RANKS } from '../store/edits.js';
 import type { LevelControl } from '../accuracy/level-control.js';
 import type { Awaiting, Starting } from '../store/awaiting.js';
 import type { Editing } from '../store/editing.js';
-import type { Obstacles } from '../pairs/obstacles.js';
+import type { ObstacleRules } from '../pairs/alone.js';
 import type { Rays } from '../rays/raycast.js';
 import { Readiness } from './readiness.js';
 import type { Stepping } from '../stepping/stepping.js';
@@ -23,7 +23,7 @@ interface LivingWorld extends NodeWorld {
   started: boolean;
   readonly bodies: BodySlots;
   readonly stepping: Stepping;
-  readonly obstacles: Obstacles;
+  readonly obstacles: ObstacleRules;
   readonly rays: Rays;
   readonly control: LevelControl;
   readonly edits: Editing;

@@ -2,6 +2,7 @@ import { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import { discardObstacle, makeObstacle } from '../../nodes/body/obstacle.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { ObstacleRules } from './alone.js';
 
 /** Which collections there are, and which list a collidable. */
 interface Listing {
@@ -10,7 +11,7 @@ interface Listing {
 }
 
 /** The obstacles of a world: collidables that no body owns, but that a CollisionCollection lists. */
-export class Obstacles {
+export class Obstacles implements ObstacleRules {
   readonly #world: NodeWorld;
   readonly #pairs: Listing;
   readonly #byCollidable = new Map<CollidableNode, BodyNode>();
@@ -21,12 +22,10 @@ export class Obstacles {
     this.#pairs = pairs;
   }
 
-  /** Something came, went, or was listed: who is an obstacle is looked at after the present edits. */
   due(): void {
     this.#due = true;
   }
 
-  /** True where obstacles were made, which are edits in their turn. */
   update(): boolean {
     if (!this.#due) return false;
     this.#due = false;
@@ -63,7 +62,6 @@ export class Obstacles {
     discardObstacle(obstacle);
   }
 
-  /** Before the Bullet world goes. */
   clear(): void {
     for (const [collidable, obstacle] of this.#byCollidable) this.#remove(collidable, obstacle);
     this.#due = true;

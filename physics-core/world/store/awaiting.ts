@@ -21,6 +21,11 @@ interface Missing {
   chunk: Chunk<unknown>;
 }
 
+/** The world that waits. */
+interface WaitingWorld extends NodeWorld {
+  codeCame(): void;
+}
+
 /** A world that starts once code is here. */
 export interface Starting {
   start(): void;
@@ -32,19 +37,19 @@ export interface Starting {
  * meanwhile, so that a scene moves in the same way however long that takes.
  */
 export class Awaiting {
-  readonly #world: NodeWorld;
+  readonly #world: WaitingWorld;
   #waits = false;
   /** How many chunks were here when it looked last. */
   #seen = 0;
 
-  constructor(world: NodeWorld) {
+  constructor(world: WaitingWorld) {
     this.#world = world;
   }
 
   /** A Bullet world was made: all that comes into it meets the code that is here. */
   begin(): void {
     this.#seen = chunksHere();
-    this.#world.store.codeCame();
+    this.#world.codeCame();
     for (const node of this.#world.nodes) node.codeCame();
   }
 
@@ -95,7 +100,7 @@ export class Awaiting {
   /** Code has come, to this world or another: what was made before may cause effects, too. */
   #look(): void {
     this.#seen = chunksHere();
-    this.#world.store.codeCame();
+    this.#world.codeCame();
     for (const node of this.#world.nodes) {
       node.codeCame();
       if (node instanceof BodyNode && node.built) this.#world.registry.codeCame(node);

@@ -4,27 +4,24 @@ import type { LevelControl } from '../accuracy/level-control.js';
 import type { Awaiting } from './awaiting.js';
 import { Edits } from './edits.js';
 import type { HeapLimit } from './heap-limit.js';
-import type { Obstacles } from '../pairs/obstacles.js';
+import type { ObstacleRules } from '../pairs/alone.js';
+
+/** The world whose nodes are edited. */
+interface EditedWorld extends NodeWorld {
+  readonly obstacles: ObstacleRules;
+}
 
 /** The road of edits: nodes that changed are made or patched in one batch, and what follows from that. */
 export class Editing {
-  readonly #world: NodeWorld;
+  readonly #world: EditedWorld;
   readonly #edits = new Edits();
   readonly #awaiting: Awaiting;
-  readonly #obstacles: Obstacles;
   readonly #heapLimit: HeapLimit;
   readonly #control: LevelControl;
 
-  constructor(
-    world: NodeWorld,
-    awaiting: Awaiting,
-    obstacles: Obstacles,
-    heapLimit: HeapLimit,
-    control: LevelControl,
-  ) {
+  constructor(world: EditedWorld, awaiting: Awaiting, heapLimit: HeapLimit, control: LevelControl) {
     this.#world = world;
     this.#awaiting = awaiting;
-    this.#obstacles = obstacles;
     this.#heapLimit = heapLimit;
     this.#control = control;
   }
@@ -54,7 +51,7 @@ export class Editing {
 
   /** False: there is none, and no obstacle is to be made. */
   applyNext(): boolean {
-    return this.#edits.applyNext(this.#apply) || this.#obstacles.update();
+    return this.#edits.applyNext(this.#apply) || this.#world.obstacles.update();
   }
 
   readonly #apply = (node: PhysicsNode): void =>

@@ -1,0 +1,16 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import { pointCountAt } from '../../engine/manifold.js';
+import { inverseMassOf } from '../../engine/solver-body.js';
+import type { Effects } from '../effect/effects.js';
+import { contactSolve } from './effects.js';
+
+/** Looked at in every step in which Bullet has found what may be in touch. */
+export function touching(simulation: Simulation, effects: Effects): void {
+  if (!simulation.bullet.settings.direct || effects.caused(contactSolve)) return;
+  const { ammo } = simulation.engine;
+  simulation.bullet.eachAwakeManifold((manifold, a, b) => {
+    if (pointCountAt(ammo, manifold) === 0) return;
+    const body = simulation.bodyAt(inverseMassOf(ammo, a) === 0 ? b : a);
+    if (body) effects.get(contactSolve).touch(body);
+  });
+}
