@@ -112,28 +112,25 @@ export class BulletWorld {
     }
   }
 
-  /** The same by pointers alone; only where the heap is trusted. */
-  eachManifoldInHeap(visit: (manifold: number, a: number, b: number) => void): void {
+  /** The same by pointers alone; only where the heap is trusted. `awakeOnly`: those that Bullet's solver looks at. */
+  eachManifoldInHeap(
+    visit: (manifold: number, a: number, b: number) => void,
+    awakeOnly = false,
+  ): void {
     const { ammo } = this.engine;
     const dispatcher = ammo.getPointer(this.#dispatcher);
     const count = ammo.HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
     for (let i = 0; i < count; i++) {
       const { HEAP32 } = ammo;
       const manifold = HEAP32[(HEAP32[(dispatcher + DISPATCHER.manifolds) >> 2]! >> 2) + i]!;
-      visit(
-        manifold,
-        HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!,
-        HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!,
-      );
+      const a = HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!;
+      const b = HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!;
+      if (!awakeOnly || isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
     }
   }
 
-  /** And of those that Bullet's solver looks at. */
   eachAwakeManifold(visit: (manifold: number, a: number, b: number) => void): void {
-    const { ammo } = this.engine;
-    this.eachManifoldInHeap((manifold, a, b) => {
-      if (isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
-    });
+    this.eachManifoldInHeap(visit, true);
   }
 
   /** Whether any two bodies touch, asleep or not; only where the heap is trusted. */
