@@ -4,7 +4,7 @@ import type { Ammo } from '../../engine/ammo.js';
 import { originOf } from '../../engine/body-heap.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { isCarried, readVelocity } from '../../engine/solver-body.js';
-import { ALONG } from '../drag/riders.js';
+import { ALONG } from '../drag/slips.js';
 import { C, speeds, type ConeContacts } from './cone-contacts.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';

@@ -5,7 +5,8 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import { Carried } from './carried.js';
-import { Riders, type Grip } from './riders.js';
+import { Riders } from './riders.js';
+import type { Grip } from './slips.js';
 
 /** Seconds without a new pose after which a carried body stands still. */
 const STILL = 0.1;
