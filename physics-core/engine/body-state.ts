@@ -23,6 +23,10 @@ export function setMobility(body: BtBody, mobility: Mobility): void {
   body.setFlags(RIGID_BODY_FLAG.ownGravity);
 }
 
+/** 1/kg; 0: it does not move. By its heap pointer. */
+export const inverseMassOf = ({ HEAPF32 }: Ammo, body: number): number =>
+  HEAPF32[(body + BODY.inverseMass) >> 2]!;
+
 /** Whether Bullet moves it: it is neither immovable nor asleep. By its heap pointer, where the heap is trusted. */
 export const isAwake = ({ HEAP32, HEAPF32 }: Ammo, body: number): boolean =>
   HEAP32[(body + BODY.activationState) >> 2] !== ACTIVATION.sleeping &&

@@ -1,4 +1,5 @@
 import type { Ammo } from './ammo.js';
+import { inverseMassOf } from './body-state.js';
 import { BODY, COLLISION_FLAG } from './offsets.js';
 
 // What a solver reads of a body between Bullet's contact search and its own, and what it writes after. By heap pointers,
@@ -6,10 +7,6 @@ import { BODY, COLLISION_FLAG } from './offsets.js';
 
 /** Moment of what can't be turned, kg m². */
 const UNTURNABLE = 1e12;
-
-/** 1/kg; 0: it does not move. */
-export const inverseMassOf = ({ HEAPF32 }: Ammo, body: number): number =>
-  HEAPF32[(body + BODY.inverseMass) >> 2]!;
 
 /** Whether its author moves it. */
 export const isCarried = ({ HEAP32 }: Ammo, body: number): boolean =>

@@ -1,52 +1,10 @@
-// After fdlibm's e_asin.c, s_atan.c and e_atan2.c: see index.ts.
-import { SIZE, fromWords, high } from './words.js';
+// After fdlibm's s_atan.c and e_atan2.c: see index.ts.
+import { SIZE, high } from './words.js';
 
-const EIGHTH = 7.85398163397448278999e-1;
+export const EIGHTH = 7.85398163397448278999e-1;
 /** A quarter of a turn, and what its double leaves. */
-const [QUARTER, QUARTER_LEFT] = [1.570796326794896558, 6.12323399573676603587e-17];
+export const [QUARTER, QUARTER_LEFT] = [1.570796326794896558, 6.12323399573676603587e-17];
 const [HALF, HALF_LEFT] = [Math.PI, 1.2246467991473532e-16];
-
-/** (asin √t − √t) / √t³, times t. */
-function asinShare(t: number): number {
-  const p =
-    t *
-    (1.66666666666666657415e-1 +
-      t *
-        (-3.25565818622400915405e-1 +
-          t *
-            (2.01212532134862925881e-1 +
-              t *
-                (-4.00555345006794114027e-2 +
-                  t * (7.91534994289814532176e-4 + t * 3.4793310759602116757e-5)))));
-  const q =
-    1 +
-    t *
-      (-2.40339491173441421878 +
-        t *
-          (2.02094576023350569471 +
-            t * (-6.8828397160545329303e-1 + t * 7.70381505559019352791e-2)));
-  return p / q;
-}
-
-export function asin(x: number): number {
-  const word = high(x) & SIZE;
-  if (Math.abs(x) > 1 || x !== x) return NaN;
-  if (word === 0x3ff00000) return x * QUARTER + x * QUARTER_LEFT;
-  if (word < 0x3e400000) return x;
-  if (word < 0x3fe00000) return x + x * asinShare(x * x);
-  const t = (1 - Math.abs(x)) * 0.5;
-  const share = asinShare(t);
-  const root = Math.sqrt(t);
-  if (word >= 0x3fef3333) {
-    const near = QUARTER - (2 * (root + root * share) - QUARTER_LEFT);
-    return x > 0 ? near : -near;
-  }
-  const head = fromWords(high(root), 0);
-  const left = (t - head * head) / (root + head);
-  const p = 2 * root * share - (QUARTER_LEFT - 2 * left);
-  const angle = EIGHTH - (p - (EIGHTH - 2 * head));
-  return x > 0 ? angle : -angle;
-}
 
 /** atan 1/2, 1, 3/2 and ∞, and what their doubles leave. */
 const ARCS = [4.63647609000806093515e-1, EIGHTH, 9.82793723247329054082e-1, QUARTER];

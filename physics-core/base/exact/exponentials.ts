@@ -1,21 +1,21 @@
-// After fdlibm's e_exp.c, s_expm1.c and e_log.c: see index.ts.
+// After fdlibm's e_exp.c and e_log.c: see index.ts.
 import { SIZE, fromWords, high, low, twoTo } from './words.js';
 
 /** The logarithm of 2, and what its head leaves. */
-const [LN2, LN2_LEFT] = [6.9314718036912381649e-1, 1.9082149292705877e-10];
+export const [LN2, LN2_LEFT] = [6.9314718036912381649e-1, 1.9082149292705877e-10];
 const PER_LN2 = 1.442695040888963387;
 
 /** Half of ln 2, and one and a half of it. */
-const [HALF_LN2, MORE] = [0x3fd62e42, 0x3ff0a2b2];
+export const [HALF_LN2, MORE] = [0x3fd62e42, 0x3ff0a2b2];
 
 /** Without so many whole ln 2. */
-const whole = (x: number, word: number): number =>
+export const whole = (x: number, word: number): number =>
   word < MORE ? Math.sign(x) : Math.trunc(PER_LN2 * x + (x < 0 ? -0.5 : 0.5));
 
-const [LARGEST, SMALLEST] = [7.09782712893383973096e2, -7.4513321910194110842e2];
+export const [LARGEST, SMALLEST] = [7.09782712893383973096e2, -7.4513321910194110842e2];
 
 /** Times 2 to a power, also where the power alone has no number. */
-function scaled(y: number, power: number): number {
+export function scaled(y: number, power: number): number {
   if (power === 1024) return y * 2 * twoTo(1023);
   return power >= -1021 ? y * twoTo(power) : y * twoTo(power + 1000) * 2 ** -1000;
 }
@@ -42,44 +42,6 @@ export function exp(x: number): number {
                 t * (-1.6533902205465251539e-6 + t * 4.13813679705723846039e-8))));
   if (power === 0) return 1 - ((r * c) / (c - 2) - r);
   return scaled(1 - (left - (r * c) / (2 - c) - head), power);
-}
-
-/** exp x − 1, also where x is small. */
-export function expm1(x: number): number {
-  const word = high(x) & SIZE;
-  if (x > LARGEST) return Infinity;
-  // Below −56 ln 2 nothing is left of it.
-  if (x < 0 && word >= 0x4043687a) return -1;
-  if (word < 0x3c900000) return x;
-  const power = word > HALF_LN2 ? whole(x, word) : 0;
-  const head = x - power * LN2;
-  const left = power * LN2_LEFT;
-  const r = power ? head - left : x;
-  const half = 0.5 * r;
-  const square = r * half;
-  const series =
-    1 +
-    square *
-      (-3.33333333333331316428e-2 +
-        square *
-          (1.58730158725481460165e-3 +
-            square *
-              (-7.93650757867487942473e-5 +
-                square * (4.00821782732936239552e-6 + square * -2.01099218183624371326e-7))));
-  const t = 3 - series * half;
-  const e = square * ((series - t) / (6 - r * t));
-  if (power === 0) return r - (r * e - square);
-  const c = head - r - left;
-  return timesPower(r, r * (e - c) - c - square, power);
-}
-
-/** (1 + r − e) 2 to the power, less 1. */
-function timesPower(r: number, e: number, power: number): number {
-  if (power === -1) return 0.5 * (r - e) - 0.5;
-  if (power === 1) return r < -0.25 ? -2 * (e - (r + 0.5)) : 1 + 2 * (r - e);
-  if (power <= -2 || power > 56) return scaled(1 - (e - r), power) - 1;
-  if (power < 20) return (fromWords(0x3ff00000 - (0x200000 >> power), 0) - (e - r)) * twoTo(power);
-  return (r - (e + twoTo(-power)) + 1) * twoTo(power);
 }
 
 /** A number as `share` times 2 to a power, the share about 1. */

@@ -5,7 +5,9 @@
 // fdlibm: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a Sun Microsystems, Inc.
 // business. Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is
 // preserved.
-export { asin, atan2 } from './arcs.js';
-export { exp, expm1, log } from './exponentials.js';
+export { atan2 } from './arcs.js';
+export { asin } from './asin.js';
+export { expm1 } from './expm1.js';
+export { exp, log } from './exponentials.js';
 export { hypot, lengthOf } from './hypot.js';
 export { cos, sin } from './sin-cos.js';

@@ -2,9 +2,9 @@ import { dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
 import { PointerNumbers } from '../../base/pointer-numbers.js';
 import type { Ammo } from '../../engine/ammo.js';
+import { inverseMassOf } from '../../engine/body-state.js';
 import {
   displace,
-  inverseMassOf,
   readInertia,
   readLoad,
   readVelocity,

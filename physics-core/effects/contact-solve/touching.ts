@@ -1,6 +1,6 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import { pointCountAt } from '../../engine/manifold.js';
-import { inverseMassOf } from '../../engine/solver-body.js';
+import { inverseMassOf } from '../../engine/body-state.js';
 import type { Effects } from '../effect/effects.js';
 import { contactSolve } from './effects.js';
 

@@ -3,7 +3,8 @@ import { compose, type Pose } from '../../base/math.js';
 import { SIDE } from './blocks.js';
 import type { Edge } from './forest.js';
 import { JointGeometry, type End } from './joint-geometry.js';
-import { MATRIX, writeMatrix, writeSpin } from '../../base/matrix.js';
+import { writeSpin } from '../../base/matrix-spin.js';
+import { MATRIX, writeMatrix } from '../../base/matrix.js';
 
 /** Origin and rotation matrix of a frame. */
 const FRAME = 3 + MATRIX;
