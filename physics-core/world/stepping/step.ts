@@ -3,12 +3,14 @@ import { contacts, type HardContacts } from '../../effects/effect/chunks.js';
 import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
+import type { Awaiting } from '../store/awaiting.js';
 import type { PhaseCosts } from './phase-costs.js';
 import type { StepTime } from './step-time.js';
 
 /** The world that a step goes through. */
 export interface SteppedWorld extends NodeWorld {
   readonly bodies: BodySlots;
+  readonly awaiting: Awaiting;
   readonly accuracy: LevelName;
   heard(event: string): boolean;
 }
@@ -23,6 +25,8 @@ export class Step {
   #hardContacts: HardContacts | undefined;
   /** The next step is the first one: bodies may begin inside each other. */
   #first = true;
+  /** `beforestep` was told of a step that has to wait. */
+  #begun = false;
 
   constructor(world: SteppedWorld, time: StepTime, costs: PhaseCosts) {
     this.#world = world;
@@ -33,20 +37,25 @@ export class Step {
   /** A Bullet world was made: whatever overlaps in its first step was there before. `first` FALSE: it goes on from a time. */
   begin(first: boolean): void {
     this.#first = first;
+    this.#begun = false;
     this.#hardContacts?.forget();
   }
 
-  /** The road of a step, stage by stage. Returns the seconds it took: none where a listener ended the world. */
+  /**
+   * The road of a step, stage by stage. Returns the seconds it took: none where a listener ended the world, or made an edit
+   * that needs code which is not here; that acts in this very step, which goes on once it is.
+   */
   take(): number {
     const world = this.#world;
     this.running = true;
     try {
-      this.#tell('beforestep');
+      if (!this.#begun) this.#tell('beforestep');
       if (!world.started) return 0;
       const { bullet } = world;
       this.#hold();
       const seconds = this.#simulate();
-      if (world.started && world.bullet === bullet) this.#tell('afterstep');
+      this.#begun = seconds === 0;
+      if (seconds > 0 && world.started && world.bullet === bullet) this.#tell('afterstep');
       return seconds;
     } finally {
       this.running = false;
@@ -58,6 +67,7 @@ export class Step {
     const { bodies, registry: effects } = this.#world;
     try {
       this.#world.flush();
+      if (this.#world.awaiting.waits) return 0;
       const { timeStep } = this.#world;
       if (bodies.awake === 0 && bodies.countAwake() === 0) {
         this.#time.pass();

@@ -3,7 +3,6 @@ import { show } from '../../base/show.js';
 import { FRAME } from '../../dynamics/levels.js';
 import { frameCosts } from '../../effects/costs/frame-costs.js';
 import type { LevelControl } from '../accuracy/level-control.js';
-import type { Awaiting } from '../store/awaiting.js';
 import type { Editing } from '../store/editing.js';
 import type { HeapLimit } from '../store/heap-limit.js';
 import { PhaseCosts } from './phase-costs.js';
@@ -21,7 +20,6 @@ const MUCH_LOST = 1;
 
 /** The world whose time passes. */
 export interface TimedWorld extends SteppedWorld {
-  readonly awaiting: Awaiting;
   readonly edits: Editing;
   readonly control: LevelControl;
   readonly heapLimit: HeapLimit;

@@ -1,7 +1,14 @@
 // A file of its own: code that has come stays for the whole process.
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { contacts, joints, loadBullet, World } from '../../../physics-core/inside.js';
+import {
+  contacts,
+  joints,
+  loadBullet,
+  meshes,
+  World,
+  type PhysicsNode,
+} from '../../../physics-core/inside.js';
 import type { CollisionSensorNode } from '../../../physics-core/nodes/collision/collision-sensor-node.js';
 import { fact } from '../helpers.js';
 
@@ -59,6 +66,30 @@ describe('a node made before the code of its class is here', () => {
     ball.remove();
     world.step();
     assert.equal(sensor.get('isActive'), false);
+    world.destroy();
+  });
+
+  fact('holds the step in which a listener adds it, and is told of once', async () => {
+    const world = new World();
+    world.add('RigidBody', { geometry: [{ type: 'Sphere', radius: 1 }] });
+    world.start(await loadBullet());
+    const told: string[] = [];
+    const added: PhysicsNode[] = [];
+    const shape = { type: 'Cone', bottomRadius: 1, height: 1, side: false, bottom: true };
+    world.on('beforestep', () => {
+      told.push('before');
+      if (told.length === 1)
+        added.push(world.add('RigidBody', { position: [9, 0, 0], geometry: [shape] }));
+    });
+    world.on('afterstep', () => told.push('after'));
+    assert.equal(meshes.here, false);
+    assert.deepEqual([world.step(3), world.time, told], [0, 0, ['before']]);
+    await meshes.load();
+    await new Promise((resolve) => setTimeout(resolve));
+    assert.equal(world.step(), world.timeStep);
+    assert.deepEqual(told, ['before', 'after']);
+    const [, speed] = added[0]!.get('linearVelocity') as number[];
+    assert.ok(Math.abs(speed! + 9.8 * world.timeStep) < 1e-6);
     world.destroy();
   });
 });
