@@ -1,5 +1,5 @@
-import type { CaseBody, CaseScene } from './case.js';
-import { addWalls } from './walls.js';
+import type { CaseBody, CaseScene, Vec3 } from './case.js';
+import { addBodies, wallsOf } from './walls.js';
 import { loadEngine, World, type PhysicsNode } from '../physics-core/inside.js';
 
 /** A scene to measure. */
@@ -73,30 +73,49 @@ function motor(world: World): void {
 }
 
 /** Scene 3 of the paper without its motor: boxes heaped up in a room. */
+function room(count: number): CaseBody[] {
+  let state = 1;
+  const random = () => (state = (state * 16807) % 2147483647) / 2147483647;
+  const boxes = Array.from({ length: count }, (_, i): CaseBody => {
+    const size = 0.5 + 0.5 * random();
+    return {
+      name: String(i),
+      position: [
+        1.2 * ((i % 7) - 3),
+        1 + 1.1 * Math.floor(i / 49),
+        1.2 * ((Math.floor(i / 7) % 7) - 3),
+      ],
+      mass: 8 * size ** 3,
+      shape: { type: 'Box', size: [size, size, size] },
+    };
+  });
+  const size: Vec3 = [12, 1, 12];
+  const floor: CaseBody = {
+    name: 'floor',
+    fixed: true,
+    position: [0, -0.5, 0],
+    shape: { type: 'Box', size },
+  };
+  return [floor, ...wallsOf(5, 40), ...boxes];
+}
+
 export const pile =
   (count: number) =>
-  (world: World): void => {
-    world.add('RigidBody', {
-      fixed: true,
-      position: [0, -0.5, 0],
-      geometry: [box(12, 1, 12)],
-    });
-    addWalls(world, 5, 40);
-    let state = 1;
-    const random = () => (state = (state * 16807) % 2147483647) / 2147483647;
-    for (let i = 0; i < count; i++) {
-      const size = 0.5 + 0.5 * random();
-      world.add('RigidBody', {
-        position: [
-          1.2 * ((i % 7) - 3),
-          1 + 1.1 * Math.floor(i / 49),
-          1.2 * ((Math.floor(i / 7) % 7) - 3),
-        ],
-        mass: 8 * size ** 3,
-        geometry: [box(size, size, size)],
-      });
-    }
-  };
+  (world: World): void =>
+    addBodies(world, room(count));
+
+/** The same as Bullet alone would have it: with its iterations, as many as it takes by itself. */
+export const piled = (count: number): Scene => ({
+  name: `${count} piled boxes`,
+  fields: { iterations: 10 },
+  warmUp: 1,
+  build: pile(count),
+  told: {
+    gravity: [0, -9.8, 0],
+    bodies: room(count),
+    contact: { bounce: 0, friction: 0.5 },
+  },
+});
 
 /** Scene 4 of the paper: hinged pieces lying on the ground. */
 const hinges =
@@ -143,6 +162,7 @@ export function falling(count: number): Scene {
 
 export const scenes: readonly Scene[] = [
   falling(1000),
+  piled(1000),
   { name: 'chain of 8', warmUp: 0.1, build: chain },
   { name: 'pile of 500', warmUp: 2, build: pile(500) },
   { name: 'row of 200 hinges', warmUp: 1, build: hinges(200) },
