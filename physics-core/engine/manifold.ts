@@ -25,6 +25,9 @@ export const bodyBAt = ({ HEAP32 }: Ammo, manifold: number): number =>
 export const pointAt = (manifold: number, i: number): number =>
   pointAfter(manifold + MANIFOLD.points, i);
 
+/** Farther than any contact that Bullet's solver looks at (its own threshold is 1e18), metres. */
+export const APART = 1e30;
+
 /** The solver finds the point so far away, metres. */
 export function setSolverDistanceAt({ HEAPF32 }: Ammo, point: number, metres: number): void {
   HEAPF32[(point + POINT.distance) >> 2] = metres;

@@ -1,11 +1,9 @@
 import { ContactPoint } from '../../engine/contact-point.js';
+import { APART } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
 import { Effect, type Cause } from '../effect/effect.js';
-
-/** Farther than any contact that Bullet's solver looks at (its own threshold is 1e18), metres. */
-const APART = 1e30;
 
 /** Two bodies, and which of their parts meet, by the number of both. */
 interface Neighbours {

@@ -201,6 +201,14 @@ export class ComponentSolve {
     this.#bounded.tell(k, listener);
   }
 
+  /** Whether a body of a component is put somewhere else, since an edit had torn a joint of it. */
+  leaves(component: Component, body: Body, dt: number): boolean {
+    if (!this.torn.has(component)) return false;
+    return component.bodies.some(
+      (i) => this.bodies.bodies[i] === body && this.#tornJoints.leaves(i, dt),
+    );
+  }
+
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. False: nothing but joints and forces acted. */
   settle(component: Component, dt: number): boolean {
     const disturbed = this.#stabilization.disturbed(component, dt);

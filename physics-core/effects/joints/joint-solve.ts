@@ -1,6 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { APART, setSolverDistanceAt } from '../../engine/manifold.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { stops } from './effects.js';
@@ -222,13 +223,24 @@ export class JointSolve extends Effect {
 
   /** Whether some of Bullet's rows are let go: the first touch finds them on. */
   override seesContacts(): boolean {
-    return this.#sleepingRows.waits;
+    return this.#sleepingRows.waits || this.#solver.torn.size > 0;
   }
 
-  override contact(_point: number, a: number, b: number): boolean {
+  /** What is about to be put elsewhere touches nothing here. */
+  override contact(point: number, a: number, b: number): boolean {
+    if (this.#leaves(a) || this.#leaves(b)) {
+      setSolverDistanceAt(this.#simulation.engine.ammo, point, APART);
+      return false;
+    }
     this.#sleepingRows.touch(a);
     this.#sleepingRows.touch(b);
     return true;
+  }
+
+  #leaves(pointer: number): boolean {
+    const body = this.#solver.torn.size > 0 && this.#simulation.bodyAt(pointer);
+    const component = body && this.#componentOf.get(body);
+    return component ? this.#solver.leaves(component, body, this.#simulation.timeStep) : false;
   }
 
   #rebuild(): void {

@@ -46,6 +46,14 @@ export class TornJoints {
       for (let x = i * SIDE; x < (i + 1) * SIDE; x++) this.#closing[x] = velocity[x]!;
   }
 
+  /** Whether a body is put so far away by it that what it touches before is nothing that it meets. */
+  leaves(i: number, dt: number): boolean {
+    const { velocity } = this.#system;
+    const at = i * SIDE;
+    const [x, y, z] = [0, 1, 2].map((k) => this.#closing[at + k]! - velocity[at + k]!);
+    return dt * hypot(x!, y!, z!) > this.#jointed.bodies[i]!.leastExtent / 2;
+  }
+
   // ---- after Bullet's step ------------------------------------------------------------------------------------------
 
   /** It took the bodies along the velocities found since: the rest of the way. */

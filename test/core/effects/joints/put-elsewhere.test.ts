@@ -58,3 +58,22 @@ const EDITS = [
   [0, -1, 3, 4],
   [2, -1, 2, -1],
 ] as const;
+
+for (const accuracy of levelNames)
+  fact(
+    `at ${accuracy} a link thrown into a floor far from its joint is not thrown by that`,
+    async () => {
+      const w = await world({ accuracy });
+      addBody(w, { fixed: true, position: [0, -3, 0], geometry: [box(30, 1, 30)] });
+      const link = addBody(w, { position: [0, 0, 0.8], geometry: [box(2, 2, 1)] });
+      addJoint(w, 'BallJoint', { body1: link });
+      w.advance(0.05);
+      // 2.3 m from the joint, and 10 cm deep in the floor; the joint has it back at once.
+      link.teleport([0, -1.6, -1.7], undefined, {
+        linearVelocity: [-5, -5, 0],
+        angularVelocity: [-1, 0, 0],
+      });
+      // It has 7.07 m/s, and falls for a step.
+      below(fastest(w, [link], 2 * w.timeStep), 7.4, 'm/s');
+    },
+  );
