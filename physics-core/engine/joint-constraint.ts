@@ -121,7 +121,8 @@ export class JointConstraint {
   setTarget(row: number, value: number): void {
     this.#released = false;
     const shifted = row === MIDDLE ? value : value - this.#shifts[row]!;
-    this.#setRow(row, shifted || LOCKED[0], shifted || LOCKED[1]);
+    const target = shifted || LOCKED[0];
+    this.#setRow(row, target, target);
   }
 
   /** On an unknown Ammo build it stays as it is. Bounds that cross leave it free. */
@@ -143,11 +144,15 @@ export class JointConstraint {
   release(rows: readonly number[]): void {
     if (this.#released) return;
     this.#released = true;
-    this.releaseStops(rows);
+    this.#free(rows);
   }
 
   /** Lets go of rows with stops until they are told limits. */
   releaseStops(rows: readonly number[]): void {
+    this.#free(rows);
+  }
+
+  #free(rows: readonly number[]): void {
     for (const row of rows) this.#setRow(row, ...FREE);
   }
 

@@ -6,13 +6,15 @@ export const [LN2, LN2_LEFT] = [6.9314718036912381649e-1, 1.9082149292705877e-10
 const PER_LN2 = 1.442695040888963387;
 
 /** Half of ln 2, and one and a half of it. */
-export const [HALF_LN2, MORE] = [0x3fd62e42, 0x3ff0a2b2];
+export const HALF_LN2 = 0x3fd62e42;
+const MORE = 0x3ff0a2b2;
 
 /** Without so many whole ln 2. */
 export const whole = (x: number, word: number): number =>
   word < MORE ? Math.sign(x) : Math.trunc(PER_LN2 * x + (x < 0 ? -0.5 : 0.5));
 
-export const [LARGEST, SMALLEST] = [7.09782712893383973096e2, -7.4513321910194110842e2];
+export const LARGEST = 7.09782712893383973096e2;
+const SMALLEST = -7.4513321910194110842e2;
 
 /** Times 2 to a power, also where the power alone has no number. */
 export function scaled(y: number, power: number): number {

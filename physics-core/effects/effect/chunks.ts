@@ -44,5 +44,5 @@ export const joints = new Chunk({ name: 'joints', causes: 'a joint' });
 export const contacts = new Chunk<ContactCode>({
   name: 'contacts',
   causes:
-    'a second RigidBody in the same world, or a fixed one, a CollisionCollection, a CollisionSensor or a Contact',
+    'a second RigidBody in the same world, or a fixed one, a CollisionCollection, a CollisionSpace, a CollisionSensor or a Contact',
 });
