@@ -12,7 +12,8 @@ export function writeSpin(
   // Twice the sine of the angle along the axis, from what is odd in to fromᵀ; the sum on its diagonal is 1 + 2 cos.
   let trace = 0;
   for (let i = 0; i < 3; i++) {
-    const [j, k] = [(i + 1) % 3, (i + 2) % 3];
+    const j = (i + 1) % 3;
+    const k = (i + 2) % 3;
     let odd = 0;
     for (let c = 0; c < 3; c++) {
       odd += m[to + k * 3 + c]! * m[from + j * 3 + c]! - m[to + j * 3 + c]! * m[from + k * 3 + c]!;

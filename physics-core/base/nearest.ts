@@ -7,7 +7,10 @@ export function nearest(name: string, names: readonly string[]): string | undefi
   let least = most + 1;
   for (const other of names) {
     const far = distance(lower, other.toLowerCase());
-    if (far < least) [best, least] = [other, far];
+    if (far < least) {
+      best = other;
+      least = far;
+    }
   }
   return best;
 }

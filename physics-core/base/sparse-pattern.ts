@@ -81,7 +81,8 @@ export class SparsePattern {
 
   /** The block that two unknowns share, and whether its rows are those of the first. */
   between(a: number, b: number): { block: number; straight: boolean } {
-    const [i, j] = [this.place[a]!, this.place[b]!];
+    const i = this.place[a]!;
+    const j = this.place[b]!;
     return i >= j
       ? { block: this.#blockAt(i, j), straight: true }
       : { block: this.#blockAt(j, i), straight: false };

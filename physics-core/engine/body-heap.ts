@@ -34,7 +34,9 @@ export function speedAt(
 ): number {
   const v = (body + BODY.linearVelocity) >> 2;
   const w = (body + BODY.angularVelocity) >> 2;
-  const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
+  const rx = arm[0]!;
+  const ry = arm[1]!;
+  const rz = arm[2]!;
   return (
     x * (HEAPF32[v]! + HEAPF32[w + 1]! * rz - HEAPF32[w + 2]! * ry) +
     y * (HEAPF32[v + 1]! + HEAPF32[w + 2]! * rx - HEAPF32[w]! * rz) +

@@ -28,7 +28,8 @@ export class JointView {
       const at = (constraint + SIX_DOF.angularLower + (row - 3) * SIX_DOF.angularSize) >> 2;
       return [heap[at]!, heap[at + 1]!];
     }
-    const [low, high] = [SIX_DOF.linearLower, SIX_DOF.linearUpper];
+    const low = SIX_DOF.linearLower;
+    const high = SIX_DOF.linearUpper;
     return [heap[((constraint + low) >> 2) + row]!, heap[((constraint + high) >> 2) + row]!];
   }
 }

@@ -13,7 +13,8 @@ export function makeLineDrawer(
   // Bullet hands over pointers to vectors.
   drawer.drawLine = (from: number, to: number, color: number) => {
     const heap = ammo.HEAPF32;
-    const [a, b] = [from >> 2, to >> 2];
+    const a = from >> 2;
+    const b = to >> 2;
     draw(heap.subarray(a, a + 3), heap.subarray(b, b + 3), heap[color >> 2]!);
   };
   drawer.getDebugMode = () => 0;

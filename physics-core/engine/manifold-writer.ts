@@ -67,8 +67,12 @@ export class ManifoldWriter {
   #writePoint(point: number, a: number, b: number, points: NewPoints, number: number): void {
     const { at, normal } = points;
     const from = 3 * number;
-    const [x, y, z] = [at[from]!, at[from + 1]!, at[from + 2]!];
-    const [nx, ny, nz] = [normal[from]!, normal[from + 1]!, normal[from + 2]!];
+    const x = at[from]!;
+    const y = at[from + 1]!;
+    const z = at[from + 2]!;
+    const nx = normal[from]!;
+    const ny = normal[from + 1]!;
+    const nz = normal[from + 2]!;
     const distance = points.distance[number]!;
     this.#old.take(point >> 2, x, y, z, nx, ny, nz);
     const { HEAPF32, HEAP32 } = this.#ammo;

@@ -95,7 +95,10 @@ export class OldPoints {
       if (f[n]! * nx + f[n + 1]! * ny + f[n + 2]! * nz < SAME_SIDE) continue;
       const p = at + POINT.positionB / 4;
       const apart = (f[p]! - x) ** 2 + (f[p + 1]! - y) ** 2 + (f[p + 2]! - z) ** 2;
-      if (apart < least) [least, found] = [apart, i];
+      if (apart < least) {
+        least = apart;
+        found = i;
+      }
     }
     return found;
   }

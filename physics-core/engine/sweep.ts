@@ -54,7 +54,8 @@ export class Sweep {
   #read(): void {
     const callback = this.#callback;
     this.met = this.#ammo.getPointer(callback.get_m_hitCollisionObject());
-    const [position, normal] = [callback.get_m_hitPointWorld(), callback.get_m_hitNormalWorld()];
+    const position = callback.get_m_hitPointWorld();
+    const normal = callback.get_m_hitNormalWorld();
     this.position.set([position.x(), position.y(), position.z()]);
     this.normal.set([normal.x(), normal.y(), normal.z()]);
   }

@@ -4,7 +4,9 @@ import type { X3DMatrix } from '../x3dom/x3dom.js';
 export type Pass = 'picture' | 'shadow' | 'pick';
 
 /** The maps of shadows that a frame needs come after the picture and what is under the pointer. */
-const [PICTURE, PICK, MAPS] = [0, 1, 2];
+const PICTURE = 0;
+const PICK = 1;
+const MAPS = 2;
 
 /** What x3dom draws all Shapes for at the moment, and from where: it says so where it begins. */
 export class Passes {

@@ -15,7 +15,12 @@ export const boxOf = ({ min, max, valid }: X3DVolume): number[] =>
  * as x3dom adds it up, since shadows hang on that.
  */
 export function reachInto(m: Affine, box: Numbers, out: Numbers, at: number): void {
-  const [x0, y0, z0, x1, y1, z1] = [box[0]!, box[1]!, box[2]!, box[3]!, box[4]!, box[5]!];
+  const x0 = box[0]!;
+  const y0 = box[1]!;
+  const z0 = box[2]!;
+  const x1 = box[3]!;
+  const y1 = box[4]!;
+  const z1 = box[5]!;
   for (let axis = 0; axis < 3; axis++) {
     const row = 4 * axis;
     const origin = m[row + 3];

@@ -36,7 +36,8 @@ const isOwn = (node: X3DBounded, isMoved: (node: X3DNode) => boolean): boolean =
 
 // Scratch: nothing is allocated while bodies move.
 const part: Affine = identity();
-const [product, next]: Affine[] = [identity(), identity()];
+const product = identity();
+const next = identity();
 const reach = new Array<number>(BOX).fill(0);
 
 /**
@@ -81,7 +82,8 @@ export class Strand {
 
   /** `local`: the matrix of the Transform that is moved, `above`: that of what all of it stands in. */
   place(local: Affine, above: Affine, instances: Instances, at: number): void {
-    let [matrix, box] = [local, this.#inside];
+    let matrix = local;
+    let box = this.#inside;
     // x3dom takes the bounds of the bounds at each of them.
     for (const { _trafo } of this.#outer) {
       reachInto(matrix, box, reach, 0);

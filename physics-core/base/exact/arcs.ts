@@ -3,8 +3,10 @@ import { SIZE, high } from './words.js';
 
 export const EIGHTH = 7.85398163397448278999e-1;
 /** A quarter of a turn, and what its double leaves. */
-export const [QUARTER, QUARTER_LEFT] = [1.570796326794896558, 6.12323399573676603587e-17];
-const [HALF, HALF_LEFT] = [Math.PI, 1.2246467991473532e-16];
+export const QUARTER = 1.570796326794896558;
+export const QUARTER_LEFT = 6.12323399573676603587e-17;
+const HALF = Math.PI;
+const HALF_LEFT = 1.2246467991473532e-16;
 
 /** atan 1/2, 1, 3/2 and ∞, and what their doubles leave. */
 const ARCS = [4.63647609000806093515e-1, EIGHTH, 9.82793723247329054082e-1, QUARTER];

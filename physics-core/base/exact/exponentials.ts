@@ -2,7 +2,8 @@
 import { SIZE, fromWords, high, low, twoTo } from './words.js';
 
 /** The logarithm of 2, and what its head leaves. */
-export const [LN2, LN2_LEFT] = [6.9314718036912381649e-1, 1.9082149292705877e-10];
+export const LN2 = 6.9314718036912381649e-1;
+export const LN2_LEFT = 1.9082149292705877e-10;
 const PER_LN2 = 1.442695040888963387;
 
 /** Half of ln 2, and one and a half of it. */
@@ -63,7 +64,8 @@ export function log(x: number): number {
   if (x === Infinity) return x;
   const { share, power, bits } = parted(x);
   const f = share - 1;
-  const [head, left] = [power * LN2, power * LN2_LEFT];
+  const head = power * LN2;
+  const left = power * LN2_LEFT;
   if ((0xfffff & (2 + bits)) < 3) {
     if (f === 0) return head + left;
     const r = f * f * (0.5 - (1 / 3) * f);

@@ -3,7 +3,8 @@ export function lengthOf(values: ArrayLike<number>): number {
   let most = 0;
   for (let i = 0; i < values.length; i++) most = Math.max(most, Math.abs(values[i]!));
   if (most === 0 || most === Infinity) return most;
-  let [sum, over] = [0, 0];
+  let sum = 0;
+  let over = 0;
   for (let i = 0; i < values.length; i++) {
     const share = values[i]! / most;
     const next = share * share - over;
@@ -19,7 +20,8 @@ export function hypot(x: number, y: number, z?: number): number {
   const two = Math.max(Math.abs(x), Math.abs(y));
   const most = z === undefined ? two : Math.max(two, Math.abs(z));
   if (most === 0 || most === Infinity) return most;
-  const [a, b] = [x / most, y / most];
+  const a = x / most;
+  const b = y / most;
   const first = a * a;
   const next = b * b;
   const sum = first + next;

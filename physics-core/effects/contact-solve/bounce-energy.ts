@@ -67,7 +67,8 @@ export class BounceEnergy {
 
   /** Share of the work of contacts, all taken as positive, that they give rather than take. */
   #excess({ contacts }: Part): number {
-    let [sum, all] = [0, 0];
+    let sum = 0;
+    let all = 0;
     for (const i of contacts) {
       const work = this.#workOf(i);
       sum += work;

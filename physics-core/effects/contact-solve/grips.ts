@@ -89,7 +89,8 @@ export class Grips {
   #onlyCarrier({ bodies, manifolds, jointed }: Part): number | undefined {
     if (bodies.length > 1 || manifolds.length > 1 || jointed) return undefined;
     const { ammo } = this.#simulation.engine;
-    const [a, b] = [bodyAAt(ammo, manifolds[0]!), bodyBAt(ammo, manifolds[0]!)];
+    const a = bodyAAt(ammo, manifolds[0]!);
+    const b = bodyBAt(ammo, manifolds[0]!);
     const on = a === this.#bodies.pointers[bodies[0]!] ? b : a;
     return isCarried(ammo, on) ? on : undefined;
   }

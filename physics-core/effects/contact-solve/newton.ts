@@ -285,10 +285,12 @@ export class Newton {
       const slope = constant + s * curve - this.#power();
       if (slope <= FLAT * -begin && (s === 1 || slope >= FLAT * begin)) break;
       if (slope > 0) {
-        [high, atHigh] = [s, slope];
+        high = s;
+        atHigh = slope;
         if (i > 0) atLow /= 2;
       } else {
-        [low, atLow] = [s, slope];
+        low = s;
+        atLow = slope;
         atHigh /= 2;
       }
       s = low - ((high - low) * atLow) / (atHigh - atLow);

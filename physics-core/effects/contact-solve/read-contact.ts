@@ -172,7 +172,9 @@ export class ContactPort {
     const v = this.#carried;
     if (v[3] === 0 && v[4] === 0 && v[5] === 0) return;
     const [arm, own, rider] = p < 0 ? [C.armB, C.armA, q] : [C.armA, C.armB, p];
-    const [by, turned, swing] = [this.#way, this.#turned, this.#swing];
+    const by = this.#way;
+    const turned = this.#turned;
+    const swing = this.#swing;
     // Of the contact against the middle of what is carried, and of the place on that which it leaves, m/s.
     cross3(turned, 0, v, 3, c, at + arm);
     for (let k = 0; k < 3; k++)
@@ -191,7 +193,8 @@ export class ContactPort {
     const c = this.#contacts.values;
     const at = i * C.size;
     const point = this.#point.at(this.#contacts.pointers[i]!, 0, 0);
-    const [first, second] = [at + C.direction1, at + C.direction2];
+    const first = at + C.direction1;
+    const second = at + C.direction2;
     point.impulse = c[at + C.impulse]!;
     point.setLateralImpulses(c[at + C.impulse + 1]!, c[at + C.impulse + 2]!);
     point.setDirection(0, c[first]!, c[first + 1]!, c[first + 2]!);
@@ -204,7 +207,9 @@ export class ContactPort {
  * written there. Along others, friction would begin each step turned aside.
  */
 function layAsBullet(c: Float64Array, at: number): void {
-  const [x, y, z] = [c[at]!, c[at + 1]!, c[at + 2]!];
+  const x = c[at]!;
+  const y = c[at + 1]!;
+  const z = c[at + 2]!;
   const facesZ = Math.abs(z) > Math.SQRT1_2;
   const size = facesZ ? hypot(y, z) : hypot(x, y);
   const p = at + C.direction1;

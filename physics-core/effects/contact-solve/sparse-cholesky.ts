@@ -82,7 +82,8 @@ export class SparseCholesky {
     for (const i of left) {
       const degree = this.#neighbours[i]!.size;
       if (degree >= least) continue;
-      [best, least] = [i, degree];
+      best = i;
+      least = degree;
       if (degree <= 1) break;
     }
     return best;

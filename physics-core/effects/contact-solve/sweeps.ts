@@ -96,12 +96,15 @@ export class Sweeps {
     const d = i * ANSWERS;
     speeds(c, at, this.#bodies.velocities, a[i]!, b[i]!, C.miss);
     const p = at + C.impulse;
-    const [n, t, u] = [c[p]!, c[p + 1]!, c[p + 2]!];
+    const n = c[p]!;
+    const t = c[p + 1]!;
+    const u = c[p + 2]!;
     const dn = Math.max(-n, (c[at + C.target]! - c[at + C.miss]!) / w[d]!);
     const dt = (c[at + C.target + 1]! - c[at + C.miss + 1]! - w[d + 1]! * dn) / w[d + 3]!;
     const missed = c[at + C.target + 2]! - c[at + C.miss + 2]! - w[d + 2]! * dn - w[d + 4]! * dt;
     this.#write(i, n + dn, t + dt, u + missed / w[d + 5]!);
-    const [et, eu] = [c[p + 1]! - t, c[p + 2]! - u];
+    const et = c[p + 1]! - t;
+    const eu = c[p + 2]! - u;
     this.#kick(this.#bodies.velocities, i, dn, et, eu);
     return Math.max(Math.abs(dn) * w[d]!, Math.abs(et) * w[d + 3]!, Math.abs(eu) * w[d + 5]!);
   }
@@ -217,7 +220,8 @@ export class Sweeps {
 
   #addAnswers(i: number, body: number, c: Float64Array, arm: number): void {
     const { masses, inverseInertias } = this.#bodies;
-    const [turns, w] = [this.#turns, this.#answers];
+    const turns = this.#turns;
+    const w = this.#answers;
     for (let k = 0; k < 3; k++) cross3(turns, 3 * k, c, arm, c, i * C.size + 3 * k);
     let d = i * ANSWERS;
     for (let k = 0; k < 3; k++) {

@@ -79,7 +79,8 @@ export class TurningCorners {
     const { values: c, pointers } = this.#contacts;
     const at = contact * C.size;
     const point = this.#point.at(pointers[contact]!, pointerA, pointerB);
-    const [a, b] = [this.#bodyAt(pointerA), this.#bodyAt(pointerB)];
+    const a = this.#bodyAt(pointerA);
+    const b = this.#bodyAt(pointerB);
     const ofA = eccentricBallAt(point, a, 0);
     const ofB = eccentricBallAt(point, b, 1);
     if (ofA > 0 && isFlatAt(point, b, 1)) c[at + C.corner] = CORNER.ofA;
@@ -98,7 +99,8 @@ export class TurningCorners {
   #lead(contact: number, pointerA: number, pointerB: number, dt: number): void {
     const { values: c, a, b } = this.#contacts;
     const at = contact * C.size;
-    const [p, q] = [a[contact]!, b[contact]!];
+    const p = a[contact]!;
+    const q = b[contact]!;
     const owner = c[at + C.corner] === CORNER.ofA ? p : q;
     const bounces = c[at + C.target]! > 0;
     if (owner < 0 || bounces || this.#carried(p, pointerA) || this.#carried(q, pointerB)) {
@@ -156,7 +158,8 @@ export class TurningCorners {
   /** An arm goes to where it is in the middle of the step. */
   #turn(c: Float64Array, arm: number, body: number, sign: 1 | -1, dt: number): void {
     const { velocities: v } = this.#bodies;
-    const [against, turned] = [this.#against, this.#turned];
+    const against = this.#against;
+    const turned = this.#turned;
     for (let k = 0; k < 3; k++) {
       against[k] = this.#speed[k]! - (body < 0 ? 0 : v[SIZE * body + k]!);
       c[arm + k]! += (dt / 2) * against[k]!;
@@ -171,7 +174,8 @@ export class TurningCorners {
     const spin =
       body < 0 ? undefined : this.#effects.caused(gyroscopic)?.spinOf(this.#bodyAt(pointer));
     if (!spin) return;
-    const [gained, turned] = [this.#against, this.#turned];
+    const gained = this.#against;
+    const turned = this.#turned;
     for (let k = 0; k < 3; k++) gained[k] = spin.end[k]! - spin.given[k]! + spin.missed[k]!;
     cross3(turned, 0, gained, 0, c, arm);
     for (let k = 0; k < 3; k++) this.#swing[k]! += share * turned[k]!;

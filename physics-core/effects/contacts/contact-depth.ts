@@ -67,7 +67,9 @@ function softened(
   { dt, changes }: StepState,
   hard: number,
 ): number {
-  const [x, y, z] = [point.normal(0), point.normal(1), point.normal(2)];
+  const x = point.normal(0);
+  const y = point.normal(1);
+  const z = point.normal(2);
   const e = errorCorrection!;
   const share = perStep(e, dt);
   // So that the depth under a load is the same at every level: force · softness / (60 · share).

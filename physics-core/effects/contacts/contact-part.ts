@@ -45,7 +45,10 @@ function meshNumberAt(body: Body, position: Vec3): number {
   let least = Infinity;
   body.solidParts.forEach((part, i) => {
     const distance = part.mesh ? distanceTo(part, local) : Infinity;
-    if (distance < least) [nearest, least] = [i, distance];
+    if (distance < least) {
+      nearest = i;
+      least = distance;
+    }
   });
   return nearest;
 }

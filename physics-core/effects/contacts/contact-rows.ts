@@ -129,7 +129,8 @@ class Directions {
 
   /** Direction 2, so that the two and the normal into body1 are x, z and y on a floor. */
   #across(point: ContactPoint, carried: number): void {
-    const [first, second] = [this.first, this.#second];
+    const first = this.first;
+    const second = this.#second;
     for (let i = 0; i < 3; i++) {
       const j = (i + 1) % 3;
       const k = (i + 2) % 3;
@@ -139,14 +140,16 @@ class Directions {
 
   /** Equal friction all round: one direction follows the sliding, so that it is a circle and not a square. */
   #alongSliding(point: ContactPoint, pair: Pair, speed: readonly [number, number]): boolean {
-    const [first, second] = [this.first, this.#second];
+    const first = this.first;
+    const second = this.#second;
     const motion1 = speed[0] * pair.carried;
     const motion2 = speed[1] * pair.carried;
     const u = point.speed(first[0]!, first[1]!, first[2]!) - motion1;
     const v = point.speed(second[0]!, second[1]!, second[2]!) - motion2;
     const size = hypot(u, v);
     if (size < STICKING) return false;
-    const [c, s] = [u / size, v / size];
+    const c = u / size;
+    const s = v / size;
     this.#turned(point, 0, c, first, s, second);
     this.#turned(point, 1, c, second, -s, first);
     point.setMotion(0, c * motion1 + s * motion2);

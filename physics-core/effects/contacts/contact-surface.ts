@@ -242,7 +242,8 @@ export class ContactSurface extends Effect {
   }
 
   #find(pointerA: number, pointerB: number): Pair | undefined {
-    const [a, b] = [this.#simulation.bodyAt(pointerA), this.#simulation.bodyAt(pointerB)];
+    const a = this.#simulation.bodyAt(pointerA);
+    const b = this.#simulation.bodyAt(pointerB);
     if (!a || !b) return undefined;
     return {
       a,

@@ -189,7 +189,8 @@ export class GivenContacts extends Effect {
 /** Whether page code wrote another position, normal or depth. */
 function isMoved(listed: Contact, contact: Contact): boolean {
   if (!listed.isChanged) return false;
-  const [now, found] = [listed.touching, contact.found!];
+  const now = listed.touching;
+  const found = contact.found!;
   const off = Math.max(
     length(subtract(now.position, found.position)),
     length(subtract(now.normal, found.normal)),

@@ -68,14 +68,16 @@ export class PairFilter extends Effect {
     if (!byB) this.#known.set(pointerA, (byB = new Map()));
     let found = byB.get(pointerB);
     if (found) return found;
-    const [a, b] = [this.#simulation.bodyAt(pointerA), this.#simulation.bodyAt(pointerB)];
+    const a = this.#simulation.bodyAt(pointerA);
+    const b = this.#simulation.bodyAt(pointerB);
     if (!a || !b) return undefined;
     byB.set(pointerB, (found = { a, b, byParts: new Map() }));
     return found;
   }
 
   #ask({ a, b }: Neighbours, point: ContactPoint): boolean {
-    const [first, second] = [partAt(point, a, 0), partAt(point, b, 1)];
+    const first = partAt(point, a, 0);
+    const second = partAt(point, b, 1);
     return !first || !second || this.#simulation.pairs.meet(a, first, b, second);
   }
 }

@@ -78,7 +78,8 @@ function slide({ lines, size, a, bounds }: Seen, row: number): void {
   const across = scale(rotate(a.q, AXES[(row + 1) % 3]!), size / 4);
   const end = (at: number): Vec3 => add(a.p, scale(along, at));
   const reach = (at: number, free: number): number => (limited && Number.isFinite(at) ? at : free);
-  const [from, to] = [reach(low, -size), reach(high, size)];
+  const from = reach(low, -size);
+  const to = reach(high, size);
   lines.line(end(from), end(to), limited ? COLOR.limit : COLOR.joint);
   if (!limited) return;
   for (const at of [low, high])

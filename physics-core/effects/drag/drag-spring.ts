@@ -112,7 +112,8 @@ export class DragSpring {
   /** (W + 1 / drag) J = pull / drag - v, where W is what the body itself gives way. */
   #impulse(arm: Vec3, dt: number): Vec3 {
     const drag = this.#drag(dt);
-    const [matrix, vector] = [this.#matrix, this.#vector];
+    const matrix = this.#matrix;
+    const vector = this.#vector;
     AXES.forEach((axis, i) => {
       const inverseMass = add(
         scale(axis, 1 / this.#body.mass.mass),

@@ -34,8 +34,10 @@ export class Riders {
   begin(): void {
     this.#pairs.length = 0;
     this.#grips.clear();
-    [this.#rides, this.#before] = [this.#before, this.#rides];
-    this.#rides.clear();
+    const rides = this.#before;
+    this.#before = this.#rides;
+    this.#rides = rides;
+    rides.clear();
   }
 
   forget(body: Body): void {
@@ -65,7 +67,8 @@ export class Riders {
     for (let found = true; found;) {
       found = false;
       for (let i = 0; i < pairs.length; i += 2) {
-        const [a, b] = [this.#bodyAt(i), this.#bodyAt(i + 1)];
+        const a = this.#bodyAt(i);
+        const b = this.#bodyAt(i + 1);
         if (!a || !b) continue;
         found = this.#goesOn(a, b, all, dt) || this.#goesOn(b, a, all, dt) || found;
       }

@@ -36,7 +36,8 @@ export function rub(way: StepWay, from: Vec3, by: Rub, dt: number): Rubbed {
   const { grip, pull } = by;
   const slip = flat(subtract(way.velocity(0), from), by.normal);
   let sticks = length(slip) < STICKING;
-  let [moved, speed]: Vec3[] = [[0, 0, 0], from];
+  let moved: Vec3 = [0, 0, 0];
+  let speed = from;
   let direction = sticks ? slip : evenly(way, from, by, dt);
   let time = 0;
   for (let change = 0; change < CHANGES; change++) {
@@ -82,7 +83,8 @@ function evenly(way: StepWay, from: Vec3, { normal, grip, pull }: Rub, dt: numbe
   const slip = flat(subtract(way.velocity(0), from), normal);
   const pulled = subtract(pull.velocity(dt), pull.velocity(0));
   const lack = flat(subtract(way.velocity(dt), add(from, pulled)), normal);
-  const [first, last] = [normalize(slip), normalize(lack)];
+  const first = normalize(slip);
+  const last = normalize(lack);
   if (dot(first, last) <= 0) return first;
   if (Math.min(length(slip), length(lack)) <= grip * dt) return last;
   const push = scale(normalize(add(first, last)), grip * dt);
@@ -96,7 +98,8 @@ const firstAbove = (f: (t: number) => number, from: number, to: number): number 
 /** When a function rises through zero, which it does at most once; `to`: not before. */
 function crossing(f: (t: number) => number, from: number, to: number): number {
   if (f(to) <= 0) return to;
-  let [low, high] = [from, to];
+  let low = from;
+  let high = to;
   for (let i = 0; i < HALVINGS; i++) {
     const middle = (low + high) / 2;
     if (f(middle) > 0) high = middle;

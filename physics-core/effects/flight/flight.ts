@@ -194,7 +194,8 @@ export class Flight extends Effect {
     const x = acceleration[0]! * dt;
     const y = acceleration[1]! * dt;
     const z = acceleration[2]! * dt;
-    const [now, half] = [this.#now, dt / 2];
+    const now = this.#now;
+    const half = dt / 2;
     if (same(now[0]!, v[at]!, x) && same(now[1]!, v[at + 1]!, y) && same(now[2]!, v[at + 2]!, z))
       this.#shift(body, -x * half, -y * half, -z * half);
     else if (this.#glide(body, acceleration, dt)) this.#goOn(body, dt);
@@ -265,7 +266,9 @@ export class Flight extends Effect {
   #place({ body, pointer }: Body, to?: Float64Array): void {
     const { reader, scratch } = this.#simulation.engine;
     const pose = this.#pose;
-    const [turn, rotation, displacement] = [this.#turn, this.#rotation, this.#displacement];
+    const turn = this.#turn;
+    const rotation = this.#rotation;
+    const displacement = this.#displacement;
     reader.pose(body, pointer, pose, 0);
     for (let i = 0; i < 3; i++) rotation[i] = displacement[3 + i]!;
     writeTurn(turn, rotation, 1);

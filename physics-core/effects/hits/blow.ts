@@ -73,7 +73,9 @@ export class Blow {
 
   #strike(hit: Impact): void {
     const { point, normal, time, speed, returned } = hit;
-    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    const x = normal[0]!;
+    const y = normal[1]!;
+    const z = normal[2]!;
     const impulse = (speed + returned) / this.#inverseEffectiveMass(hit, x, y, z);
     if (!Number.isFinite(impulse)) return;
     this.#shiftGaps(hit, time);
@@ -101,7 +103,9 @@ export class Blow {
 
   /** Coulomb's friction of the hit: against the sliding, and no more than ends it. */
   #rub(hit: Impact, most: number, time: number): void {
-    const [x, y, z] = [hit.normal[0]!, hit.normal[1]!, hit.normal[2]!];
+    const x = hit.normal[0]!;
+    const y = hit.normal[1]!;
+    const z = hit.normal[2]!;
     const out = hit.speedAlong(x, y, z);
     const u = hit.speedAlong(1, 0, 0) - out * x;
     const v = hit.speedAlong(0, 1, 0) - out * y;

@@ -66,9 +66,13 @@ export class EffectiveMassMatrix {
 
   /** Change of speed along (x, y, z) at an arm from the centre of mass for an impulse of 1 N s there, 1/kg. */
   inverseEffectiveMass(arm: Float64Array, x: number, y: number, z: number): number {
-    const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
+    const rx = arm[0]!;
+    const ry = arm[1]!;
+    const rz = arm[2]!;
     const push = this.#push;
-    [push[0], push[1], push[2]] = [x, y, z];
+    push[0] = x;
+    push[1] = y;
+    push[2] = z;
     push[3] = ry * z - rz * y;
     push[4] = rz * x - rx * z;
     push[5] = rx * y - ry * x;

@@ -84,7 +84,8 @@ export class HitPath {
     const v = this.#velocity;
     let sum = 0;
     for (let i = 0; i < 3; i++) {
-      const [j, k] = [(i + 1) % 3, (i + 2) % 3];
+      const j = (i + 1) % 3;
+      const k = (i + 2) % 3;
       const turning = v[3 + j]! * arm[k]! - v[3 + k]! * arm[j]!;
       sum += normal[i]! * (v[i]! + this.#pull[i]! * time + turning);
     }

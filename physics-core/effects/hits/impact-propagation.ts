@@ -208,7 +208,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
 
   readonly #lookAt = (_: object, a: number, b: number): void => {
     const { engine, bullet } = this.#simulation;
-    const [first, second] = [this.#simulation.bodyAt(a), this.#simulation.bodyAt(b)];
+    const first = this.#simulation.bodyAt(a);
+    const second = this.#simulation.bodyAt(b);
     if (!first || !second || !(isRound(first) || isRound(second))) return;
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;

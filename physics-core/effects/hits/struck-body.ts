@@ -90,7 +90,9 @@ export class StruckBody {
     this.carried = this.borne = false;
     if (!this.#weighed || !this.body.active) return;
     this.#engine.reader.velocity(body, pointer, velocity, 0);
-    let [gained, due, hit] = [0, 0, 0];
+    let gained = 0;
+    let due = 0;
+    let hit = 0;
     for (let i = 0; i < 3; i++) {
       if (this.struck) hit += gravity[i]! * this.change[i]!;
       gained += gravity[i]! * (velocity[i]! - this.#start[i]!);
@@ -139,7 +141,9 @@ export class StruckBody {
   lateAt(arm: Float64Array, normal: Float64Array): number {
     if (!this.struck) return 0;
     const [u, v, w, p, q, r] = this.late;
-    const [rx, ry, rz] = [arm[0]!, arm[1]!, arm[2]!];
+    const rx = arm[0]!;
+    const ry = arm[1]!;
+    const rz = arm[2]!;
     return (
       normal[0]! * (u! + q! * rz - r! * ry) +
       normal[1]! * (v! + r! * rx - p! * rz) +
@@ -169,7 +173,8 @@ export class StruckBody {
 
   /** Whether no more than its weight acted beside its hits. The joint solve has its own account of weight. */
   #isEven(dt: number): boolean {
-    let [rest, weight] = [0, 0];
+    let rest = 0;
+    let weight = 0;
     for (let i = 0; i < 3; i++) {
       rest += (velocity[i]! - this.before[i]! - this.change[i]!) ** 2;
       weight += (this.body.gravity[i]! * dt) ** 2;

@@ -141,14 +141,18 @@ export class TimeOfImpact {
 
   /** Of `local`, by the columns of the axes. */
   #intoAxes(axes: Float64Array): void {
-    const [x, y, z] = [local[0]!, local[1]!, local[2]!];
+    const x = local[0]!;
+    const y = local[1]!;
+    const z = local[2]!;
     for (let i = 0; i < 3; i++)
       local[i] = axes[3 * i]! * x + axes[3 * i + 1]! * y + axes[3 * i + 2]! * z;
   }
 
   /** A centre within the other solid has no nearest point that could be trusted. */
   #fromClamped(): number {
-    const [x, y, z] = [local[0]! - clamped[0]!, local[1]! - clamped[1]!, local[2]! - clamped[2]!];
+    const x = local[0]! - clamped[0]!;
+    const y = local[1]! - clamped[1]!;
+    const z = local[2]! - clamped[2]!;
     const distance = hypot(x, y, z);
     if (distance < INSIDE) return NaN;
     const { centre, axes } = this.#other;

@@ -60,7 +60,8 @@ export class GeometricStiffness {
     this.#pairs.clear();
     for (const joints of all.values()) {
       if (joints.length === 1) continue;
-      const [pull, point] = [new Float64Array(3), new Float64Array(3)];
+      const pull = new Float64Array(3);
+      const point = new Float64Array(3);
       const pair = { joints: joints.length, seen: 0, weight: 0, pull, point };
       for (const joint of joints) this.#pairs.set(joint, pair);
     }

@@ -79,7 +79,8 @@ function reportEnabled(motor: ReportedMotor, last = 0): void {
 
 /** An angle without any torque was meant as a target. */
 function reportAngle(motor: ReportedMotor, n: number): void {
-  const [angle, torque] = [`axis${n}Angle`, `axis${n}Torque`];
+  const angle = `axis${n}Angle`;
+  const torque = `axis${n}Torque`;
   const wanted = motor.asked<number>(angle) !== 0;
   const is = wanted && !AXES.some((axis) => motor.authored(`axis${axis}Torque`));
   idle(motor, is, torque, `${angle} is no target and turns nothing; a motor turns by ${torque}`);

@@ -214,7 +214,8 @@ export class JointRows {
   #apply(body: Body | undefined, at: number): void {
     if (!body?.movable) return;
     const { scratch } = this.#simulation.engine;
-    const [push, dt] = [this.#impulse, this.#dt];
+    const push = this.#impulse;
+    const dt = this.#dt;
     body.body.applyCentralForce(
       scratch.vector(push[at]! / dt, push[at + 1]! / dt, push[at + 2]! / dt),
     );

@@ -105,7 +105,8 @@ export class JointSolve extends Effect {
   #takeEnds(body: Body): void {
     this.#joints.forEach((joint, k) => {
       if (!joint || (joint.body1 !== body && joint.body2 !== body)) return;
-      const [one, two] = [this.#wayOf(joint.body1), this.#wayOf(joint.body2)];
+      const one = this.#wayOf(joint.body1);
+      const two = this.#wayOf(joint.body2);
       this.#solver.takeEnds(k, joint, one || two ? { one, two } : undefined);
     });
   }

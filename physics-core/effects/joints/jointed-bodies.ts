@@ -115,7 +115,10 @@ export class JointedBodies {
   #note(body: Body, step: number, seconds: number): void {
     const moved = this.#moved.get(body);
     if (!moved) this.#moved.set(body, { step, seconds });
-    else [moved.step, moved.seconds] = [step, seconds];
+    else {
+      moved.step = step;
+      moved.seconds = seconds;
+    }
   }
 
   // ---- before a step --------------------------------------------------------------------------------------------------

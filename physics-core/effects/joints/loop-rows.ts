@@ -118,7 +118,8 @@ export class LoopRows {
   ): Coupling {
     const { block, straight } = matrix.pattern.between(numbers.get(one)!, numbers.get(other)!);
     const [a, b] = straight ? [one, other] : [other, one];
-    const [first, second] = [this.#side(a, body), this.#side(b, body)];
+    const first = this.#side(a, body);
+    const second = this.#side(b, body);
     return { a, b, first, second, at: matrix.block(block) };
   }
 

@@ -41,7 +41,8 @@ export class Oscillator {
       even = left * cos(w * dt);
       odd = (left * sin(w * dt)) / w;
     } else {
-      const [slow, fast] = [exp((w - delta) * dt), exp(-(w + delta) * dt)];
+      const slow = exp((w - delta) * dt);
+      const fast = exp(-(w + delta) * dt);
       even = (slow + fast) / 2;
       odd = w > 0 ? (slow - fast) / (2 * w) : dt * slow;
     }

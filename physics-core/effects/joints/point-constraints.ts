@@ -72,7 +72,8 @@ export class PointConstraints {
     const way = childIsFirst ? ways?.two : ways?.one;
     if (!way) return;
     const frame = childIsFirst ? joint.centred2 : joint.centred1;
-    const [from, to] = [compose(way.now, frame).p, compose(way.next, frame).p];
+    const from = compose(way.now, frame).p;
+    const to = compose(way.next, frame).p;
     this.#points.set(from, pin * POINTS + PARENT);
     this.#ways.set(subtract(to, from), pin * 3);
   }

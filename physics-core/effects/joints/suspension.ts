@@ -42,10 +42,8 @@ export class Suspension extends Effect {
     const joints = this.#effects.get(jointSolve);
     const { rate, inverseEffectiveMass } = rows;
     const x = rows.values[row]!;
-    const [omega2, delta] = [
-      stiffness * inverseEffectiveMass,
-      (damping * inverseEffectiveMass) / 2,
-    ];
+    const omega2 = stiffness * inverseEffectiveMass;
+    const delta = (damping * inverseEffectiveMass) / 2;
     const oscillator = this.#oscillator;
     const body = joint.body1?.movable ? joint.body1 : joint.body2!;
     const starts = joints.lastStep(body) === 0;

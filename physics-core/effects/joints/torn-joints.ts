@@ -65,7 +65,8 @@ export class TornJoints {
     const { reader, scratch } = this.#simulation.engine;
     const { body, pointer } = this.#jointed.bodies[i]!;
     const { velocity } = this.#system;
-    const [pose, turn] = [this.#pose, this.#turn];
+    const pose = this.#pose;
+    const turn = this.#turn;
     const at = i * SIDE;
     reader.pose(body, pointer, pose, 0);
     this.#left.set(pose, i * POSE);
@@ -93,7 +94,9 @@ export class TornJoints {
   #turnSpin(i: number): void {
     const { engine, bodies } = this.#simulation;
     const node = this.#jointed.bodies[i]!;
-    const [pose, v, back] = [this.#pose, this.#velocity, this.#back];
+    const pose = this.#pose;
+    const v = this.#velocity;
+    const back = this.#back;
     engine.reader.pose(node.body, node.pointer, pose, 0);
     for (let x = 0; x < 3; x++) back[x] = -this.#left[i * POSE + 3 + x]!;
     back[3] = this.#left[i * POSE + 6]!;

@@ -26,19 +26,23 @@ export function clip(
   for (let i = 0; i < corners && count > 0; i++) {
     const a = 3 * i;
     const b = 3 * ((i + 1) % corners);
-    const [ex, ey, ez] = [
-      face[b]! - face[a]!,
-      face[b + 1]! - face[a + 1]!,
-      face[b + 2]! - face[a + 2]!,
-    ];
+    const ex = face[b]! - face[a]!;
+    const ey = face[b + 1]! - face[a + 1]!;
+    const ez = face[b + 2]! - face[a + 2]!;
     // Out of the face, in its plane.
-    let [ox, oy, oz] = [ey * z - ez * y, ez * x - ex * z, ex * y - ey * x];
+    let ox = ey * z - ez * y;
+    let oy = ez * x - ex * z;
+    let oz = ex * y - ey * x;
     const size = Math.sqrt(ox * ox + oy * oy + oz * oz);
     if (size === 0) continue;
-    [ox, oy, oz] = [ox / size, oy / size, oz / size];
+    ox /= size;
+    oy /= size;
+    oz /= size;
     const edge = ox * face[a]! + oy * face[a + 1]! + oz * face[a + 2]! + ON;
     count = clipAt(from, count, ox, oy, oz, edge, to);
-    [from, to] = [to, from];
+    const clipped = to;
+    to = from;
+    from = clipped;
   }
   if (from !== subject) for (let i = 0; i < 3 * count; i++) subject[i] = from[i]!;
   return count;
@@ -69,7 +73,8 @@ function clipAt(
       for (let i = 0; i < 3; i++) to[3 * left + i] = from[at + i]!;
       left++;
     }
-    [last, before] = [at, here];
+    last = at;
+    before = here;
   }
   return left;
 }

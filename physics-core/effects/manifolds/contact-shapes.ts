@@ -126,19 +126,22 @@ export class ContactShapes extends Effect {
   }
 
   readonly #keep = (manifold: number, a: number, b: number): void => {
-    const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
+    const first = this.#formsAt(a);
+    const second = this.#formsAt(b);
     if (first && second && this.#isWanted(first, second, a, b)) this.#old.keep(manifold, a, b);
   };
 
   readonly #renew = (manifold: number, a: number, b: number): void => {
-    const [first, second] = [this.#formsAt(a), this.#formsAt(b)];
+    const first = this.#formsAt(a);
+    const second = this.#formsAt(b);
     if (!first || !second || !this.#isWanted(first, second, a, b)) return;
     const boxes = first.boxes && second.boxes;
     const careful = boxes && this.#bouncing;
     if (careful && speedBetween(this.#ammo, a, b) > SLOW) return;
     const partA = this.#partNumber(manifold, first, 0);
     const partB = this.#partNumber(manifold, second, 1);
-    const [ofA, ofB] = [first.forms[partA], second.forms[partB]];
+    const ofA = first.forms[partA];
+    const ofB = second.forms[partB];
     // Of two surfaces, and of a part without an outline, Bullet finds the points.
     if (!ofA || !ofB || !(ofA.form ?? ofB.form)) return;
     if (!(ofA.form ?? ofA.surface) || !(ofB.form ?? ofB.surface)) return;
@@ -162,8 +165,10 @@ export class ContactShapes extends Effect {
 
   /** False: Bullet's points are to stay. */
   #find(ofA: PartForm, ofB: PartForm, theirs: number, limit: number): boolean {
-    const [points, normal] = [this.#points, this.#normal];
-    const [a, b] = [ofA.placed, ofB.placed];
+    const points = this.#points;
+    const normal = this.#normal;
+    const a = ofA.placed;
+    const b = ofB.placed;
     const known = theirs < Infinity;
     points.clear();
     if (ofB.surface) return this.#mesh.find(a, b, ofB.surface, normal, known, limit, points);

@@ -72,7 +72,9 @@ export class ConvexContact {
 
   #addNearest(b: PlacedForm): void {
     const { normal, onB, distance } = this.#nearest;
-    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    const x = normal[0]!;
+    const y = normal[1]!;
+    const z = normal[2]!;
     const { round } = b.form;
     this.#points.add(
       onB[0]! + x * round,
@@ -88,7 +90,9 @@ export class ConvexContact {
 
   /** Whether the face of A or of B that looks most along the normal bears the contact. */
   #byFaces(a: PlacedForm, b: PlacedForm, normal: Flat): boolean {
-    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    const x = normal[0]!;
+    const y = normal[1]!;
+    const z = normal[2]!;
     const ofA = a.facing(-x, -y, -z, this.#normalA);
     const ofB = b.facing(x, y, z, this.#normalB);
     const gapA = ofA < 0 ? -Infinity : gapAlong(a, b, this.#normalA);
@@ -130,7 +134,9 @@ export class ConvexContact {
     normal: Flat,
   ): boolean {
     if (number < 0 || gap < this.#least) return false;
-    const [x, y, z] = [out[0]!, out[1]!, out[2]!];
+    const x = out[0]!;
+    const y = out[1]!;
+    const z = out[2]!;
     const face = this.#face;
     const corners = bearer.face(number, face);
     const lying = this.#lying;
@@ -141,7 +147,9 @@ export class ConvexContact {
     const flush = Math.min(FLUSH, FLUSH_SHARE * borne.form.reach);
     if (leastHeight(lying, count, x, y, z) - height > gap + flush) return false;
     for (let at = 0; at < 3 * count; at += 3) {
-      const [px, py, pz] = [lying[at]!, lying[at + 1]!, lying[at + 2]!];
+      const px = lying[at]!;
+      const py = lying[at + 1]!;
+      const pz = lying[at + 2]!;
       const distance = x * px + y * py + z * pz - height;
       if (distance > this.#limit) continue;
       const down = sign > 0 ? distance : 0;
@@ -165,7 +173,9 @@ export class ConvexContact {
 /** Whether a place is one of these. */
 function isOne(places: Flat, count: number, x: number, y: number, z: number): boolean {
   for (let i = 0; i < 3 * count; i += 3) {
-    const [u, v, w] = [places[i]! - x, places[i + 1]! - y, places[i + 2]! - z];
+    const u = places[i]! - x;
+    const v = places[i + 1]! - y;
+    const w = places[i + 2]! - z;
     if (Math.abs(u) + Math.abs(v) + Math.abs(w) < AT) return true;
   }
   return false;
@@ -173,7 +183,9 @@ function isOne(places: Flat, count: number, x: number, y: number, z: number): bo
 
 /** How far `borne` lies from `bearer` along the bearer's outward normal. */
 function gapAlong(bearer: PlacedForm, borne: PlacedForm, out: Flat): number {
-  const [x, y, z] = [out[0]!, out[1]!, out[2]!];
+  const x = out[0]!;
+  const y = out[1]!;
+  const z = out[2]!;
   return -borne.height(-x, -y, -z) - bearer.height(x, y, z);
 }
 

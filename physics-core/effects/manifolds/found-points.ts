@@ -175,7 +175,10 @@ export class FoundPoints implements NewPoints {
       const y = this.at[3 * i + 1]! - to[1]!;
       const z = this.at[3 * i + 2]! - to[2]!;
       const apart = x * x + y * y + z * z;
-      if (apart < least) [least, found] = [apart, i];
+      if (apart < least) {
+        least = apart;
+        found = i;
+      }
     }
     return found;
   }
@@ -185,7 +188,10 @@ export class FoundPoints implements NewPoints {
     let found = -1;
     for (let i = 0; i < this.count; i++) {
       const apart = this.#apart(from, i);
-      if (apart > most * CLEARLY) [most, found] = [apart, i];
+      if (apart > most * CLEARLY) {
+        most = apart;
+        found = i;
+      }
     }
     return found;
   }
@@ -204,7 +210,10 @@ export class FoundPoints implements NewPoints {
         area = Math.max(area, side * this.#area(b, c, i));
         area = Math.max(area, side * this.#area(c, a, i));
       }
-      if (area > most * CLEARLY) [most, found] = [area, i];
+      if (area > most * CLEARLY) {
+        most = area;
+        found = i;
+      }
     }
     return found;
   }

@@ -22,16 +22,17 @@ export class LineContact {
     points: FoundPoints,
     triangle: number,
   ): boolean {
-    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
-    const [p, q] = [this.#a, this.#b];
+    const x = normal[0]!;
+    const y = normal[1]!;
+    const z = normal[2]!;
+    const p = this.#a;
+    const q = this.#b;
     if (a.line(-x, -y, -z, p) < 2 || b.line(x, y, z, q) < 2) return false;
     const lengthA = hypot(p[3]! - p[0]!, p[4]! - p[1]!, p[5]! - p[2]!);
     const lengthB = hypot(q[3]! - q[0]!, q[4]! - q[1]!, q[5]! - q[2]!);
-    const [u, v, w] = [
-      (q[3]! - q[0]!) / lengthB,
-      (q[4]! - q[1]!) / lengthB,
-      (q[5]! - q[2]!) / lengthB,
-    ];
+    const u = (q[3]! - q[0]!) / lengthB;
+    const v = (q[4]! - q[1]!) / lengthB;
+    const w = (q[5]! - q[2]!) / lengthB;
     const from = (p[0]! - q[0]!) * u + (p[1]! - q[1]!) * v + (p[2]! - q[2]!) * w;
     const along = (p[3]! - p[0]!) * u + (p[4]! - p[1]!) * v + (p[5]! - p[2]!) * w;
     if (lengthA ** 2 - along ** 2 > (PARALLEL * lengthA) ** 2) return false;
@@ -41,7 +42,9 @@ export class LineContact {
     for (const t of ENDS) {
       const onB = start + t * (end - start);
       const onA = (onB - from) / along;
-      const [bx, by, bz] = [q[0]! + onB * u, q[1]! + onB * v, q[2]! + onB * w];
+      const bx = q[0]! + onB * u;
+      const by = q[1]! + onB * v;
+      const bz = q[2]! + onB * w;
       const distance =
         x * (p[0]! + onA * (p[3]! - p[0]!) - bx) +
         y * (p[1]! + onA * (p[4]! - p[1]!) - by) +

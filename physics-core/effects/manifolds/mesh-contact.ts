@@ -83,7 +83,9 @@ export class MeshContact {
   /** What is around A, in the frame of the surface. */
   #writeBox(a: PlacedForm, { turn, origin }: PlacedForm, limit: number): void {
     for (let k = 0; k < 3; k++) {
-      const [x, y, z] = [turn[k]!, turn[3 + k]!, turn[6 + k]!];
+      const x = turn[k]!;
+      const y = turn[3 + k]!;
+      const z = turn[6 + k]!;
       const middle = x * origin[0]! + y * origin[1]! + z * origin[2]!;
       this.#box[k] = -a.height(-x, -y, -z) - middle - limit;
       this.#box[3 + k] = a.height(x, y, z) - middle + limit;
@@ -105,7 +107,9 @@ export class MeshContact {
     const face = this.#corners;
     const gap = this.#gapTo(a);
     if (gap > limit) return false;
-    const [x, y, z] = [this.#out[0]!, this.#out[1]!, this.#out[2]!];
+    const x = this.#out[0]!;
+    const y = this.#out[1]!;
+    const z = this.#out[2]!;
     const height = x * face[0]! + y * face[1]! + z * face[2]!;
     const lying = this.#lying;
     const count = clip(lying, this.#lieDown(a, x, y, z), face, 3, x, y, z);
@@ -116,7 +120,9 @@ export class MeshContact {
     if (least < this.#lowest - this.#triangle.height(guess[0]!, guess[1]!, guess[2]!)) return false;
     if (least > gap + FLUSH && !this.#goesOn(a, seams, triangle)) return false;
     for (let at = 0; at < 3 * count; at += 3) {
-      const [px, py, pz] = [lying[at]!, lying[at + 1]!, lying[at + 2]!];
+      const px = lying[at]!;
+      const py = lying[at + 1]!;
+      const pz = lying[at + 2]!;
       const distance = x * px + y * py + z * pz - height;
       if (distance > limit) continue;
       points.add(
@@ -148,20 +154,19 @@ export class MeshContact {
 
   /** Whether the surface neither ends nor falls beyond those sides of the triangle that the lowest of A is beyond. */
   #goesOn(a: PlacedForm, seams: Seams, triangle: number): boolean {
-    const [face, out, low] = [this.#corners, this.#out, this.#low];
+    const face = this.#corners;
+    const out = this.#out;
+    const low = this.#low;
     a.support(-out[0]!, -out[1]!, -out[2]!, low, 0);
     for (let i = 0; i < 3; i++) {
-      const [from, to] = [3 * i, 3 * ((i + 1) % 3)];
-      const [ex, ey, ez] = [
-        face[to]! - face[from]!,
-        face[to + 1]! - face[from + 1]!,
-        face[to + 2]! - face[from + 2]!,
-      ];
-      const [px, py, pz] = [
-        low[0]! - face[from]!,
-        low[1]! - face[from + 1]!,
-        low[2]! - face[from + 2]!,
-      ];
+      const from = 3 * i;
+      const to = 3 * ((i + 1) % 3);
+      const ex = face[to]! - face[from]!;
+      const ey = face[to + 1]! - face[from + 1]!;
+      const ez = face[to + 2]! - face[from + 2]!;
+      const px = low[0]! - face[from]!;
+      const py = low[1]! - face[from + 1]!;
+      const pz = low[2]! - face[from + 2]!;
       const outside =
         px * (ey * out[2]! - ez * out[1]!) +
         py * (ez * out[0]! - ex * out[2]!) +
@@ -178,7 +183,9 @@ export class MeshContact {
     const out = this.#out;
     const face = this.#corners;
     for (let k = 0; k < 3; k++) out[k] = this.#triangle.along(k, this.#form.normal);
-    const [x, y, z] = [out[0]!, out[1]!, out[2]!];
+    const x = out[0]!;
+    const y = out[1]!;
+    const z = out[2]!;
     this.#triangle.face(0, face);
     const height = x * face[0]! + y * face[1]! + z * face[2]!;
     const up = a.height(x, y, z);
@@ -202,10 +209,13 @@ export class MeshContact {
     points: FoundPoints,
     triangle: number,
   ): void {
-    const [normal, single] = [this.#normal, this.#single];
+    const normal = this.#normal;
+    const single = this.#single;
     const gap = this.#gapTo(a);
     if (gap > limit) return;
-    const [gx, gy, gz] = [guess[0]!, guess[1]!, guess[2]!];
+    const gx = guess[0]!;
+    const gy = guess[1]!;
+    const gz = guess[2]!;
     const along = this.#lowest - this.#triangle.height(gx, gy, gz);
     if (along > limit) return;
     normal.set(along > gap ? guess : this.#out);
@@ -213,7 +223,9 @@ export class MeshContact {
     this.#convex.find(a, this.#triangle, normal, limit, single, triangle);
     if (single.count === 0) return;
     const { turn } = this.#triangle;
-    const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+    const x = normal[0]!;
+    const y = normal[1]!;
+    const z = normal[2]!;
     const u = turn[0]! * x + turn[3]! * y + turn[6]! * z;
     const v = turn[1]! * x + turn[4]! * y + turn[7]! * z;
     const w = turn[2]! * x + turn[5]! * y + turn[8]! * z;

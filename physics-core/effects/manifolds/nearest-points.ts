@@ -43,7 +43,9 @@ export class NearestPoints {
     best.distance = -Infinity;
     const size = Math.min(a.form.reach, b.form.reach);
     for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < MOST_TRIES; tries++) {
-      const [x, y, z] = [normal[0]!, normal[1]!, normal[2]!];
+      const x = normal[0]!;
+      const y = normal[1]!;
+      const z = normal[2]!;
       const apart = APART * size * (1 + tries) - this.#between(a, b) - a.form.round - b.form.round;
       for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
       if (!this.#search(a, b)) continue;
@@ -63,7 +65,9 @@ export class NearestPoints {
 
   /** How far apart they are along the normal, metres: of all directions, the one of the nearest points has most. */
   #between(a: PlacedForm, b: PlacedForm): number {
-    const [x, y, z] = [this.normal[0]!, this.normal[1]!, this.normal[2]!];
+    const x = this.normal[0]!;
+    const y = this.normal[1]!;
+    const z = this.normal[2]!;
     return -b.height(x, y, z) - a.height(-x, -y, -z);
   }
 
@@ -113,7 +117,9 @@ export class NearestPoints {
 
   #support(a: PlacedForm, b: PlacedForm, at: number): void {
     const { nearest, w, a: onA, b: onB } = this.#simplex;
-    const [x, y, z] = [nearest[0]!, nearest[1]!, nearest[2]!];
+    const x = nearest[0]!;
+    const y = nearest[1]!;
+    const z = nearest[2]!;
     a.support(-x, -y, -z, onA, at);
     b.support(x, y, z, onB, at);
     for (let i = 0; i < 3; i++) w[at + i] = onA[at + i]! + this.#shift[i]! - onB[at + i]!;

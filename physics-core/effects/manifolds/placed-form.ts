@@ -19,7 +19,9 @@ export class PlacedForm {
   /** Where its part stands in a body: `turn` and `origin` in the frame of the body, whose own are `rows` and `at`. */
   put(rows: Flat, at: Flat, turn: Flat, origin: Flat): void {
     for (let i = 0; i < 3; i++) {
-      const [a, b, c] = [rows[3 * i]!, rows[3 * i + 1]!, rows[3 * i + 2]!];
+      const a = rows[3 * i]!;
+      const b = rows[3 * i + 1]!;
+      const c = rows[3 * i + 2]!;
       for (let j = 0; j < 3; j++)
         this.turn[3 * i + j] = a * turn[j]! + b * turn[3 + j]! + c * turn[6 + j]!;
       this.origin[i] = at[i]! + a * origin[0]! + b * origin[1]! + c * origin[2]!;
@@ -44,7 +46,9 @@ export class PlacedForm {
   /** Directions of the form's frame become those of the world. */
   #outDirection(out: Flat, at: number): void {
     const { turn } = this;
-    const [x, y, z] = [out[at]!, out[at + 1]!, out[at + 2]!];
+    const x = out[at]!;
+    const y = out[at + 1]!;
+    const z = out[at + 2]!;
     out[at] = turn[0]! * x + turn[1]! * y + turn[2]! * z;
     out[at + 1] = turn[3]! * x + turn[4]! * y + turn[5]! * z;
     out[at + 2] = turn[6]! * x + turn[7]! * y + turn[8]! * z;
@@ -66,7 +70,9 @@ export class PlacedForm {
   support(x: number, y: number, z: number, out: Flat, at: number): void {
     this.form.support(this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2), local);
     const { turn, origin } = this;
-    const [u, v, w] = [local[0]!, local[1]!, local[2]!];
+    const u = local[0]!;
+    const v = local[1]!;
+    const w = local[2]!;
     for (let i = 0; i < 3; i++)
       out[at + i] = turn[3 * i]! * u + turn[3 * i + 1]! * v + turn[3 * i + 2]! * w + origin[i]!;
   }
@@ -74,7 +80,9 @@ export class PlacedForm {
   /** How far it reaches along a unit vector, with what is round about it. */
   height(x: number, y: number, z: number): number {
     const { origin, form } = this;
-    const [u, v, w] = [this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2)];
+    const u = this.#in(x, y, z, 0);
+    const v = this.#in(x, y, z, 1);
+    const w = this.#in(x, y, z, 2);
     form.support(u, v, w, local);
     return (
       x * origin[0]! +
@@ -119,7 +127,9 @@ export class PlacedForm {
   }
 
   line(x: number, y: number, z: number, out: Flat): number {
-    const [u, v, w] = [this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2)];
+    const u = this.#in(x, y, z, 0);
+    const v = this.#in(x, y, z, 1);
+    const w = this.#in(x, y, z, 2);
     return this.#rounded(x, y, z, out, this.#out(out, this.form.line(u, v, w, out)));
   }
 

@@ -51,9 +51,15 @@ function sizeOf(points: ArrayLike<number>, triangles: readonly Triangle[]): numb
 
 function planeOf(points: ArrayLike<number>, [a, b, c]: Triangle) {
   const side = (from: number, to: number, i: number) => points[3 * to + i]! - points[3 * from + i]!;
-  const [ux, uy, uz] = [side(a, b, 0), side(a, b, 1), side(a, b, 2)];
-  const [vx, vy, vz] = [side(a, c, 0), side(a, c, 1), side(a, c, 2)];
-  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+  const ux = side(a, b, 0);
+  const uy = side(a, b, 1);
+  const uz = side(a, b, 2);
+  const vx = side(a, c, 0);
+  const vy = side(a, c, 1);
+  const vz = side(a, c, 2);
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
   const area = hypot(x, y, z);
   const normal: Vector = area > 0 ? [x / area, y / area, z / area] : [0, 0, 0];
   return { area, normal, height: along(points, a, normal) };
@@ -112,7 +118,10 @@ interface Flat2 {
 
 /** Whether the way from a over b to c bends to the left, by more than rounding. */
 function turnsLeft(a: Flat2, b: Flat2, c: Flat2): boolean {
-  const [ux, uy, vx, vy] = [b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y];
+  const ux = b.x - a.x;
+  const uy = b.y - a.y;
+  const vx = c.x - b.x;
+  const vy = c.y - b.y;
   return ux * vy - uy * vx > 1e-7 * hypot(ux, uy) * hypot(vx, vy);
 }
 

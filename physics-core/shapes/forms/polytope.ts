@@ -34,7 +34,10 @@ export class PolytopeForm implements Form {
     let found = 0;
     for (let i = 0; i < points.length; i += 3) {
       const along = points[i]! * x + points[i + 1]! * y + points[i + 2]! * z;
-      if (along > most) [most, found] = [along, i];
+      if (along > most) {
+        most = along;
+        found = i;
+      }
     }
     return found / 3;
   }
@@ -57,7 +60,10 @@ export class PolytopeForm implements Form {
     let found = -1;
     for (let i = 0; i < normals.length; i += 3) {
       const along = normals[i]! * x + normals[i + 1]! * y + normals[i + 2]! * z;
-      if (along > most) [most, found] = [along, i];
+      if (along > most) {
+        most = along;
+        found = i;
+      }
     }
     return found / 3;
   }
@@ -89,7 +95,10 @@ export class PolytopeForm implements Form {
       const dy = points[3 * next + 1]! - out[1]!;
       const dz = points[3 * next + 2]! - out[2]!;
       const sine = Math.abs(x * dx + y * dy + z * dz) / Math.sqrt(dx * dx + dy * dy + dz * dz);
-      if (sine < least) [least, found] = [sine, next];
+      if (sine < least) {
+        least = sine;
+        found = next;
+      }
     }
     if (found < 0) return 1;
     this.#copy(found, out, 3);

@@ -39,7 +39,9 @@ export class TriangleForm implements Form {
   }
 
   #farthest(x: number, y: number, z: number): number {
-    const [a, b, c] = [this.#along(0, x, y, z), this.#along(1, x, y, z), this.#along(2, x, y, z)];
+    const a = this.#along(0, x, y, z);
+    const b = this.#along(1, x, y, z);
+    const c = this.#along(2, x, y, z);
     if (a >= b && a >= c) return 0;
     return b >= c ? 1 : 2;
   }
@@ -78,9 +80,14 @@ export class TriangleForm implements Form {
     for (let i = 1; i < 3; i++) {
       const next = (corner + i) % 3;
       this.#copy(next, out, 3);
-      const [u, v, w] = [out[3]! - out[0]!, out[4]! - out[1]!, out[5]! - out[2]!];
+      const u = out[3]! - out[0]!;
+      const v = out[4]! - out[1]!;
+      const w = out[5]! - out[2]!;
       const sine = Math.abs(x * u + y * v + z * w) / hypot(u, v, w);
-      if (sine < least) [least, found] = [sine, next];
+      if (sine < least) {
+        least = sine;
+        found = next;
+      }
     }
     if (found < 0) return 1;
     this.#copy(found, out, 3);

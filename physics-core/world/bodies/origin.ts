@@ -34,6 +34,7 @@ function placesOf(body: BodyNode): Vec3[] {
 /** Of two middle ones that which is nearer to 0. */
 function median(numbers: number[]): number {
   const sorted = numbers.toSorted((a, b) => a - b);
-  const [low, high] = [sorted[(sorted.length - 1) >> 1] ?? 0, sorted[sorted.length >> 1] ?? 0];
+  const low = sorted[(sorted.length - 1) >> 1] ?? 0;
+  const high = sorted[sorted.length >> 1] ?? 0;
   return Math.abs(low) < Math.abs(high) ? low : high;
 }

@@ -170,7 +170,8 @@ export class CollisionFilterGroups {
   #meeting(a: FilterGroup, b: FilterGroup): Meeting {
     const [sideA] = a.bodies;
     const [sideB] = b.bodies;
-    const [partsA, partsB] = [sideA!.parts, sideB!.parts];
+    const partsA = sideA!.parts;
+    const partsB = sideB!.parts;
     if (partsA.length === 0 || partsB.length === 0) return 'all';
     let met = 0;
     for (const { collidable: first } of partsA)

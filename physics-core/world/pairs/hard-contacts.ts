@@ -71,7 +71,8 @@ export class HardContacts implements Reports {
 
   #weighAll(dt: number): void {
     this.#strong = false;
-    let [most, least] = [0, Infinity];
+    let most = 0;
+    let least = Infinity;
     for (const body of this.#simulation.bodies) {
       // `movable` asks two fields and `gravity` a third: only of few.
       if (!body.isDynamic) continue;

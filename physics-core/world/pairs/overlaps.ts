@@ -11,7 +11,8 @@ function eachDepth(simulation: Simulation, visit: (depth: number, a: Body, b: Bo
   const { ammo } = simulation.engine;
   const point = new ContactPoint(ammo);
   simulation.bullet.eachManifold((manifold, a, b) => {
-    const [first, second] = [simulation.bodyAt(a), simulation.bodyAt(b)];
+    const first = simulation.bodyAt(a);
+    const second = simulation.bodyAt(b);
     if (!first || !second || !(first.movable || second.movable)) return;
     let depth = -Infinity;
     for (let i = 0; i < manifold.getNumContacts(); i++) {

@@ -5,8 +5,10 @@ export class Streaks {
 
   /** The next look: what it does not find has no streak any more. */
   begin(): void {
-    [this.#before, this.#now] = [this.#now, this.#before];
-    this.#now.clear();
+    const now = this.#before;
+    this.#before = this.#now;
+    this.#now = now;
+    now.clear();
   }
 
   /** Found once more; returns how often in a row. */

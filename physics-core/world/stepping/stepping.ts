@@ -145,10 +145,16 @@ export class Stepping {
 
   /** Seconds taken: fewer where a listener ends the world. Added up step by step they would round. */
   #stepTimes(n: number): number {
-    let [seconds, count, length] = [0, 0, 0];
+    let seconds = 0;
+    let count = 0;
+    let length = 0;
     for (let i = 0; i < n && this.#world.started && !this.#world.awaiting.waits; i++) {
       const taken = this.#step.take();
-      if (taken !== length) [seconds, count, length] = [seconds + count * length, 0, taken];
+      if (taken !== length) {
+        seconds = seconds + count * length;
+        count = 0;
+        length = taken;
+      }
       count++;
     }
     return seconds + count * length;
