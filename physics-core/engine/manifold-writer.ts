@@ -74,10 +74,11 @@ export class ManifoldWriter {
     const ny = normal[from + 1]!;
     const nz = normal[from + 2]!;
     const distance = points.distance[number]!;
-    this.#old.take(point >> 2, x, y, z, nx, ny, nz);
+    this.#old.take(point, x, y, z, nx, ny, nz);
     const { HEAPF32, HEAP32 } = this.#ammo;
     // What an author says of the surfaces is written anew by who knows of it.
     HEAPF32[(point + POINT.friction) >> 2] = this.#friction;
+    HEAPF32[(point + POINT.rollingFriction) >> 2] = 0;
     HEAPF32[(point + POINT.restitution) >> 2] = 0;
     HEAP32[(point + POINT.directionsGiven) >> 2] = 0;
     HEAP32[(point + POINT.corner) >> 2] = points.corner[number]!;

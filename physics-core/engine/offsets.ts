@@ -100,6 +100,7 @@ export const MANIFOLD_POINT = {
   normalB: 64,
   distance: 80,
   friction: 84,
+  rollingFriction: 88,
   restitution: 92,
   part0: 96,
   part1: 100,

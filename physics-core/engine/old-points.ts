@@ -2,9 +2,15 @@ import { PointerNumbers } from '../base/pointer-numbers.js';
 import type { Ammo } from './ammo.js';
 import { MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
 
-/** Words of a point, and of a manifold's four. */
-const WORDS = POINT.size / 4;
-const BLOCK = WORDS * MOST_POINTS;
+/** What is carried on from step to step: the last words of a point, its impulses first. */
+const CARRIED = POINT.impulse / 4;
+const WORDS = POINT.size / 4 - CARRIED;
+
+/** Words that are kept of a point, and of a manifold's four: where it lies on B, its normal, and what is carried on. */
+const NORMAL = 3;
+const KEPT = 6;
+const SIZE = KEPT + WORDS;
+const BLOCK = SIZE * MOST_POINTS;
 
 /** A normal that has turned farther, by its cosine, is of another contact. */
 const SAME_SIDE = 0.7;
@@ -40,9 +46,16 @@ export class OldPoints {
     if ((block + 1) * BLOCK > this.#words.length) this.#grow();
     const { HEAP32 } = this.#ammo;
     const count = HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
-    const from = (manifold + MANIFOLD.points) >> 2;
-    const to = block * BLOCK;
-    for (let i = 0; i < count * WORDS; i++) this.#words[to + i] = HEAP32[from + i]!;
+    const words = this.#words;
+    for (let i = 0; i < count; i++) {
+      const from = (manifold + MANIFOLD.points + i * POINT.size) >> 2;
+      const to = block * BLOCK + i * SIZE;
+      for (let k = 0; k < 3; k++) {
+        words[to + k] = HEAP32[from + POINT.positionB / 4 + k]!;
+        words[to + NORMAL + k] = HEAP32[from + POINT.normalB / 4 + k]!;
+      }
+      for (let k = 0; k < WORDS; k++) words[to + KEPT + k] = HEAP32[from + CARRIED + k]!;
+    }
     this.#counts[block] = count;
     this.#a[block] = a;
     this.#b[block] = b;
@@ -67,21 +80,22 @@ export class OldPoints {
 
   /** Where the first of them lay on B. */
   first(k: 0 | 1 | 2): number {
-    return this.#floats[this.#block * BLOCK + POINT.positionB / 4 + k]!;
+    return this.#floats[this.#block * BLOCK + k]!;
   }
 
-  /** Writes the nearest of them to `to`, the index of a point's first word on the heap. False: there is none. */
-  take(to: number, x: number, y: number, z: number, nx: number, ny: number, nz: number): boolean {
+  /** Writes what the nearest of them carries on to `point`, by pointer: nothing where there is none. */
+  take(point: number, x: number, y: number, z: number, nx: number, ny: number, nz: number): void {
     const found = this.#nearest(x, y, z, nx, ny, nz);
     const { HEAP32 } = this.#ammo;
+    const to = (point >> 2) + CARRIED;
     if (found < 0) {
       for (let i = 0; i < WORDS; i++) HEAP32[to + i] = 0;
-      return false;
+      return;
     }
     this.#taken |= 1 << found;
-    const from = this.#block * BLOCK + found * WORDS;
-    for (let i = 0; i < WORDS; i++) HEAP32[to + i] = this.#words[from + i]!;
-    return true;
+    const from = this.#block * BLOCK + found * SIZE + KEPT;
+    const words = this.#words;
+    for (let i = 0; i < WORDS; i++) HEAP32[to + i] = words[from + i]!;
   }
 
   #nearest(x: number, y: number, z: number, nx: number, ny: number, nz: number): number {
@@ -90,10 +104,9 @@ export class OldPoints {
     let found = -1;
     for (let i = 0; i < this.#counts[this.#block]!; i++) {
       if (this.#taken & (1 << i)) continue;
-      const at = this.#block * BLOCK + i * WORDS;
-      const n = at + POINT.normalB / 4;
+      const p = this.#block * BLOCK + i * SIZE;
+      const n = p + NORMAL;
       if (f[n]! * nx + f[n + 1]! * ny + f[n + 2]! * nz < SAME_SIDE) continue;
-      const p = at + POINT.positionB / 4;
       const apart = (f[p]! - x) ** 2 + (f[p + 1]! - y) ** 2 + (f[p + 2]! - z) ** 2;
       if (apart < least) {
         least = apart;

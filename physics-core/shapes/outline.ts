@@ -4,7 +4,7 @@ import { flatForm } from './forms/flat-form.js';
 import { hullForm } from './forms/hull-form.js';
 import type { Hull } from './hull.js';
 import { BallForm } from './forms/ball.js';
-import { boxForm } from './forms/box.js';
+import { BoxForm } from './forms/box.js';
 import type { Form } from './forms/form.js';
 import { FrustumForm } from './forms/frustum.js';
 
@@ -20,7 +20,7 @@ export type Outline =
 export function formOf(outline: Outline): Form | undefined {
   switch (outline.kind) {
     case 'box':
-      return boxForm(outline.half);
+      return new BoxForm(outline.half);
     case 'ball':
       return new BallForm(outline.radius);
     case 'frustum':

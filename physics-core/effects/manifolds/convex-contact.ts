@@ -94,11 +94,12 @@ export class ConvexContact {
     const y = normal[1]!;
     const z = normal[2]!;
     const ofA = a.facing(-x, -y, -z, this.#normalA);
-    const ofB = b.facing(x, y, z, this.#normalB);
     const gapA = ofA < 0 ? -Infinity : gapAlong(a, b, this.#normalA);
-    const gapB = ofB < 0 ? -Infinity : gapAlong(b, a, this.#normalB);
     // It separates them.
-    if (gapA > this.#limit || gapB > this.#limit) return true;
+    if (gapA > this.#limit) return true;
+    const ofB = b.facing(x, y, z, this.#normalB);
+    const gapB = ofB < 0 ? -Infinity : gapAlong(b, a, this.#normalB);
+    if (gapB > this.#limit) return true;
     const along = -b.height(x, y, z) - a.height(-x, -y, -z);
     this.#least = Math.max(along - FARTHER, this.#theirs - OFF);
     const aFirst = gapA > gapB + FARTHER;

@@ -4,7 +4,7 @@ import type { Flat, Form } from './form.js';
 /** Within this angle from it, in radians, an edge lies along a plane. */
 const ALONG = 0.02;
 
-/** What is bounded by flat faces: a box, a convex hull, a triangle. */
+/** What is bounded by flat faces: a convex hull, a triangle. */
 export class PolytopeForm implements Form {
   readonly round = 0;
   readonly cornered = true;
@@ -28,7 +28,8 @@ export class PolytopeForm implements Form {
     this.reach = reach;
   }
 
-  #farthest(x: number, y: number, z: number): number {
+  /** The number of the corner that is farthest along a direction, of equals the first. */
+  protected farthest(x: number, y: number, z: number): number {
     const { points } = this;
     let most = -Infinity;
     let found = 0;
@@ -51,10 +52,11 @@ export class PolytopeForm implements Form {
   }
 
   support(x: number, y: number, z: number, out: Flat): void {
-    this.#copy(this.#farthest(x, y, z), out, 0);
+    this.#copy(this.farthest(x, y, z), out, 0);
   }
 
-  #facing(x: number, y: number, z: number): number {
+  /** The number of the face that looks most along a direction, of equals the first. */
+  protected mostAlong(x: number, y: number, z: number): number {
     const normals = this.#normals;
     let most = -Infinity;
     let found = -1;
@@ -69,7 +71,7 @@ export class PolytopeForm implements Form {
   }
 
   facing(x: number, y: number, z: number, out: Flat): number {
-    const number = this.#facing(x, y, z);
+    const number = this.mostAlong(x, y, z);
     for (let i = 0; i < 3; i++) out[i] = this.#normals[3 * number + i]!;
     return number;
   }
@@ -81,12 +83,12 @@ export class PolytopeForm implements Form {
   }
 
   lying(x: number, y: number, z: number, _u: number, _v: number, _w: number, out: Flat): number {
-    return this.face(this.#facing(x, y, z), out);
+    return this.face(this.mostAlong(x, y, z), out);
   }
 
   line(x: number, y: number, z: number, out: Flat): number {
     const { points } = this;
-    const corner = this.#farthest(x, y, z);
+    const corner = this.farthest(x, y, z);
     this.#copy(corner, out, 0);
     let least = ALONG;
     let found = -1;
