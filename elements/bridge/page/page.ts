@@ -27,7 +27,7 @@ class Page implements Listener {
   begin(): void {
     if (this.begun) return;
     this.begun = true;
-    hideSceneTags();
+    adoptStyles(document, SCENE_TAGS, SPINNER);
     listening.begin();
     listening.onchange = (target, name) => this.#listenersChanged(target, name);
     this.#scenes.begin();
@@ -179,12 +179,12 @@ const isElement = (value: unknown): value is Element =>
   globalThis.Element !== undefined && value instanceof Element;
 
 /**
- * x3dom rewrites its progress text in each frame, and the page would then lay out the thousands of tags under it:
- * 17 ms per frame at 1000 bodies.
+ * x3dom rewrites its progress text in each frame, and the page would then lay out the thousands of tags under it: 17 ms per
+ * frame at 1000 bodies. Its spinner, once it is transparent, turns on for ever, and the browser draws the page for that.
  */
-function hideSceneTags(): void {
-  adoptStyles(document, 'x3d > scene, X3D > Scene { display: none; }');
-}
+const SCENE_TAGS = 'x3d > scene, X3D > Scene { display: none; }';
+const SPINNER =
+  '.x3dom-progress[style*="opacity: 0"] > .x3dom-progress-spinner { animation: none; }';
 
 const own = new Page();
 

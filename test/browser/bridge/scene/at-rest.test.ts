@@ -122,6 +122,14 @@ describe('a world in which everything is asleep', () => {
     expect(world.time).to.equal(time);
   });
 
+  it('leaves nothing of x3dom that turns unseen and has the browser draw the page for ever', async () => {
+    await atRest();
+    const turning = document.getAnimations().filter(({ playState }) => playState === 'running');
+    expect(turning.map(({ effect }) => (effect as KeyframeEffect).target?.className)).to.deep.equal(
+      [],
+    );
+  });
+
   it('is at rest beside one that moves', async () => {
     const { x3d, world } = await atRest(
       SCENE.replace('default', '') +
