@@ -15,8 +15,16 @@ const WORKS = [
   'readPixels',
 ];
 
+/** The browser draws the page for each of their frames: X_ITE leaves a spinner on for ever, unseen. */
+function stopAnimations(root: Document | ShadowRoot): void {
+  for (const animation of root.getAnimations()) animation.cancel();
+  for (const { shadowRoot } of root.querySelectorAll('*'))
+    if (shadowRoot) stopAnimations(shadowRoot);
+}
+
 /** From now on nothing is drawn; scripts notice nothing of it. */
 export function drawNothing(): void {
+  stopAnimations(document);
   for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext])
     for (const name of WORKS) if (name in prototype) (prototype as any)[name] = () => {};
 }
