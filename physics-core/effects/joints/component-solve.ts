@@ -222,6 +222,11 @@ export class ComponentSolve {
     return disturbed || torn;
   }
 
+  /** One that slept when the step began, and that Bullet woke in it: where it was moved its joints go along. */
+  settleWoken(component: Component, dt: number): void {
+    if (this.bodies.woken(component)) this.#closing.close(component, dt, DISTURBED);
+  }
+
   /** What was moved together again shall not go on moving. `tell`: where more than that had to be taken, m/s. */
   takeBack(tell: (component: Component, speed: number) => void): void {
     for (const component of this.#repaired) {

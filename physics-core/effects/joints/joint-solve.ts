@@ -37,6 +37,8 @@ export class JointSolve extends Effect {
   #joints: (Joint | undefined)[] = [];
   /** Those of this step. */
   readonly #solved: Component[] = [];
+  /** Those that slept when this step began. */
+  readonly #asleep: Component[] = [];
   readonly #alone = new Set<Body>();
   readonly #componentOf = new Map<Body, Component>();
   readonly #jointed = new Map<Component, Jointed>();
@@ -167,10 +169,13 @@ export class JointSolve extends Effect {
     if (this.#stale) this.#rebuild();
     for (const body of this.#ways.keys()) this.#takeEnds(body);
     this.#solver.begin();
-    this.#solved.length = 0;
+    this.#solved.length = this.#asleep.length = 0;
     for (const component of this.#forest.components)
       if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
-      else this.#sleepingRows.hold(component);
+      else {
+        this.#sleepingRows.hold(component);
+        if (this.on) this.#asleep.push(component);
+      }
   }
 
   override settle(dt: number): void {
@@ -179,6 +184,7 @@ export class JointSolve extends Effect {
     for (const component of this.#solved)
       if (!this.#solver.settle(component, dt))
         for (const i of component.bodies) this.#alone.add(this.#bodies.bodies[i]!);
+    for (const component of this.#asleep) this.#solver.settleWoken(component, dt);
   }
 
   override afterStep(): void {

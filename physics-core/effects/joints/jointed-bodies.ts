@@ -62,6 +62,16 @@ export class JointedBodies {
     return true;
   }
 
+  /** Whether Bullet has woken any of them in its step: something awake touches it. */
+  woken({ bodies }: Component): boolean {
+    const { reader } = this.#simulation.engine;
+    for (const i of bodies) {
+      const { body, pointer } = this.bodies[i]!;
+      if (!reader.sleeps(body, pointer)) return true;
+    }
+    return false;
+  }
+
   mass(i: number): number {
     return this.#traits[i * TRAITS]!;
   }
