@@ -36,20 +36,35 @@ const isKept = !options.quick && !options.cell;
 
 const say = (line: string): void => void process.stderr.write(`${line}\n`);
 
-/** One browser after the other; what is found is kept at once. */
-async function measure(name: string, pages: AskedPages, keep: (found: BrowserPages) => void) {
+/** Asks a browser that is opened for it: one that has shown dozens of pages has gigabytes of them left, and may hang. */
+async function asking<T>(
+  name: string,
+  pages: AskedPages,
+  ask: (browser: MeasuredBrowser) => Promise<T>,
+) {
   const browser = await MeasuredBrowser.open(name, pages);
-  const start = options.cell ? {} : await measureStart(browser);
-  const found = { ...emptyPages(browser.version), start };
-  say(startText(name, found));
+  const found = await ask(browser);
+  await browser.close();
+  return { found, version: browser.version };
+}
+
+/** What is found in a browser is kept at once. */
+async function measure(name: string, pages: AskedPages, keep: (found: BrowserPages) => void) {
+  const found = emptyPages();
+  if (!options.cell) {
+    const { found: start, version } = await asking(name, pages, measureStart);
+    Object.assign(found, { start, version });
+    say(startText(name, found));
+  }
   for (const [scene, counts] of Object.entries(sizes()))
     for (const count of counts) {
-      const cell = await measureCell(browser, scene, count);
+      const { found: cell } = await asking(name, pages, (browser) =>
+        measureCell(browser, scene, count),
+      );
       found.cells.push(cell);
       say(cellText(name, cell));
       keep(found);
     }
-  await browser.close();
 }
 
 function before(): PageNumbers['browsers'] {
