@@ -151,7 +151,7 @@ export class Stepping {
     for (let i = 0; i < n && this.#world.started && !this.#world.awaiting.waits; i++) {
       const taken = this.#step.take();
       if (taken !== length) {
-        seconds = seconds + count * length;
+        seconds += count * length;
         count = 0;
         length = taken;
       }
