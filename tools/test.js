@@ -51,8 +51,11 @@ const CHECKS = [
   ['format', [BIN.prettier, '--check', '.']],
   ['rooms', ['--import', 'tsx', 'tools/rooms.ts']],
 ];
-/** The quick stages need no declarations. */
-const BUILD = ['build', ['tools/build.js', ...(options.all || options.rest ? [] : ['--no-types'])]];
+/** What `npm test` runs needs no declarations. */
+const BUILD = [
+  'build',
+  ['tools/build.js', ...(options.all || options.rest || options.only ? [] : ['--no-types'])],
+];
 
 /** Test files of a stage; those that `--files` names, be they quick or long. */
 const filesOf = ({ folders = [], takes = () => true }) =>
