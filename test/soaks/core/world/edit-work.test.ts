@@ -14,13 +14,17 @@ const SIZES = [10, 1000] as const;
 /** A plain loop over Bullet's pairs on the heap, 1.5 ns each: who rested on what jumps or goes. */
 const SEARCH = '#eachTouchingInHeap';
 
-/** How often blocks of the core have run since this was last asked: those of the search, and all others. */
+/** How often blocks of ours have run since this was last asked: those of the search, and all others. */
 async function blocks(): Promise<{ search: number; other: number }> {
   const { result } = await session.post('Profiler.takePreciseCoverage');
   const ran = { search: 0, other: 0 };
-  for (const { functions } of result.filter(({ url }) => url.includes('/physics-core/')))
-    for (const { functionName, ranges } of functions)
+  for (const { url, functions } of result) {
+    if (!url.startsWith('file:') || url.includes('/node_modules/')) continue;
+    for (const { functionName, ranges } of functions) {
+      if (functionName === blocks.name) continue;
       for (const { count } of ranges) ran[functionName === SEARCH ? 'search' : 'other'] += count;
+    }
+  }
   return ran;
 }
 
