@@ -13,8 +13,8 @@ const SIZES = [10, 1000] as const;
 const BATCH = LYING;
 
 /**
- * In a world at rest: it is timed by itself, and then everything comes to rest again. Three seconds of a thousand bodies
- * leave little of an edit in the caches of the processor, those of ten leave much.
+ * In a world at rest: it is timed by itself, and then everything comes to rest again. As far as we can tell,
+ * three seconds of a thousand bodies leave little of an edit in the processor's caches, and those of ten leave much.
  */
 const OUT_OF_REST = 'position, a jump out of rest';
 const REST = 3;

@@ -1,14 +1,15 @@
 // What one edit does in a scene of 1000 bodies and in one of 10, counted: V8 says how often each block of our code has run.
 import assert from 'node:assert/strict';
 import { Session } from 'node:inspector/promises';
-import { below, fact } from '../../../core/helpers.js';
+import type { Scene } from '../../lab/edits/scene.js';
+import { below, fact } from '../core/helpers.js';
 
 const session = new Session();
 session.connect();
 await session.post('Profiler.enable');
 await session.post('Profiler.startPreciseCoverage', { callCount: true, detailed: true });
 // Only now: what was compiled before is counted by functions alone.
-const { EDITS, scene } = await import('../../../../lab/edits/scene.js');
+const { EDITS, scene } = await import('../../lab/edits/scene.js');
 
 const SIZES = [10, 1000] as const;
 /** A plain loop over Bullet's pairs on the heap, 1.5 ns each: who rested on what jumps or goes. */
@@ -27,8 +28,6 @@ async function blocks(): Promise<{ search: number; other: number }> {
   }
   return ran;
 }
-
-type Scene = Awaited<ReturnType<typeof scene>>;
 
 /** Blocks of the third of three edits alike: the first ones make what is kept. */
 async function worked(at: Scene, edit: (at: Scene, i: number) => void, before?: () => void) {
