@@ -1,5 +1,5 @@
-// Test files as they run: bundled, so that no page loads its 300 modules one by one and no process
-// compiles TypeScript. One build for all of them takes a second or two.
+// Test files as they run: bundled, so that no page loads its 300 modules one by one and no process compiles TypeScript,
+// and so that files which may run one after the other do so in one page or process.
 import { readFileSync, rmSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
@@ -45,6 +45,7 @@ export const PLATFORMS = {
     packages: 'external',
     external: NOT_BUILT,
     plugins: [sourceUrls],
+    before: ['tools/take-turns.js'],
   },
   browser: {
     platform: 'browser',
@@ -61,15 +62,56 @@ export const PLATFORMS = {
   },
 };
 
-/** Bundles the files for `platform`; answers where they lie now. */
-export async function bundleTests(files, platform) {
-  const outdir = `${BUNDLES}/${platform}`;
+/** Tests that need a process, or a page, in which nothing has run before. */
+const isAlone = (file) => /\.(alone|long)\.test\.ts$/.test(file);
+
+/**
+ * Which files share a process or a page: the engine is loaded, and code compiled, once for all of them. By the bundle's
+ * name; `nameOf` says where a file goes.
+ */
+function grouped(files, nameOf) {
+  const groups = {};
+  for (const [i, file] of files.entries())
+    (groups[isAlone(file) ? file : nameOf(file, i / files.length)] ??= []).push(file);
+  return groups;
+}
+
+/** Each file by itself; all of them together; those of a folder; in as many parts as let one see how far a browser is. */
+export const APART = (file) => file;
+export const TOGETHER = () => 'test/all.test.ts';
+export const BY_FOLDER = (file) => file.replace(/\/[^/]+$/, '.test.ts');
+const PARTS = 4;
+export const IN_PARTS = (_, at) => `test/part-${1 + Math.floor(PARTS * at)}-of-${PARTS}.test.ts`;
+
+/** Modules that import the files of a bundle, after what goes `before` them. */
+const entries = (groups, before) => ({
+  name: 'entries',
+  setup({ onResolve, onLoad }) {
+    const namespace = 'entries';
+    onResolve({ filter: /\.test\.ts$/ }, ({ path, kind }) =>
+      kind === 'entry-point' ? { path: path.replace(/^\.\//, ''), namespace } : undefined,
+    );
+    onLoad({ filter: /.*/, namespace }, ({ path }) => ({
+      contents: [...before, ...groups[path]].map((file) => `import './${file}';`).join('\n'),
+      resolveDir: process.cwd(),
+    }));
+  },
+});
+
+/** Of a bundle, the test file or files by their name. */
+export const sourceOf = (bundle) => bundle.split('/').slice(2).join('/').replace(/\.js$/, '.ts');
+
+/** Bundles the files for `platform`, as `nameOf` puts them together, into a folder of its own; answers where they lie. */
+export async function bundleTests(files, { platform, stage, nameOf }) {
+  const outdir = `${BUNDLES}/${stage}`;
   rmSync(outdir, { recursive: true, force: true });
+  const groups = grouped(files, nameOf);
+  const { plugins, before = [], ...options } = PLATFORMS[platform];
   await build({
-    ...PLATFORMS[platform],
-    entryPoints: files,
+    ...options,
+    plugins: [entries(groups, before), ...plugins],
+    entryPoints: Object.keys(groups).map((name) => ({ in: name, out: name.replace(/\.ts$/, '') })),
     outdir,
-    outbase: '.',
     bundle: true,
     // `sideEffects` in package.json speaks of the built files.
     ignoreAnnotations: true,
@@ -78,5 +120,5 @@ export async function bundleTests(files, platform) {
     tsconfig: 'tsconfig.json',
     logLevel: 'warning',
   });
-  return files.map((file) => `${outdir}/${file.replace(/\.ts$/, '.js')}`);
+  return Object.keys(groups).map((name) => `${outdir}/${name.replace(/\.ts$/, '.js')}`);
 }

@@ -1,11 +1,13 @@
-// What the tests consist of. `quick` stages are `npm test`, side by side; the others follow one by one in
-// `npm run test:all`.
+// What the tests consist of. `quick` stages are `npm test`; the others follow in `npm run test:all`, side by side where
+// cores allow.
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { canShowWindows, findFirefox, findWebKit } from './browsers.js';
-import { bundleTests } from './bundle-tests.js';
+import { APART, BY_FOLDER, bundleTests, IN_PARTS, TOGETHER } from './bundle-tests.js';
 import { add, none } from './count-reporter.js';
+import { FORMAT, LINT } from './checks.js';
 import { BIN, runNode } from './processes.js';
+import { inSources } from './source-positions.js';
 
 /** Scenes that others made for other X3D browsers. They are no part of the project. */
 export const CONTENT = process.env.X3D_CONTENT ?? '../shared/content';
@@ -13,17 +15,21 @@ export const CONTENT = process.env.X3D_CONTENT ?? '../shared/content';
 const isLong = (file) => file.endsWith('.long.test.ts');
 const isQuick = (file) => !isLong(file);
 
-/** In Node, by Node's own runner, shown where it fails; its counts are read from a second, TAP report. */
-async function nodeTests(files, temporary) {
-  const report = join(temporary, 'node.tap');
+/**
+ * In Node, by Node's own runner, shown where it fails; its counts are read from a second, TAP report. `nameOf` says which
+ * files share a process.
+ */
+const inNode = (nameOf) => async (files, temporary, stage) => {
+  const report = join(temporary, `${stage}.tap`);
   const args = [
-    ...['--enable-source-maps', '--test', '--test-concurrency=2'],
+    ...['--test', '--test-concurrency=2'],
     ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
+    ...['--test-reporter=./tools/progress-reporter.js', '--test-reporter-destination=stderr'],
     ...['--test-reporter=tap', `--test-reporter-destination=${report}`],
-    ...(await bundleTests(files, 'node')),
+    ...(await bundleTests(files, { platform: 'node', stage, nameOf })),
   ];
-  const { ok, output } = await runNode(args, { quiet: true });
-  if (!ok) console.log(output);
+  const { ok, output } = await runNode(args, { quiet: 'stdout' });
+  if (!ok) console.log(inSources(output));
   const tap = readFileSync(report, 'utf8');
   const count = (word) => Number(tap.match(new RegExp(`^# ${word} (\\d+)$`, 'm'))?.[1] ?? 0);
   return {
@@ -32,7 +38,7 @@ async function nodeTests(files, temporary) {
     failed: count('fail') + count('cancelled'),
     skipped: count('skipped'),
   };
-}
+};
 
 /** A script that closes with `N passed, N failed`, or with two numbers in words of its own. */
 const script =
@@ -65,29 +71,31 @@ function countsIn(report) {
 }
 
 /**
- * In a browser. One that dies takes the runner along: what failed with it and what it had not come to is run in another,
+ * In a browser, files that `nameOf` puts together in one page. One that dies takes the runner along: what failed with it and what it had not come to is run in another,
  * once, and that is said.
  */
-const inBrowser = (config) => async (files, temporary) => {
-  const total = none();
-  const run = async (bundles, last) => {
-    const report = join(temporary, `${config}${last ? '-again' : ''}.json`);
-    const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...bundles], {
-      env: { TEST_COUNTS: report },
-    });
-    const { ended, files: counted } = countsIn(report);
-    const final = ended || last;
-    const done = bundles.filter(
-      (bundle) => bundle in counted && (final || !counted[bundle].failed),
-    );
-    for (const bundle of done) add(total, counted[bundle]);
-    const left = bundles.filter((bundle) => !done.includes(bundle));
-    if (final || left.length === 0) return { ok: ended ? ok : left.length === 0, ...total };
-    console.log(`The browser ended with ${left[0]}: what is left runs in a new one.`);
-    return run(left, true);
+const inBrowser =
+  (config, nameOf = BY_FOLDER) =>
+  async (files, temporary, stage) => {
+    const total = none();
+    const run = async (bundles, last) => {
+      const report = join(temporary, `${stage}${last ? '-again' : ''}.json`);
+      const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...bundles], {
+        env: { TEST_COUNTS: report },
+      });
+      const { ended, files: counted } = countsIn(report);
+      const final = ended || last;
+      const done = bundles.filter(
+        (bundle) => bundle in counted && (final || !counted[bundle].failed),
+      );
+      for (const bundle of done) add(total, counted[bundle]);
+      const left = bundles.filter((bundle) => !done.includes(bundle));
+      if (final || left.length === 0) return { ok: ended ? ok : left.length === 0, ...total };
+      console.log(`The browser ended with ${left[0]}: what is left runs in a new one.`);
+      return run(left, true);
+    };
+    return run(await bundleTests(files, { platform: 'browser', stage, nameOf }), false);
   };
-  return run(await bundleTests(files, 'browser'), false);
-};
 
 const noWindow = () => (canShowWindows() ? null : 'no display, and Xvfb is not installed');
 const noFirefox = () => noWindow() ?? (findFirefox() ? null : 'Firefox is not installed');
@@ -96,41 +104,55 @@ const noWebKit = () =>
 const noContent = () => (existsSync(CONTENT) ? null : `${CONTENT} is not there`);
 
 const CHROMIUM = inBrowser('web-test-runner.config.js');
+const QUICKLY = inBrowser('web-test-runner.config.js', IN_PARTS);
 const FIREFOX = inBrowser('web-test-runner.firefox.config.js');
 const WEBKIT = inBrowser('web-test-runner.webkit.config.js');
 
 /** What Node runs in a moment: the core, and whatever else needs no page. */
 const IN_NODE = ['core', 'elements', 'lab', 'references', 'site', 'stories', 'tools'];
 
+/** Of all files; `npm test` has those that changed. */
+const check = (args) => async () => {
+  const { ok, output } = await runNode(args, { quiet: true });
+  if (!ok) console.log(output);
+  return { ok, passed: ok ? 1 : 0, failed: ok ? 0 : 1 };
+};
+
 /**
- * `folders`: below test/; `takes`: which of their files. `missing` says why a stage can't run here; it is left out then,
- * which counts as skipped.
+ * `folders`: below test/; `takes`: which of their files. `cores`: how many it keeps busy; what draws, or runs into its time
+ * beside others, says nothing and has the machine to itself. `missing` says why a stage can't run here; it is left out
+ * then, which counts as skipped.
  */
 export const STAGES = [
-  { name: 'core', quick: true, folders: IN_NODE, run: nodeTests },
-  { name: 'chromium', quick: true, folders: ['browser'], takes: isQuick, run: CHROMIUM },
+  // A browser that draws leaves some of two cores to the core's tests.
+  { name: 'core', quick: true, cores: 1, folders: IN_NODE, run: inNode(TOGETHER) },
+  { name: 'chromium', quick: true, cores: 1, folders: ['browser'], takes: isQuick, run: QUICKLY },
 
-  { name: 'soaks', folders: ['soaks'], run: nodeTests },
-  { name: 'stability', folders: ['stability'], run: nodeTests },
+  { name: 'lint', cores: 1, run: check(LINT) },
+  { name: 'format', cores: 1, run: check(FORMAT) },
+  {
+    name: 'mutants',
+    cores: 1,
+    run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
+  },
+  { name: 'fuzz', cores: 1, run: script(['--import', 'tsx', 'test/fuzz/run.ts']) },
+  {
+    name: 'fuzz-edits',
+    cores: 1,
+    run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
+  },
+  { name: 'lab', cores: 1, run: labErrors },
+  { name: 'soaks', folders: ['soaks'], run: inNode(APART) },
+  { name: 'stability', folders: ['stability'], run: inNode(APART) },
   { name: 'stability-chromium', run: casesIn('chromium') },
   { name: 'stability-firefox', missing: noFirefox, run: casesIn('firefox') },
   { name: 'stability-webkit', missing: noWebKit, run: casesIn('webkit') },
   { name: 'chromium-long', folders: ['browser'], takes: isLong, run: CHROMIUM },
-  {
-    name: 'mutants',
-    run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
-  },
-  { name: 'fuzz', run: script(['--import', 'tsx', 'test/fuzz/run.ts']) },
-  {
-    name: 'fuzz-edits',
-    run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
-  },
   { name: 'stories', run: script(['tools/stories-test.js']) },
   { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
   { name: 'playground', run: script(['--import', 'tsx', 'test/site/playground/run.ts']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'examples', run: script(['tools/examples.js']) },
-  { name: 'lab', run: labErrors },
   { name: 'firefox', folders: ['browser'], missing: noFirefox, run: FIREFOX },
   { name: 'webkit', folders: ['browser'], missing: noWebKit, run: WEBKIT },
   { name: 'content', folders: ['content'], missing: noContent, run: CHROMIUM },

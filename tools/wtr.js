@@ -1,5 +1,6 @@
 // What the three configurations of Web Test Runner share.
 import { defaultReporter } from '@web/test-runner';
+import { sourceOf } from './bundle-tests.js';
 import { countReporter } from './count-reporter.js';
 import { CONTENT } from './stages.js';
 import { findFile } from './static-files.js';
@@ -41,15 +42,12 @@ const page = (testFramework) => `<!DOCTYPE html>
   <body></body>
 </html>`;
 
-/** Of a bundle, the source by its name. */
-const sourceOf = (file) => file.replace('test-bundles/browser/', '').replace(/\.js$/, '.ts');
-
 /** `plugins`: what only this browser can do. */
 export function config(browser, plugins = []) {
   return {
     rootDir: process.cwd(),
     // tools/test.js bundles them and says which.
-    files: 'test-bundles/browser/**/*.test.js',
+    files: 'test-bundles/*/**/*.test.js',
     browsers: [browser],
     // One page at a time: WebGL in software takes both cores, and a second page would halve the frame rate.
     concurrency: 1,

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
-import { show } from '../../scene.js';
+import { show, wait } from '../../scene.js';
 
 describe('nodes as properties', () => {
   it('name elements in the place of children, and give them back', async () => {
@@ -12,6 +12,8 @@ describe('nodes as properties', () => {
       '#c',
     );
     world.paused = true;
+    // Told in a task of its own.
+    await wait(0);
     const find = (id: string): never => x3d.querySelector(`#${id}`)! as never;
     const body = find('a') as { geometry: unknown };
     body.geometry = [find('s')];

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { explain } from '../../../../elements/index.js';
 import { bothSpellings } from '../../forms.js';
-import { place, until, wait } from '../../scene.js';
+import { wait } from '../../scene.js';
 import { scene, paused } from './contacts.js';
 
 const reading = (world: { effects: { name: string; active: boolean }[] }): boolean =>
@@ -171,19 +171,4 @@ describe('collisionstart and collisionend', () => {
       expect(bodies).to.eql([1]);
     });
   }
-
-  it('of an Inline fire at the Inline', async () => {
-    const x3d = place('<inline id="file" url="/test/pages/settling-crate.x3d"></inline>');
-    const inline = x3d.querySelector('inline')!;
-    const starts: CustomEvent[] = [];
-    inline.addEventListener('collisionstart', (event) => starts.push(event as CustomEvent));
-    await until(() => starts.length > 0, 10_000);
-    expect(starts[0]!.target).to.equal(inline);
-    const { def, element, node, other } = starts[0]!.detail;
-    expect(element.getAttribute('DEF')).to.equal(def);
-    expect(node.host).to.equal(element);
-    expect(other).to.be.instanceOf(Element);
-    // x3dom itself stumbles over an Inline that goes within a second of its coming.
-    await wait(1100);
-  });
 });

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
-import { place, show, wait } from '../../scene.js';
+import { show } from '../../scene.js';
 import { worldOf, type World } from '../../inside.js';
 
 describe('the version of a document', () => {
@@ -21,17 +21,6 @@ describe('the version of a document', () => {
     const world = worldOf(document.querySelector('#c'))!;
     await world.ready;
     expect(axis(world)).to.eql([0, 0, 0]);
-  });
-
-  it('of an Inline is that of its file', async () => {
-    const x3d = place('<inline url="/test/pages/version3.x3d"></inline>');
-    const ready = new Promise<CustomEvent>((resolve) =>
-      x3d.addEventListener('physicsready', (event) => resolve(event as CustomEvent)),
-    );
-    claim('axis');
-    const { detail } = await ready;
-    expect(axis(worldOf(detail.element)!)).to.eql([0, 0, 0]);
-    await wait(1100);
   });
 });
 
