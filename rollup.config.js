@@ -90,8 +90,17 @@ const classic = (input, file, ...external) => ({
   },
 });
 
-export default [
+/** For pages that wait for it: the modules alone, as they are written. */
+const quick = (folder) => ({
+  ...modules,
+  plugins: modules.plugins.filter(({ name }) => name !== 'minify'),
+  output: { ...modules.output, dir: folder, sourcemap: false },
+});
+
+const all = [
   modules,
   classic('elements/classic.ts', 'dist/x3d-physics.classic.js', WASM_MODULE),
   classic('elements/single.ts', 'dist/x3d-physics.single.js'),
 ];
+
+export default ({ configQuick }) => (configQuick ? quick(configQuick) : all);

@@ -1,11 +1,5 @@
 import { spawn } from 'node:child_process';
-
-/** Ends a process with ours, however ours ends (short of SIGKILL). */
-export function endWithUs(child) {
-  process.on('exit', () => child.kill());
-  process.once('SIGTERM', () => process.exit(143));
-  return child;
-}
+import { endWithUs } from './endings.js';
 
 /**
  * Makes sure that there is a display: without a window, Firefox and WebKitGTK have no WebGL. Where DISPLAY

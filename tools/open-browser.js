@@ -4,7 +4,8 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { CHROMIUM_ARGUMENTS, findChromium, findFirefox, findWebKit } from './browsers.js';
-import { endWithUs, ensureDisplay } from './display.js';
+import { ensureDisplay } from './display.js';
+import { endWithUs } from './endings.js';
 
 /** Command, arguments and environment of each, with a profile of its own in `folder`. */
 const COMMANDS = {

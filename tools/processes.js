@@ -1,11 +1,18 @@
 import { spawn } from 'node:child_process';
+import { constants, setPriority } from 'node:os';
+import { endWithUs } from './endings.js';
 import { started } from './processor-time.js';
 
 /**
  * Runs a command to its end. `quiet` keeps what it says for the answer instead of showing it; `'stdout'` keeps that alone.
- * A command that takes longer than `timeout` is stopped and counts as failed.
+ * `calm`: whatever else runs goes before it, and it ends with us. A command that takes longer than `timeout` is stopped and
+ * counts as failed.
  */
-export function run(command, args, { env, cwd, quiet = false, timeout = 20 * 60_000 } = {}) {
+export function run(
+  command,
+  args,
+  { env, cwd, quiet = false, calm = false, timeout = 20 * 60_000 } = {},
+) {
   return new Promise((resolve) => {
     const child = spawn(command, args, {
       stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet === true ? 'pipe' : 'inherit'],
@@ -13,6 +20,7 @@ export function run(command, args, { env, cwd, quiet = false, timeout = 20 * 60_
       cwd,
     });
     started(child.pid);
+    if (calm) calmly(child);
     let output = '';
     child.stdout?.on('data', (text) => (output += text));
     child.stderr?.on('data', (text) => (output += text));
@@ -30,6 +38,11 @@ export function run(command, args, { env, cwd, quiet = false, timeout = 20 * 60_
     });
     child.on('close', (code) => end(code === 0));
   });
+}
+
+function calmly(child) {
+  endWithUs(child);
+  if (child.pid) setPriority(child.pid, constants.priority.PRIORITY_LOW);
 }
 
 /** npm itself: on Windows a script of the command line's. */

@@ -1,5 +1,5 @@
 // npm run docs: the documentation site, with the stories under /stories/, as one folder of files: site-static/.
-//   --live      serves the site's sources and shows each edit at once, without the stories
+//   --live      serves the site's sources and shows each edit at once, with the stories as they were built last
 // dist/ must be built.
 import { parseArgs } from 'node:util';
 import { BIN, runNode } from './processes.js';
@@ -13,8 +13,9 @@ async function must(what, args, options = { quiet: true }) {
   if (!ok) throw new Error(`${output}\n${what} failed: see above.`);
 }
 
-/** What the site shows of the rest of the repository, put where its generator looks for it. */
-const gather = () => must('Gathering the pages', ['--import', 'tsx', 'site/gather/index.ts']);
+/** What the site shows of the rest of the repository, and of a built library, put where its generator looks for it. */
+export const gather = (library = 'dist') =>
+  must('Gathering the pages', ['--import', 'tsx', 'site/gather/index.ts', library]);
 
 /** The site by itself: what its test looks at. */
 export async function buildSite() {
@@ -30,11 +31,20 @@ export async function buildDocs() {
 
 export const serveDocs = (port) => serve(FOLDER, port);
 
+/** Serves the gathered pages from their sources on `port`, or on the next one that is free; answers the address. */
+export async function serveLive(port) {
+  const { createServer } = await import('vitepress');
+  const server = await createServer('site', { port, host: true });
+  await server.listen();
+  return server.resolvedUrls.local[0];
+}
+
 async function main() {
   const { values } = parseArgs({ options: { live: { type: 'boolean' } } });
   if (values.live) {
     await gather();
-    return runNode([BIN.vitepress, 'dev', 'site', '--port', '6006']);
+    console.log(`The site's sources are at ${await serveLive(6006)}   (Ctrl+C ends)`);
+    return;
   }
   await buildDocs();
   console.log(`The site lies in ${FOLDER}/`);

@@ -22,7 +22,8 @@ const isQuick = (file) => !isLong(file);
 const inNode = (nameOf) => async (files, temporary, stage) => {
   const report = join(temporary, `${stage}.tap`);
   const args = [
-    ...['--test', '--test-concurrency=2'],
+    // Three reporters listen to one stream.
+    ...['--disable-warning=MaxListenersExceededWarning', '--test', '--test-concurrency=2'],
     ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
     ...['--test-reporter=./tools/progress-reporter.js', '--test-reporter-destination=stderr'],
     ...['--test-reporter=tap', `--test-reporter-destination=${report}`],

@@ -1,7 +1,7 @@
 import { spawn } from 'node:child_process';
 import { connect, createServer } from 'node:net';
 import { setTimeout as wait } from 'node:timers/promises';
-import { endWithUs } from './display.js';
+import { endWithUs } from './endings.js';
 
 /** A port that nobody listens on. */
 const freePort = () =>

@@ -2,6 +2,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { defineConfig, type DefaultTheme } from 'vitepress';
 import { charts } from '../markdown/charts.js';
 import { liveExamples } from '../markdown/fence.js';
+import { storiesBeside } from '../markdown/stories.js';
 import { emptyHeads } from '../markdown/tables.js';
 import { sidebar } from './sidebar.js';
 
@@ -50,6 +51,7 @@ export default defineConfig({
       }),
     ],
   ],
+  vite: { plugins: [storiesBeside(base)] },
   markdown: {
     // The contrast that small text needs.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },

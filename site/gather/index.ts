@@ -1,5 +1,5 @@
 // What the site shows of the rest of the repository: the library and x3dom as pages load them, the pages of docs/ with
-// their pictures. Written into folders that are in no commit.
+// their pictures. Written into folders that are in no commit. The library's folder is the argument, dist/ by default.
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { examples } from './examples.js';
@@ -7,6 +7,8 @@ import { forSite } from './links.js';
 import { llmsTexts } from './llms.js';
 import { readmePages } from './readme.js';
 import { referencePages } from './reference.js';
+
+const [library = 'dist'] = process.argv.slice(2);
 
 const GENERATED = 'site/generated';
 const PUBLIC = 'site/public';
@@ -18,8 +20,8 @@ function write(file: string, text: string): void {
 
 /** As a package brings them, without what only debuggers and compilers read. */
 function copyScripts(): void {
-  const filter = (file: string) => !file.endsWith('.map') && !file.endsWith('dist/types');
-  cpSync('dist', `${PUBLIC}/x3d-physics`, { recursive: true, filter });
+  const filter = (file: string) => !file.endsWith('.map') && !file.endsWith('/types');
+  cpSync(library, `${PUBLIC}/x3d-physics`, { recursive: true, filter });
   for (const name of ['x3dom.js', 'x3dom.css'])
     cpSync(`node_modules/x3dom/${name}`, `${PUBLIC}/x3dom/${name}`);
   cpSync('docs/pictures', `${PUBLIC}/pictures`, { recursive: true });

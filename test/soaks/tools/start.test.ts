@@ -1,0 +1,46 @@
+import assert from 'node:assert/strict';
+import { spawn, type ChildProcess } from 'node:child_process';
+import { test } from 'node:test';
+
+/** Milliseconds that a server may take to be gone. */
+const SOON = 5000;
+
+/** Runs `npm start` in a process group of its own until it says where the documentation is. */
+async function started(): Promise<{ npm: ChildProcess; address: string }> {
+  const npm = spawn('npm', ['start'], { detached: true, stdio: ['ignore', 'pipe', 'inherit'] });
+  let said = '';
+  for await (const text of npm.stdout!) {
+    said += text;
+    const address = /documentation is at (http\S+)/.exec(said)?.[1];
+    if (address) return { npm, address };
+  }
+  throw new Error(said);
+}
+
+const answers = (address: string): Promise<boolean> =>
+  fetch(address).then(
+    ({ ok }) => ok,
+    () => false,
+  );
+
+async function isGone(address: string): Promise<boolean> {
+  for (const end = Date.now() + SOON; Date.now() < end;)
+    if (!(await answers(address))) return true;
+    else await new Promise((resolve) => setTimeout(resolve, 100));
+  return false;
+}
+
+const ENDS: Record<string, (npm: ChildProcess) => unknown> = {
+  'Ctrl+C': ({ pid }) => process.kill(-pid!, 'SIGINT'),
+  'a terminal that closes': ({ pid }) => process.kill(-pid!, 'SIGHUP'),
+  'SIGTERM to npm alone': (npm) => npm.kill('SIGTERM'),
+  'SIGKILL to npm alone': (npm) => npm.kill('SIGKILL'),
+};
+
+for (const [by, end] of Object.entries(ENDS))
+  test(`npm start, ended by ${by}, leaves nothing on its port`, async () => {
+    const { npm, address } = await started();
+    assert.ok(await answers(address));
+    end(npm);
+    assert.ok(await isGone(address), `${address} still answers`);
+  });
