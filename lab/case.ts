@@ -8,7 +8,26 @@ export type Shape =
   | { type: 'Sphere'; radius: number }
   | { type: 'Box'; size: Vec3 }
   /** Along y. */
-  | { type: 'Cylinder'; radius: number; height: number };
+  | { type: 'Cylinder'; radius: number; height: number }
+  | Triangles
+  | Heights;
+
+/** Points, flat, and three of them for each triangle, counterclockwise from outside. What moves has to be convex. */
+export interface Triangles {
+  type: 'IndexedTriangleSet';
+  coord: number[];
+  index: number[];
+}
+
+/** Heights over points in the level, rows along x one after the other along z, from a corner of the grid on. */
+export interface Heights {
+  type: 'ElevationGrid';
+  xDimension: number;
+  zDimension: number;
+  xSpacing: number;
+  zSpacing: number;
+  height: number[];
+}
 
 /** A body: fields of X3D's RigidBody, a name, and one shape, about its centre of mass unless it says where. */
 export interface CaseBody {
@@ -28,7 +47,7 @@ export interface CaseBody {
   turn?: (time: number) => [number, number, number, number];
   /** Kilograms, 1 by default. */
   mass?: number;
-  /** Principal moments about the body's axes, kg m²; by default those of the shape. */
+  /** Principal moments about the body's axes, kg m²; by default those of the shape, but for triangles. */
   inertia?: Vec3;
   linearVelocity?: Vec3;
   angularVelocity?: Vec3;

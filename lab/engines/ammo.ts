@@ -99,8 +99,8 @@ function damping(body: CaseBody): { linear: number; angular: number } {
 }
 
 const ways = (dt: number): Ways => ({
-  shape: (scene, { shape, offset }) =>
-    offset ? scene.compound(shape!, offset) : scene.primitive(shape!),
+  shape: (scene, { shape, offset, fixed }) =>
+    offset ? scene.compound(shape!, offset) : scene.primitive(shape!, !fixed),
   moments: (scene, body, shape): Vec3 => {
     if (body.inertia) return body.inertia;
     const out = scene.vector([0, 0, 0]);

@@ -1,4 +1,4 @@
-import type { CaseBody, CaseScene, Vec3 } from '../case.js';
+import type { CaseBody, CaseScene, Heights, Vec3 } from '../case.js';
 import { add, quaternionOf, type Pose } from '../../physics-core/base/math.js';
 
 export const massOf = ({ mass = 1 }: CaseBody): number => mass;
@@ -28,6 +28,8 @@ export function momentsOf(body: CaseBody): Vec3 {
   if (inertia) return inertia;
   const m = massOf(body);
   if (!shape) throw new Error(`${body.name} has neither shape nor inertia`);
+  if (shape.type === 'IndexedTriangleSet' || shape.type === 'ElevationGrid')
+    throw new Error(`${body.name} needs an inertia`);
   if (shape.type === 'Sphere') return Array<number>(3).fill(0.4 * m * shape.radius ** 2) as Vec3;
   if (shape.type === 'Box') {
     const [x, y, z] = shape.size.map((length) => length ** 2) as Vec3;
@@ -42,6 +44,21 @@ export const isRound = (body: CaseBody): boolean => {
   const [x, y, z] = momentsOf(body);
   return Math.max(x, y, z) - Math.min(x, y, z) <= 1e-9 * x;
 };
+
+/** Of a grid, from its corner; most engines take that for where it is. */
+export const middleOf = ({ xDimension, zDimension, xSpacing, zSpacing }: Heights): Vec3 => [
+  ((xDimension - 1) * xSpacing) / 2,
+  0,
+  ((zDimension - 1) * zSpacing) / 2,
+];
+
+/** What is convex where it moves, and where it does not may have any form. */
+export const isHull = ({ shape, fixed }: CaseBody): boolean =>
+  shape?.type === 'IndexedTriangleSet' && !fixed;
+
+/** Corners of triangles, one after the other. */
+export const cornersOf = (coord: readonly number[]): Vec3[] =>
+  Array.from({ length: coord.length / 3 }, (_, i) => coord.slice(3 * i, 3 * i + 3) as Vec3);
 
 export function bodyNamed(scene: CaseScene, name: string): CaseBody {
   const body = scene.bodies.find((one) => one.name === name);

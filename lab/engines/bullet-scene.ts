@@ -5,6 +5,7 @@ import { cross, quaternionOfAxes, rotate, type Pose } from '../../physics-core/b
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
 import { forceOn, guideOf, massOf, poseOf, torqueOn } from './bodies.js';
 import type { Running } from './engine.js';
+import { fieldOf, hullOf, meshOf } from './bullet-surfaces.js';
 import type { End, Plan, Plans, Push } from './joints.js';
 
 export type BtBody = Ammo['btRigidBody']['prototype'];
@@ -58,7 +59,7 @@ export class BulletScene {
       for (const joint of plans.joints) made.#addJoint(joint);
       for (const push of plans.pushes) made.#addPush(push);
     } catch (error) {
-      made.#destroy();
+      made.destroy();
       throw error;
     }
     return made;
@@ -92,8 +93,11 @@ export class BulletScene {
 
   // ---- bodies -----------------------------------------------------------------------------------------------------
 
-  primitive(shape: Shape): BtShape {
+  primitive(shape: Shape, moves = true): BtShape {
     const { ammo } = this;
+    if (shape.type === 'ElevationGrid') return fieldOf(this, shape);
+    if (shape.type === 'IndexedTriangleSet')
+      return moves ? hullOf(this, shape) : meshOf(this, shape);
     const made = (): BtShape => {
       if (shape.type === 'Sphere') return new ammo.btSphereShape(shape.radius);
       if (shape.type === 'Box')
@@ -107,8 +111,12 @@ export class BulletScene {
   /** Of one shape. */
   compound(shape: Shape, offset: Vec3 = [0, 0, 0]): BtShape {
     const made = this.owner.own(new this.ammo.btCompoundShape());
-    made.addChildShape(this.transform({ p: offset, q: [0, 0, 0, 1] }), this.primitive(shape));
+    this.put(made, this.primitive(shape), offset);
     return made;
+  }
+
+  put(into: Ammo['btCompoundShape']['prototype'], part: BtShape, at: Vec3): void {
+    into.addChildShape(this.transform({ p: at, q: [0, 0, 0, 1] }), part);
   }
 
   #make(body: CaseBody): BtBody {
@@ -254,18 +262,30 @@ export class BulletScene {
       angularVelocity: seen((body) => xyz(body.getAngularVelocity())),
       contacts: () => this.#contacts(),
       effects: () => [],
-      destroy: () => this.#destroy(),
+      destroy: () => this.destroy(),
     };
   }
 
-  #contacts(): number {
-    let count = 0;
-    for (let i = 0; i < this.#dispatcher.getNumManifolds(); i++)
-      count += this.#dispatcher.getManifoldByIndexInternal(i).getNumContacts();
-    return count;
+  #manifolds(): Ammo['btPersistentManifold']['prototype'][] {
+    return Array.from({ length: this.#dispatcher.getNumManifolds() }, (_, i) =>
+      this.#dispatcher.getManifoldByIndexInternal(i),
+    );
   }
 
-  #destroy(): void {
+  #contacts(): number {
+    return this.#manifolds().reduce((sum, manifold) => sum + manifold.getNumContacts(), 0);
+  }
+
+  /** Metres between surfaces in each contact point that the last step found; negative where they overlap. */
+  distances(): number[] {
+    return this.#manifolds().flatMap((manifold) =>
+      Array.from({ length: manifold.getNumContacts() }, (_, i) =>
+        manifold.getContactPoint(i).getDistance(),
+      ),
+    );
+  }
+
+  destroy(): void {
     for (const constraint of this.#constraints) this.world.removeConstraint(constraint);
     for (const body of this.bodies.values()) this.world.removeRigidBody(body);
     this.owner.dispose();

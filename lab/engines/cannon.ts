@@ -14,6 +14,8 @@ const xyzw = ({ x, y, z, w }: CANNON.Quaternion): Quaternion => [x, y, z, w];
 const SIDES = 32;
 
 function shapeOf(shape: Shape): CANNON.Shape {
+  if (shape.type === 'IndexedTriangleSet' || shape.type === 'ElevationGrid')
+    throw new NotOffered('meshes and fields that boxes and cylinders meet');
   if (shape.type === 'Sphere') return new CANNON.Sphere(shape.radius);
   if (shape.type === 'Box') return new CANNON.Box(vec(scale(shape.size, 0.5)));
   const { radius, height } = shape;

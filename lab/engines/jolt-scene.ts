@@ -1,8 +1,9 @@
 import { add, rotate, scale, type Pose } from '../../physics-core/base/math.js';
-import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
+import type { CaseBody, CaseScene, Quaternion, Vec3 } from '../case.js';
 import { forceOn, guideOf, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
 import { NotOffered, type Running } from './engine.js';
 import { constraintOf, drive, type Jolt } from './jolt-joints.js';
+import { fieldOf, hullOf, meshOf } from './jolt-surfaces.js';
 import type { End, Plan, Push } from './joints.js';
 
 type Body = InstanceType<Jolt['Body']>;
@@ -93,9 +94,12 @@ export class JoltScene {
 
   // ---- bodies -------------------------------------------------------------------------------------------------------
 
-  #shape(shape: Shape | undefined): InstanceType<Jolt['Shape']> {
+  #shape({ shape, fixed }: CaseBody): InstanceType<Jolt['Shape']> {
     const { jolt } = this;
     if (!shape) return new jolt.SphereShape(0.1);
+    if (shape.type === 'IndexedTriangleSet')
+      return fixed ? meshOf(this, shape) : hullOf(this, shape);
+    if (shape.type === 'ElevationGrid') return fieldOf(this, shape);
     if (shape.type === 'Sphere') return new jolt.SphereShape(shape.radius);
     if (shape.type === 'Cylinder') {
       const { radius, height } = shape;
@@ -106,8 +110,9 @@ export class JoltScene {
   }
 
   /** Jolt's place of a body is that of its shape. */
-  #shapeOf({ shape, offset }: CaseBody): InstanceType<Jolt['Shape']> {
-    const made = this.#shape(shape);
+  #shapeOf(body: CaseBody): InstanceType<Jolt['Shape']> {
+    const { offset } = body;
+    const made = this.#shape(body);
     if (!offset) return made;
     return new this.jolt.OffsetCenterOfMassShape(made, this.vec(scale(offset, -1)));
   }

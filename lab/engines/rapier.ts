@@ -1,7 +1,17 @@
 import RAPIER from '@dimforge/rapier3d-compat';
-import { cross, quaternionOfAxes, rotate, scale } from '../../physics-core/base/math.js';
-import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
-import { forceOn, guideOf, isRound, massOf, momentsOf, poseOf, torqueOn } from './bodies.js';
+import { add, cross, quaternionOfAxes, rotate, scale } from '../../physics-core/base/math.js';
+import type { CaseBody, CaseScene, Heights, Quaternion, Shape, Triangles, Vec3 } from '../case.js';
+import {
+  forceOn,
+  guideOf,
+  isHull,
+  isRound,
+  massOf,
+  middleOf,
+  momentsOf,
+  poseOf,
+  torqueOn,
+} from './bodies.js';
 import { NotOffered, sweep, type Engine, type Running, type Setting } from './engine.js';
 import { plansOf, type End, type Plan, type Push } from './joints.js';
 
@@ -15,7 +25,28 @@ let ready: Promise<void> | undefined;
 /** A collider's groups: none with none. */
 const NOTHING = 0;
 
-function colliderOf(shape: Shape): RAPIER.ColliderDesc {
+/** Rapier has its heights column by column, over a field about its middle. */
+function field(grid: Heights): RAPIER.ColliderDesc {
+  const { xDimension, zDimension, height } = grid;
+  const columns = height.map(
+    (_, i) => height[(i % zDimension) * xDimension + Math.floor(i / zDimension)]!,
+  );
+  const [x, , z] = scale(middleOf(grid), 2);
+  const size = { x, y: 1, z };
+  const cells = [zDimension - 1, xDimension - 1] as const;
+  return RAPIER.ColliderDesc.heightfield(...cells, new Float32Array(columns), size);
+}
+
+function triangles({ coord, index }: Triangles, hull: boolean): RAPIER.ColliderDesc {
+  const points = new Float32Array(coord);
+  return hull
+    ? RAPIER.ColliderDesc.convexHull(points)!
+    : RAPIER.ColliderDesc.trimesh(points, new Uint32Array(index));
+}
+
+function colliderOf(shape: Shape, hull: boolean): RAPIER.ColliderDesc {
+  if (shape.type === 'ElevationGrid') return field(shape);
+  if (shape.type === 'IndexedTriangleSet') return triangles(shape, hull);
   if (shape.type === 'Sphere') return RAPIER.ColliderDesc.ball(shape.radius);
   if (shape.type === 'Cylinder')
     return RAPIER.ColliderDesc.cylinder(shape.height / 2, shape.radius);
@@ -51,8 +82,9 @@ function addBody(world: RAPIER.World, body: CaseBody, contact: CaseScene['contac
   const made = world.createRigidBody(bodyDescOf(body));
   if (!body.shape) return made;
   // The body has its mass already.
-  const collider = colliderOf(body.shape).setDensity(0);
-  collider.setTranslation(...(body.offset ?? [0, 0, 0]));
+  const collider = colliderOf(body.shape, isHull(body)).setDensity(0);
+  const middle: Vec3 = body.shape.type === 'ElevationGrid' ? middleOf(body.shape) : [0, 0, 0];
+  collider.setTranslation(...add(middle, body.offset ?? [0, 0, 0]));
   if (!contact) collider.setCollisionGroups(NOTHING);
   else collider.setFriction(contact.friction).setRestitution(contact.bounce);
   world.createCollider(collider, made);
