@@ -16,11 +16,34 @@ function random(): () => number {
   return () => (state = (state * 16807) % 2147483647) / 2147483647;
 }
 
-/** Bootstrap: the 95 % interval of the median. */
-export function estimate(values: readonly number[]): Estimate {
+/** Bootstrap: where a statistic lies in 95 of 100 samples drawn again from the same ones. */
+function intervalOf<T>(
+  samples: readonly T[],
+  statistic: (samples: readonly T[]) => number,
+): { low: number; high: number } {
   const next = random();
-  const again = (): number => median(values.map(() => values[Math.floor(next() * values.length)]!));
-  const medians = Array.from({ length: SAMPLES }, again).sort((a, b) => a - b);
-  const at = (share: number): number => medians[Math.round(share * (SAMPLES - 1))]!;
-  return { median: median(values), low: at(0.025), high: at(0.975) };
+  const again = (): number =>
+    statistic(samples.map(() => samples[Math.floor(next() * samples.length)]!));
+  const found = Array.from({ length: SAMPLES }, again).sort((a, b) => a - b);
+  const at = (share: number): number => found[Math.round(share * (SAMPLES - 1))]!;
+  return { low: at(0.025), high: at(0.975) };
+}
+
+/** Bootstrap: the 95 % interval of the median. */
+export const estimate = (values: readonly number[]): Estimate => ({
+  median: median(values),
+  ...intervalOf(values, median),
+});
+
+/** All of one to all of the other, of pairs that were measured together, and its 95 % interval. */
+export interface Share {
+  mean: number;
+  low: number;
+  high: number;
+}
+
+export function shareOf(pairs: readonly (readonly [number, number])[]): Share {
+  const sum = (i: 0 | 1, of: typeof pairs): number => of.reduce((all, pair) => all + pair[i], 0);
+  const share = (of: typeof pairs): number => sum(0, of) / sum(1, of);
+  return { mean: share(pairs), ...intervalOf(pairs, share) };
 }

@@ -8,7 +8,7 @@ import { quantity } from './numbers.js';
 import { errorOf, frontierOf, ladderOf, rowsOf } from './judge.js';
 
 /** Told apart by their shapes too. */
-const SYMBOLS: Record<string, string> = {
+export const SYMBOLS: Record<string, string> = {
   ours: 'circle',
   ammo: 'rect',
   'x-ite': 'triangle',

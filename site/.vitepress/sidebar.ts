@@ -44,6 +44,7 @@ const INSIDE = {
   edits: 'Edits of a running scene',
   joints: 'Joints that do not stretch',
   contacts: 'Contacts that hold',
+  price: 'What a step costs',
   stability: 'What stays stable',
   effects: 'Effects',
   chunks: 'Files',

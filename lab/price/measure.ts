@@ -1,0 +1,163 @@
+import { loadavg } from 'node:os';
+import type { CaseScene } from '../case.js';
+import type { Running } from '../engines/engine.js';
+import { collect, collectYoung } from '../run/collect.js';
+import { machine, MACHINE, today } from '../run/machine.js';
+import type { Progress } from '../run/progress.js';
+import { estimate, median, shareOf, type Estimate, type Share } from '../statistics.js';
+import { engines, running } from './engines.js';
+import { Looks, type Errors } from './errors.js';
+import type { PriceScene } from './scene.js';
+
+/** Seconds of the scene that an engine takes before the next has its turn. */
+export const TURN = 0.1;
+
+/** What a step of one engine costs, milliseconds, and what it leaves. */
+export interface Side {
+  /** Of a step, the first one apart. */
+  median: number;
+  mean: number;
+  first: number;
+  worst: number;
+  /** To Ammo's steps of the same turns. */
+  toAmmo: { median: Estimate; mean: Share } | null;
+  errors: Errors;
+}
+
+/** One scene at one level; what an engine lacks stands in the place of its numbers. */
+export interface PriceCell {
+  scene: string;
+  level: string;
+  /** Seconds. */
+  step: number;
+  turns: number;
+  bodies: number;
+  joints: number;
+  machine: string;
+  date: string;
+  /** How many processes wanted to run on each core in the minute before it ended. */
+  load: number;
+  sides: Record<string, Side | string>;
+}
+
+/** An engine under way. */
+interface Run {
+  engine: string;
+  running: Running;
+  looks: Looks;
+  /** Milliseconds of every step, by turns. */
+  turns: number[][];
+}
+
+/** Milliseconds: the lesser of the clock, which other work moves on, and of the processor's time, which compilers beside us take, too. */
+function timeOf(step: () => void): number {
+  const [start, before] = [performance.now(), process.cpuUsage()];
+  step();
+  const { user, system } = process.cpuUsage(before);
+  return Math.min(performance.now() - start, (user + system) / 1000);
+}
+
+function takeTurn({ running: { step, timeStep }, turns }: Run): void {
+  collectYoung();
+  turns.push(Array.from({ length: Math.round(TURN / timeStep) }, () => timeOf(step)));
+}
+
+/** Each engine takes its turns; none is always the first. */
+async function takeTurns(runs: readonly Run[], turns: number, progress: Progress): Promise<void> {
+  for (let turn = 0; turn < turns; turn++)
+    for (const i of runs.keys()) {
+      const run = runs[(i + turn) % runs.length]!;
+      progress(`turn ${turn + 1} of ${turns}, ${run.engine}`);
+      takeTurn(run);
+      await run.looks.look(2 * turn >= turns);
+    }
+}
+
+const sum = (values: readonly number[]): number => values.reduce((all, value) => all + value, 0);
+
+/** Without the first step of all. */
+const steady = ({ turns: [first, ...rest] }: Run): number[][] => [first!.slice(1), ...rest];
+
+const totals = (run: Run): number[] => steady(run).map(sum);
+
+function toAmmo(run: Run, ammo: Run | undefined): Side['toAmmo'] {
+  if (!ammo || run === ammo) return null;
+  const theirs = totals(ammo);
+  const pairs = totals(run).map((time, i) => [time, theirs[i]!] as const);
+  return { median: estimate(pairs.map(([mine, other]) => mine / other)), mean: shareOf(pairs) };
+}
+
+function sideOf(run: Run, ammo: Run | undefined): Side {
+  const steps = steady(run).flat();
+  return {
+    median: median(steps),
+    mean: sum(steps) / steps.length,
+    first: run.turns[0]![0]!,
+    worst: Math.max(...steps),
+    toAmmo: toAmmo(run, ammo),
+    errors: run.looks.errors,
+  };
+}
+
+/** The scene in every engine that has words for it, and what the others lack. */
+async function begin(scene: CaseScene, level: string, driven: boolean) {
+  const runs: Run[] = [];
+  const lacking: Record<string, string> = {};
+  for (const engine of engines) {
+    const made = await running(engine, scene, level);
+    if (typeof made === 'string') lacking[engine.id] = made;
+    else
+      runs.push({
+        engine: engine.id,
+        running: made,
+        looks: new Looks(scene, made, driven),
+        turns: [],
+      });
+  }
+  return { runs, lacking };
+}
+
+async function measured(
+  scene: CaseScene,
+  level: string,
+  driven: boolean,
+  turns: number,
+  progress: Progress,
+) {
+  const { runs, lacking } = await begin(scene, level, driven);
+  // What building a scene leaves is no cost of its steps.
+  collect();
+  await takeTurns(runs, turns, progress);
+  const ammo = runs.find(({ engine }) => engine === 'ammo');
+  const sides = runs.map((run): [string, Side] => [run.engine, sideOf(run, ammo)]);
+  const step = runs[0]!.running.timeStep;
+  for (const run of runs) run.running.destroy();
+  return { step, sides: { ...Object.fromEntries(sides), ...lacking } };
+}
+
+/** Turns of a small scene of the kind, for the compiler. */
+const WARM_UP = 3;
+
+export async function measureCell(
+  { id, size, small, driven, build }: PriceScene,
+  level: string,
+  turns: number,
+  progress: Progress,
+): Promise<PriceCell> {
+  const drives = driven !== undefined;
+  await measured(build(small), level, drives, WARM_UP, () => {});
+  const scene = build(size);
+  const { step, sides } = await measured(scene, level, drives, turns, progress);
+  return {
+    scene: id,
+    level,
+    step,
+    turns,
+    bodies: scene.bodies.filter(({ fixed }) => !fixed).length,
+    joints: scene.joints?.length ?? 0,
+    machine: MACHINE,
+    date: today(),
+    load: loadavg()[0]! / machine.cores,
+    sides,
+  };
+}
