@@ -26,7 +26,7 @@ interface Range {
 }
 
 /** Milliseconds of work per simulated second, the same in all panels. */
-const TIME: Range = { min: 10, max: 1e5 };
+const TIME: Range = { min: 1, max: 1e5 };
 
 /** A second of work for a second of the scene. */
 const REAL_TIME = 1000;

@@ -1,6 +1,7 @@
 import { percent, quantity, stepOf, threeDigits } from '../draw/numbers.js';
 import type { Table } from '../draw/table.js';
 import { engines, levelNames } from './engines.js';
+import type { Errors } from './errors.js';
 import type { PriceCell, Side } from './measure.js';
 import { cellOf, type PriceNumbers } from './numbers.js';
 import type { PriceScene } from './scene.js';
@@ -33,6 +34,12 @@ const meanToAmmo = (cell: PriceCell, engine: string): string => {
   const ratio = sideOf(cell, engine)?.toAmmo;
   return ratio ? within(ratio.mean.mean, ratio.mean) : lacking(cell, engine);
 };
+
+/** Less than this is what numbers of single precision leave. */
+const NO_ENERGY = 1e-5;
+
+const energyOf = ({ energy }: Errors): string =>
+  energy === null ? '–' : percent(energy < NO_ENERGY ? 0 : energy);
 
 /** Cells of a level, with their scenes. */
 export const cellsAt = (numbers: PriceNumbers, level: string): [PriceScene, PriceCell][] =>
@@ -111,7 +118,7 @@ export const energyTable = (numbers: PriceNumbers): Table =>
   leftTable(
     numbers,
     priceScenes.filter(({ driven }) => !driven),
-    (_, { errors }) => percent(errors.energy ?? NaN),
+    (_, { errors }) => energyOf(errors),
   );
 
 /** One cell, for people who wait for it. */
@@ -138,7 +145,7 @@ export const cellTable = ({ level, step, sides }: PriceCell): Table => ({
           side.toAmmo ? within(side.toAmmo.mean.mean, side.toAmmo.mean) : '',
           quantity(side.errors.overlap, 'm'),
           quantity(side.errors.gap, 'm'),
-          side.errors.energy === null ? '–' : percent(side.errors.energy),
+          energyOf(side.errors),
         ],
   ),
 });

@@ -4,7 +4,16 @@ import { markdownOf } from '../draw/table.js';
 import type { PriceCell } from './measure.js';
 import type { PriceNumbers } from './numbers.js';
 import type { PriceScene } from './scene.js';
-import { cellsAt, costTable, energyTable, errorTable, hitchTable, sideOf } from './tables.js';
+import { engines } from './engines.js';
+import {
+  COMPARED,
+  cellsAt,
+  costTable,
+  energyTable,
+  errorTable,
+  hitchTable,
+  sideOf,
+} from './tables.js';
 
 /** Levels whose price is judged, and how many times Ammo's step is asked of them. */
 const AIMS: Record<string, (scene: PriceScene) => number> = {
@@ -40,6 +49,17 @@ function summaryOf(numbers: PriceNumbers, level: string): string {
   return `- \`${level}\`: ${kept.length} of ${all.length} scenes keep the aim; the first step does in ${smooth(cells, 'first')}, the worst in ${smooth(cells, 'worst')}. Dearest, in Ammo's steps, the larger of median and mean: ${dearest.join('; ')}.`;
 }
 
+/** In how many scenes ours leaves less than every other engine. */
+function trulyOf(numbers: PriceNumbers, judged: PriceScene['judged'], what: string): string {
+  const cells = cellsAt(numbers, COMPARED).filter(([scene]) => scene.judged === judged);
+  const left = (cell: PriceCell, engine: string): number =>
+    sideOf(cell, engine)?.errors[judged] ?? Infinity;
+  const first = cells.filter(([, cell]) =>
+    engines.every(({ id }) => id === 'ours' || left(cell, 'ours') < left(cell, id)),
+  );
+  return `- ${what} at \`${COMPARED}\`: in ${first.length} of ${cells.length} scenes less than in Ammo, in Rapier and in Jolt.`;
+}
+
 /** More than this on each core, and others were at work. */
 const BUSY = 1;
 
@@ -63,9 +83,11 @@ const byLevel = (table: (level: string) => string): string =>
 /** docs/price.md with what these numbers say. */
 export const withPrice = (text: string, numbers: PriceNumbers): string =>
   Object.entries({
-    summary: Object.keys(AIMS)
-      .map((level) => summaryOf(numbers, level))
-      .join('\n'),
+    summary: [
+      ...Object.keys(AIMS).map((level) => summaryOf(numbers, level)),
+      trulyOf(numbers, 'overlap', 'Deepest overlap'),
+      trulyOf(numbers, 'gap', 'Widest gap'),
+    ].join('\n'),
     conditions: conditions(numbers),
     costs: byLevel((level) => markdownOf(costTable(numbers, level))),
     hitches: byLevel((level) => markdownOf(hitchTable(numbers, level))),
