@@ -18,7 +18,8 @@ async function started(): Promise<{ npm: ChildProcess; address: string }> {
 }
 
 const answers = (address: string): Promise<boolean> =>
-  fetch(address).then(
+  // No connection is kept from the server before.
+  fetch(address, { headers: { connection: 'close' } }).then(
     ({ ok }) => ok,
     () => false,
   );
