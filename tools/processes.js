@@ -5,8 +5,8 @@ import { started } from './processor-time.js';
 
 /**
  * Runs a command to its end. `quiet` keeps what it says for the answer instead of showing it; `'stdout'` keeps that alone.
- * `calm`: whatever else runs goes before it, and it ends with us. A command that takes longer than `timeout` is stopped and
- * counts as failed.
+ * `calm`: whatever else runs goes before it. A command that takes longer than `timeout` is stopped and counts as failed; it
+ * ends with us, too.
  */
 export function run(
   command,
@@ -20,7 +20,8 @@ export function run(
       cwd,
     });
     started(child.pid);
-    if (calm) calmly(child);
+    endWithUs(child);
+    if (calm && child.pid) setPriority(child.pid, constants.priority.PRIORITY_LOW);
     let output = '';
     child.stdout?.on('data', (text) => (output += text));
     child.stderr?.on('data', (text) => (output += text));
@@ -38,11 +39,6 @@ export function run(
     });
     child.on('close', (code) => end(code === 0));
   });
-}
-
-function calmly(child) {
-  endWithUs(child);
-  if (child.pid) setPriority(child.pid, constants.priority.PRIORITY_LOW);
 }
 
 /** npm itself: on Windows a script of the command line's. */
