@@ -82,6 +82,20 @@ export const gives = (r: Float64Array, at: number): boolean =>
 export const isBounded = (r: Float64Array, at: number): boolean =>
   r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
 
+/** H ← H + s jᵢᵀ jᵢ, of six numbers, its lower half. */
+export function addSquare(
+  h: Float64Array,
+  at: number,
+  r: Float64Array,
+  i: number,
+  s: number,
+): void {
+  for (let x = 0; x < 6; x++) {
+    const value = s * r[i + x]!;
+    if (value !== 0) for (let y = 0; y <= x; y++) h[at + 6 * x + y]! += value * r[i + y]!;
+  }
+}
+
 /** H ← H + s jᵢᵀ jₖ, of six numbers each. */
 export function addOuter(
   h: Float64Array,

@@ -133,10 +133,9 @@ export function speeds(
     y -= v[i + 1]! + r * rx - p * rz;
     z -= v[i + 2]! + p * ry - q * rx;
   }
-  for (let k = 0; k < 3; k++) {
-    const d = at + 3 * k;
-    c[at + out + k] = c[d]! * x + c[d + 1]! * y + c[d + 2]! * z;
-  }
+  c[at + out] = c[at]! * x + c[at + 1]! * y + c[at + 2]! * z;
+  c[at + out + 1] = c[at + 3]! * x + c[at + 4]! * y + c[at + 5]! * z;
+  c[at + out + 2] = c[at + 6]! * x + c[at + 7]! * y + c[at + 8]! * z;
 }
 
 /** Takes the push at `from` of the contact, times `s`, out of `g` (six numbers a body). */
@@ -264,14 +263,13 @@ function addSquare(
   const x = n * c[at]! + t * c[at + 3]! + u * c[at + 6]!;
   const y = n * c[at + 1]! + t * c[at + 4]! + u * c[at + 7]!;
   const z = n * c[at + 2]! + t * c[at + 5]! + u * c[at + 8]!;
+  const sx = s * x;
+  const sy = s * y;
   if (first) w.fill(0);
-  w[0]! += s * x * x;
-  w[1]! += s * x * y;
-  w[2]! += s * x * z;
-  w[4]! += s * y * y;
-  w[5]! += s * y * z;
+  w[0]! += sx * x;
+  w[4]! += sy * y;
   w[8]! += s * z * z;
-  w[3] = w[1]!;
-  w[6] = w[2]!;
-  w[7] = w[5]!;
+  w[1] = w[3] = w[1]! + sx * y;
+  w[2] = w[6] = w[2]! + sx * z;
+  w[5] = w[7] = w[5]! + sy * z;
 }

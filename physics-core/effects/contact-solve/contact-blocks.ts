@@ -12,87 +12,102 @@ export function addContact(
 ): void {
   const armA = at + C.armA;
   const armB = at + C.armB;
-  if (p >= 0) addBlock(matrix.values, matrix.diagonal(p), w, c, armA, armA, 1);
-  if (q >= 0) addBlock(matrix.values, matrix.diagonal(q), w, c, armB, armB, 1);
+  if (p >= 0) addToBody(matrix.values, matrix.diagonal(p), w, c, armA);
+  if (q >= 0) addToBody(matrix.values, matrix.diagonal(q), w, c, armB);
   if (p < 0 || q < 0) return;
   const between = matrix.between(p, q);
-  if (between >= 0) addBlock(matrix.values, between, w, c, armA, armB, -1);
-  else addBlock(matrix.values, -1 - between, w, c, armB, armA, -1);
+  if (between >= 0) takeFromPair(matrix.values, between, w, c, armA, armB);
+  else takeFromPair(matrix.values, -1 - between, w, c, armB, armA);
 }
 
-/** H ← H ± [1; S(r)] W [1, -S(s)], with the arms r and s of both bodies; S(r) v = r × v. */
-function addBlock(
+/** H ← H + [1; S(r)] W [1, -S(r)], its lower half, with the arm r of the body and a symmetric W; S(r) v = r × v. */
+function addToBody(h: Float64Array, at: number, w: Float64Array, c: Float64Array, r: number): void {
+  const rx = c[r]!;
+  const ry = c[r + 1]!;
+  const rz = c[r + 2]!;
+  const xx = w[0]!;
+  const xy = w[1]!;
+  const xz = w[2]!;
+  const yy = w[4]!;
+  const yz = w[5]!;
+  const zz = w[8]!;
+  h[at]! += xx;
+  h[at + SIZE]! += xy;
+  h[at + SIZE + 1]! += yy;
+  h[at + 2 * SIZE]! += xz;
+  h[at + 2 * SIZE + 1]! += yz;
+  h[at + 2 * SIZE + 2]! += zz;
+  // S(r) W
+  const x0 = ry * xz - rz * xy;
+  const x1 = ry * yz - rz * yy;
+  const x2 = ry * zz - rz * yz;
+  const y0 = rz * xx - rx * xz;
+  const y1 = rz * xy - rx * yz;
+  const y2 = rz * xz - rx * zz;
+  const z0 = rx * xy - ry * xx;
+  const z1 = rx * yy - ry * xy;
+  const z2 = rx * yz - ry * xz;
+  const row = at + 3 * SIZE;
+  h[row]! += x0;
+  h[row + 1]! += x1;
+  h[row + 2]! += x2;
+  h[row + 3]! += ry * x2 - rz * x1;
+  h[row + SIZE]! += y0;
+  h[row + SIZE + 1]! += y1;
+  h[row + SIZE + 2]! += y2;
+  h[row + SIZE + 3]! += ry * y2 - rz * y1;
+  h[row + SIZE + 4]! += rz * y0 - rx * y2;
+  h[row + 2 * SIZE]! += z0;
+  h[row + 2 * SIZE + 1]! += z1;
+  h[row + 2 * SIZE + 2]! += z2;
+  h[row + 2 * SIZE + 3]! += ry * z2 - rz * z1;
+  h[row + 2 * SIZE + 4]! += rz * z0 - rx * z2;
+  h[row + 2 * SIZE + 5]! += rx * z1 - ry * z0;
+}
+
+/** H ← H - [1; S(r)] W [1, -S(s)], with the arms r and s of both bodies. */
+function takeFromPair(
   h: Float64Array,
   at: number,
   w: Float64Array,
   c: Float64Array,
   r: number,
   s: number,
-  sign: 1 | -1,
 ): void {
   const rx = c[r]!;
   const ry = c[r + 1]!;
   const rz = c[r + 2]!;
-  const sx = c[s]!;
-  const sy = c[s + 1]!;
-  const sz = c[s + 2]!;
-  for (let j = 0; j < 3; j++) {
-    // A row of W is a column, too: first as it is, then as a column of -W S(s).
-    const x = w[3 * j]! * sign;
-    const y = w[3 * j + 1]! * sign;
-    const z = w[3 * j + 2]! * sign;
-    addColumn(h, at + j, x, y, z, rx, ry, rz);
-    const row = at + j * SIZE;
-    h[row + 3]! += sy * z - sz * y;
-    h[row + 4]! += sz * x - sx * z;
-    h[row + 5]! += sx * y - sy * x;
-  }
-  addTurning(h, at, w, sign, rx, ry, rz, sx, sy, sz);
+  const xx = w[0]!;
+  const xy = w[1]!;
+  const xz = w[2]!;
+  const yy = w[4]!;
+  const yz = w[5]!;
+  const zz = w[8]!;
+  takeRow(h, at, xx, xy, xz, c, s);
+  takeRow(h, at + SIZE, xy, yy, yz, c, s);
+  takeRow(h, at + 2 * SIZE, xz, yz, zz, c, s);
+  takeRow(h, at + 3 * SIZE, ry * xz - rz * xy, ry * yz - rz * yy, ry * zz - rz * yz, c, s);
+  takeRow(h, at + 4 * SIZE, rz * xx - rx * xz, rz * xy - rx * yz, rz * xz - rx * zz, c, s);
+  takeRow(h, at + 5 * SIZE, rx * xy - ry * xx, rx * yy - ry * xy, rx * yz - ry * xz, c, s);
 }
 
-/** A column of W, and turned by S(r) below it. */
-function addColumn(
+/** A row of W or S(r) W, and that times -S(s). */
+function takeRow(
   h: Float64Array,
-  at: number,
+  row: number,
   x: number,
   y: number,
   z: number,
-  rx: number,
-  ry: number,
-  rz: number,
+  c: Float64Array,
+  s: number,
 ): void {
-  h[at]! += x;
-  h[at + SIZE]! += y;
-  h[at + 2 * SIZE]! += z;
-  h[at + 3 * SIZE]! += ry * z - rz * y;
-  h[at + 4 * SIZE]! += rz * x - rx * z;
-  h[at + 5 * SIZE]! += rx * y - ry * x;
-}
-
-/** -S(r) W S(s) */
-function addTurning(
-  h: Float64Array,
-  at: number,
-  w: Float64Array,
-  sign: 1 | -1,
-  rx: number,
-  ry: number,
-  rz: number,
-  sx: number,
-  sy: number,
-  sz: number,
-): void {
-  for (let i = 0; i < 3; i++) {
-    // Row i of S(r) W.
-    const p = i === 0 ? 0 : i === 1 ? rz : -ry;
-    const q = i === 0 ? -rz : i === 1 ? 0 : rx;
-    const t = i === 0 ? ry : i === 1 ? -rx : 0;
-    const x = sign * (p * w[0]! + q * w[3]! + t * w[6]!);
-    const y = sign * (p * w[1]! + q * w[4]! + t * w[7]!);
-    const z = sign * (p * w[2]! + q * w[5]! + t * w[8]!);
-    const row = at + (3 + i) * SIZE + 3;
-    h[row]! += sy * z - sz * y;
-    h[row + 1]! += sz * x - sx * z;
-    h[row + 2]! += sx * y - sy * x;
-  }
+  const sx = c[s]!;
+  const sy = c[s + 1]!;
+  const sz = c[s + 2]!;
+  h[row]! -= x;
+  h[row + 1]! -= y;
+  h[row + 2]! -= z;
+  h[row + 3]! -= sy * z - sz * y;
+  h[row + 4]! -= sz * x - sx * z;
+  h[row + 5]! -= sx * y - sy * x;
 }

@@ -216,7 +216,9 @@ export class Newton {
     for (const i of this.#part.contacts) {
       const at = i * C.size;
       speeds(c, at, velocities, a[i]!, b[i]!, C.miss);
-      for (let k = 0; k < 3; k++) c[at + C.miss + k]! -= c[at + C.target + k]!;
+      c[at + C.miss]! -= c[at + C.target]!;
+      c[at + C.miss + 1]! -= c[at + C.target + 1]!;
+      c[at + C.miss + 2]! -= c[at + C.target + 2]!;
       project(c, at, 0);
     }
     const r = this.#rows;
@@ -264,8 +266,13 @@ export class Newton {
     const s = this.#findBottom();
     for (const body of bodies)
       for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! += s * change[k]!;
-    for (const i of contacts)
-      for (let k = i * C.size; k < i * C.size + 3; k++) c[k + C.miss]! += s * c[k + C.change]!;
+    for (const i of contacts) {
+      const m = i * C.size + C.miss;
+      const d = i * C.size + C.change;
+      c[m]! += s * c[d]!;
+      c[m + 1]! += s * c[d + 1]!;
+      c[m + 2]! += s * c[d + 2]!;
+    }
     for (const i of rows) r.values[i * R.size + R.miss]! += s * r.values[i * R.size + R.change]!;
   }
 
@@ -281,8 +288,7 @@ export class Newton {
     let atHigh = NaN;
     let s = 1;
     for (let i = 0; i < TRIES; i++) {
-      this.#pushAt(s);
-      const slope = constant + s * curve - this.#power();
+      const slope = constant + s * curve - this.#powerAt(s);
       if (slope <= FLAT * -begin && (s === 1 || slope >= FLAT * begin)) break;
       if (slope > 0) {
         high = s;
@@ -298,18 +304,28 @@ export class Newton {
     return s;
   }
 
-  #pushAt(s: number): void {
-    for (const i of this.#part.contacts) project(this.#contacts.values, i * C.size, s);
-    for (const i of this.#part.rows) clamp(this.#rows.values, i * R.size, s);
+  /** What the pushes do along the direction, `s` of it gone. */
+  #powerAt(s: number): number {
+    const c = this.#contacts.values;
+    const r = this.#rows.values;
+    let sum = 0;
+    for (const i of this.#part.contacts) {
+      project(c, i * C.size, s);
+      sum = withPower(c, i * C.size, sum);
+    }
+    for (const i of this.#part.rows) {
+      clamp(r, i * R.size, s);
+      sum += r[i * R.size + R.pushed]! * r[i * R.size + R.change]!;
+    }
+    return sum;
   }
 
-  /** What the pushes do along the direction. */
+  /** The same as they are. */
   #power(): number {
     const c = this.#contacts.values;
     const r = this.#rows.values;
     let sum = 0;
-    for (const i of this.#part.contacts)
-      for (let k = i * C.size; k < i * C.size + 3; k++) sum += c[k + C.pushed]! * c[k + C.change]!;
+    for (const i of this.#part.contacts) sum = withPower(c, i * C.size, sum);
     for (const i of this.#part.rows) sum += r[i * R.size + R.pushed]! * r[i * R.size + R.change]!;
     return sum;
   }
@@ -351,6 +367,13 @@ export class Newton {
     return this.#matrix.factor();
   }
 }
+
+/** The sum and what a contact's push does along the direction. */
+const withPower = (c: Float64Array, at: number, sum: number): number =>
+  sum +
+  c[at + C.pushed]! * c[at + C.change]! +
+  c[at + C.pushed + 1]! * c[at + C.change + 1]! +
+  c[at + C.pushed + 2]! * c[at + C.change + 2]!;
 
 /**
  * What Coulomb's law has more than its associated form: sliding does not lift. Next to rest that form itself is taken,

@@ -1,6 +1,6 @@
 import { stiffnessOf, C, type ConeContacts } from './cone-contacts.js';
 import { addContact } from './contact-blocks.js';
-import { addOuter, gives, isBounded, R, type BoundRows } from './bound-rows.js';
+import { addOuter, addSquare, gives, isBounded, R, type BoundRows } from './bound-rows.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE, SparseCholesky } from './sparse-cholesky.js';
@@ -95,8 +95,8 @@ export class PartMatrix {
     const penalty = r[at + R.penalty]!;
     const p = this.#numberOf(a[i]!);
     const q = this.#numberOf(b[i]!);
-    if (p >= 0) addOuter(matrix.values, matrix.diagonal(p), r, at, at, penalty);
-    if (q >= 0) addOuter(matrix.values, matrix.diagonal(q), r, at + R.b, at + R.b, penalty);
+    if (p >= 0) addSquare(matrix.values, matrix.diagonal(p), r, at, penalty);
+    if (q >= 0) addSquare(matrix.values, matrix.diagonal(q), r, at + R.b, penalty);
     if (p < 0 || q < 0) return;
     const between = matrix.between(p, q);
     if (between >= 0) addOuter(matrix.values, between, r, at, at + R.b, penalty);

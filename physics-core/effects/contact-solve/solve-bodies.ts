@@ -84,36 +84,41 @@ export class SolveBodies {
 
   /** M (v - free), into `momentum`. */
   gradient(bodies: readonly number[]): void {
+    const { velocities: v, free, momentum, inertias, masses } = this;
     for (const body of bodies) {
-      const at = body * SIZE;
-      for (let k = 0; k < 3; k++) {
-        this.momentum[at + k] =
-          this.masses[body]! * (this.velocities[at + k]! - this.free[at + k]!);
-        let spin = 0;
-        for (let l = 0; l < 3; l++)
-          spin +=
-            this.inertias[9 * body + 3 * k + l]! *
-            (this.velocities[at + 3 + l]! - this.free[at + 3 + l]!);
-        this.momentum[at + 3 + k] = spin;
-      }
+      const i = body * SIZE;
+      const mass = masses[body]!;
+      momentum[i] = mass * (v[i]! - free[i]!);
+      momentum[i + 1] = mass * (v[i + 1]! - free[i + 1]!);
+      momentum[i + 2] = mass * (v[i + 2]! - free[i + 2]!);
+      const x = v[i + 3]! - free[i + 3]!;
+      const y = v[i + 4]! - free[i + 4]!;
+      const z = v[i + 5]! - free[i + 5]!;
+      momentum[i + 3] = turned(inertias, 9 * body, x, y, z);
+      momentum[i + 4] = turned(inertias, 9 * body + 3, x, y, z);
+      momentum[i + 5] = turned(inertias, 9 * body + 6, x, y, z);
     }
   }
 
   /** The greatest speed that `momentum` stands for, of a body by itself, m/s or rad/s. */
   fastest(bodies: readonly number[]): number {
+    const { momentum, inverseInertias, masses } = this;
     let most = 0;
     for (const body of bodies) {
-      const at = body * SIZE;
-      for (let k = 0; k < 3; k++) {
-        let spin = 0;
-        for (let l = 0; l < 3; l++)
-          spin += this.inverseInertias[9 * body + 3 * k + l]! * this.momentum[at + 3 + l]!;
-        most = Math.max(
-          most,
-          Math.abs(this.momentum[at + k]! / this.masses[body]!),
-          Math.abs(spin),
-        );
-      }
+      const i = body * SIZE;
+      const mass = masses[body]!;
+      const x = momentum[i + 3]!;
+      const y = momentum[i + 4]!;
+      const z = momentum[i + 5]!;
+      most = Math.max(
+        most,
+        Math.abs(momentum[i]! / mass),
+        Math.abs(momentum[i + 1]! / mass),
+        Math.abs(momentum[i + 2]! / mass),
+        Math.abs(turned(inverseInertias, 9 * body, x, y, z)),
+        Math.abs(turned(inverseInertias, 9 * body + 3, x, y, z)),
+        Math.abs(turned(inverseInertias, 9 * body + 6, x, y, z)),
+      );
     }
     return most;
   }
@@ -168,16 +173,21 @@ export class SolveBodies {
 
   /** changeᵀ M change */
   square(bodies: readonly number[]): number {
+    const { change, inertias, masses } = this;
     let sum = 0;
     for (const body of bodies) {
-      const at = body * SIZE;
+      const mass = masses[body]!;
+      const i = body * SIZE;
+      const x = change[i + 3]!;
+      const y = change[i + 4]!;
+      const z = change[i + 5]!;
       for (let k = 0; k < 3; k++) {
-        sum += this.masses[body]! * this.change[at + k]! * this.change[at + k]!;
-        for (let l = 0; l < 3; l++)
-          sum +=
-            this.change[at + 3 + k]! *
-            this.inertias[9 * body + 3 * k + l]! *
-            this.change[at + 3 + l]!;
+        const m = 9 * body + 3 * k;
+        const turn = change[i + 3 + k]!;
+        sum += mass * change[i + k]! * change[i + k]!;
+        sum += turn * inertias[m]! * x;
+        sum += turn * inertias[m + 1]! * y;
+        sum += turn * inertias[m + 2]! * z;
       }
     }
     return sum;
@@ -202,3 +212,7 @@ export class SolveBodies {
     displace(this.#ammo, this.pointers[body]!, this.change, body * SIZE);
   }
 }
+
+/** A row of a 3 × 3 matrix by a vector. */
+const turned = (m: Float64Array, row: number, x: number, y: number, z: number): number =>
+  0 + m[row]! * x + m[row + 1]! * y + m[row + 2]! * z;

@@ -2,11 +2,12 @@
 
 /** Rows of a block. */
 export const SIZE = 6;
-export const BLOCK = SIZE * SIZE;
+export const BLOCK = 36;
 
 /**
- * A sparse block matrix and its factor. Blocks are full, row after row; those off the diagonal lie below it. Bodies whose
- * blocks change from one factor to the next are eliminated last: what comes before them is factored once.
+ * A sparse block matrix and its factor. Blocks are full, row after row; those off the diagonal lie below it, and of those on
+ * it only the lower half is looked at. Bodies whose blocks change from one factor to the next are eliminated last: what
+ * comes before them is factored once.
  */
 export class SparseCholesky {
   /** Rows of blocks. */
@@ -15,8 +16,6 @@ export class SparseCholesky {
   /** Rows that do not change come before this one, and so many products are theirs. */
   #firstChanging = 0;
   #constantProducts = 0;
-  /** Blocks that change, as the others leave them: those on the diagonal, then the rest. */
-  #left = new Float64Array(BLOCK);
   /** Number of the row in which a body is eliminated. */
   #place = new Int32Array(16);
   /** Where the column of a row begins in `#rows`; its blocks off the diagonal follow those on it in `values`. */
@@ -24,8 +23,8 @@ export class SparseCholesky {
   #rows = new Int32Array(16);
   /** Where the products of a column's blocks go, in the order in which they are taken. */
   #targets = new Int32Array(16);
-  /** The diagonal blocks by row, then the others in the order of `#rows`. */
-  values = new Float64Array(BLOCK);
+  /** The diagonal blocks by row, then the others in the order of `#rows`; behind them those that change, as the rest leaves them. */
+  values = new Float64Array(2 * BLOCK);
   readonly #neighbours: Set<number>[] = [];
   #permuted = new Float64Array(SIZE);
   /** Products of two blocks that factoring takes: its cost. */
@@ -98,7 +97,7 @@ export class SparseCholesky {
   #lay(columns: readonly number[][]): void {
     const total = columns.reduce((sum, { length }) => sum + length, 0);
     if (this.#rows.length < total) this.#rows = new Int32Array(2 * total);
-    const room = (this.count + total) * BLOCK;
+    const room = 2 * (this.count + total) * BLOCK;
     if (this.values.length < room) this.values = new Float64Array(2 * room);
     let at = 0;
     columns.forEach((near, k) => {
@@ -159,31 +158,23 @@ export class SparseCholesky {
   /** Eliminates what does not change, once all of that is added. False: not positive definite. */
   factorConstant(): boolean {
     if (!this.#factor(0, this.#firstChanging, 0)) return false;
-    const { onDiagonal, others } = this.#changingBlocks();
-    const room = onDiagonal.length + others.length;
-    if (this.#left.length < room) this.#left = new Float64Array(2 * room);
-    this.#left.set(onDiagonal);
-    this.#left.set(others, onDiagonal.length);
+    const { values, count } = this;
+    const first = this.#firstChanging;
+    const end = (count + this.#starts[count]!) * BLOCK;
+    values.copyWithin(end + first * BLOCK, first * BLOCK, count * BLOCK);
+    const others = (count + this.#starts[first]!) * BLOCK;
+    values.copyWithin(end + others, others, end);
     return true;
   }
 
   /** Only what changes is to be added anew. */
   restore(): void {
-    const { onDiagonal, others } = this.#changingBlocks();
-    onDiagonal.set(this.#left.subarray(0, onDiagonal.length));
-    others.set(this.#left.subarray(onDiagonal.length, onDiagonal.length + others.length));
-  }
-
-  #changingBlocks() {
     const { values, count } = this;
     const first = this.#firstChanging;
-    return {
-      onDiagonal: values.subarray(first * BLOCK, count * BLOCK),
-      others: values.subarray(
-        (count + this.#starts[first]!) * BLOCK,
-        (count + this.#starts[count]!) * BLOCK,
-      ),
-    };
+    const end = (count + this.#starts[count]!) * BLOCK;
+    values.copyWithin(first * BLOCK, end + first * BLOCK, end + count * BLOCK);
+    const others = (count + this.#starts[first]!) * BLOCK;
+    values.copyWithin(others, end + others, 2 * end);
   }
 
   /** The rest, in place. False: not positive definite. */
@@ -193,16 +184,18 @@ export class SparseCholesky {
 
   #factor(first: number, end: number, next: number): boolean {
     const { values, count } = this;
+    const starts = this.#starts;
     const targets = this.#targets;
     for (let k = first; k < end; k++) {
       const diagonal = k * BLOCK;
       if (!factorBlock(values, diagonal)) return false;
-      const from = this.#starts[k]!;
-      const to = this.#starts[k + 1]!;
-      for (let p = from; p < to; p++) divideBlock(values, (count + p) * BLOCK, diagonal);
-      for (let p = from; p < to; p++)
-        for (let q = from; q <= p; q++)
-          takeProduct(values, targets[next++]!, (count + p) * BLOCK, (count + q) * BLOCK);
+      const from = (count + starts[k]!) * BLOCK;
+      const to = (count + starts[k + 1]!) * BLOCK;
+      divideRows(values, from, to, diagonal);
+      for (let p = from; p < to; p += BLOCK) {
+        for (let q = from; q < p; q += BLOCK) takeProduct(values, targets[next++]!, p, q);
+        takeSquare(values, targets[next++]!, p);
+      }
     }
     return true;
   }
@@ -210,38 +203,50 @@ export class SparseCholesky {
   /** L Lᵀ x = b, in place; six numbers a body. */
   solve(x: Float64Array): void {
     const { values, count } = this;
+    const starts = this.#starts;
+    const rows = this.#rows;
     if (this.#permuted.length < SIZE * count) this.#permuted = new Float64Array(2 * SIZE * count);
     const y = this.#permuted;
-    for (let i = 0; i < count; i++)
-      for (let j = 0; j < SIZE; j++) y[this.#place[i]! * SIZE + j] = x[i * SIZE + j]!;
+    for (let i = 0; i < count; i++) copy(x, i * SIZE, y, this.#place[i]! * SIZE, SIZE);
     for (let k = 0; k < count; k++) {
       forwardBlock(values, k * BLOCK, y, k * SIZE);
-      for (let p = this.#starts[k]!; p < this.#starts[k + 1]!; p++)
-        takeTimes(values, (count + p) * BLOCK, y, k * SIZE, this.#rows[p]! * SIZE);
+      takeTimes(
+        values,
+        (count + starts[k]!) * BLOCK,
+        y,
+        k * SIZE,
+        rows,
+        starts[k]!,
+        starts[k + 1]!,
+      );
     }
     for (let k = count - 1; k >= 0; k--) {
-      for (let p = this.#starts[k]!; p < this.#starts[k + 1]!; p++)
-        takeTransposedTimes(values, (count + p) * BLOCK, y, this.#rows[p]! * SIZE, k * SIZE);
+      const at = (count + starts[k]!) * BLOCK;
+      takeTransposedTimes(values, at, y, k * SIZE, rows, starts[k]!, starts[k + 1]!);
       backwardBlock(values, k * BLOCK, y, k * SIZE);
     }
-    for (let i = 0; i < count; i++)
-      for (let j = 0; j < SIZE; j++) x[i * SIZE + j] = y[this.#place[i]! * SIZE + j]!;
+    for (let i = 0; i < count; i++) copy(y, this.#place[i]! * SIZE, x, i * SIZE, SIZE);
   }
 }
 
 // ---- blocks -----------------------------------------------------------------------------------------------------------
+// All that a solve costs is here. Numbers that are used more than once stand in names of their own, which engines keep in
+// registers, and what is short is written out: half of the time and less, with the same sums in the same order.
+
+function copy(from: Float64Array, at: number, to: Float64Array, into: number, count: number): void {
+  for (let i = 0; i < count; i++) to[into + i] = from[at + i]!;
+}
 
 /** Lower factor in place; its diagonal holds the inverse. */
 function factorBlock(a: Float64Array, at: number): boolean {
   for (let j = 0; j < SIZE; j++) {
     const row = at + j * SIZE;
     let diagonal = a[row + j]!;
-    for (let k = 0; k < j; k++) diagonal -= a[row + k]! * a[row + k]!;
+    for (let k = row; k < row + j; k++) diagonal -= a[k]! * a[k]!;
     if (!(diagonal > 0)) return false;
     const inverse = 1 / Math.sqrt(diagonal);
     a[row + j] = inverse;
-    for (let i = j + 1; i < SIZE; i++) {
-      const other = at + i * SIZE;
+    for (let other = row + SIZE; other < at + BLOCK; other += SIZE) {
       let sum = a[other + j]!;
       for (let k = 0; k < j; k++) sum -= a[other + k]! * a[row + k]!;
       a[other + j] = sum * inverse;
@@ -250,32 +255,84 @@ function factorBlock(a: Float64Array, at: number): boolean {
   return true;
 }
 
-/** A ← A L⁻ᵀ */
-function divideBlock(a: Float64Array, at: number, l: number): void {
-  for (let i = 0; i < SIZE; i++) {
-    const row = at + i * SIZE;
-    for (let j = 0; j < SIZE; j++) {
-      let sum = a[row + j]!;
-      for (let k = 0; k < j; k++) sum -= a[row + k]! * a[l + j * SIZE + k]!;
-      a[row + j] = sum * a[l + j * SIZE + j]!;
-    }
+/** A ← A L⁻ᵀ, for all rows between two places. */
+function divideRows(a: Float64Array, from: number, to: number, l: number): void {
+  const l00 = a[l]!;
+  const l10 = a[l + 6]!;
+  const l11 = a[l + 7]!;
+  const l20 = a[l + 12]!;
+  const l21 = a[l + 13]!;
+  const l22 = a[l + 14]!;
+  const l30 = a[l + 18]!;
+  const l31 = a[l + 19]!;
+  const l32 = a[l + 20]!;
+  const l33 = a[l + 21]!;
+  const l40 = a[l + 24]!;
+  const l41 = a[l + 25]!;
+  const l42 = a[l + 26]!;
+  const l43 = a[l + 27]!;
+  const l44 = a[l + 28]!;
+  const l50 = a[l + 30]!;
+  const l51 = a[l + 31]!;
+  const l52 = a[l + 32]!;
+  const l53 = a[l + 33]!;
+  const l54 = a[l + 34]!;
+  const l55 = a[l + 35]!;
+  for (let row = from; row < to; row += SIZE) {
+    const x0 = a[row]! * l00;
+    const x1 = (a[row + 1]! - x0 * l10) * l11;
+    const x2 = (a[row + 2]! - x0 * l20 - x1 * l21) * l22;
+    const x3 = (a[row + 3]! - x0 * l30 - x1 * l31 - x2 * l32) * l33;
+    const x4 = (a[row + 4]! - x0 * l40 - x1 * l41 - x2 * l42 - x3 * l43) * l44;
+    const x5 = (a[row + 5]! - x0 * l50 - x1 * l51 - x2 * l52 - x3 * l53 - x4 * l54) * l55;
+    a[row] = x0;
+    a[row + 1] = x1;
+    a[row + 2] = x2;
+    a[row + 3] = x3;
+    a[row + 4] = x4;
+    a[row + 5] = x5;
   }
 }
 
-/** A ← A - B Cᵀ. All that factoring costs is here: no loop inside, no array made. */
+/** A ← A - B Cᵀ, two rows at a time. */
 function takeProduct(v: Float64Array, a: number, b: number, c: number): void {
-  for (let i = 0; i < SIZE; i++) {
-    const p = b + i * SIZE;
+  for (let p = b, row = a; p < b + BLOCK; p += 2 * SIZE, row += 2 * SIZE) {
     const p0 = v[p]!;
     const p1 = v[p + 1]!;
     const p2 = v[p + 2]!;
     const p3 = v[p + 3]!;
     const p4 = v[p + 4]!;
     const p5 = v[p + 5]!;
-    const row = a + i * SIZE;
-    let q = c;
-    for (let j = 0; j < SIZE; j++, q += SIZE)
-      v[row + j]! -=
+    const q0 = v[p + 6]!;
+    const q1 = v[p + 7]!;
+    const q2 = v[p + 8]!;
+    const q3 = v[p + 9]!;
+    const q4 = v[p + 10]!;
+    const q5 = v[p + 11]!;
+    for (let q = c, to = row; q < c + BLOCK; q += SIZE, to++) {
+      const c0 = v[q]!;
+      const c1 = v[q + 1]!;
+      const c2 = v[q + 2]!;
+      const c3 = v[q + 3]!;
+      const c4 = v[q + 4]!;
+      const c5 = v[q + 5]!;
+      v[to]! -= p0 * c0 + p1 * c1 + p2 * c2 + p3 * c3 + p4 * c4 + p5 * c5;
+      v[to + SIZE]! -= q0 * c0 + q1 * c1 + q2 * c2 + q3 * c3 + q4 * c4 + q5 * c5;
+    }
+  }
+}
+
+/** A ← A - B Bᵀ, its lower half. */
+function takeSquare(v: Float64Array, a: number, b: number): void {
+  for (let p = b, row = a; p < b + BLOCK; p += SIZE, row += SIZE) {
+    const p0 = v[p]!;
+    const p1 = v[p + 1]!;
+    const p2 = v[p + 2]!;
+    const p3 = v[p + 3]!;
+    const p4 = v[p + 4]!;
+    const p5 = v[p + 5]!;
+    for (let q = b, to = row; q <= p; q += SIZE, to++)
+      v[to]! -=
         p0 * v[q]! +
         p1 * v[q + 1]! +
         p2 * v[q + 2]! +
@@ -286,40 +343,113 @@ function takeProduct(v: Float64Array, a: number, b: number, c: number): void {
 }
 
 function forwardBlock(l: Float64Array, at: number, x: Float64Array, from: number): void {
-  for (let i = 0; i < SIZE; i++) {
-    let sum = x[from + i]!;
-    for (let k = 0; k < i; k++) sum -= l[at + i * SIZE + k]! * x[from + k]!;
-    x[from + i] = sum * l[at + i * SIZE + i]!;
-  }
+  const x0 = x[from]! * l[at]!;
+  const x1 = (x[from + 1]! - l[at + 6]! * x0) * l[at + 7]!;
+  const x2 = (x[from + 2]! - l[at + 12]! * x0 - l[at + 13]! * x1) * l[at + 14]!;
+  const x3 = (x[from + 3]! - l[at + 18]! * x0 - l[at + 19]! * x1 - l[at + 20]! * x2) * l[at + 21]!;
+  const x4 =
+    (x[from + 4]! - l[at + 24]! * x0 - l[at + 25]! * x1 - l[at + 26]! * x2 - l[at + 27]! * x3) *
+    l[at + 28]!;
+  x[from + 5] =
+    (x[from + 5]! -
+      l[at + 30]! * x0 -
+      l[at + 31]! * x1 -
+      l[at + 32]! * x2 -
+      l[at + 33]! * x3 -
+      l[at + 34]! * x4) *
+    l[at + 35]!;
+  x[from] = x0;
+  x[from + 1] = x1;
+  x[from + 2] = x2;
+  x[from + 3] = x3;
+  x[from + 4] = x4;
 }
 
 function backwardBlock(l: Float64Array, at: number, x: Float64Array, from: number): void {
-  for (let i = SIZE - 1; i >= 0; i--) {
-    const value = x[from + i]! * l[at + i * SIZE + i]!;
-    x[from + i] = value;
-    for (let k = 0; k < i; k++) x[from + k]! -= l[at + i * SIZE + k]! * value;
-  }
+  const x5 = x[from + 5]! * l[at + 35]!;
+  const x4 = (x[from + 4]! - l[at + 34]! * x5) * l[at + 28]!;
+  const x3 = (x[from + 3]! - l[at + 33]! * x5 - l[at + 27]! * x4) * l[at + 21]!;
+  const x2 = (x[from + 2]! - l[at + 32]! * x5 - l[at + 26]! * x4 - l[at + 20]! * x3) * l[at + 14]!;
+  const x1 =
+    (x[from + 1]! - l[at + 31]! * x5 - l[at + 25]! * x4 - l[at + 19]! * x3 - l[at + 13]! * x2) *
+    l[at + 7]!;
+  x[from] =
+    (x[from]! -
+      l[at + 30]! * x5 -
+      l[at + 24]! * x4 -
+      l[at + 18]! * x3 -
+      l[at + 12]! * x2 -
+      l[at + 6]! * x1) *
+    l[at]!;
+  x[from + 1] = x1;
+  x[from + 2] = x2;
+  x[from + 3] = x3;
+  x[from + 4] = x4;
+  x[from + 5] = x5;
 }
 
-/** x[to] ← x[to] - A x[from] */
-function takeTimes(a: Float64Array, at: number, x: Float64Array, from: number, to: number): void {
-  for (let i = 0; i < SIZE; i++) {
-    let sum = 0;
-    for (let j = 0; j < SIZE; j++) sum += a[at + i * SIZE + j]! * x[from + j]!;
-    x[to + i]! -= sum;
-  }
-}
-
-/** x[to] ← x[to] - Aᵀ x[from] */
-function takeTransposedTimes(
+/** x of each row of a column ← x - A x[from], for the blocks A from `at` on. */
+function takeTimes(
   a: Float64Array,
   at: number,
   x: Float64Array,
   from: number,
-  to: number,
+  rows: Int32Array,
+  first: number,
+  end: number,
 ): void {
-  for (let i = 0; i < SIZE; i++) {
-    const value = x[from + i]!;
-    for (let j = 0; j < SIZE; j++) x[to + j]! -= a[at + i * SIZE + j]! * value;
+  const x0 = x[from]!;
+  const x1 = x[from + 1]!;
+  const x2 = x[from + 2]!;
+  const x3 = x[from + 3]!;
+  const x4 = x[from + 4]!;
+  const x5 = x[from + 5]!;
+  for (let p = first, row = at; p < end; p++) {
+    const to = rows[p]! * SIZE;
+    for (let i = to; i < to + SIZE; i++, row += SIZE)
+      x[i]! -=
+        0 +
+        a[row]! * x0 +
+        a[row + 1]! * x1 +
+        a[row + 2]! * x2 +
+        a[row + 3]! * x3 +
+        a[row + 4]! * x4 +
+        a[row + 5]! * x5;
   }
+}
+
+/** x[to] ← x[to] - Aᵀ x of each row of a column, for the blocks A from `at` on. */
+function takeTransposedTimes(
+  a: Float64Array,
+  at: number,
+  x: Float64Array,
+  to: number,
+  rows: Int32Array,
+  first: number,
+  end: number,
+): void {
+  let x0 = x[to]!;
+  let x1 = x[to + 1]!;
+  let x2 = x[to + 2]!;
+  let x3 = x[to + 3]!;
+  let x4 = x[to + 4]!;
+  let x5 = x[to + 5]!;
+  for (let p = first, row = at; p < end; p++) {
+    const from = rows[p]! * SIZE;
+    for (let i = from; i < from + SIZE; i++, row += SIZE) {
+      const value = x[i]!;
+      x0 -= a[row]! * value;
+      x1 -= a[row + 1]! * value;
+      x2 -= a[row + 2]! * value;
+      x3 -= a[row + 3]! * value;
+      x4 -= a[row + 4]! * value;
+      x5 -= a[row + 5]! * value;
+    }
+  }
+  x[to] = x0;
+  x[to + 1] = x1;
+  x[to + 2] = x2;
+  x[to + 3] = x3;
+  x[to + 4] = x4;
+  x[to + 5] = x5;
 }

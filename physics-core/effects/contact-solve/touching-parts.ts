@@ -2,6 +2,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
+import type { Jointed } from '../joints/joint-solve.js';
 import { Parts, type Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
 
@@ -13,6 +14,8 @@ export class TouchingParts {
   readonly #effects: Effects;
   readonly #bodies: SolveBodies;
   readonly #parts = new Parts();
+  /** Those whose bodies are joined already. */
+  readonly #joined = new Set<Jointed>();
 
   constructor(simulation: Simulation, effects: Effects, bodies: SolveBodies) {
     this.#simulation = simulation;
@@ -68,10 +71,12 @@ export class TouchingParts {
   #joinJointed(): void {
     const joints = this.#effects.caused(jointSolve);
     if (!joints) return;
+    this.#joined.clear();
     for (let i = 0; i < this.#bodies.count; i++) {
       const body = this.#simulation.bodyAt(this.#bodies.pointers[i]!);
       const jointed = body && body.joints.size > 0 && joints.solvedWith(body);
-      if (!jointed) continue;
+      if (!jointed || this.#joined.has(jointed)) continue;
+      this.#joined.add(jointed);
       // A tree, held by the world, has as many joints as bodies.
       if (jointed.joints.length > jointed.bodies.length) this.#parts.loops(i);
       for (const { pointer } of jointed.bodies) {

@@ -35,8 +35,10 @@ export class JointSolve extends Effect {
   /** Bullet's own rows. */
   readonly #sleepingRows: SleepingRows;
   #joints: (Joint | undefined)[] = [];
+  /** Where each of them stands there. */
+  readonly #numbers = new Map<Joint, number>();
   /** Those of this step. */
-  readonly #solved: Component[] = [];
+  readonly #solved = new Set<Component>();
   /** Those that slept when this step began. */
   readonly #asleep: Component[] = [];
   readonly #alone = new Set<Body>();
@@ -79,8 +81,10 @@ export class JointSolve extends Effect {
     if (!this.isNeededBy(node)) return;
     this.#stale = true;
     super.release(node);
-    const k = this.#joints.indexOf(node as Joint);
-    if (k >= 0) this.#joints[k] = undefined;
+    const k = this.#numbers.get(node as Joint);
+    if (k === undefined) return;
+    this.#joints[k] = undefined;
+    this.#numbers.delete(node as Joint);
   }
 
   /** What a joint did is not to be known when it comes again. Bodies lose their joints before they go. */
@@ -105,12 +109,13 @@ export class JointSolve extends Effect {
   }
 
   #takeEnds(body: Body): void {
-    this.#joints.forEach((joint, k) => {
-      if (!joint || (joint.body1 !== body && joint.body2 !== body)) return;
+    for (const joint of body.joints) {
+      const k = this.#numbers.get(joint);
+      if (k === undefined) continue;
       const one = this.#wayOf(joint.body1);
       const two = this.#wayOf(joint.body2);
       this.#solver.takeEnds(k, joint, one || two ? { one, two } : undefined);
-    });
+    }
   }
 
   #wayOf(body: Body | undefined): Way | undefined {
@@ -144,7 +149,7 @@ export class JointSolve extends Effect {
   /** What hangs together with a body, where this step has found its motion without contacts. */
   solvedWith(body: Body): Jointed | undefined {
     const component = this.#componentOf.get(body);
-    if (!component || !this.#solved.includes(component)) return undefined;
+    if (!component || !this.#solved.has(component)) return undefined;
     let jointed = this.#jointed.get(component);
     if (!jointed) {
       const { bodies } = this.#bodies;
@@ -159,7 +164,7 @@ export class JointSolve extends Effect {
 
   /** Visits the stops and motors of a joint as this step has found them. */
   eachBound(joint: Joint, visit: (bound: Bound) => void): void {
-    if (isBounded(joint)) this.#solver.eachBound(this.#joints.indexOf(joint), visit);
+    if (isBounded(joint)) this.#solver.eachBound(this.#numbers.get(joint) ?? -1, visit);
   }
 
   /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
@@ -169,7 +174,8 @@ export class JointSolve extends Effect {
     if (this.#stale) this.#rebuild();
     for (const body of this.#ways.keys()) this.#takeEnds(body);
     this.#solver.begin();
-    this.#solved.length = this.#asleep.length = 0;
+    this.#solved.clear();
+    this.#asleep.length = 0;
     for (const component of this.#forest.components)
       if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
       else {
@@ -208,7 +214,7 @@ export class JointSolve extends Effect {
       this.#leaveToBullet(component);
       return;
     }
-    this.#solved.push(component);
+    this.#solved.add(component);
     this.#sleepingRows.solved(component, dt);
     if (this.#solver.torn.has(component)) this.#sleepingRows.releaseStops(component);
     for (const k of component.rows) this.#solver.tellStops(k, this.#effects.get(stops));
@@ -274,5 +280,7 @@ export class JointSolve extends Effect {
     for (const component of this.#forest.components)
       for (const i of component.bodies) this.#componentOf.set(bodies[i]!, component);
     this.#joints = joints;
+    this.#numbers.clear();
+    joints.forEach((joint, k) => this.#numbers.set(joint, k));
   }
 }

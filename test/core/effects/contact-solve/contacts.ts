@@ -51,7 +51,8 @@ export function fullOf(
   const full = Array.from({ length: n }, () => new Array<number>(n).fill(0));
   const put = (i: number, k: number, from: number): void => {
     for (let r = 0; r < SIZE; r++)
-      for (let s = 0; s < SIZE; s++) {
+      // Of blocks on the diagonal only the lower half is written.
+      for (let s = 0; s < (i === k ? r + 1 : SIZE); s++) {
         const value = matrix.values[from + r * SIZE + s]!;
         full[SIZE * i + r]![SIZE * k + s] = value;
         full[SIZE * k + s]![SIZE * i + r] = value;
