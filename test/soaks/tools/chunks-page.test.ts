@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { builtFiles, PAGE } from '../../tools/effects/chunks.js';
+import { builtFiles, PAGE } from '../../../tools/effects/chunks.js';
 
 /** Of a size that may differ from the page's before that is to be written anew: a kilobyte, and 3 %. */
 const ROUNDING = { bytes: 1000, share: 0.03 };
