@@ -20,6 +20,7 @@ import { ContactPort } from './read-contact.js';
 import { RollingResistance } from './rolling-resistance.js';
 import { Savings } from './savings.js';
 import { SolveBodies } from './solve-bodies.js';
+import { CurvedPaths } from './curved-paths.js';
 import { SIZE } from './sparse-cholesky.js';
 import { Sweeps } from './sweeps.js';
 import { TouchingParts } from './touching-parts.js';
@@ -66,6 +67,7 @@ export class ContactSolve extends Effect {
   readonly #savings = new Savings();
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
+  readonly #curvedPaths: CurvedPaths;
   readonly #corners: TurningCorners;
   readonly #grips: Grips;
   /** Those that were solved directly. */
@@ -107,6 +109,13 @@ export class ContactSolve extends Effect {
     this.#jointed = new JointedEnergy(this.#contacts, this.#rows, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
+    this.#curvedPaths = new CurvedPaths(
+      ammo,
+      this.#contacts,
+      this.#rows,
+      this.#bodies,
+      this.#joints,
+    );
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
     this.#corners = new TurningCorners(simulation, effects, this.#bodies, this.#contacts);
     this.#grips = new Grips(simulation, effects, this.#bodies, this.#contacts);
@@ -251,7 +260,8 @@ export class ContactSolve extends Effect {
   #find(part: Part, way: Way): Solver | undefined {
     const { matrix, sweeps } = this.#solvers;
     if (way !== 'matrix') return sweeps.solve(part) ? sweeps : undefined;
-    if (matrix.solve(part)) return matrix;
+    const solve = (): boolean => matrix.solve(part);
+    if (this.#curvedPaths.solve(part, this.#simulation.timeStep, solve)) return matrix;
     return matrix.ranAway ? this.#findRoughly(part) : undefined;
   }
 
@@ -287,7 +297,8 @@ export class ContactSolve extends Effect {
 
   /** Bullet's solver is to leave it alone. */
   #take(part: Part, solver: Solver): void {
-    if (!solver.pushApart())
+    if (solver.pushApart()) this.#curvedPaths.limitApart(part);
+    else
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
     this.#solved.push(part);
     this.#grips.tell(part);

@@ -1,5 +1,5 @@
 import type { Joint } from '../../dynamics/joint.js';
-import type { JointRows } from '../joints/joint-rows.js';
+import type { Ahead, JointRows } from '../joints/joint-rows.js';
 import type { JointSolve } from '../joints/joint-solve.js';
 import type { Bound } from '../joints/bounded-rows.js';
 import { R, rate, type BoundRows } from './bound-rows.js';
@@ -35,6 +35,8 @@ export class CoupledJoints {
   /** By row: its joint, and which of its rows. */
   readonly #owners: Joint[] = [];
   readonly #places: number[] = [];
+  /** Its number among the six of the joint; -1: a bound. */
+  readonly #numbers: number[] = [];
 
   constructor(rows: BoundRows, bodies: SolveBodies) {
     this.#rows = rows;
@@ -72,6 +74,7 @@ export class CoupledJoints {
     into: number[],
   ): void {
     const at = this.#add(joint, row, place, a, b, into);
+    this.#numbers[this.#rows.count - 1] = -1;
     const r = this.#rows.values;
     r[at + R.least] = Math.min(0, least - impulse);
     r[at + R.most] = Math.max(0, most - impulse);
@@ -93,7 +96,33 @@ export class CoupledJoints {
     into.push(rows.count - 1);
     this.#owners[rows.count - 1] = joint;
     this.#places[rows.count - 1] = place;
+    this.#numbers[rows.count - 1] = row;
     return at;
+  }
+
+  /** The joint of a row, and its number among the six; -1: a bound. */
+  ownerOf(row: number): Joint {
+    return this.#owners[row]!;
+  }
+
+  numberOf(row: number): number {
+    return this.#numbers[row]!;
+  }
+
+  /** Its rows where its bodies will be; only where they stand. */
+  fillAhead(joint: Joint, ahead: Ahead): JointRows {
+    this.#joints!.fillAhead(joint, ahead);
+    return this.#joints!;
+  }
+
+  lookAhead(joint: Joint, ahead: Ahead): JointRows {
+    this.#joints!.lookAhead(joint, ahead);
+    return this.#joints!;
+  }
+
+  /** What a miss of a row costs, by the rows filled last. */
+  penaltyOf(number: number): number {
+    return this.#stiffness / (this.#joints!.between(number, number) || 1);
   }
 
   #impulseOf(joint: Joint, place: number): number {

@@ -20,6 +20,7 @@ export class Closing {
   #round = 0;
   #slow = 0;
   #least = Infinity;
+  #last = 0;
   give = 0;
   /** Whether the last round helped; what did not is undone. */
   better = true;
@@ -32,10 +33,19 @@ export class Closing {
     this.better = true;
   }
 
+  /** What the rounds left open. */
+  get left(): number {
+    return this.#loops ? this.#least : this.#last;
+  }
+
   /** Whether there is to be another round, with errors as they are now. */
   goesOn(worst: number, least: number): boolean {
+    this.#last = worst;
     this.better = !this.#loops || worst <= this.#least;
-    if (worst < least) return false;
+    if (worst < least) {
+      this.#least = worst;
+      return false;
+    }
     if (this.#loops && !this.better) this.give = Math.max(FIRST, this.give * 30);
     else if (this.give > 0) this.give = this.give > FIRST ? this.give / 3 : 0;
     if (this.#loops && worst > PROGRESS * this.#least) this.#slow++;

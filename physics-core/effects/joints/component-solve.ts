@@ -209,6 +209,13 @@ export class ComponentSolve {
     );
   }
 
+  /** What contacts left of the last one that was settled, m or rad, and the joint that is open. */
+  left = 0;
+
+  get widest(): number {
+    return this.#closing.widest;
+  }
+
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. False: nothing but joints and forces acted. */
   settle(component: Component, dt: number): boolean {
     const disturbed = this.#stabilization.disturbed(component, dt);
@@ -217,8 +224,13 @@ export class ComponentSolve {
     const torn = this.torn.has(component);
     if (torn) this.#tornJoints.close(component, dt);
     this.#system.firm = this.#search.taut.has(component);
-    if (this.#search.open.has(component)) this.#closing.close(component, dt, LEFT_OPEN);
-    else if (disturbed) this.#closing.close(component, dt, DISTURBED);
+    this.left = 0;
+    const open = this.#search.open.has(component);
+    if (open || disturbed) {
+      const left = this.#closing.close(component, dt, open ? LEFT_OPEN : DISTURBED);
+      // An edit's gap is nothing to tell, nor what whips about.
+      if (disturbed && !this.#mended.has(component)) this.left = left;
+    }
     return disturbed || torn;
   }
 

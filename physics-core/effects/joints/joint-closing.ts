@@ -26,8 +26,11 @@ export class JointClosing {
     this.#parts = parts;
   }
 
-  /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. */
-  close(component: Component, dt: number, least: number): void {
+  /** The joint that was open farthest when last looked at. */
+  widest = -1;
+
+  /** Moves the bodies of a component to where its joints are whole, but for errors smaller than `least`. Returns what is left. */
+  close(component: Component, dt: number, least: number): number {
     const { stabilization } = this.#parts;
     const rounds = this.#rounds;
     rounds.begin(component.loops.length > 0);
@@ -38,10 +41,11 @@ export class JointClosing {
         this.#fill(component, dt);
       }
       stabilization.clearMomentum(component);
-      if (!this.#solve(component)) return;
+      if (!this.#solve(component)) return rounds.left;
       stabilization.move(component);
     }
     if (!rounds.better) stabilization.restore(component);
+    return rounds.left;
   }
 
   #solve(component: Component): boolean {
@@ -56,14 +60,19 @@ export class JointClosing {
   #fill(component: Component, dt: number): number {
     const { bodies, system, pins, rows, bounded } = this.#parts;
     let worst = 0;
+    const note = (k: number, error: number): void => {
+      if (error <= worst) return;
+      worst = error;
+      this.widest = k;
+    };
     bodies.read(component, dt);
     system.resisting.clear();
     for (const k of component.pins) {
-      worst = Math.max(worst, pins.fill(k));
+      note(k, pins.fill(k));
       pins.setWholeTargets(k);
     }
     for (const k of component.rows) {
-      worst = Math.max(worst, rows.fill(k, dt), bounded.fill(k, dt));
+      note(k, Math.max(rows.fill(k, dt), bounded.fill(k, dt)));
       rows.setWholeTargets(k);
       bounded.setWholeTargets(k);
     }

@@ -1,5 +1,6 @@
 import type { Vec3 } from '../../fields/types.js';
 import type { Joint } from '../../dynamics/joint.js';
+import { levels } from '../../dynamics/levels.js';
 import type { Reported } from '../effect/reported.js';
 import { isDirected, type AxedJoint } from './axes.js';
 
@@ -39,6 +40,23 @@ export function reportMassRatio(joint: ReportedJoint): void {
     value: ratio,
     used: 'the present accuracy',
     message: `${label} holds ${body1?.label} (${masses[0]} kg) to ${body2?.label} (${masses[1]} kg): so unlike masses hold, but whip about faster than coarse steps follow: accuracy="fine" or better keeps their way true`,
+  });
+}
+
+/** Metres or radians by which no joint is to be open after a step. */
+export const GAPING = 1e-3;
+
+/** What a step leaves of a joint that is pulled hard shrinks with the square of its length. */
+export function reportGap(joint: Joint, gap: number, dt: number): void {
+  const better = levels.find(
+    ({ timeStep }) => timeStep < dt && gap * (timeStep / dt) ** 2 < GAPING,
+  );
+  joint.report({
+    code: 'joint-gap',
+    severity: 'warning',
+    value: gap,
+    used: 'the present accuracy',
+    message: `${joint.label} is pulled open by ${Number((gap * 1000).toPrecision(2))} mm (or thousandths of a radian): steps of ${Number((dt * 1000).toPrecision(2))} ms do not hold what weighs on it or strikes it; ${better ? `accuracy="${better.name}" or better, ` : ''}masses more alike or more slack would`,
   });
 }
 

@@ -3,10 +3,12 @@ import type { Joint } from '../../dynamics/joint.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
-import { applyInverseInertia, place } from '../../base/flat-math.js';
+import { applyInverseInertia, multiply4, place, writeTurn } from '../../base/flat-math.js';
 import { writeAxes } from '../../base/matrix.js';
 import type { Pose } from '../../base/math.js';
+import { atan2, hypot } from '../../base/exact/index.js';
 import { JointGeometry, LINEAR, type End } from './joint-geometry.js';
+import { MOST_TURN } from './next-poses.js';
 
 /** Velocities of both bodies: linear and angular of body1, then of body2. */
 const WIDTH = 12;
@@ -16,6 +18,15 @@ const ROWS = 6;
 class Centre {
   readonly pose = new Float64Array(POSE);
   readonly principal = new Float64Array(9);
+}
+
+/** Where a step that begins takes bodies. */
+export interface Ahead {
+  dt: number;
+  /** Six numbers: linear, then angular. */
+  readVelocity(body: Body, out: Float64Array): void;
+  /** The same of what it is moved by before. False: it is not. */
+  readDisplacement(body: Body, out: Float64Array): boolean;
 }
 
 /**
@@ -36,6 +47,10 @@ export class JointRows {
   readonly #one = new Centre();
   readonly #two = new Centre();
   #joint!: Joint;
+  #ahead: Ahead | undefined;
+  readonly #step = new Float64Array(6);
+  readonly #spin = new Float64Array(3);
+  readonly #turn = new Float64Array(4);
   #dt = 0;
   #locked: readonly number[] = [];
   readonly #factors = new Float64Array(rowOf(ROWS));
@@ -72,6 +87,28 @@ export class JointRows {
     }
   }
 
+  /** The same where its bodies will be. */
+  fillAhead(joint: Joint, ahead: Ahead): void {
+    this.#ahead = ahead;
+    this.fill(joint, ahead.dt);
+    this.#ahead = undefined;
+  }
+
+  /** Only where its locked rows will stand. */
+  lookAhead(joint: Joint, ahead: Ahead): void {
+    this.#ahead = ahead;
+    this.#look(joint);
+    this.#ahead = undefined;
+    for (const row of joint.lockedRows) this.values[row] = this.#geometry.value(row);
+  }
+
+  /** From the centre of mass of body 1 or 2 to the point that its rows were filled at. */
+  readArm(body: 1 | 2, out: Float64Array): void {
+    const { pose } = body === 1 ? this.#one : this.#two;
+    const { origin } = this.#geometry.two;
+    for (let x = 0; x < 3; x++) out[x] = origin[x]! - pose[x]!;
+  }
+
   /** Where one row of a joint stands now. */
   valueOf(joint: Joint, row: number): number {
     this.#look(joint);
@@ -104,10 +141,35 @@ export class JointRows {
     const { reader } = this.#simulation.engine;
     pose.set(ORIGIN);
     if (body) reader.pose(body.body, body.pointer, pose, 0);
+    if (body && this.#ahead) this.#moveOn(pose, body, this.#ahead, at);
     writeAxes(principal, pose, 3);
     place(origin, axes, pose, principal, frame);
     this.#now.fill(0, at, at + 6);
     if (body) reader.velocity(body.body, body.pointer, this.#now, at);
+  }
+
+  /** As it is displaced, and then moved and turned by Bullet. */
+  #moveOn(pose: Float64Array, body: Body, ahead: Ahead, at: number): void {
+    const v = this.#step;
+    if (ahead.readDisplacement(body, v)) {
+      const angle = hypot(v[3]!, v[4]!, v[5]!);
+      this.#moveBy(pose, v, 1, angle > 0 ? atan2(angle, 1) / angle : 1);
+    }
+    ahead.readVelocity(body, v);
+    this.#now.set(v, at);
+    const speed = hypot(v[3]!, v[4]!, v[5]!);
+    const turning = speed > 0 ? Math.min(ahead.dt, MOST_TURN / speed) : ahead.dt;
+    this.#moveBy(pose, v, ahead.dt, turning);
+  }
+
+  #moveBy(pose: Float64Array, v: Float64Array, time: number, turning: number): void {
+    for (let x = 0; x < 3; x++) {
+      pose[x]! += time * v[x]!;
+      this.#spin[x] = v[3 + x]!;
+    }
+    writeTurn(this.#turn, this.#spin, turning);
+    multiply4(this.#turn, this.#turn, 0, pose, 3);
+    pose.set(this.#turn, 3);
   }
 
   #fillRow(row: number): void {

@@ -10,6 +10,7 @@ import { ComponentSolve, type Pull } from './component-solve.js';
 import { Forest, type Component, type Edge } from './forest.js';
 import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
+import { GAPING, reportGap } from './joint-reports.js';
 import { JointRows } from './joint-rows.js';
 import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
@@ -44,6 +45,8 @@ export class JointSolve extends Effect {
   readonly #alone = new Set<Body>();
   readonly #componentOf = new Map<Body, Component>();
   readonly #jointed = new Map<Component, Jointed>();
+  /** How wide joints gaped that were told of, m or rad. */
+  readonly #gaps = new WeakMap<Joint, number>();
   /** Of one joint after the other, for those who ask where it stands. */
   readonly rows: JointRows;
   #stale = true;
@@ -187,9 +190,11 @@ export class JointSolve extends Effect {
   override settle(dt: number): void {
     for (const body of this.#ways.keys()) this.#takeEnds(body);
     this.#alone.clear();
-    for (const component of this.#solved)
+    for (const component of this.#solved) {
       if (!this.#solver.settle(component, dt))
         for (const i of component.bodies) this.#alone.add(this.#bodies.bodies[i]!);
+      if (this.#solver.left > GAPING) this.#tellGap(this.#joints[this.#solver.widest]!, dt);
+    }
     for (const component of this.#asleep) this.#solver.settleWoken(component, dt);
   }
 
@@ -208,6 +213,14 @@ export class JointSolve extends Effect {
       message: `${joint.label}, or a joint that it hangs together with, was torn so far apart that putting it together would throw its bodies away; they keep the speeds that they had`,
     });
   };
+
+  /** Again where it is twice as wide. */
+  #tellGap(joint: Joint, dt: number): void {
+    const { left } = this.#solver;
+    if (left < 2 * (this.#gaps.get(joint) ?? 0)) return;
+    this.#gaps.set(joint, left);
+    reportGap(joint, left, dt);
+  }
 
   #solve(component: Component, dt: number): void {
     if (!this.#solver.solve(component, dt)) {

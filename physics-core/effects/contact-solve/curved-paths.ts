@@ -1,0 +1,217 @@
+import type { Body } from '../../dynamics/body.js';
+import type { Joint } from '../../dynamics/joint.js';
+import type { Ammo } from '../../engine/ammo.js';
+import { isCarried, readVelocity } from '../../engine/solver-body.js';
+import type { Ahead, JointRows } from '../joints/joint-rows.js';
+import { R, rate, type BoundRows } from './bound-rows.js';
+import type { ConeContacts } from './cone-contacts.js';
+import type { CoupledJoints } from './coupled-joints.js';
+import type { Part } from './part.js';
+import { ProximalMasses } from './proximal-masses.js';
+import type { SolveBodies } from './solve-bodies.js';
+import { SolveState } from './solve-state.js';
+import { SIZE } from './sparse-cholesky.js';
+
+/**
+ * Misses of joints at the end of a step, m or rad: those that straight rows may leave, since bringing joints together after
+ * the step is enough for them; and those that the rounds end with, which nobody brings together.
+ */
+const LEFT_OPEN = 1e-4;
+const CLOSED = 2e-5;
+
+/** Rounds, at most: a hit of 1:200 on what is taut takes all of them, what lies on a net one. */
+const ROUNDS = 20;
+
+/** Below LEFT_OPEN a round that leaves more than this share of a miss is the last one. */
+const SLOW = 0.7;
+
+/** A round may lead to a greater miss than the one before as long as that is smaller than this, m or rad: a hit begins with none. */
+const FIRST_MISS = 1e-3;
+
+/** What holds bodies back, in times their mass, after a round that did not help; and by how much more after the next. */
+const HELD_BACK = 1;
+const MORE = 10;
+const MOST_HELD_BACK = 1e6;
+
+/** Times that a way apart is halved, at most: then nothing is left of it. */
+const HALVES = 8;
+
+/**
+ * Holds joints that close loops where contacts turn their bodies far. Rows are straight: at a net that is taut, and at a
+ * chain between two posts, they let all go aside that goes aside, and the joints would have to be brought together after the
+ * step, which moves the net and not what lies on it: it falls through. So rows are laid anew where the velocities found lead
+ * to, and the part is solved again, until it ends where its joints are whole (sequential linearisation, damped after
+ * Levenberg and Marquardt).
+ */
+export class CurvedPaths implements Ahead {
+  dt = 0;
+  readonly #ammo: Ammo;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  readonly #joints: CoupledJoints;
+  readonly #masses: ProximalMasses;
+  readonly #state: SolveState;
+  /** How far bodies were pushed apart before the step takes them on. */
+  #apart = false;
+  readonly #arm = new Float64Array(3);
+  readonly #pull = new Float64Array(3);
+
+  constructor(
+    ammo: Ammo,
+    contacts: ConeContacts,
+    rows: BoundRows,
+    bodies: SolveBodies,
+    joints: CoupledJoints,
+  ) {
+    this.#ammo = ammo;
+    this.#rows = rows;
+    this.#bodies = bodies;
+    this.#joints = joints;
+    this.#masses = new ProximalMasses(bodies);
+    this.#state = new SolveState(contacts, rows, bodies);
+  }
+
+  /** By `solve`, which begins with the velocities and impulses that there are. False: it finds no end. */
+  solve(part: Part, dt: number, solve: () => boolean): boolean {
+    if (!part.looped) return solve();
+    this.dt = dt;
+    this.#state.keep(part);
+    if (solve() && this.#miss(part) < LEFT_OPEN) return true;
+    // Velocities that straight rows lead to may be far off; with the pulls of the last step one round mostly is enough.
+    this.#state.putBack(part);
+    return this.#search(part, solve);
+  }
+
+  #search(part: Part, solve: () => boolean): boolean {
+    let any = false;
+    let give = 0;
+    let before = Infinity;
+    for (let round = 0; round < ROUNDS && give < MOST_HELD_BACK; round++) {
+      this.#state.keep(part);
+      const found = this.#solveOnce(part, give, solve);
+      any ||= found;
+      const miss = found ? this.#miss(part) : Infinity;
+      if (miss < CLOSED || (miss < LEFT_OPEN && miss > SLOW * before)) break;
+      if (miss > Math.max(before, FIRST_MISS)) {
+        this.#state.putBack(part);
+        give = Math.max(HELD_BACK, MORE * give);
+      } else {
+        give = give > HELD_BACK ? give / MORE : 0;
+        before = miss;
+      }
+    }
+    return any;
+  }
+
+  #solveOnce(part: Part, give: number, solve: () => boolean): boolean {
+    const masses = this.#masses;
+    masses.begin(part.bodies);
+    this.#layRows(part);
+    this.#readPulls(part);
+    masses.apply(part.bodies, this.dt, give);
+    const found = solve();
+    masses.end(part.bodies);
+    return found;
+  }
+
+  // ---- where the step leads -------------------------------------------------------------------------------------------
+
+  readVelocity(body: Body, out: Float64Array): void {
+    const i = body.movable ? this.#bodies.numberOf(body.pointer) : -1;
+    if (i >= 0) this.#read(this.#bodies.velocities, i, out);
+    else if (isCarried(this.#ammo, body.pointer)) readVelocity(this.#ammo, body.pointer, out, 0);
+    else out.fill(0);
+  }
+
+  readDisplacement(body: Body, out: Float64Array): boolean {
+    const i = this.#apart && body.movable ? this.#bodies.numberOf(body.pointer) : -1;
+    if (i >= 0) this.#read(this.#bodies.change, i, out);
+    return i >= 0;
+  }
+
+  #read(from: Float64Array, body: number, out: Float64Array): void {
+    for (let k = 0; k < SIZE; k++) out[k] = from[body * SIZE + k]!;
+  }
+
+  /** By how much a joint misses, at most, m or rad. */
+  #miss({ rows }: Part): number {
+    let worst = 0;
+    let joint: Joint | undefined;
+    let values!: Float64Array;
+    for (const i of rows) {
+      const number = this.#joints.numberOf(i);
+      if (number < 0) continue;
+      const owner = this.#joints.ownerOf(i);
+      if (owner !== joint) ({ values } = this.#joints.lookAhead((joint = owner), this));
+      const miss = Math.abs(missOf(values, number, owner));
+      if (!(miss <= worst)) worst = miss;
+    }
+    return Number.isNaN(worst) ? Infinity : worst;
+  }
+
+  // ---- a round --------------------------------------------------------------------------------------------------------
+
+  /** As they are at the end of the step, aiming at where joints are whole. */
+  #layRows({ rows }: Part): void {
+    const { values: r, a, b } = this.#rows;
+    let joint: Joint | undefined;
+    let ahead!: JointRows;
+    for (const i of rows) {
+      const number = this.#joints.numberOf(i);
+      if (number < 0) continue;
+      const owner = this.#joints.ownerOf(i);
+      if (owner !== joint) ahead = this.#joints.fillAhead((joint = owner), this);
+      const at = i * R.size;
+      for (let k = 0; k < 2 * SIZE; k++) r[at + k] = ahead.jacobian[number * 2 * SIZE + k]!;
+      const now = rate(r, at, this.#bodies.velocities, a[i]!, b[i]!);
+      r[at + R.target] = now - missOf(ahead.values, number, owner) / this.dt;
+      r[at + R.penalty] = this.#joints.penaltyOf(number);
+    }
+  }
+
+  /** What joints pull by, as far as that is known. */
+  #readPulls(part: Part): void {
+    const { values: r, a, b } = this.#rows;
+    const pull = this.#pull;
+    const { rows } = part;
+    for (let j = 0; j < rows.length;) {
+      const joint = this.#joints.ownerOf(rows[j]!);
+      const i = rows[j]!;
+      pull.fill(0);
+      for (; j < rows.length && this.#joints.ownerOf(rows[j]!) === joint; j++) {
+        const at = rows[j]! * R.size;
+        for (let x = 0; x < 3; x++) pull[x]! += r[at + x]! * r[at + R.impulse]!;
+      }
+      if (pull[0] === 0 && pull[1] === 0 && pull[2] === 0) continue;
+      const ahead = this.#joints.fillAhead(joint, this);
+      if (a[i]! >= 0) this.#pullAt(a[i]!, ahead, 1);
+      if (b[i]! >= 0) this.#pullAt(b[i]!, ahead, 2);
+    }
+  }
+
+  #pullAt(body: number, rows: JointRows, which: 1 | 2): void {
+    rows.readArm(which, this.#arm);
+    this.#masses.pull(body, this.#arm, this.#pull, which === 1 ? 1 : -1);
+  }
+
+  // ---- overlaps -------------------------------------------------------------------------------------------------------
+
+  /** How bodies are pushed apart (`change`), too, goes only as far as joints stay whole. */
+  limitApart(part: Part): void {
+    if (!part.looped) return;
+    const most = Math.max(LEFT_OPEN, this.#miss(part));
+    this.#apart = true;
+    for (let i = 1; i <= HALVES && this.#miss(part) > most; i++)
+      this.#shorten(part, i < HALVES ? 0.5 : 0);
+    this.#apart = false;
+  }
+
+  #shorten({ bodies }: Part, share: number): void {
+    const { change } = this.#bodies;
+    for (const body of bodies)
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) change[k]! *= share;
+  }
+}
+
+const missOf = (values: Float64Array, number: number, joint: Joint): number =>
+  values[number]! - joint.limits[number]![0];
