@@ -260,8 +260,7 @@ export class ContactSolve extends Effect {
   #find(part: Part, way: Way): Solver | undefined {
     const { matrix, sweeps } = this.#solvers;
     if (way !== 'matrix') return sweeps.solve(part) ? sweeps : undefined;
-    const solve = (): boolean => matrix.solve(part);
-    if (this.#curvedPaths.solve(part, this.#simulation.timeStep, solve)) return matrix;
+    if (this.#curvedPaths.solve(part, this.#simulation.timeStep, matrix)) return matrix;
     return matrix.ranAway ? this.#findRoughly(part) : undefined;
   }
 

@@ -19,8 +19,12 @@ import { SIZE } from './sparse-cholesky.js';
 const LEFT_OPEN = 1e-4;
 const CLOSED = 2e-5;
 
-/** Rounds, at most: a hit of 1:200 on what is taut takes all of them, what lies on a net one. */
+/**
+ * Rounds, at most: a hit of 1:200 on what is taut takes all of them, what lies on a net one. And matrices, in all of them: so
+ * many times what a hit on something slack takes by straight rows.
+ */
 const ROUNDS = 20;
+const MATRICES = 100;
 
 /** Below LEFT_OPEN a round that leaves more than this share of a miss is the last one. */
 const SLOW = 0.7;
@@ -35,6 +39,13 @@ const MOST_HELD_BACK = 1e6;
 
 /** Times that a way apart is halved, at most: then nothing is left of it. */
 const HALVES = 8;
+
+/** Solves by straight rows. */
+interface Straight {
+  /** False: no end, or none with so many matrices. */
+  solve(part: Part, matrices?: number): boolean;
+  readonly used: number;
+}
 
 /**
  * Holds joints that close loops where contacts turn their bodies far. Rows are straight: at a net that is taut, and at a
@@ -71,24 +82,26 @@ export class CurvedPaths implements Ahead {
     this.#state = new SolveState(contacts, rows, bodies);
   }
 
-  /** By `solve`, which begins with the velocities and impulses that there are. False: it finds no end. */
-  solve(part: Part, dt: number, solve: () => boolean): boolean {
-    if (!part.looped) return solve();
+  /** By a solver that begins with the velocities and impulses that there are. False: it finds no end. */
+  solve(part: Part, dt: number, straight: Straight): boolean {
+    if (!part.looped) return straight.solve(part);
     this.dt = dt;
     this.#state.keep(part);
-    if (solve() && this.#miss(part) < LEFT_OPEN) return true;
+    if (straight.solve(part) && this.#miss(part) < LEFT_OPEN) return true;
     // Velocities that straight rows lead to may be far off; with the pulls of the last step one round mostly is enough.
     this.#state.putBack(part);
-    return this.#search(part, solve);
+    return this.#search(part, straight);
   }
 
-  #search(part: Part, solve: () => boolean): boolean {
+  #search(part: Part, straight: Straight): boolean {
     let any = false;
     let give = 0;
     let before = Infinity;
-    for (let round = 0; round < ROUNDS && give < MOST_HELD_BACK; round++) {
+    let matrices = MATRICES;
+    for (let round = 0; round < ROUNDS && give < MOST_HELD_BACK && matrices > 0; round++) {
       this.#state.keep(part);
-      const found = this.#solveOnce(part, give, solve);
+      const found = this.#solveOnce(part, give, matrices, straight);
+      matrices -= straight.used;
       any ||= found;
       const miss = found ? this.#miss(part) : Infinity;
       if (miss < CLOSED || (miss < LEFT_OPEN && miss > SLOW * before)) break;
@@ -103,13 +116,13 @@ export class CurvedPaths implements Ahead {
     return any;
   }
 
-  #solveOnce(part: Part, give: number, solve: () => boolean): boolean {
+  #solveOnce(part: Part, give: number, matrices: number, straight: Straight): boolean {
     const masses = this.#masses;
     masses.begin(part.bodies);
     this.#layRows(part);
     this.#readPulls(part);
     masses.apply(part.bodies, this.dt, give);
-    const found = solve();
+    const found = straight.solve(part, matrices);
     masses.end(part.bodies);
     return found;
   }
@@ -199,7 +212,7 @@ export class CurvedPaths implements Ahead {
   /** How bodies are pushed apart (`change`), too, goes only as far as joints stay whole. */
   limitApart(part: Part): void {
     if (!part.looped) return;
-    const most = Math.max(LEFT_OPEN, this.#miss(part));
+    const most = Math.max(FIRST_MISS, this.#miss(part));
     this.#apart = true;
     for (let i = 1; i <= HALVES && this.#miss(part) > most; i++)
       this.#shorten(part, i < HALVES ? 0.5 : 0);
