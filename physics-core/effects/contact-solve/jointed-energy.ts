@@ -56,17 +56,21 @@ export class JointedEnergy {
   }
 
   /** What motors, and joints with what is carried, give, J. */
-  #given({ rows }: Part): number {
+  #given({ rows, curved }: Part): number {
     let sum = 0;
-    for (const i of rows) if (this.#mayGive(i)) sum += Math.max(0, this.#workOf(i));
+    for (const i of rows) if (this.#mayGive(i, curved)) sum += Math.max(0, this.#workOf(i));
     return sum;
   }
 
-  /** A motor, a stop, or a joint with something that its author may move. */
-  #mayGive(i: number): boolean {
+  /**
+   * A motor, a stop, or a joint with something that its author may move. Where rows were laid at the end of the step, their
+   * rates of before say nothing of what moves (a load of 75 kg was thrown off a chain at 17 m/s).
+   */
+  #mayGive(i: number, curved: boolean): boolean {
     const { values: r, a, b } = this.#rows;
     const at = i * R.size;
-    return a[i]! < 0 || b[i]! < 0 || r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
+    const bounded = r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
+    return bounded || (!curved && (a[i]! < 0 || b[i]! < 0));
   }
 
   #workOf(i: number): number {

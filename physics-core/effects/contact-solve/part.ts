@@ -13,6 +13,8 @@ export interface Part {
   jointed: boolean;
   /** Joints of it close loops: a net, a bridge on two ropes. */
   looped: boolean;
+  /** Rows of its joints were laid where the step ends. */
+  curved: boolean;
   /** It is near so many others that they make a heap. */
   inHeap: boolean;
 }
@@ -75,9 +77,10 @@ export class Parts {
       direct: false,
       jointed: false,
       looped: false,
+      curved: false,
       inHeap: false,
     });
-    part.looped = false;
+    part.looped = part.curved = false;
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
     return this.#count++;
   }
