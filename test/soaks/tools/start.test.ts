@@ -5,16 +5,18 @@ import { test } from 'node:test';
 /** Milliseconds that a server may take to be gone. */
 const SOON = 5000;
 
-/** Runs `npm start` in a process group of its own until it says where the documentation is. */
-async function started(): Promise<{ npm: ChildProcess; address: string }> {
+/** Runs `npm start` in a process group of its own until it says where the documentation is; what it says later is heard. */
+function started(): Promise<{ npm: ChildProcess; address: string }> {
   const npm = spawn('npm', ['start'], { detached: true, stdio: ['ignore', 'pipe', 'inherit'] });
   let said = '';
-  for await (const text of npm.stdout!) {
-    said += text;
-    const address = /documentation is at (http\S+)/.exec(said)?.[1];
-    if (address) return { npm, address };
-  }
-  throw new Error(said);
+  return new Promise((resolve, reject) => {
+    npm.once('exit', () => reject(new Error(said)));
+    npm.stdout!.on('data', (text) => {
+      said += text;
+      const address = /documentation is at (http\S+)/.exec(said)?.[1];
+      if (address) resolve({ npm, address });
+    });
+  });
 }
 
 const answers = (address: string): Promise<boolean> =>
