@@ -132,10 +132,12 @@ export default tseslint.config(
   {
     ignores: [
       '**/dist/',
+      'dist-next/',
       '**/.next/',
       '**/.angular/',
       '**/next-env.d.ts',
       'storybook-static/',
+      'storybook-static-next/',
       'site-static/',
       'site/public/',
       'site/.vitepress/cache/',

@@ -53,7 +53,7 @@ const together = (id) => {
 };
 
 /** One build for all modules, so that the page's entry, the core and each element share their chunks. */
-const modules = {
+const modules = (dir) => ({
   ...common,
   input: {
     'x3d-physics': 'elements/index.ts',
@@ -65,7 +65,7 @@ const modules = {
     ...Object.fromEntries(views().map((file) => [`ui/${basename(dirname(file))}`, file])),
   },
   output: {
-    dir: 'dist',
+    dir,
     format: 'es',
     sourcemap: true,
     manualChunks: together,
@@ -73,8 +73,8 @@ const modules = {
     chunkFileNames: ({ moduleIds }) =>
       `${moduleIds.every(ofViews) ? 'ui/' : ''}chunk-[name]-[hash].js`,
   },
-  plugins: [...common.plugins, copyWasm(), thirdParties(), chunkBytes(['x3d-physics', 'core'])],
-};
+  plugins: [...common.plugins, copyWasm(), thirdParties(dir), chunkBytes(['x3d-physics', 'core'])],
+});
 
 /** The views of the ui are no part of the classic scripts, which load them from beside themselves. */
 const classic = (input, file, ...external) => ({
@@ -91,16 +91,20 @@ const classic = (input, file, ...external) => ({
 });
 
 /** For pages that wait for it: the modules alone, as they are written. */
-const quick = (folder) => ({
-  ...modules,
-  plugins: modules.plugins.filter(({ name }) => name !== 'minify'),
-  output: { ...modules.output, dir: folder, sourcemap: false },
-});
+function quick(dir) {
+  const { output, plugins, ...options } = modules(dir);
+  return {
+    ...options,
+    plugins: plugins.filter(({ name }) => name !== 'minify'),
+    output: { ...output, sourcemap: false },
+  };
+}
 
-const all = [
-  modules,
-  classic('elements/classic.ts', 'dist/x3d-physics.classic.js', WASM_MODULE),
-  classic('elements/single.ts', 'dist/x3d-physics.single.js'),
+const all = (dir) => [
+  modules(dir),
+  classic('elements/classic.ts', `${dir}/x3d-physics.classic.js`, WASM_MODULE),
+  classic('elements/single.ts', `${dir}/x3d-physics.single.js`),
 ];
 
-export default ({ configQuick }) => (configQuick ? quick(configQuick) : all);
+export default ({ configFolder = 'dist', configQuick }) =>
+  configQuick ? quick(configFolder) : all(configFolder);

@@ -1,9 +1,9 @@
 // npm run build: everything in dist/.
 //   --no-types      without declarations, which take as long as all the rest
 //   --quick <folder>  there, the modules alone, as they are written, in a few seconds
-import { rmSync } from 'node:fs';
+import { renameSync, rmSync } from 'node:fs';
 import { parseArgs } from 'node:util';
-import { bundleDeclarations, DECLARATIONS } from './declarations.js';
+import { bundleDeclarations, declarationsIn } from './declarations.js';
 import { BIN, runNode } from './processes.js';
 
 const { values: options } = parseArgs({
@@ -24,21 +24,32 @@ const rollup = (...args) =>
 const manifest = (folder) =>
   must('manifest', runNode(['--import', 'tsx', 'tools/manifest.ts', folder], { quiet: true }));
 
-async function everything() {
-  await Promise.all([
-    rollup(),
-    options['no-types'] ||
-      must('declarations', runNode([BIN.tsc7, '-p', 'tsconfig.types.json'], { quiet: true })),
-  ]);
-  if (!options['no-types']) await bundleDeclarations();
-  rmSync(DECLARATIONS, { recursive: true, force: true });
-  await manifest('dist');
+const declarations = (folder) =>
+  must(
+    'declarations',
+    runNode([BIN.tsc7, '-p', 'tsconfig.types.json', '--outDir', declarationsIn(folder)], {
+      quiet: true,
+    }),
+  );
+
+async function everything(folder) {
+  const withTypes = !options['no-types'];
+  await Promise.all([rollup('--configFolder', folder), withTypes && declarations(folder)]);
+  if (withTypes) await bundleDeclarations(folder);
+  rmSync(declarationsIn(folder), { recursive: true, force: true });
+  await manifest(folder);
 }
+
+const quickly = (folder) =>
+  Promise.all([rollup('--configFolder', folder, '--configQuick'), manifest(folder)]);
 
 const start = Date.now();
 const folder = options.quick ?? 'dist';
-// Old chunks carry another hash in their name and would stay for ever.
+// It takes its folder's place when it is whole: a build that is ended leaves what was there. Old chunks, which carry
+// another hash in their name, go with what they were part of.
+const next = `${folder}-next`;
+rmSync(next, { recursive: true, force: true });
+await (options.quick ? quickly(next) : everything(next));
 rmSync(folder, { recursive: true, force: true });
-if (options.quick) await Promise.all([rollup('--configQuick', folder), manifest(folder)]);
-else await everything();
+renameSync(next, folder);
 console.log(`${folder}/ built in ${((Date.now() - start) / 1000).toFixed(1)} s`);

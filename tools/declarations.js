@@ -1,23 +1,24 @@
-// dist/types: a declaration file for each entry of the package, with what it shows and nothing else.
+// types/ of what is built: a declaration file for each entry of the package, with what it shows and nothing else.
 import { rollup } from 'rollup';
 import { dts } from 'rollup-plugin-dts';
 import { globSync } from './files.js';
 
 /** What tsc makes of every source file, see tsconfig.types.json; it is gone after the build. */
-export const DECLARATIONS = 'dist/declarations';
+export const declarationsIn = (folder) => `${folder}/declarations`;
 
-const elements = () =>
-  globSync(`${DECLARATIONS}/elements/x3d-*.d.ts`).map((file) => [
-    file.replace(`${DECLARATIONS}/`, '').replace('.d.ts', ''),
+const elementsIn = (declarations) =>
+  globSync(`${declarations}/elements/x3d-*.d.ts`).map((file) => [
+    file.replace(`${declarations}/`, '').replace('.d.ts', ''),
     file,
   ]);
 
-export async function bundleDeclarations() {
+export async function bundleDeclarations(folder) {
+  const declarations = declarationsIn(folder);
   const bundle = await rollup({
     input: {
-      index: `${DECLARATIONS}/elements/index.d.ts`,
-      core: `${DECLARATIONS}/physics-core/index.d.ts`,
-      ...Object.fromEntries(elements()),
+      index: `${declarations}/elements/index.d.ts`,
+      core: `${declarations}/physics-core/index.d.ts`,
+      ...Object.fromEntries(elementsIn(declarations)),
     },
     // What only the inside names goes with it: nothing that is shown names Bullet's own types.
     external: ['ammojs-typed/wasm'],
@@ -28,7 +29,7 @@ export async function bundleDeclarations() {
     },
   });
   await bundle.write({
-    dir: 'dist/types',
+    dir: `${folder}/types`,
     format: 'es',
     entryFileNames: '[name].d.ts',
     chunkFileNames: 'shared-[hash].d.ts',

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import license from 'rollup-plugin-license';
 
-const FILE = 'dist/THIRD-PARTY-LICENSES.txt';
+const FILE = 'THIRD-PARTY-LICENSES.txt';
 const RULE = `\n${'-'.repeat(80)}\n\n`;
 
 /** ammojs-typed has the licence of its own types; what it brings along is by others. */
@@ -31,5 +31,7 @@ export const banner = () =>
     },
   });
 
-export const thirdParties = () =>
-  license({ thirdParty: { output: { file: FILE, encoding: 'utf-8', template: text } } });
+export const thirdParties = (folder) =>
+  license({
+    thirdParty: { output: { file: `${folder}/${FILE}`, encoding: 'utf-8', template: text } },
+  });

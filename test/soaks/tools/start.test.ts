@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { spawn, type ChildProcess } from 'node:child_process';
+import { existsSync } from 'node:fs';
 import { test } from 'node:test';
 
 /** Milliseconds that a server may take to be gone. */
@@ -41,9 +42,11 @@ const ENDS: Record<string, (npm: ChildProcess) => unknown> = {
 };
 
 for (const [by, end] of Object.entries(ENDS))
-  test(`npm start, ended by ${by}, leaves nothing on its port`, async () => {
+  test(`npm start, ended by ${by}, leaves nothing on its port, and dist/ whole`, async () => {
     const { npm, address } = await started();
     assert.ok(await answers(address));
     end(npm);
     assert.ok(await isGone(address), `${address} still answers`);
+    // It was building the stories, and what they show.
+    assert.ok(existsSync('dist/x3d-physics.js'));
   });
