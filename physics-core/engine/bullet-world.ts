@@ -24,6 +24,8 @@ export interface SolverSettings {
   linearSlop: number;
   /** Whether contacts may be solved directly. */
   direct: boolean;
+  /** Blocks of matrices that a step may spend on what touches and moves. */
+  effort: number;
 }
 
 const modeOf = ({ givenFrictionDirections, twoFrictionDirections }: SolverSettings): number =>
@@ -127,6 +129,13 @@ export class BulletWorld {
       const b = HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!;
       if (!awakeOnly || isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
     }
+  }
+
+  /** The same wherever the heap is: a wrapper of each manifold takes ten times as long. */
+  eachPair(visit: (manifold: number, a: number, b: number) => void): void {
+    const { ammo, heapTrusted } = this.engine;
+    if (heapTrusted) this.eachManifoldInHeap(visit);
+    else this.eachManifold((manifold, a, b) => visit(ammo.getPointer(manifold), a, b));
   }
 
   eachAwakeManifold(visit: (manifold: number, a: number, b: number) => void): void {

@@ -43,16 +43,12 @@ export function eachPoint(ammo: Ammo, manifold: number, visit: (point: number) =
 export const solverDistanceAt = ({ HEAPF32 }: Ammo, point: number): number =>
   HEAPF32[(point + POINT.distance) >> 2]!;
 
-/** How far a point may move and still be the same, metres. */
-export const breakingOf = (ammo: Ammo, manifold: Manifold): number =>
-  ammo.HEAPF32[(ammo.getPointer(manifold) + MANIFOLD.breaking) >> 2]!;
-
 /** From now on it has no contact point. */
-export function forgetPoints(ammo: Ammo, manifold: Manifold): void {
-  ammo.HEAP32[(ammo.getPointer(manifold) + MANIFOLD.pointCount) >> 2] = 0;
+export function forgetPoints({ HEAP32 }: Ammo, manifold: number): void {
+  HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = 0;
 }
 
-/** The same of a manifold's pointer. */
+/** How far a point may move and still be the same, metres. */
 export const breakingAt = ({ HEAPF32 }: Ammo, manifold: number): number =>
   HEAPF32[(manifold + MANIFOLD.breaking) >> 2]!;
 

@@ -11,7 +11,8 @@ export interface Part {
   /** It is solved here, not by Bullet. */
   direct: boolean;
   jointed: boolean;
-  /** Joints of it close loops: a net, a bridge on two ropes. */
+  /** Bodies of it hang on joints, which may close loops: a net, a bridge on two ropes. */
+  hangs: boolean;
   looped: boolean;
   /** Rows of its joints were laid where the step ends. */
   curved: boolean;
@@ -25,10 +26,12 @@ export class Parts {
   #count = 0;
   #parents = new Int32Array(16);
   #partOf = new Int32Array(16);
+  readonly #hanging = new Set<number>();
   readonly #looped = new Set<number>();
 
   begin(): void {
     this.#count = 0;
+    this.#hanging.clear();
     this.#looped.clear();
   }
 
@@ -51,7 +54,12 @@ export class Parts {
     this.#parents[this.#root(a)] = this.#root(b);
   }
 
-  /** The joints that it hangs on close loops. */
+  /** It hangs on joints. */
+  hangs(body: number): void {
+    this.#hanging.add(body);
+  }
+
+  /** These close loops. */
   loops(body: number): void {
     this.#looped.add(body);
   }
@@ -65,6 +73,7 @@ export class Parts {
       const part = this.#partOf[root]!;
       this.#pool[part]!.bodies.push(i);
     }
+    for (const body of this.#hanging) this.of(body).hangs = true;
     for (const body of this.#looped) this.of(body).looped = true;
   }
 
@@ -76,11 +85,12 @@ export class Parts {
       rows: [],
       direct: false,
       jointed: false,
+      hangs: false,
       looped: false,
       curved: false,
       inHeap: false,
     });
-    part.looped = part.curved = false;
+    part.hangs = part.looped = part.curved = false;
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
     return this.#count++;
   }

@@ -77,6 +77,7 @@ export class TouchingParts {
       const jointed = body && body.joints.size > 0 && joints.solvedWith(body);
       if (!jointed || this.#joined.has(jointed)) continue;
       this.#joined.add(jointed);
+      this.#parts.hangs(i);
       // A tree, held by the world, has as many joints as bodies.
       if (jointed.joints.length > jointed.bodies.length) this.#parts.loops(i);
       for (const { pointer } of jointed.bodies) {

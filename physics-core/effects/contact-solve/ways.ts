@@ -1,5 +1,5 @@
 import type { Simulation } from '../../dynamics/simulation.js';
-import { bodyAAt, bodyBAt } from '../../engine/manifold.js';
+import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
 import { speedSquared, swiftnessSquared } from '../../engine/solver-body.js';
 import type { Part } from './part.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -38,6 +38,12 @@ const BUSY = 400;
 const TUMBLING = 100;
 const CALM = 0.05;
 
+/**
+ * Where a step has an effort, what is slower than this moves no more, m/s: a step of 1/60 s gives that to what falls, and
+ * iterations leave some of it in heaps. Those of 100 boxes rest then; of what is slower than CALM alone they never do.
+ */
+const FALL = 0.16;
+
 /** Share of the bodies that parts solved here have to have at least, in a busy world. */
 const WORTH = 0.1;
 
@@ -55,6 +61,8 @@ export class Ways {
   readonly #simulation: Simulation;
   readonly #bodies: SolveBodies;
   readonly #touching = new Set<number>();
+  /** Blocks that are left to the step, for what moves. */
+  #effort = Infinity;
 
   constructor(simulation: Simulation, bodies: SolveBodies) {
     this.#simulation = simulation;
@@ -66,6 +74,7 @@ export class Ways {
     this.parts.length = this.ways.length = 0;
     const busy = all.manifolds.length > BUSY;
     const tumbling = busy && this.#restlessOf(all) > TUMBLING;
+    this.#effort = this.#simulation.bullet.settings.effort;
     let direct = 0;
     for (let i = 0; i < all.count; i++) {
       const part = all.at(i);
@@ -79,6 +88,25 @@ export class Ways {
     return !busy || direct > WORTH * this.#bodies.count;
   }
 
+  /** What moves, and has more blocks than are left to the step. */
+  #isTooDear(part: Part): boolean {
+    // Iterations would let joints gape: a chain over the edge of a table.
+    if (part.hangs || this.#effort === Infinity) return false;
+    if (this.#fasterOf(part.bodies, FALL, swiftnessSquared) === 0) return false;
+    const blocks = this.#blocksOf(part);
+    if (blocks > this.#effort) return true;
+    this.#effort -= blocks;
+    return false;
+  }
+
+  /** Of its matrix, on the diagonal: bodies, and points in touch. */
+  #blocksOf({ bodies, manifolds }: Part): number {
+    const { ammo } = this.#simulation.engine;
+    let blocks = bodies.length;
+    for (const manifold of manifolds) blocks += pointCountAt(ammo, manifold);
+    return blocks;
+  }
+
   /**
    * A matrix where that is cheaper than the iterations that it saves, and where these would let joints pull bodies through
    * what they lie on: nets, and what mostly hangs; sweeps where it is not, but most bodies are so slow
@@ -86,6 +114,7 @@ export class Ways {
    */
   #wayOf(part: Part, busy: boolean, tumbling: boolean): Way | undefined {
     const { bodies } = part;
+    if (this.#isTooDear(part)) return undefined;
     if (bodies.length <= FEW)
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
     if (bodies.length > MOST) return undefined;

@@ -1,5 +1,5 @@
 import { speedBetween } from '../../engine/body-heap.js';
-import { breakingOf, forgetPoints, type Manifold } from '../../engine/manifold.js';
+import { breakingAt, forgetPoints } from '../../engine/manifold.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 
 /** Share of the way that a contact point lives for, in a step. */
@@ -16,10 +16,10 @@ export const anyFast = ({ bodies }: Simulation, dt: number): boolean =>
 export function eachFastPair(
   { bullet, engine: { ammo } }: Simulation,
   dt: number,
-  visit: (manifold: Manifold, a: number, b: number) => void,
+  visit: (manifold: number, a: number, b: number) => void,
 ): void {
-  bullet.eachManifold((manifold, a, b) => {
-    if (speedBetween(ammo, a, b) * dt > LONG * breakingOf(ammo, manifold)) visit(manifold, a, b);
+  bullet.eachPair((manifold, a, b) => {
+    if (speedBetween(ammo, a, b) * dt > LONG * breakingAt(ammo, manifold)) visit(manifold, a, b);
   });
 }
 

@@ -185,11 +185,11 @@ export class ImpactPropagation extends Effect implements ContactListener {
     }
     this.#newRound();
     eachFastPair(this.#simulation, dt, this.#lookAt);
-    this.#simulation.bullet.eachManifold(this.#lookBehind);
+    this.#simulation.bullet.eachPair(this.#lookBehind);
     for (let i = 0; i < MOST_HITS && this.#blow.strikes > 0; i++) {
       this.#makeUpAll(dt);
       this.#newRound();
-      this.#simulation.bullet.eachManifold(this.#lookBehind);
+      this.#simulation.bullet.eachPair(this.#lookBehind);
     }
     this.#touched.length = 0;
   }
@@ -201,12 +201,12 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   /** What was turned back in the round before may lie against something. */
-  readonly #lookBehind = (_: object, a: number, b: number): void => {
+  readonly #lookBehind = (_: number, a: number, b: number): void => {
     if (this.#struckIn(a, this.#steps - 1) || this.#struckIn(b, this.#steps - 1))
       this.#lookAt(_, a, b);
   };
 
-  readonly #lookAt = (_: object, a: number, b: number): void => {
+  readonly #lookAt = (_: number, a: number, b: number): void => {
     const { engine, bullet } = this.#simulation;
     const first = this.#simulation.bodyAt(a);
     const second = this.#simulation.bodyAt(b);

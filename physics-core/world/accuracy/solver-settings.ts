@@ -58,5 +58,6 @@ export function solverSettings(
     linearSlop: Math.max(CONTACT_DEPTH, settings.asked<number>('contactSurfaceThickness')),
     // Who says how often Bullet is to iterate wants its iterations.
     direct: !settings.authored('iterations'),
+    effort: level.effort,
   };
 }
