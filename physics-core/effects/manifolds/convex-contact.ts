@@ -63,7 +63,7 @@ export class ConvexContact {
     if (this.#byFaces(a, b, normal)) return;
     const nearest = this.#nearest;
     nearest.normal.set(normal);
-    if (!nearest.find(a, b)) return;
+    if (!nearest.find(a, b, limit)) return;
     normal.set(nearest.normal);
     this.#theirs = -Infinity;
     if (nearest.distance > limit || this.#byFaces(a, b, normal)) return;
@@ -88,11 +88,13 @@ export class ConvexContact {
     );
   }
 
-  /** Whether the face of A or of B that looks most along the normal bears the contact. */
+  /** Whether the face of A or of B that looks most along the normal bears the contact, or there is none. */
   #byFaces(a: PlacedForm, b: PlacedForm, normal: Flat): boolean {
     const x = normal[0]!;
     const y = normal[1]!;
     const z = normal[2]!;
+    const along = -b.height(x, y, z) - a.height(-x, -y, -z);
+    if (along > this.#limit) return true;
     const ofA = a.facing(-x, -y, -z, this.#normalA);
     const gapA = ofA < 0 ? -Infinity : gapAlong(a, b, this.#normalA);
     // It separates them.
@@ -100,7 +102,6 @@ export class ConvexContact {
     const ofB = b.facing(x, y, z, this.#normalB);
     const gapB = ofB < 0 ? -Infinity : gapAlong(b, a, this.#normalB);
     if (gapB > this.#limit) return true;
-    const along = -b.height(x, y, z) - a.height(-x, -y, -z);
     this.#least = Math.max(along - FARTHER, this.#theirs - OFF);
     const aFirst = gapA > gapB + FARTHER;
     return aFirst

@@ -34,10 +34,12 @@ export class NearestPoints {
   readonly #shift = new Float64Array(3);
   /** By how much what was taken may still be farther than the nearest, metres. */
   #gap = Infinity;
+  /** Forms without what is round about them that are farther apart than this are none of the caller's, metres. */
+  #far = Infinity;
   readonly #best = { distance: -Infinity, normal: new Float64Array(3), onB: new Float64Array(3) };
 
-  /** `normal` holds a guess. False: nothing was found. */
-  find(a: PlacedForm, b: PlacedForm): boolean {
+  /** `normal` holds a guess. False: nothing was found, or they are farther apart than `limit`, metres. */
+  find(a: PlacedForm, b: PlacedForm, limit = Infinity): boolean {
     const { normal } = this;
     const best = this.#best;
     best.distance = -Infinity;
@@ -48,7 +50,10 @@ export class NearestPoints {
       const z = normal[2]!;
       const apart = APART * size * (1 + tries) - this.#between(a, b) - a.form.round - b.form.round;
       for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
-      if (!this.#search(a, b)) continue;
+      this.#far = apart > 0 ? Infinity : limit + a.form.round + b.form.round;
+      const found = this.#search(a, b);
+      if (found === 'far') return false;
+      if (found === 'nothing') continue;
       turn++;
       const distance = this.#between(a, b);
       const farther = distance - best.distance;
@@ -78,7 +83,7 @@ export class NearestPoints {
     best.onB.set(this.onB);
   }
 
-  #search(a: PlacedForm, b: PlacedForm): boolean {
+  #search(a: PlacedForm, b: PlacedForm): 'found' | 'nothing' | 'far' {
     const simplex = this.#simplex;
     const { nearest } = simplex;
     nearest.set(this.normal);
@@ -94,17 +99,20 @@ export class NearestPoints {
       const { w } = simplex;
       const along = nearest[0]! * w[at]! + nearest[1]! * w[at + 1]! + nearest[2]! * w[at + 2]!;
       if (round > 0) {
-        const gap = (square - along) / Math.sqrt(square);
+        const size = Math.sqrt(square);
+        // What lies beyond this corner is no nearer than that.
+        if (along > this.#far * size) return 'far';
+        const gap = (square - along) / size;
         if (gap < this.#gap) this.#take(gap);
         if (square - along <= NEAR_ENOUGH * square) break;
         before = square;
       }
       if (this.#known(at)) break;
       simplex.count++;
-      if (!simplex.reduce()) return false;
-      if (dot3(nearest, 0, nearest, 0) < 1e-24) return false;
+      if (!simplex.reduce()) return 'nothing';
+      if (dot3(nearest, 0, nearest, 0) < 1e-24) return 'nothing';
     }
-    return this.#gap < Infinity;
+    return this.#gap < Infinity ? 'found' : 'nothing';
   }
 
   /** A corner that is there already says that no other is nearer. */

@@ -1,5 +1,3 @@
-import { dot3 } from '../../base/flat-math.js';
-
 /** Of a tetrahedron's four faces, the corners, and the corner across. */
 const FACES = [
   [0, 1, 2, 3],
@@ -24,12 +22,16 @@ export class Simplex {
   /** Of the nearest point: the share of each, and where it lies. */
   readonly share = new Float64Array(4);
   readonly nearest = new Float64Array(3);
-  readonly #edges = new Float64Array(9);
   readonly #best = new Float64Array(4);
+
+  #clearShares(): void {
+    const { share } = this;
+    share[0] = share[1] = share[2] = share[3] = 0;
+  }
 
   /** Keeps what is needed for the nearest point. False: the origin is inside. */
   reduce(): boolean {
-    this.share.fill(0);
+    this.#clearShares();
     if (this.count === 1) this.share[0] = 1;
     else if (this.count === 2) this.#segment(0, 1);
     else if (this.count === 3) this.#triangle(0, 1, 2);
@@ -39,61 +41,79 @@ export class Simplex {
   }
 
   #drop(): void {
+    const { w, a, b, nearest } = this;
     let left = 0;
-    this.nearest.fill(0);
+    nearest[0] = nearest[1] = nearest[2] = 0;
     for (let i = 0; i < this.count; i++) {
       const share = this.share[i]!;
       if (share <= 0) continue;
-      for (let k = 0; k < 3; k++) {
-        this.w[3 * left + k] = this.w[3 * i + k]!;
-        this.a[3 * left + k] = this.a[3 * i + k]!;
-        this.b[3 * left + k] = this.b[3 * i + k]!;
-        this.nearest[k]! += share * this.w[3 * i + k]!;
+      const to = 3 * left;
+      for (let k = 0, from = 3 * i; k < 3; k++, from++) {
+        w[to + k] = w[from]!;
+        a[to + k] = a[from]!;
+        b[to + k] = b[from]!;
+        nearest[k]! += share * w[from]!;
       }
       this.share[left++] = share;
     }
     this.count = left;
   }
 
+  /** Squared, of what four shares make. */
   #distance(): number {
-    let sum = 0;
-    for (let k = 0; k < 3; k++) {
-      let value = 0;
-      for (let i = 0; i < this.count; i++) value += this.share[i]! * this.w[3 * i + k]!;
-      sum += value * value;
-    }
-    return sum;
-  }
-
-  #edge(to: number, i: number, j: number): void {
-    for (let k = 0; k < 3; k++) this.#edges[to + k] = this.w[3 * j + k]! - this.w[3 * i + k]!;
+    const { share, w } = this;
+    const a = share[0]!;
+    const b = share[1]!;
+    const c = share[2]!;
+    const d = share[3]!;
+    const x = a * w[0]! + b * w[3]! + c * w[6]! + d * w[9]!;
+    const y = a * w[1]! + b * w[4]! + c * w[7]! + d * w[10]!;
+    const z = a * w[2]! + b * w[5]! + c * w[8]! + d * w[11]!;
+    return x * x + y * y + z * z;
   }
 
   #segment(i: number, j: number): void {
-    const edges = this.#edges;
-    this.#edge(0, i, j);
-    const size = dot3(edges, 0, edges, 0);
-    const along = -dot3(edges, 0, this.w, 3 * i);
+    const { w, share } = this;
+    const x = w[3 * i]!;
+    const y = w[3 * i + 1]!;
+    const z = w[3 * i + 2]!;
+    const ex = w[3 * j]! - x;
+    const ey = w[3 * j + 1]! - y;
+    const ez = w[3 * j + 2]! - z;
+    const size = ex * ex + ey * ey + ez * ez;
+    const along = -(ex * x + ey * y + ez * z);
     const t = size > 0 ? Math.min(1, Math.max(0, along / size)) : 0;
-    this.share[i] = 1 - t;
-    this.share[j] = t;
+    share[i] = 1 - t;
+    share[j] = t;
   }
 
   #triangle(i: number, j: number, k: number): void {
     const { w, share } = this;
-    const e = this.#edges;
-    this.#edge(0, i, j);
-    this.#edge(3, i, k);
-    const d1 = -dot3(e, 0, w, 3 * i);
-    const d2 = -dot3(e, 3, w, 3 * i);
+    const ix = w[3 * i]!;
+    const iy = w[3 * i + 1]!;
+    const iz = w[3 * i + 2]!;
+    const jx = w[3 * j]!;
+    const jy = w[3 * j + 1]!;
+    const jz = w[3 * j + 2]!;
+    const kx = w[3 * k]!;
+    const ky = w[3 * k + 1]!;
+    const kz = w[3 * k + 2]!;
+    const ex = jx - ix;
+    const ey = jy - iy;
+    const ez = jz - iz;
+    const fx = kx - ix;
+    const fy = ky - iy;
+    const fz = kz - iz;
+    const d1 = -(ex * ix + ey * iy + ez * iz);
+    const d2 = -(fx * ix + fy * iy + fz * iz);
     if (d1 <= 0 && d2 <= 0) return void (share[i] = 1);
-    const d3 = -dot3(e, 0, w, 3 * j);
-    const d4 = -dot3(e, 3, w, 3 * j);
+    const d3 = -(ex * jx + ey * jy + ez * jz);
+    const d4 = -(fx * jx + fy * jy + fz * jz);
     if (d3 >= 0 && d4 <= d3) return void (share[j] = 1);
     const vc = d1 * d4 - d3 * d2;
     if (vc <= 0 && d1 >= 0 && d3 <= 0) return this.#segment(i, j);
-    const d5 = -dot3(e, 0, w, 3 * k);
-    const d6 = -dot3(e, 3, w, 3 * k);
+    const d5 = -(ex * kx + ey * ky + ez * kz);
+    const d6 = -(fx * kx + fy * ky + fz * kz);
     if (d6 >= 0 && d5 <= d6) return void (share[k] = 1);
     const vb = d5 * d2 - d1 * d6;
     if (vb <= 0 && d2 >= 0 && d6 <= 0) return this.#segment(i, k);
@@ -107,9 +127,10 @@ export class Simplex {
 
   #tetrahedron(): boolean {
     let least = Infinity;
-    for (const [i, j, k, across] of FACES) {
+    for (let face = 0; face < FACES.length; face++) {
+      const [i, j, k, across] = FACES[face]!;
       if (!this.#outside(i, j, k, across)) continue;
-      this.share.fill(0);
+      this.#clearShares();
       this.#triangle(i, j, k);
       const distance = this.#distance();
       if (distance < least) {
@@ -124,17 +145,26 @@ export class Simplex {
 
   /** Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. */
   #outside(i: number, j: number, k: number, across: number): boolean {
-    const e = this.#edges;
-    this.#edge(0, i, j);
-    this.#edge(3, i, k);
-    this.#edge(6, i, across);
-    const nx = e[1]! * e[5]! - e[2]! * e[4]!;
-    const ny = e[2]! * e[3]! - e[0]! * e[5]!;
-    const nz = e[0]! * e[4]! - e[1]! * e[3]!;
     const { w } = this;
-    const origin = -(nx * w[3 * i]! + ny * w[3 * i + 1]! + nz * w[3 * i + 2]!);
-    const corner = nx * e[6]! + ny * e[7]! + nz * e[8]!;
-    const size = dot3(e, 0, e, 0) * dot3(e, 3, e, 3) * dot3(e, 6, e, 6);
+    const x = w[3 * i]!;
+    const y = w[3 * i + 1]!;
+    const z = w[3 * i + 2]!;
+    const ex = w[3 * j]! - x;
+    const ey = w[3 * j + 1]! - y;
+    const ez = w[3 * j + 2]! - z;
+    const fx = w[3 * k]! - x;
+    const fy = w[3 * k + 1]! - y;
+    const fz = w[3 * k + 2]! - z;
+    const gx = w[3 * across]! - x;
+    const gy = w[3 * across + 1]! - y;
+    const gz = w[3 * across + 2]! - z;
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
+    const origin = -(nx * x + ny * y + nz * z);
+    const corner = nx * gx + ny * gy + nz * gz;
+    const size =
+      (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
     return corner * corner <= FLAT * FLAT * size || origin * corner < 0;
   }
 }

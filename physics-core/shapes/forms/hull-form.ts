@@ -18,20 +18,22 @@ export function hullForm(points: ArrayLike<number>, triangles: readonly Triangle
   const normals: number[] = [];
   const open = new Set(triangles.keys());
   const largest = [...triangles.keys()].sort((i, j) => planes[j]!.area - planes[i]!.area);
-  const across = neighbours(triangles);
+  const across = neighbours(points.length / 3, triangles);
   for (const first of largest) {
     if (!open.delete(first)) continue;
     const { normal, height } = planes[first]!;
     const lies = (corner: number): boolean =>
       Math.abs(along(points, corner, normal) - height) <= FLAT * size;
     const group = [first];
+    const corners = new Set(triangles[first]);
     for (const one of group)
       for (const next of across[one]!)
         if (open.has(next) && triangles[next]!.every(lies)) {
           open.delete(next);
           group.push(next);
+          for (const corner of triangles[next]!) corners.add(corner);
         }
-    faces.push(outlineOf(points, new Set(group.flatMap((one) => [...triangles[one]!])), normal));
+    faces.push(outlineOf(points, corners, normal));
     normals.push(...normal);
   }
   return compact(points, faces, Float64Array.from(normals));
@@ -44,8 +46,9 @@ const along = (points: ArrayLike<number>, corner: number, [x, y, z]: Vector): nu
 
 function sizeOf(points: ArrayLike<number>, triangles: readonly Triangle[]): number {
   let size = 0;
-  for (const corner of triangles.flat())
-    for (let i = 0; i < 3; i++) size = Math.max(size, Math.abs(points[3 * corner + i]!));
+  for (const triangle of triangles)
+    for (const corner of triangle)
+      for (let i = 0; i < 3; i++) size = Math.max(size, Math.abs(points[3 * corner + i]!));
   return size;
 }
 
@@ -65,20 +68,20 @@ function planeOf(points: ArrayLike<number>, [a, b, c]: Triangle) {
   return { area, normal, height: along(points, a, normal) };
 }
 
-/** Of each triangle those that share a side with it. */
-function neighbours(triangles: readonly Triangle[]): number[][] {
-  const sides = new Map<string, number>();
-  const each = (act: (one: number, from: number, to: number) => void): void =>
-    triangles.forEach((corners, one) =>
-      corners.forEach((from, i) => act(one, from, corners[(i + 1) % 3]!)),
-    );
-  each((one, from, to) => sides.set(`${from} ${to}`, one));
-  const found: number[][] = triangles.map(() => []);
-  each((one, from, to) => {
-    const next = sides.get(`${to} ${from}`);
-    if (next !== undefined) found[one]!.push(next);
-  });
-  return found;
+/** Of each triangle those that share a side with it; `count`: corners that there are. */
+function neighbours(count: number, triangles: readonly Triangle[]): number[][] {
+  /** By a side's ends. */
+  const sides = new Map<number, number>();
+  for (const [one, [a, b, c]] of triangles.entries()) {
+    sides.set(count * a + b, one);
+    sides.set(count * b + c, one);
+    sides.set(count * c + a, one);
+  }
+  return triangles.map(([a, b, c]) =>
+    [count * b + a, count * c + b, count * a + c]
+      .map((side) => sides.get(side))
+      .filter((next) => next !== undefined),
+  );
 }
 
 /** Corners of a flat convex face in order around it, without those on its edges. */
@@ -131,14 +134,18 @@ export function compact(
   faces: number[][],
   normals: Float64Array,
 ): PolytopeForm {
-  const corners = [...new Set(faces.flat())].sort((a, b) => a - b);
-  const number = new Map(corners.map((corner, i) => [corner, i]));
-  const kept = Float64Array.from(
-    corners.flatMap((corner) => [0, 1, 2].map((i) => points[3 * corner + i]!)),
-  );
+  /** By their old numbers: the new ones, in the same order. */
+  const numbers = new Int32Array(Math.floor(points.length / 3)).fill(-1);
+  for (const face of faces) for (const corner of face) numbers[corner] = 0;
+  const kept: number[] = [];
+  for (const [corner, number] of numbers.entries()) {
+    if (number < 0) continue;
+    numbers[corner] = kept.length / 3;
+    for (let i = 3 * corner; i < 3 * corner + 3; i++) kept.push(points[i]!);
+  }
   return new PolytopeForm(
-    kept,
-    faces.map((face) => face.map((corner) => number.get(corner)!)),
+    Float64Array.from(kept),
+    faces.map((face) => face.map((corner) => numbers[corner]!)),
     normals,
   );
 }
