@@ -154,8 +154,8 @@ export const STAGES = [
   { name: 'playground', run: script(['--import', 'tsx', 'test/site/playground/run.ts']) },
   { name: 'package', run: script(['tools/package.js']) },
   { name: 'examples', run: script(['tools/examples.js']) },
-  { name: 'firefox', folders: ['browser'], missing: noFirefox, run: FIREFOX },
-  { name: 'webkit', folders: ['browser'], missing: noWebKit, run: WEBKIT },
+  { name: 'firefox', cores: 1, folders: ['browser'], missing: noFirefox, run: FIREFOX },
+  { name: 'webkit', cores: 1, folders: ['browser'], missing: noWebKit, run: WEBKIT },
   { name: 'content', folders: ['content'], missing: noContent, run: CHROMIUM },
   {
     name: 'content-firefox',
