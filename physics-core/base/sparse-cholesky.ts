@@ -1,6 +1,9 @@
 import { backward, factor, forward, rowOf } from './cholesky.js';
 import type { SparsePattern } from './sparse-pattern.js';
 
+/** Rows of a joint that holds a point: of nets all blocks have so many, and are gone through without loops inside. */
+const POINT = 3;
+
 /**
  * The Cholesky factor of a sparse symmetric matrix of blocks. Diagonal blocks are triangles as `cholesky.ts` has them;
  * those below are full, row after row.
@@ -59,9 +62,9 @@ export class SparseCholesky {
       const end = starts[j + 1]!;
       for (let b = starts[j]!; b < end; b++) {
         const at = this.#blockAt[b]!;
-        const height = sizes[rows[b]!]!;
-        for (let r = 0; r < height; r++)
-          forward(this.numbers, diagonal, n, this.numbers, at + r * n);
+        const last = at + sizes[rows[b]!]! * n;
+        if (n === POINT) forwardPoints(this.numbers, diagonal, at, last);
+        else for (let r = at; r < last; r += n) forward(this.numbers, diagonal, n, this.numbers, r);
       }
       for (let b = starts[j]!; b < end; b++) {
         this.#reduceDiagonal(-1 - targets[target++]!, b, n);
@@ -91,6 +94,7 @@ export class SparseCholesky {
     let to = this.#blockAt[target]!;
     let row = this.#blockAt[a]!;
     const first = this.#blockAt[b]!;
+    if (n === POINT) return reducePoints(l, to, row, row + height * n, first, first + width * n);
     for (let r = 0; r < height; r++, row += n) {
       let column = first;
       for (let c = 0; c < width; c++, column += n) {
@@ -150,5 +154,39 @@ export class SparseCholesky {
       }
       backward(l, this.#diagonalAt[j]!, n, x, first);
     }
+  }
+}
+
+/** L y = x of three rows, for each three numbers from `from` to `end`, in place. */
+function forwardPoints(l: Float64Array, at: number, from: number, end: number): void {
+  const a = l[at]!;
+  const b = l[at + 1]!;
+  const c = l[at + 2]!;
+  const d = l[at + 3]!;
+  const e = l[at + 4]!;
+  const f = l[at + 5]!;
+  for (let i = from; i < end; i += POINT) {
+    const x = l[i]! * a;
+    const y = (l[i + 1]! - b * x) * c;
+    l[i] = x;
+    l[i + 1] = y;
+    l[i + 2] = (l[i + 2]! - d * x - e * y) * f;
+  }
+}
+
+/** A block -= a bᵀ, of three columns each: `a` from `row` to `end`, `b` from `first` to `last`. */
+function reducePoints(
+  l: Float64Array,
+  to: number,
+  row: number,
+  end: number,
+  first: number,
+  last: number,
+): void {
+  for (; row < end; row += POINT) {
+    const x = l[row]!;
+    const y = l[row + 1]!;
+    const z = l[row + 2]!;
+    for (let c = first; c < last; c += POINT) l[to++]! -= x * l[c]! + y * l[c + 1]! + z * l[c + 2]!;
   }
 }

@@ -20,10 +20,10 @@ export interface Level {
 
 /**
  * Three boxes that slide, or ten balls that roll, have 24 blocks; ten boxes that tumble have 40 and more, and take ten times
- * Bullet's step where all of them are solved directly (measured, boxes in a drum). A row of dominoes that falls, ten of them
- * at a time, has 48.
+ * Bullet's step where all of them are solved directly (measured, boxes in a drum). At `standard` 48 would keep all that the
+ * stability matrix promises, but a row of dominoes gains .3 % of its energy by iterations: there all is solved.
  */
-const EFFORTS = { game: 24, standard: 48 };
+const EFFORT_OF_GAME = 24;
 
 export const levels: readonly Level[] = [
   {
@@ -32,7 +32,7 @@ export const levels: readonly Level[] = [
     iterations: 10,
     errorCorrection: 0.8,
     twoFrictionDirections: false,
-    effort: EFFORTS.game,
+    effort: EFFORT_OF_GAME,
   },
   {
     name: 'standard',
@@ -40,7 +40,7 @@ export const levels: readonly Level[] = [
     iterations: 10,
     errorCorrection: 0.8,
     twoFrictionDirections: true,
-    effort: EFFORTS.standard,
+    effort: Infinity,
   },
   {
     name: 'fine',

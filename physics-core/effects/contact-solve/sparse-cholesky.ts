@@ -1,3 +1,5 @@
+import { grownInt } from '../../base/grown.js';
+
 // L Lᵀ of a symmetric positive definite matrix of 6 × 6 blocks, one row of blocks for each body, most of them empty.
 
 /** Rows of a block. */
@@ -26,6 +28,13 @@ export class SparseCholesky {
   /** The diagonal blocks by row, then the others in the order of `#rows`; behind them those that change, as the rest leaves them. */
   values = new Float64Array(2 * BLOCK);
   readonly #neighbours: Set<number>[] = [];
+  /** Who is connected (a count + b) and who changes (-1 - i), in the order in which it is told, and how many of that. */
+  #told = new Int32Array(64);
+  #toldCount = 0;
+  /** The same of what was analysed last. */
+  #known = new Int32Array(64);
+  #knownCount = -1;
+  #knownBodies = 0;
   #permuted = new Float64Array(SIZE);
   /** Products of two blocks that factoring takes: its cost. */
   products = 0;
@@ -35,22 +44,65 @@ export class SparseCholesky {
   /** So many bodies, none of which touches another. */
   begin(count: number): void {
     this.count = count;
-    for (let i = 0; i < count; i++) (this.#neighbours[i] ??= new Set()).clear();
-    this.#changing.clear();
+    this.#toldCount = 0;
   }
 
   /** Blocks of this body are others in each factor. */
   changes(i: number): void {
-    this.#changing.add(i);
+    this.#tell(-1 - i);
   }
 
   connect(a: number, b: number): void {
+    this.#tell(a * this.count + b);
+  }
+
+  #tell(what: number): void {
+    if (this.#told.length === this.#toldCount)
+      this.#told = grownInt(this.#told, 2 * this.#toldCount);
+    this.#told[this.#toldCount++] = what;
+  }
+
+  /** Whether nobody touches another than when this was analysed last: so it mostly is from step to step. */
+  #isKnown(): boolean {
+    if (this.#knownBodies !== this.count || this.#knownCount !== this.#toldCount) return false;
+    for (let i = 0; i < this.#toldCount; i++) if (this.#told[i] !== this.#known[i]) return false;
+    return true;
+  }
+
+  /**
+   * Finds an order of elimination (that of the least degree) and what it fills in, unless that is known. False: it takes more
+   * than `most` products.
+   */
+  analyse(most: number): boolean {
+    if (this.#isKnown()) return true;
+    this.#knownCount = -1;
+    if (!this.#look(most)) return false;
+    const before = this.#known;
+    this.#known = this.#told;
+    this.#told = before;
+    this.#knownCount = this.#toldCount;
+    this.#knownBodies = this.count;
+    return true;
+  }
+
+  #hear(): void {
+    const { count } = this;
+    for (let i = 0; i < count; i++) (this.#neighbours[i] ??= new Set()).clear();
+    this.#changing.clear();
+    for (let i = 0; i < this.#toldCount; i++) {
+      const what = this.#told[i]!;
+      if (what < 0) this.#changing.add(-1 - what);
+      else this.#join(Math.floor(what / count), what % count);
+    }
+  }
+
+  #join(a: number, b: number): void {
     this.#neighbours[a]!.add(b);
     this.#neighbours[b]!.add(a);
   }
 
-  /** Finds an order of elimination (that of the least degree) and what it fills in. False: it takes more than `most` products. */
-  analyse(most: number): boolean {
+  #look(most: number): boolean {
+    this.#hear();
     const { count } = this;
     if (this.#place.length < count) this.#place = new Int32Array(2 * count);
     if (this.#starts.length <= count) this.#starts = new Int32Array(2 * count + 1);
@@ -91,7 +143,7 @@ export class SparseCholesky {
   #eliminate(i: number, near: readonly number[]): void {
     for (const a of near) this.#neighbours[a]!.delete(i);
     for (let p = 0; p < near.length; p++)
-      for (let q = 0; q < p; q++) this.connect(near[p]!, near[q]!);
+      for (let q = 0; q < p; q++) this.#join(near[p]!, near[q]!);
   }
 
   #lay(columns: readonly number[][]): void {
