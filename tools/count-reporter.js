@@ -17,6 +17,14 @@ export function add(total, more) {
   return total;
 }
 
+/** Of a suite: each test that failed, by its whole name, and why. */
+const faultsOf = (suite, above = '') => [
+  ...(suite?.tests ?? [])
+    .filter(({ passed, skipped }) => !passed && !skipped)
+    .map(({ name, error }) => `${above}${name}: ${error?.message ?? 'no error'}`),
+  ...(suite?.suites ?? []).flatMap((inner) => faultsOf(inner, `${above}${inner.name} › `)),
+];
+
 function countSession(session) {
   const counts = countSuite(session.testResults);
   // A file that did not load or a page that crashed has no test to blame, but failed all the same.
@@ -26,8 +34,8 @@ function countSession(session) {
 
 /**
  * Reporter of Web Test Runner: one line per test file as progress (seconds since the one before), and the counts by file
- * as JSON in the file that tools/test.js names: after each, so that something is known where a browser takes the runner
- * along. `ended` says that it came to its end.
+ * and what failed, as JSON in the file that tools/test.js names: after each, so that something is known where a browser
+ * takes the runner along. `ended` says that it came to its end.
  */
 export function countReporter(outputFile, sourceOf) {
   const files = {};
@@ -39,7 +47,14 @@ export function countReporter(outputFile, sourceOf) {
     reportTestFileResults({ logger, sessionsForTestFile, testFile }) {
       const file = relative(process.cwd(), testFile);
       const counts = sessionsForTestFile.map(countSession).reduce(add, none());
-      const { passed, failed, skipped } = (files[file] = counts);
+      const { passed, failed, skipped } = counts;
+      const faults = sessionsForTestFile
+        .flatMap(({ testResults, errors }) => [
+          ...faultsOf(testResults),
+          ...errors.map(({ message }) => message),
+        ])
+        .map((fault) => `${sourceOf(file)}: ${fault}`);
+      files[file] = { ...counts, faults };
       const left = skipped ? `, ${skipped} skipped` : '';
       const time = ((Date.now() - last) / 1000).toFixed(1);
       last = Date.now();

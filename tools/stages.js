@@ -38,26 +38,38 @@ const inNode = (nameOf) => async (files, temporary, stage) => {
     passed: count('pass'),
     failed: count('fail') + count('cancelled'),
     skipped: count('skipped'),
+    faults: tap.match(/^ *not ok .*$/gm) ?? [],
   };
 };
 
-/** A script that closes with `N passed, N failed`, or with two numbers in words of its own. */
+/** Where a script says what was wrong. */
+const lastLines = (output) => output.trimEnd().split('\n').slice(-20);
+
+/**
+ * A script that closes with `N passed, N failed`, or with two numbers in words of its own. `quiet: 'stdout'`: how far it
+ * is it says on the other stream.
+ */
 const script =
-  (args, counts = /(\d+) passed, (\d+) failed/) =>
+  (args, { counts = /(\d+) passed, (\d+) failed/, quiet = true } = {}) =>
   async () => {
-    const { ok, output } = await runNode(args, { quiet: true });
+    const { ok, output } = await runNode(args, { quiet });
     const [passed, failed] = output.match(counts)?.slice(1).map(Number) ?? [0, 1];
     if (!ok) console.log(output);
-    return { ok, passed, failed };
+    return { ok, passed, failed, faults: ok ? [] : lastLines(output) };
   };
 
-/** The hard cases in a browser and in Node, side by side. */
-const casesIn = (browser) => script(['--import', 'tsx', 'test/stability/in-browser.ts', browser]);
+/** The hard cases in Node and in the browsers that are there. */
+async function hardCases() {
+  const browsers = ['chromium', !noFirefox() && 'firefox', !noWebKit() && 'webkit'].filter(Boolean);
+  const names = browsers.join(',');
+  const args = ['--import', 'tsx', 'test/stability/run.ts', '--browsers', names];
+  return { ...(await script(args, { quiet: 'stdout' })()), skipped: 3 - browsers.length };
+}
 
 /** Without the lab's whole hour: its errors come out again to the last bit. */
 async function labErrors() {
   const args = ['--import', 'tsx', 'lab/run.ts', '--quick'];
-  const { ok, failed, passed: compared } = await script(args, LAB_COUNTS)();
+  const { ok, failed, passed: compared } = await script(args, { counts: LAB_COUNTS })();
   return { ok, passed: compared - failed, failed };
 }
 const LAB_COUNTS = /(\d+) runs compared in \d+ s, (\d+) came out otherwise/;
@@ -79,6 +91,7 @@ const inBrowser =
   (config, nameOf = BY_FOLDER) =>
   async (files, temporary, stage) => {
     const total = none();
+    const faults = [];
     const run = async (bundles, last) => {
       const report = join(temporary, `${stage}${last ? '-again' : ''}.json`);
       const { ok } = await runNode([BIN.wtr, '--config', config, '--files', ...bundles], {
@@ -89,9 +102,13 @@ const inBrowser =
       const done = bundles.filter(
         (bundle) => bundle in counted && (final || !counted[bundle].failed),
       );
-      for (const bundle of done) add(total, counted[bundle]);
+      for (const bundle of done) {
+        add(total, counted[bundle]);
+        faults.push(...counted[bundle].faults);
+      }
       const left = bundles.filter((bundle) => !done.includes(bundle));
-      if (final || left.length === 0) return { ok: ended ? ok : left.length === 0, ...total };
+      if (final || left.length === 0)
+        return { ok: ended ? ok : left.length === 0, ...total, faults };
       console.log(`The browser ended with ${left[0]}: what is left runs in a new one.`);
       return run(left, true);
     };
@@ -134,7 +151,9 @@ export const STAGES = [
   {
     name: 'mutants',
     cores: 1,
-    run: script(['--import', 'tsx', 'tools/mutants.ts'], /(\d+) killed, (\d+) survived/),
+    run: script(['--import', 'tsx', 'tools/mutants.ts'], {
+      counts: /(\d+) killed, (\d+) survived/,
+    }),
   },
   { name: 'fuzz', cores: 1, run: script(['--import', 'tsx', 'test/fuzz/run.ts']) },
   {
@@ -144,10 +163,7 @@ export const STAGES = [
   },
   { name: 'lab', cores: 1, run: labErrors },
   { name: 'soaks', folders: ['soaks'], run: inNode(APART) },
-  { name: 'stability', folders: ['stability'], run: inNode(APART) },
-  { name: 'stability-chromium', run: casesIn('chromium') },
-  { name: 'stability-firefox', missing: noFirefox, run: casesIn('firefox') },
-  { name: 'stability-webkit', missing: noWebKit, run: casesIn('webkit') },
+  { name: 'stability', run: hardCases },
   { name: 'chromium-long', folders: ['browser'], takes: isLong, run: CHROMIUM },
   { name: 'stories', run: script(['tools/stories-test.js']) },
   { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },

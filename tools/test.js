@@ -113,9 +113,19 @@ function tellProcessorTime() {
   return !process.env.CI;
 }
 
+/** What failed is said once more: it may stand a thousand lines above. */
+function tellFaults(results) {
+  for (const { name, faults } of results) {
+    if (!faults?.length) continue;
+    title(`what failed in ${name}`);
+    for (const fault of faults) console.log(fault);
+  }
+}
+
 function finish(results, failedBefore = []) {
   rmSync(temporary, { recursive: true, force: true });
   const failed = tellProcessorTime() ? failedBefore : [...failedBefore, 'the budget'];
+  tellFaults(results);
   title('summary');
   for (const name of failed) console.log(`✗ ${name} failed`);
   for (const { name, note, passed, failed, skipped, time } of results) {

@@ -26,7 +26,7 @@ async function show(scene: string) {
     <script type="module" src="/dist/x3d-physics.js"></script>
     <x3d width="200px" height="100px"><scene>${scene}</scene></x3d>`);
   const body = page.document.getElementById('b') as unknown as Shown;
-  await until(() => body.world !== undefined, 10_000);
+  await until(() => body.world !== undefined);
   const world = await body.world.ready;
   return { page, world, scene: page.document.querySelector('scene')! };
 }
@@ -64,7 +64,7 @@ const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
 describe('what a page fetches', () => {
   it('of ours, for a box that falls: few files and bytes before it moves', async () => {
     const { page, world } = await show(FALLING);
-    await until(() => world.time > 0, 5000);
+    await until(() => world.time > 0);
     // Nothing of hands, debug drawing, measurement or the ui, either.
     const names = fetched(page).map((path) => path.replace(/^\/dist\/|-[\w-]{8}(?=\.js$)/g, ''));
     expect(names.sort()).to.eql([
@@ -96,7 +96,7 @@ describe('what a page fetches', () => {
 
   it('the code of drags with a body that may be dragged', async () => {
     const { page, world } = await show(FALLING.replace('id="b"', 'id="b" draggable-body'));
-    await until(() => world.time > 0, 5000);
+    await until(() => world.time > 0);
     expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([DRAGS]);
   });
 
@@ -107,7 +107,7 @@ describe('what a page fetches', () => {
 
   it('the code of contacts with a second body, before the first step', async () => {
     const { page, world } = await show(FALLING + FLOOR);
-    await until(() => world.time > 0, 5000);
+    await until(() => world.time > 0);
     expect(fetched(page).length, fetched(page).join(' ')).to.be.at.most(6);
     expect([has(page, CONTACTS), has(page, JOINTS)]).to.eql([true, false]);
   });
@@ -145,7 +145,7 @@ describe('what a page fetches', () => {
       const more = FALLING.replace(' id="b"', '').replace('0 5 0', '0 50 0');
       const { page, world } = await show(FALLING + more.repeat(count - 1));
       world.paused = true;
-      if (fetches) await until(() => has(page, BATCHES), 5000);
+      if (fetches) await until(() => has(page, BATCHES));
       else for (let i = 0; i < 10; i++) await nextFrame();
       expect(has(page, BATCHES)).to.equal(fetches);
     });
@@ -178,7 +178,7 @@ describe('world.effects', () => {
       const bytes = (): number => world.effects.find((effect) => effect.name === name)!.bytes;
       expect(bytes()).to.equal(0);
       add(scene);
-      await until(() => bytes() > 0, 5000);
+      await until(() => bytes() > 0);
       // Another zip, without the line that tells the number.
       const weight = await zipped(fetched(page).filter((path) => file.test(path)));
       expect(bytes()).to.be.closeTo(weight, 0.02 * weight);
@@ -199,8 +199,8 @@ describe('a node that comes late, with the first of its code', () => {
       scene.insertAdjacentHTML('beforeend', added);
       expect(world.step(3)).to.equal(0);
       expect(world.problems.map(({ code: name }) => name)).to.eql(['waiting-for-effect']);
-      await until(() => has(page, code), 5000);
-      await until(() => world.step(1) > 0, 5000);
+      await until(() => has(page, code));
+      await until(() => world.step(1) > 0);
       expect(parts()).to.equal(2);
       expect(world.problems).to.eql([]);
     });
@@ -217,8 +217,8 @@ describe('a node that comes late, with the first of its code', () => {
     const drag = body.drag(body.position);
     drag.move([0, height! + 5, 0]);
     expect(world.step(3)).to.equal(0);
-    await until(() => has(page, DRAGS), 5000);
-    await until(() => world.step(1) > 0, 5000);
+    await until(() => has(page, DRAGS));
+    await until(() => world.step(1) > 0);
     world.advance(1);
     // Without a hand it would fall by 5 m.
     expect(body.position[1]).to.be.closeTo(height! + 5, 0.5);
@@ -232,11 +232,11 @@ describe('a node that comes late, with the first of its code', () => {
     page.document
       .getElementById('b')!
       .addEventListener('collisionstart', ({ target }) => heard.push((target as Element).id));
-    await until(() => world.time > 0, 5000);
+    await until(() => world.time > 0);
     expect(has(page, CONTACTS)).to.equal(false);
     world.paused = true;
     scene.insertAdjacentHTML('beforeend', FLOOR);
-    await until(() => world.step(1) > 0, 5000);
+    await until(() => world.step(1) > 0);
     world.advance(2);
     expect(heard).to.eql(['b']);
   });
@@ -248,7 +248,7 @@ describe('a node that comes late, with the first of its code', () => {
     const shapes = () => world.effects.find(({ name }) => name === 'contact shapes')!;
     expect(shapes().active).to.equal(false);
     scene.insertAdjacentHTML('beforeend', FLOOR);
-    await until(() => shapes().active, 5000);
+    await until(() => shapes().active);
     expect((shapes().because!.element as Element).id).to.equal('b');
   });
 });

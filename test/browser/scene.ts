@@ -52,8 +52,11 @@ export async function drawn(): Promise<void> {
   for (let i = 0; i < 3; i++) await nextFrame();
 }
 
-/** Waits for something that takes frames of a page that may be slow to draw. */
-export async function until(holds: () => boolean, milliseconds = 3000): Promise<void> {
+/** Milliseconds after which what is waited for won't come: a page that is slow to draw, on a busy machine, takes seconds. */
+const PATIENCE = 40_000;
+
+/** Waits for a state. */
+export async function until(holds: () => boolean, milliseconds = PATIENCE): Promise<void> {
   const end = performance.now() + milliseconds;
   while (!holds()) {
     if (performance.now() > end) throw new Error(`not within ${milliseconds} ms: ${holds}`);

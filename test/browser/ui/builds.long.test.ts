@@ -41,10 +41,10 @@ describe('the monitor in the builds', () => {
     const world = worldOf(window.document.getElementById('b')!);
     await world.ready;
     const drawing = (): string[] => loaded(window).filter((path) => /sketch|debug/.test(path));
-    await until(() => world.time > 0.2, 5000);
+    await until(() => world.time > 0.2);
     expect(drawing()).to.eql([]);
     world.set('debug', true);
-    await until(() => drawing().length === 2, 5000);
+    await until(() => drawing().length === 2);
   });
 
   it('its module exports the class and defines nothing', async () => {
@@ -56,7 +56,7 @@ describe('the monitor in the builds', () => {
     window.customElements.define('my-monitor', module.X3DPhysicsMonitorElement);
     window.document.body.append(window.document.createElement('my-monitor'));
     const shown = new Shown(window.document.querySelector('my-monitor')!);
-    await until(() => shown.text.includes('Physics'), 5000);
+    await until(() => shown.text.includes('Physics'));
   });
 
   for (const path of ['monitor.html', 'monitor.xhtml']) {
@@ -82,7 +82,7 @@ describe('the monitor in the builds', () => {
     window.document.head.append(script);
     window.document.body.insertAdjacentHTML('beforeend', MONITOR);
     const shown = monitorIn(window);
-    await until(() => shown.text.includes('could not be loaded'), 5000);
+    await until(() => shown.text.includes('could not be loaded'));
     const problem = heard.find(({ code }) => code === 'ui-load-failed')!;
     expect(problem.severity).to.equal('error');
     expect(shown.monitor.matches(':state(problem)')).to.equal(true);

@@ -14,7 +14,7 @@ async function chartOf(
   page: PageWindow,
 ): Promise<{ chart: Chart; root: ShadowRoot; world: World }> {
   const chart = page.document.getElementById('chart') as Chart;
-  await until(() => chart.shadowRoot?.querySelector('[part=levels]') != null, 20_000);
+  await until(() => chart.shadowRoot?.querySelector('[part=levels]') != null);
   const world = chart.world!;
   world.paused = true;
   return { chart, root: chart.shadowRoot!, world };
@@ -37,7 +37,7 @@ const hint = (root: ShadowRoot): string =>
 
 async function measure(root: ShadowRoot): Promise<void> {
   button(root).click();
-  await until(() => root.querySelector('svg') !== null, 40_000);
+  await until(() => root.querySelector('svg') !== null);
 }
 
 describe('x3d-accuracy-chart', () => {
@@ -133,13 +133,13 @@ describe('x3d-accuracy-chart', () => {
     other.setAttribute('for', chart.getAttribute('for')!);
     other.measured = kept;
     chart.replaceWith(other);
-    await until(() => other.shadowRoot?.querySelectorAll('svg .level').length === 5, 10_000);
+    await until(() => other.shadowRoot?.querySelectorAll('svg .level').length === 5);
     await until(() => status(other.shadowRoot!) === 'As it was measured earlier.');
     other.measured = undefined;
     await until(() => status(other.shadowRoot!) === 'Not measured yet.');
     other.measured = kept;
     page.document.querySelector('x3d')!.remove();
-    await until(() => other.measured === undefined, 5000);
+    await until(() => other.measured === undefined);
   });
 
   it('stops measuring when it is told to', async () => {

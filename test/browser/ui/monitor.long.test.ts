@@ -63,7 +63,7 @@ describe('the monitor', () => {
     const { world } = await show(falling);
     expect(monitorEffect(world).active).to.equal(false);
     const shown = addMonitor('for="ball"');
-    await until(() => (world.costs?.frames ?? 0) > 3, 5000);
+    await until(() => (world.costs?.frames ?? 0) > 3);
     expect(monitorEffect(world).because!.element).to.equal(shown.monitor);
     await until(() => /last \d+ frames/.test(shown.text));
     const rows = shown.root.querySelectorAll('[part="costs"] tbody tr');
@@ -87,7 +87,7 @@ describe('the monitor', () => {
     const { world } = await show(falling);
     const shown = addMonitor();
     expect(world.stats.dropped).to.be.a('number');
-    await until(() => /^\d/.test(shown.count('Frames per second') ?? ''), 5000);
+    await until(() => /^\d/.test(shown.count('Frames per second') ?? ''));
     const { framesPerSecond, drawing } = world.costs!.pace!;
     expect(framesPerSecond).to.be.above(0);
     // x3dom draws each frame of a world that moves, and that takes time.
@@ -107,7 +107,7 @@ describe('the monitor', () => {
       const end = performance.now() + 60;
       while (performance.now() < end);
     });
-    await until(() => /most of it the page’s listeners/.test(shown.text), 8000);
+    await until(() => /most of it the page’s listeners/.test(shown.text));
     expect(Number(shown.count('Frames per second'))).to.be.below(30);
     await until(() => parseFloat(shown.count('Time dropped')!) > 0);
     expect(world.stats.dropped).to.be.above(0);
@@ -120,7 +120,7 @@ describe('the monitor', () => {
     expect(world.debugLegend).to.eql([]);
     expect(shown.part('legend')).to.equal(null);
     shown.root.querySelector<HTMLInputElement>('input')!.click();
-    await until(() => !!shown.part('legend'), 5000);
+    await until(() => !!shown.part('legend'));
     const items = [...shown.part('legend')!.children];
     expect(items.map((item) => item.textContent!.trim())).to.eql(
       world.debugLegend.map(({ means }) => means),
@@ -206,7 +206,7 @@ describe('the monitor', () => {
       return [...cells].map((cell) => cell.textContent!);
     };
     // Called before and after each step, by code that every page has.
-    await until(() => row()[2] === '2', 5000);
+    await until(() => row()[2] === '2');
     expect(row()[1]).to.match(/^\d+\.\d\d$/);
     expect(row()[3]).to.equal('–');
     const problem = shown.part('problems')!.textContent!.replace(/\s+/g, ' ');

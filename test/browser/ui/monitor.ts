@@ -44,7 +44,7 @@ export class Shown {
   }
 
   async shows(term: string, value: string): Promise<void> {
-    await until(() => this.count(term) === value, 5000);
+    await until(() => this.count(term) === value);
   }
 }
 

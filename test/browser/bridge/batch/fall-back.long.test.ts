@@ -56,7 +56,7 @@ describe('bodies that look alike', () => {
         `<viewpoint position="0 0 12"></viewpoint><x3d-rigid-body-collection id="c" default enabled="false"></x3d-rigid-body-collection>${boxes}`,
         '#c',
       );
-      await until(() => draws(x3d) > 0 && codes(world).length > 0, 8000);
+      await until(() => draws(x3d) > 0 && codes(world).length > 0);
       expect(codes(world)).to.eql(['drawing-plain']);
       expect(world.problems[0]!.severity).to.equal('info');
       expect(draws(x3d)).to.equal(COUNT);
@@ -136,7 +136,7 @@ describe('bodies that look alike', () => {
     (globalThis as unknown as { x3dom: { reload(): void } }).x3dom.reload();
     const other = document.body.lastElementChild!;
     await worldOf(other)!.ready;
-    await until(() => other.querySelector('canvas') !== null && draws(other) === 1, 8000);
+    await until(() => other.querySelector('canvas') !== null && draws(other) === 1);
     expect(draws(x3d)).to.equal(1);
     expect(difference(before, picture(x3d)).any).to.equal(0);
     x3d.querySelector('#s3 material')!.setAttribute('diffuseColor', '1 0 0');
@@ -154,7 +154,7 @@ describe('bodies that look alike', () => {
     parent.append(x3d);
     const again = worldOf(x3d)!;
     await again.ready;
-    await until(() => x3d.querySelector('canvas') !== null && draws(x3d) === 1, 8000);
+    await until(() => x3d.querySelector('canvas') !== null && draws(x3d) === 1);
     expect(world).to.not.equal(again);
     expect(difference(before, picture(x3d)).any).to.equal(0);
   });
@@ -165,7 +165,7 @@ describe('bodies that look alike', () => {
     const both = [...document.querySelectorAll('x3d')];
     for (const x3d of both) await worldOf(x3d)!.ready;
     for (const x3d of both)
-      await until(() => x3d.querySelector('canvas') !== null && draws(x3d) === 1, 8000);
+      await until(() => x3d.querySelector('canvas') !== null && draws(x3d) === 1);
     both[0]!.remove();
     await wait(50);
     both[1]!.querySelector('#s3 material')!.setAttribute('diffuseColor', '1 0 0');

@@ -341,7 +341,7 @@ describe('bodies that are seen through', () => {
       (i) => `${colored(i, 'transparency="0.5"')}<box size="1 1 1"></box>`,
     );
     const { x3d, world } = await showBatched(glass, COUNT);
-    await until(() => world.stats.batches === 0, 5000);
+    await until(() => world.stats.batches === 0);
     await drawn();
     expect(draws(x3d)).to.equal(COUNT);
   });

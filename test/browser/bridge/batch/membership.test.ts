@@ -46,7 +46,7 @@ describe('bodies of unlike looks', () => {
   it('are left to x3dom', async () => {
     const unlike = bodies(COUNT, (i) => `${colored(i)}<cone height="${1 + i / 100}"></cone>`);
     const { x3d, world } = await showBatched(unlike, COUNT);
-    await until(() => world.stats.batches === 0, 5000);
+    await until(() => world.stats.batches === 0);
     await drawn();
     expect(draws(x3d)).to.equal(COUNT);
     expect(covered(picture(x3d))).to.be.above(500);

@@ -98,7 +98,7 @@ export async function showBatched(content: string, atMost = 2) {
     `<viewpoint position="0 0 12"></viewpoint>${COLLECTION}${content}`,
     '#c',
   );
-  await until(() => draws(x3d) <= atMost && draws(x3d) > 0, 8000);
+  await until(() => draws(x3d) <= atMost && draws(x3d) > 0);
   return { x3d, world, collection: x3d.querySelector('#c')! };
 }
 

@@ -52,7 +52,7 @@ describe('a page where bodies are drawn in one call', () => {
       bodies(5, (i) => `${colored(i)}<box></box>`),
       '#b0',
     );
-    await until(() => draws(x3d) === 5, 8000);
+    await until(() => draws(x3d) === 5);
     expect(world.stats).to.not.have.property('batches');
     expect(world.effects.some(({ name }) => name === 'batched drawing')).to.equal(false);
     expect(explain(x3d.querySelector('#b0')!)).to.not.have.property('drawing');

@@ -7,7 +7,7 @@ describe('collisionstart and collisionend', () => {
     const inline = x3d.querySelector('inline')!;
     const starts: CustomEvent[] = [];
     inline.addEventListener('collisionstart', (event) => starts.push(event as CustomEvent));
-    await until(() => starts.length > 0, 10_000);
+    await until(() => starts.length > 0);
     expect(starts[0]!.target).to.equal(inline);
     const { def, element, node, other } = starts[0]!.detail;
     expect(element.getAttribute('DEF')).to.equal(def);

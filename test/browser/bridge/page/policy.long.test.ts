@@ -15,7 +15,7 @@ describe("under the security policy style-src 'self'", () => {
       const page = await open(path);
       await worldIn(page);
       const handles = '.x3d-physics-handles';
-      await until(() => root(page, handles)?.querySelector('button') != null, 20_000);
+      await until(() => root(page, handles)?.querySelector('button') != null);
       const box = page.document.querySelector(handles)!;
       expect(page.getComputedStyle(box).position).to.equal('absolute');
       for (const hidden of root(page, handles)!.querySelectorAll<HTMLElement>('p, button')) {
@@ -43,12 +43,12 @@ describe("under the security policy style-src 'self'", () => {
         await until(() => {
           page.document.querySelector(tag)!.scrollIntoView();
           return root(page, tag)?.querySelector('button') != null;
-        }, 20_000);
+        });
         const button = root(page, tag)!.querySelector('button')!;
         expect(page.getComputedStyle(button).borderRadius, tag).to.not.equal('0px');
       }
       root(page, 'x3d-accuracy-chart')!.querySelector('button')!.click();
-      await until(() => root(page, 'x3d-accuracy-chart')!.querySelector('svg') != null, 40_000);
+      await until(() => root(page, 'x3d-accuracy-chart')!.querySelector('svg') != null);
       expect(refusedIn(page)).to.eql([]);
     });
   }

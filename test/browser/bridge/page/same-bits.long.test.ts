@@ -60,7 +60,7 @@ async function motion(page: PageWindow): Promise<string> {
       if (/^inline$/i.test(each.localName) && inner) search(inner);
     }
   };
-  await until(() => (search(page.document), found !== undefined && !!page.X3DPhysics), 20_000);
+  await until(() => (search(page.document), found !== undefined && !!page.X3DPhysics));
   const world = await page.X3DPhysics!.worldOf(found!)!.ready;
   world.paused = true;
   world.reset();

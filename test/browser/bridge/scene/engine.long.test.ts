@@ -53,7 +53,7 @@ async function show(...scripts: string[]) {
       <transform><shape><box></box></shape><x3d-rigid-body></x3d-rigid-body></transform>
     </scene></x3d>${scripts.join('')}`)) as Seen;
   const body = page.document.querySelector('x3d-rigid-body') as Element & { world?: World };
-  await until(() => body.world !== undefined, 10_000);
+  await until(() => body.world !== undefined);
   return { page, world: body.world!, started: body.world!.ready };
 }
 

@@ -145,7 +145,7 @@ describe('debug drawing', () => {
     await wait(50);
     document.body.append(x3d);
     await worldOf(x3d.querySelector('x3d-rigid-body'))!.ready;
-    await until(() => sketches(x3d).length === 1, 5000);
+    await until(() => sketches(x3d).length === 1);
     await until(() => positions(x3d).length === 15 * 6);
   });
 
@@ -154,7 +154,7 @@ describe('debug drawing', () => {
     document.body.innerHTML = scene + scene.replaceAll('shape"', 'other"');
     const both = [...document.querySelectorAll('x3d')];
     for (const x3d of both)
-      await until(() => !!x3d.querySelector('canvas') && sketches(x3d).length === 1, 5000);
+      await until(() => !!x3d.querySelector('canvas') && sketches(x3d).length === 1);
   });
 
   it('is of the world frame in metres, where a file has other units', async () => {
@@ -178,7 +178,7 @@ describe('debug drawing', () => {
     let quiet = 0;
     runtimeOf(x3d).exitFrame = () => (quiet = -1);
     // The page itself may still have something to draw at first.
-    await until(() => ++quiet > 20, 5000);
+    await until(() => ++quiet > 20);
     const drawnFrom = performance.now();
     await until(() => performance.now() - drawnFrom > 300);
     expect(quiet).to.be.above(20);

@@ -44,7 +44,7 @@ export const camera = (x3d: Element): string => areaOf(x3d).getViewMatrix().toSt
 
 /** Long enough for the code of dragging to be loaded, and for x3dom to have drawn. */
 export async function draggable(x3d: Element): Promise<void> {
-  await until(() => x3d.querySelector('.x3d-physics-handles') !== null, 10_000);
+  await until(() => x3d.querySelector('.x3d-physics-handles') !== null);
   for (let i = 0; i < 3; i++) await nextFrame();
 }
 

@@ -43,7 +43,7 @@ describe('dragging with the mouse', () => {
       const tolerance = mode === 'spring' ? 0.05 : 0.02;
       const front = (): number[] => ahead(element as X3DRigidBodyElement, 0.5);
       // On a busy machine the last move of the pointer comes with a later step.
-      await until(() => far(front(), goal) < tolerance, 6000);
+      await until(() => far(front(), goal) < tolerance);
       expect(far(front(), goal)).to.be.below(tolerance);
       expect(far(events.at(-1)!.detail.point, goal)).to.be.below(0.02);
       expect(element.matches(':state(dragging)')).to.be.true;

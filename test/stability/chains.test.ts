@@ -1,3 +1,0 @@
-import { promised } from './matrix.js';
-
-promised('Chains and nets');

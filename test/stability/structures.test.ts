@@ -1,3 +1,0 @@
-import { promised } from './matrix.js';
-
-promised('Structures');
