@@ -58,11 +58,16 @@ const script =
     return { ok, passed, failed, faults: ok ? [] : lastLines(output) };
   };
 
+const HARD_CASES = ['--import', 'tsx', 'test/stability/run.ts'];
+
+/** Those that Node runs alone. */
+const hardCasesAlone = script([...HARD_CASES, '--alone'], { quiet: 'stdout' });
+
 /** The hard cases in Node and in the browsers that are there. */
 async function hardCases() {
   const browsers = ['chromium', !noFirefox() && 'firefox', !noWebKit() && 'webkit'].filter(Boolean);
   const names = browsers.join(',');
-  const args = ['--import', 'tsx', 'test/stability/run.ts', '--browsers', names];
+  const args = [...HARD_CASES, '--browsers', names];
   return { ...(await script(args, { quiet: 'stdout' })()), skipped: 3 - browsers.length };
 }
 
@@ -137,9 +142,8 @@ const check = (args) => async () => {
 };
 
 /**
- * `folders`: below test/; `takes`: which of their files. `cores`: how many it keeps busy; what draws, or runs into its time
- * beside others, says nothing and has the machine to itself. `missing` says why a stage can't run here; it is left out
- * then, which counts as skipped.
+ * `folders`: below test/; `takes`: which of their files. `cores`: how many it keeps busy; what needs the machine to itself
+ * says nothing. `missing` says why a stage can't run here; it is left out then, which counts as skipped.
  */
 export const STAGES = [
   // A browser that draws leaves some of two cores to the core's tests.
@@ -148,6 +152,20 @@ export const STAGES = [
 
   { name: 'lint', cores: 1, run: check(LINT) },
   { name: 'format', cores: 1, run: check(FORMAT) },
+
+  // They have two at work by themselves.
+  { name: 'soaks', folders: ['soaks'], run: inNode(APART) },
+  { name: 'stability', run: hardCases },
+  { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
+  { name: 'package', run: script(['tools/package.js']) },
+  { name: 'examples', run: script(['tools/examples.js']) },
+
+  // Two lanes: what takes longest first, so that both end together.
+  { name: 'chromium-long', cores: 1, folders: ['browser'], takes: isLong, run: CHROMIUM },
+  { name: 'firefox', cores: 1, folders: ['browser'], missing: noFirefox, run: FIREFOX },
+  { name: 'webkit', cores: 1, folders: ['browser'], missing: noWebKit, run: WEBKIT },
+  { name: 'stability-alone', cores: 1, run: hardCasesAlone },
+  { name: 'lab', cores: 1, run: labErrors },
   {
     name: 'mutants',
     cores: 1,
@@ -161,26 +179,23 @@ export const STAGES = [
     cores: 1,
     run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
   },
-  { name: 'lab', cores: 1, run: labErrors },
-  { name: 'soaks', folders: ['soaks'], run: inNode(APART) },
-  { name: 'stability', run: hardCases },
-  { name: 'chromium-long', folders: ['browser'], takes: isLong, run: CHROMIUM },
-  { name: 'stories', run: script(['tools/stories-test.js']) },
-  { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
-  { name: 'playground', run: script(['--import', 'tsx', 'test/site/playground/run.ts']) },
-  { name: 'package', run: script(['tools/package.js']) },
-  { name: 'examples', run: script(['tools/examples.js']) },
-  { name: 'firefox', cores: 1, folders: ['browser'], missing: noFirefox, run: FIREFOX },
-  { name: 'webkit', cores: 1, folders: ['browser'], missing: noWebKit, run: WEBKIT },
-  { name: 'content', folders: ['content'], missing: noContent, run: CHROMIUM },
+  {
+    name: 'playground',
+    cores: 1,
+    run: script(['--import', 'tsx', 'test/site/playground/run.ts']),
+  },
+  { name: 'stories', cores: 1, run: script(['tools/stories-test.js']) },
+  { name: 'content', cores: 1, folders: ['content'], missing: noContent, run: CHROMIUM },
   {
     name: 'content-firefox',
+    cores: 1,
     folders: ['content'],
     missing: () => noContent() ?? noFirefox(),
     run: FIREFOX,
   },
   {
     name: 'content-webkit',
+    cores: 1,
     folders: ['content'],
     missing: () => noContent() ?? noWebKit(),
     run: WEBKIT,

@@ -1,6 +1,7 @@
 // node --import tsx test/stability/run.ts: each hard case at the lowest level that promises it, in Node and in
-// browsers, side by side. It holds everywhere, and comes to the same bits. What takes long is left to Node alone.
+// browsers, side by side. It holds everywhere, and comes to the same bits.
 //   --browsers chromium,firefox   beside Node, all three if nothing is said
+//   --alone                       what is left to Node: what takes long, and further levels
 //   S1 'S9 box'                   these cases alone
 import { parseArgs } from 'node:util';
 import { CellPage } from '../../lab/stability/browsers/page.js';
@@ -13,14 +14,15 @@ import type { LevelName } from '../../physics-core/inside.js';
 import { BROWSERS } from '../../tools/open-browser.js';
 
 const { values, positionals: ids } = parseArgs({
-  options: { browsers: { type: 'string' } },
+  options: { browsers: { type: 'string' }, alone: { type: 'boolean', default: false } },
   allowPositionals: true,
 });
 
 /** Milliseconds between two words of how far it is. */
 const APART = 10_000;
 
-const browsers = values.browsers?.split(',') ?? (BROWSERS as string[]);
+const { alone } = values;
+const browsers = alone ? [] : (values.browsers?.split(',') ?? (BROWSERS as string[]));
 
 const pages = await Promise.all(
   browsers.map(async (name) => ({ name, page: await CellPage.open(name) })),
@@ -39,10 +41,10 @@ function objection(which: StabilityCase, there: Cell, { bits }: Cell): string | 
   if (there.bits !== bits) return `${there.bits} and not ${bits}, as in Node`;
 }
 
-/** A cell in Node, which nothing reaches meanwhile, as soon as it has begun in all these pages. */
-async function runEverywhere(which: StabilityCase, level: LevelName, asked: typeof pages) {
+/** A cell in Node, which nothing reaches meanwhile, as soon as it has begun in all pages. */
+async function runEverywhere(which: StabilityCase, level: LevelName) {
   const begun: Promise<void>[] = [];
-  const there = asked.map(({ page }) => {
+  const there = pages.map(({ page }) => {
     let found!: Promise<Cell>;
     begun.push(
       new Promise((begins, fails) => {
@@ -58,20 +60,21 @@ async function runEverywhere(which: StabilityCase, level: LevelName, asked: type
 }
 
 async function look(which: StabilityCase, level: LevelName) {
-  const inBrowsers = level === which.promisedFrom && !which.slow ? pages : [];
-  const { here, there } = await runEverywhere(which, level, inBrowsers);
+  const { here, there } = await runEverywhere(which, level);
   count('Node', which, level, here.holds ? undefined : wordsOf(which, here));
-  for (const [i, { name }] of inBrowsers.entries())
+  for (const [i, { name }] of pages.entries())
     count(name, which, level, objection(which, there[i]!, here));
 }
 
+const levelsOf = ({ promisedFrom, alsoTested = [], slow }: StabilityCase): LevelName[] => {
+  if (!promisedFrom) return [];
+  if (slow) return alone ? [promisedFrom, ...alsoTested] : [];
+  return alone ? alsoTested : [promisedFrom];
+};
+
 const chosen = stabilityCases
   .filter(({ id }) => ids.length === 0 || ids.includes(id))
-  .flatMap((which) =>
-    which.promisedFrom
-      ? [which.promisedFrom, ...(which.alsoTested ?? [])].map((level) => ({ which, level }))
-      : [],
-  );
+  .flatMap((which) => levelsOf(which).map((level) => ({ which, level })));
 
 const start = Date.now();
 let told = start;

@@ -40,9 +40,12 @@ const press = (page, name) => page.getByRole('button', { name, exact: true }).cl
 const tick = (page, name, on) => page.getByRole('checkbox', { name }).setChecked(on);
 const rows = (page) => page.getByRole('listitem');
 
+/** Milliseconds after which what is waited for won't come: the next example is built meanwhile. */
+const PATIENCE = 30_000;
+
 /** Until what is seen is as it should be: frameworks render when they like. */
 export async function until(page, holds, what) {
-  for (const end = Date.now() + 10_000; Date.now() < end; await page.waitForTimeout(50)) {
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(50)) {
     const now = await look(page);
     if (holds(now)) return now;
   }
