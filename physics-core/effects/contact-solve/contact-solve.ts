@@ -22,6 +22,7 @@ import { Savings } from './savings.js';
 import { SolveBodies } from './solve-bodies.js';
 import { CurvedPaths } from './curved-paths.js';
 import { SIZE } from './sparse-cholesky.js';
+import { StandingStart } from './standing-start.js';
 import { Sweeps } from './sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 import { TurningCorners } from './turning-corners.js';
@@ -65,6 +66,7 @@ export class ContactSolve extends Effect {
   readonly #jointed: JointedEnergy;
   readonly #rolling: RollingResistance;
   readonly #savings = new Savings();
+  readonly #standing: StandingStart;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   readonly #curvedPaths: CurvedPaths;
@@ -107,6 +109,7 @@ export class ContactSolve extends Effect {
     };
     this.#bounces = new BounceEnergy(this.#contacts, this.#rows, this.#bodies);
     this.#jointed = new JointedEnergy(this.#contacts, this.#rows, this.#bodies);
+    this.#standing = new StandingStart(ammo, this.#contacts, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#curvedPaths = new CurvedPaths(
@@ -240,6 +243,7 @@ export class ContactSolve extends Effect {
     const { stepsTaken } = this.#simulation;
     const pointer = this.#bodies.pointers[part.bodies[0]!]!;
     if (this.#failed.get(pointer)! > stepsTaken) return;
+    part.stands = !part.jointed && this.#stands(part);
     if (way === 'either' && !part.jointed)
       for (const body of part.bodies) this.#heaps.add(this.#bodies.pointers[body]!);
     if (way === 'either' && this.#settle(part)) return;
@@ -255,6 +259,11 @@ export class ContactSolve extends Effect {
       this.#failed.delete(pointer);
       this.#take(part, solver!);
     } else this.#failed.set(pointer, stepsTaken + PAUSE);
+  }
+
+  #stands(part: Part): boolean {
+    const { timeStep, bullet } = this.#simulation;
+    return this.#standing.begin(part, timeStep, bullet.settings.linearSlop);
   }
 
   #find(part: Part, way: Way): Solver | undefined {
@@ -297,8 +306,10 @@ export class ContactSolve extends Effect {
   /** Bullet's solver is to leave it alone. */
   #take(part: Part, solver: Solver): void {
     if (solver.pushApart()) this.#curvedPaths.limitApart(part);
-    else
+    else {
       for (const body of part.bodies) this.#bodies.change.fill(0, body * SIZE, (body + 1) * SIZE);
+      if (part.stands) this.#standing.readWays(part);
+    }
     this.#solved.push(part);
     this.#grips.tell(part);
     const { ammo } = this.#simulation.engine;

@@ -16,6 +16,8 @@ export interface Part {
   looped: boolean;
   /** Rows of its joints were laid where the step ends. */
   curved: boolean;
+  /** It begins with what its weight asks for. */
+  stands: boolean;
   /** It is near so many others that they make a heap. */
   inHeap: boolean;
 }
@@ -88,9 +90,10 @@ export class Parts {
       hangs: false,
       looped: false,
       curved: false,
+      stands: false,
       inHeap: false,
     });
-    part.hangs = part.looped = part.curved = false;
+    part.hangs = part.looped = part.curved = part.stands = false;
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;
     return this.#count++;
   }
