@@ -2,6 +2,7 @@
 import { defaultReporter } from '@web/test-runner';
 import { sourceOf } from './bundle-tests.js';
 import { countReporter } from './count-reporter.js';
+import { freePort } from './ports.js';
 import { CONTENT } from './stages.js';
 import { findFile } from './static-files.js';
 import { touchPlugin } from './touch.js';
@@ -42,10 +43,14 @@ const page = (testFramework) => `<!DOCTYPE html>
   <body></body>
 </html>`;
 
+/** Of its own: two runners that begin together would take the same one. */
+const port = await freePort();
+
 /** `plugins`: what only this browser can do. */
 export function config(browser, plugins = []) {
   return {
     rootDir: process.cwd(),
+    port,
     // tools/test.js bundles them and says which.
     files: 'test-bundles/*/**/*.test.js',
     browsers: [browser],

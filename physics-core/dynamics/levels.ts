@@ -12,8 +12,8 @@ export interface Level {
   /** Two friction directions instead of one: towers stand longer, +15 to 45 % time where much touches. */
   twoFrictionDirections: boolean;
   /**
-   * Blocks of matrices, one for each body and each point in touch, that a step has for what touches and moves: so much is
-   * solved directly, and Bullet's iterations go over the rest. What is calm, or hangs on joints, is solved directly anyway.
+   * Blocks of matrices, one for each body and each point in touch, that a step has for what touches and moves: up to so many
+   * are solved directly; of more, all have Bullet's iterations. What is calm, or hangs on joints, is solved directly anyway.
    */
   effort: number;
 }

@@ -24,7 +24,7 @@ const PUSH_SHARE = 0.8;
  * By so much a contact may lie less deep than it should and still bear, metres: what stands on four legs would else stand
  * on three, as single precision has it.
  */
-const BAND = 8e-6;
+export const BAND = 8e-6;
 
 /**
  * Where contacts are gone over one at a time, one may be off by so much, either way, and go on bearing what it bore, metres:

@@ -5,6 +5,7 @@ import type { Ammo } from '../../engine/ammo.js';
 import { originOf } from '../../engine/body-heap.js';
 import { C, takePush, type ConeContacts } from './cone-contacts.js';
 import type { Part } from './part.js';
+import { BAND } from './read-contact.js';
 import type { SolveBodies } from './solve-bodies.js';
 import { SIZE } from './sparse-cholesky.js';
 
@@ -17,6 +18,9 @@ const OFF = 2e-6;
 /** What lies farther above than the depth that contacts keep was not built to touch, metres: single precision at 10 m. */
 const ROUNDING = 2e-6;
 
+/** Where what has been built to touch goes on from: in the middle of where it bears as it lies, metres. */
+const BEARS = BAND / 2;
+
 /** What bears has a face that is more level than steep. */
 const LEVEL = Math.SQRT1_2;
 
@@ -24,8 +28,8 @@ const LEVEL = Math.SQRT1_2;
  * What stands and was not in touch before begins with the impulses that its weight asks for. From the top down each body is
  * borne by what touches it from below, and hands its load on: pushes that keep every body where it is and that contacts can
  * give are a solution of the whole (the lower bound theorem of structures), and the search for one ends before its first
- * matrix. What so bears comes to the depth that contacts keep at once, and not by falling there: what stands on twenty-five
- * others would have to go faster than it can. Where one body can't be borne so, but by friction or from aside, the part
+ * matrix. What so bears comes to where contacts bear at once, and not by falling there: what stands on twenty-five others
+ * would have to go faster than it can. Where one body can't be borne so, but by friction or from aside, the part
  * begins with nothing.
  */
 export class StandingStart {
@@ -190,7 +194,8 @@ export class StandingStart {
         for (let l = 0; l <= k; l++) sum[rowOf(k) + l]! += w[i * SIZE + k]! * w[i * SIZE + l]!;
     for (let k = 0; k < 3; k++) {
       sum[rowOf(k) + k]! += SINGULAR * pushes;
-      sum[rowOf(k + 3) + k + 3]! += (SINGULAR * pushes * inertias[9 * body + 4 * k]!) / masses[body]!;
+      sum[rowOf(k + 3) + k + 3]! +=
+        (SINGULAR * pushes * inertias[9 * body + 4 * k]!) / masses[body]!;
     }
   }
 
@@ -221,7 +226,7 @@ export class StandingStart {
     for (let i = this.#first[body]!; i >= 0; i = this.#next[i]!) {
       const at = i * C.size;
       const below = a[i] === body ? b[i]! : a[i]!;
-      const gap = -dt * c[at + C.target]!;
+      const gap = c[at + C.target] === 0 ? 0 : -dt * c[at + C.target]! - BEARS;
       const push = c[at + C.impulse]!;
       borne += push;
       way += push * (gap / Math.abs(this.#levelOf(i)) + (below < 0 ? 0 : this.#ways[below]!));

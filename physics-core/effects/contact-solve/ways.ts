@@ -61,8 +61,8 @@ export class Ways {
   readonly #simulation: Simulation;
   readonly #bodies: SolveBodies;
   readonly #touching = new Set<number>();
-  /** Blocks that are left to the step, for what moves. */
-  #effort = Infinity;
+  /** What moves has more blocks than the step has effort. */
+  #tooDear = false;
 
   constructor(simulation: Simulation, bodies: SolveBodies) {
     this.#simulation = simulation;
@@ -74,7 +74,7 @@ export class Ways {
     this.parts.length = this.ways.length = 0;
     const busy = all.manifolds.length > BUSY;
     const tumbling = busy && this.#restlessOf(all) > TUMBLING;
-    this.#effort = this.#simulation.bullet.settings.effort;
+    this.#tooDear = this.#isTooDear(all);
     let direct = 0;
     for (let i = 0; i < all.count; i++) {
       const part = all.at(i);
@@ -88,15 +88,19 @@ export class Ways {
     return !busy || direct > WORTH * this.#bodies.count;
   }
 
-  /** What moves, and has more blocks than are left to the step. */
-  #isTooDear(part: Part): boolean {
-    // Iterations would let joints gape: a chain over the edge of a table.
-    if (part.hangs || this.#effort === Infinity) return false;
-    if (this.#fasterOf(part.bodies, FALL, swiftnessSquared) === 0) return false;
-    const blocks = this.#blocksOf(part);
-    if (blocks > this.#effort) return true;
-    this.#effort -= blocks;
-    return false;
+  /** All that moves together: a share of it would be solved otherwise than the rest, and another share in each step. */
+  #isTooDear(all: TouchingParts): boolean {
+    let { effort } = this.#simulation.bullet.settings;
+    if (effort === Infinity) return false;
+    for (let i = 0; i < all.count && effort >= 0; i++)
+      if (this.#moves(all.at(i))) effort -= this.#blocksOf(all.at(i));
+    return effort < 0;
+  }
+
+  /** Iterations would let joints gape: a chain over the edge of a table. */
+  #moves({ bodies, manifolds, hangs }: Part): boolean {
+    if (manifolds.length === 0 || hangs) return false;
+    return this.#fasterOf(bodies, FALL, swiftnessSquared) > 0;
   }
 
   /** Of its matrix, on the diagonal: bodies, and points in touch. */
@@ -114,7 +118,7 @@ export class Ways {
    */
   #wayOf(part: Part, busy: boolean, tumbling: boolean): Way | undefined {
     const { bodies } = part;
-    if (this.#isTooDear(part)) return undefined;
+    if (this.#tooDear && this.#moves(part)) return undefined;
     if (bodies.length <= FEW)
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
     if (bodies.length > MOST) return undefined;
