@@ -21,12 +21,15 @@ import { SIZE } from './sparse-cholesky.js';
 const STEPS = 30;
 const ROUNDS = 12;
 
-/**
- * A change of velocities that is none any more, m/s and rad/s; of many bodies as much as what they bear is off by in single
- * precision, as Bullet keeps it (500 bricks of a wall by 1e-6).
- */
+/** A change of velocities that is none any more, m/s and rad/s. */
 const STILL = 1e-7;
-const STILL_OF_MANY = 1e-6;
+
+/**
+ * Of many bodies this share of what one bears is none, either: Bullet keeps impulses in single precision, so what stood at
+ * the end of a step is off by as much in the next (the lowest bricks of a wall of 25 rows by 1e-6 m/s). Two units in the
+ * last place.
+ */
+const ROUNDED = 2 ** -22;
 
 /**
  * What a contact or a joint may miss by, m/s; of many bodies more, and a share of the greatest speed, too. What few drive
@@ -135,13 +138,34 @@ export class Newton {
     const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
     this.#nearly = many ? NEARLY * this.#miss : 0;
-    this.#still = many ? STILL_OF_MANY + STILL_SHARE * speed : STILL;
+    this.#still = STILL + (many ? STILL_SHARE * speed + ROUNDED * this.#greatestLoad() : 0);
     this.#readMisses();
     const c = this.#contacts.values;
     for (const i of part.contacts) {
       c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
       project(c, i * C.size, 0);
     }
+  }
+
+  /** What contacts push a body by, all pushes taken alike: as a speed or a spin of it, m/s or rad/s. */
+  #greatestLoad(): number {
+    const { values: c, a, b } = this.#contacts;
+    const { change, masses, inertias } = this.#bodies;
+    const { bodies, contacts } = this.#part;
+    for (const body of bodies) change[body * SIZE] = 0;
+    for (const i of contacts) {
+      const push = c[i * C.size + C.impulse]!;
+      if (a[i]! >= 0) change[a[i]! * SIZE]! += push;
+      if (b[i]! >= 0) change[b[i]! * SIZE]! += push;
+    }
+    let most = 0;
+    for (const body of bodies) {
+      const spin = inertias[9 * body]! + inertias[9 * body + 4]! + inertias[9 * body + 8]!;
+      // At the radius of gyration about one axis.
+      const perMetre = Math.sqrt((3 * masses[body]!) / spin);
+      most = Math.max(most, (change[body * SIZE]! / masses[body]!) * Math.max(1, perMetre));
+    }
+    return most;
   }
 
   // ---- rounds -------------------------------------------------------------------------------------------------------

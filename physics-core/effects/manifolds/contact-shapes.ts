@@ -1,4 +1,5 @@
 import { hypot } from '../../base/exact/index.js';
+import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { MATRIX } from '../../base/matrix.js';
@@ -11,7 +12,7 @@ import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import { partNumberAt } from '../contacts/contact-part.js';
 import { contactSurface } from '../contacts/effects.js';
-import { Effect } from '../effect/effect.js';
+import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { formsOf, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact, OFF } from './convex-contact.js';
@@ -117,9 +118,19 @@ export class ContactShapes extends Effect {
     return this.#near[number];
   }
 
+  /** Forms of hulls and of meshes take milliseconds: they are made when a body comes, and not in the step of its first touch. */
+  override need(node: Cause, reason: string): void {
+    super.need(node, reason);
+    const body = node as Partial<Body>;
+    if (body.slot! >= 0) this.#formsOf(body as Body);
+  }
+
   #lookUp(pointer: number): BodyForms | undefined {
     const body = this.#simulation.bodyAt(pointer);
-    if (!body) return undefined;
+    return body && this.#formsOf(body);
+  }
+
+  #formsOf(body: Body): BodyForms {
     const known = this.#forms[body.slot];
     if (known?.parts === body.solidParts) return known;
     return (this.#forms[body.slot] = formsOf(body));

@@ -39,6 +39,23 @@ fact('two hulls that touch without gravity stay where they are', async () => {
   close(position(pair[1]!)[0] - position(pair[0]!)[0], 1, 1e-4);
 });
 
+fact(
+  'what a hull is made of is read when it comes, not in the step of its first touch',
+  async () => {
+    const w = await world();
+    addFloor(w);
+    const body = addBody(w, { position: [0, 0.7, 0], geometry: [cube(1)] });
+    w.step(0);
+    let reads = 0;
+    const [{ outline }] = body.solidParts as unknown as [{ outline: { hull: unknown } }];
+    const { hull } = outline;
+    Object.defineProperty(outline, 'hull', { get: () => (reads++, hull) });
+    w.advance(1);
+    close(height(body), 0.5, 1e-4);
+    close(reads, 0, 0);
+  },
+);
+
 fact('a stack of hulls stands as high as its hulls are', async () => {
   const w = await world({ gravity: [0, -G, 0] });
   addFloor(w);
