@@ -8,7 +8,7 @@ import { stabilityCases } from './cases/index.js';
  */
 export const SMOKE: Record<string, string> = {
   S1: '6cd500a06e4b3117',
-  S4: 'b90ae6dc1152c0b6',
+  S4: '7045ab299b964342',
   'S9 box': '66031e45cb47e0b5',
   S20: '0eba00b41f2e8ede',
   S21: 'b653eed682b2f18c',

@@ -102,7 +102,7 @@ export class Newton {
     this.#most = matrices;
     this.used = 0;
     this.ranAway = false;
-    if (this.#readSlope() < this.#still) return true;
+    if (this.#stands()) return true;
     let before = Infinity;
     let share = 1;
     for (let round = 0; round < ROUNDS; round++) {
@@ -138,13 +138,20 @@ export class Newton {
     const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
     this.#nearly = many ? NEARLY * this.#miss : 0;
-    this.#still = STILL + (many ? STILL_SHARE * speed + ROUNDED * this.#greatestLoad() : 0);
+    this.#still = STILL + STILL_SHARE * speed;
     this.#readMisses();
     const c = this.#contacts.values;
     for (const i of part.contacts) {
       c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
       project(c, i * C.size, 0);
     }
+  }
+
+  /** What it begins with is its end, as far as that was kept; what joints pull is kept in double precision. */
+  #stands(): boolean {
+    const { bodies, jointed } = this.#part;
+    const rounded = bodies.length > MANY && !jointed ? ROUNDED * this.#greatestLoad() : 0;
+    return this.#readSlope() < this.#still + rounded;
   }
 
   /** What contacts push a body by, all pushes taken alike: as a speed or a spin of it, m/s or rad/s. */

@@ -113,21 +113,29 @@ export class StandingStart {
 
   /** Each that may bear goes to the upper one of its bodies. `fastest`: what lies farther apart may close faster, m/s. */
   #sortContacts(bodies: readonly number[], contacts: readonly number[], fastest: number): void {
-    const { values: c, a, b, count } = this.#contacts;
+    const { a, b, count } = this.#contacts;
     if (this.#next.length < count) {
       this.#next = grownInt(this.#next, 2 * count);
       this.#wrenches = grown(this.#wrenches, 2 * SIZE * count);
     }
     for (const body of bodies) this.#first[body] = -1;
     for (const i of contacts) {
+      if (!this.#isBuiltToTouch(i, fastest)) continue;
       const bearsA = this.#bearsA(i);
       const away = bearsA ? -this.#levelOf(i) : this.#levelOf(i);
-      if (away < LEVEL || Math.abs(c[i * C.size + C.target]!) > fastest) continue;
+      if (away < LEVEL) continue;
       const body = bearsA ? a[i]! : b[i]!;
       this.#next[i] = this.#first[body]!;
       this.#first[body] = i;
       this.#readWrench(i, bearsA);
     }
+  }
+
+  /** And is not carried up or down by its author. */
+  #isBuiltToTouch(i: number, fastest: number): boolean {
+    const c = this.#contacts.values;
+    const target = c[i * C.size + C.target]!;
+    return target <= 0 && target >= -fastest && c[i * C.size + C.driven] === 0;
   }
 
   #bearsA(i: number): boolean {

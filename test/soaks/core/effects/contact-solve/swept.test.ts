@@ -36,10 +36,13 @@ function staysAt(w: World, body: Body, lift: number): number {
   return position(body)[1] - y;
 }
 
+/** What was built to touch lies so far above the depth that contacts keep, metres. */
+const BUILT = 4e-6;
+
 for (const [lift, stays, what] of [
   [2e-5, 2e-5, 'is lifted by .02 mm stays there'],
   [-2e-5, -2e-5, 'is pressed in by .02 mm stays there'],
-  [1e-4, 3e-5, 'is lifted by .1 mm sinks to .03'],
+  [1e-4, 3e-5 - BUILT, 'is lifted by .1 mm sinks to .03 above the depth that contacts keep'],
 ] as const)
   fact(`what lies in a heap of hundreds and ${what}`, async () => {
     const { w, tops } = await columns();
