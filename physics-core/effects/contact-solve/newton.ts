@@ -35,7 +35,7 @@ const ROUNDED = 2 ** -22;
  * What a contact or a joint may miss by, m/s; of many bodies more, and a share of the greatest speed, too. What few drive
  * or brake in a step is less than that share of their speed.
  */
-const MISS = 2e-6;
+export const MISS = 2e-6;
 const MISS_OF_MANY = 1e-5;
 const MISS_SHARE = 1e-3;
 const STILL_SHARE = 1e-5;

@@ -4,6 +4,7 @@ import { grown, grownInt } from '../../base/grown.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { originOf } from '../../engine/body-heap.js';
 import { C, takePush, type ConeContacts } from './cone-contacts.js';
+import { MISS } from './newton.js';
 import type { Part } from './part.js';
 import { BAND } from './read-contact.js';
 import type { SolveBodies } from './solve-bodies.js';
@@ -11,9 +12,6 @@ import { SIZE } from './sparse-cholesky.js';
 
 /** What bears gives this share of all in directions in which it gives nothing: four feet in a plane have three of six. */
 const SINGULAR = 1e-12;
-
-/** What bodies may be off by, m/s and rad/s: as much as contacts may miss by. */
-const OFF = 2e-6;
 
 /** What lies farther above than the depth that contacts keep was not built to touch, metres: single precision at 10 m. */
 const ROUNDING = 2e-6;
@@ -64,7 +62,7 @@ export class StandingStart {
     this.#sortContacts(bodies, contacts, (slop + ROUNDING) / dt);
     const downwards = [...bodies].sort((a, b) => this.#depths[a]! - this.#depths[b]!);
     for (const body of downwards) this.#bear(body);
-    if (!(this.#bodies.fastest(bodies) < OFF)) {
+    if (!(this.#bodies.fastest(bodies) < MISS)) {
       this.#contacts.forget(contacts);
       return false;
     }
@@ -131,7 +129,7 @@ export class StandingStart {
     }
   }
 
-  /** And is not carried up or down by its author. */
+  /** And is not carried up or down by its author, nor thrown back. */
   #isBuiltToTouch(i: number, fastest: number): boolean {
     const c = this.#contacts.values;
     const target = c[i * C.size + C.target]!;
