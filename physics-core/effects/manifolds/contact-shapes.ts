@@ -19,6 +19,7 @@ import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
 import type { PlacedForm } from './placed-form.js';
+import { SeparatingAxes } from './separating-axes.js';
 
 /**
  * Where boxes bounce, those that move faster against each other have the points that Bullet has found, m/s; and those
@@ -59,6 +60,7 @@ export class ContactShapes extends Effect {
   #searches = 0;
   readonly #points = new FoundPoints();
   readonly #convex = new ConvexContact();
+  readonly #axes = new SeparatingAxes();
   /** Undefined: pairs of boxes have no points of their own. */
   solver: BoxSolver | undefined;
   readonly #mesh = new MeshContact();
@@ -162,7 +164,7 @@ export class ContactShapes extends Effect {
     // One that lies deep in another is Bullet's: from there a nearest face is no longer where it came in.
     if (boxes && theirs < -OFF) return;
     const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
-    if (!this.#find(ofA, ofB, theirs, limit)) return;
+    if (!this.#find(manifold, ofA, ofB, theirs, limit)) return;
     const { least } = this.#points;
     // What Bullet finds deep in a mesh must not be missed; of what it has hardly in touch nothing is deep.
     if (ofA.surface ?? ofB.surface) {
@@ -175,7 +177,7 @@ export class ContactShapes extends Effect {
   };
 
   /** False: Bullet's points are to stay. */
-  #find(ofA: PartForm, ofB: PartForm, theirs: number, limit: number): boolean {
+  #find(manifold: number, ofA: PartForm, ofB: PartForm, theirs: number, limit: number): boolean {
     const points = this.#points;
     const normal = this.#normal;
     const a = ofA.placed;
@@ -189,7 +191,9 @@ export class ContactShapes extends Effect {
       points.swap();
       return sure;
     }
+    if (!known && (areFar(a, b, limit) || this.#axes.separates(manifold, a, b, limit))) return true;
     this.#convex.find(a, b, normal, limit, points, -1, theirs);
+    if (points.count === 0) this.#axes.note(manifold, normal);
     return true;
   }
 
@@ -222,4 +226,12 @@ export class ContactShapes extends Effect {
     else normal[1] = 1;
     return least;
   }
+}
+
+/** Whether the balls around two forms are farther apart than `limit`, metres. */
+function areFar(a: PlacedForm, b: PlacedForm, limit: number): boolean {
+  const x = a.origin[0]! - b.origin[0]!;
+  const y = a.origin[1]! - b.origin[1]!;
+  const z = a.origin[2]! - b.origin[2]!;
+  return x * x + y * y + z * z > (a.form.reach + b.form.reach + limit) ** 2;
 }

@@ -46,7 +46,10 @@ export class ConvexContact {
   #least = 0;
   #theirs = -Infinity;
 
-  /** `normal`: a guess, from B into A, and what is found; `theirs`: how far apart Bullet has them, metres. */
+  /**
+   * `normal`: a guess, from B into A, and what is found, where they are no contact the direction that separates them; `theirs`:
+   * how far apart Bullet has them, metres.
+   */
   find(
     a: PlacedForm,
     b: PlacedForm,
@@ -63,8 +66,9 @@ export class ConvexContact {
     if (this.#byFaces(a, b, normal)) return;
     const nearest = this.#nearest;
     nearest.normal.set(normal);
-    if (!nearest.find(a, b, limit)) return;
+    const found = nearest.find(a, b, limit);
     normal.set(nearest.normal);
+    if (!found) return;
     this.#theirs = -Infinity;
     if (nearest.distance > limit || this.#byFaces(a, b, normal)) return;
     if (!this.#lines.find(a, b, normal, limit, points, triangle)) this.#addNearest(b);
@@ -97,11 +101,10 @@ export class ConvexContact {
     if (along > this.#limit) return true;
     const ofA = a.facing(-x, -y, -z, this.#normalA);
     const gapA = ofA < 0 ? -Infinity : gapAlong(a, b, this.#normalA);
-    // It separates them.
-    if (gapA > this.#limit) return true;
+    if (gapA > this.#limit) return separates(this.#normalA, -1, normal);
     const ofB = b.facing(x, y, z, this.#normalB);
     const gapB = ofB < 0 ? -Infinity : gapAlong(b, a, this.#normalB);
-    if (gapB > this.#limit) return true;
+    if (gapB > this.#limit) return separates(this.#normalB, 1, normal);
     this.#least = Math.max(along - FARTHER, this.#theirs - OFF);
     const aFirst = gapA > gapB + FARTHER;
     return aFirst
@@ -170,6 +173,12 @@ export class ConvexContact {
     for (let i = 0; i < 3; i++) normal[i] = sign * out[i]!;
     return true;
   }
+}
+
+/** A face's normal does. */
+function separates(out: Flat, sign: 1 | -1, normal: Flat): true {
+  for (let i = 0; i < 3; i++) normal[i] = sign * out[i]!;
+  return true;
 }
 
 /** Whether a place is one of these. */

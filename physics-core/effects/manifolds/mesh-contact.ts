@@ -197,6 +197,25 @@ export class MeshContact {
     return height - up;
   }
 
+  /** Whether A is farther than `limit` beyond a side of the triangle, seen along its normal: most of what is near a mesh is. */
+  #isBeside(a: PlacedForm, limit: number): boolean {
+    const face = this.#corners;
+    const out = this.#out;
+    for (let i = 0; i < 9; i += 3) {
+      const to = (i + 3) % 9;
+      const ex = face[to]! - face[i]!;
+      const ey = face[to + 1]! - face[i + 1]!;
+      const ez = face[to + 2]! - face[i + 2]!;
+      const x = ey * out[2]! - ez * out[1]!;
+      const y = ez * out[0]! - ex * out[2]!;
+      const z = ex * out[1]! - ey * out[0]!;
+      const size = Math.sqrt(x * x + y * y + z * z);
+      const edge = x * face[i]! + y * face[i + 1]! + z * face[i + 2]!;
+      if (-a.height(-x / size, -y / size, -z / size) - edge / size > limit) return true;
+    }
+    return false;
+  }
+
   /**
    * A touches an edge or a corner of the triangle. Where neighbours stand out farther its normal can't be that of an edge.
    * What is round then has its point on the neighbour; of anything else, which lies on both, more is to be known.
@@ -217,7 +236,7 @@ export class MeshContact {
     const gy = guess[1]!;
     const gz = guess[2]!;
     const along = this.#lowest - this.#triangle.height(gx, gy, gz);
-    if (along > limit) return;
+    if (along > limit || this.#isBeside(a, limit)) return;
     normal.set(along > gap ? guess : this.#out);
     single.clear();
     this.#convex.find(a, this.#triangle, normal, limit, single, triangle);

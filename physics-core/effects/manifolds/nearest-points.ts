@@ -26,7 +26,7 @@ const STEADY = 1e-7;
  */
 export class NearestPoints {
   readonly #simplex = new Simplex();
-  /** From B to A, a unit vector, and the point on B. */
+  /** From B to A, a unit vector, and the point on B. Of what is too far apart, the direction that says so. */
   readonly normal = new Float64Array(3);
   readonly onB = new Float64Array(3);
   /** Along the normal, metres; below 0 they overlap. */
@@ -101,7 +101,7 @@ export class NearestPoints {
       if (round > 0) {
         const size = Math.sqrt(square);
         // What lies beyond this corner is no nearer than that.
-        if (along > this.#far * size) return 'far';
+        if (along > this.#far * size) return this.#separate(size);
         const gap = (square - along) / size;
         if (gap < this.#gap) this.#take(gap);
         if (square - along <= NEAR_ENOUGH * square) break;
@@ -113,6 +113,11 @@ export class NearestPoints {
       if (dot3(nearest, 0, nearest, 0) < 1e-24) return 'nothing';
     }
     return this.#gap < Infinity ? 'found' : 'nothing';
+  }
+
+  #separate(size: number): 'far' {
+    for (let i = 0; i < 3; i++) this.normal[i] = this.#simplex.nearest[i]! / size;
+    return 'far';
   }
 
   /** A corner that is there already says that no other is nearer. */

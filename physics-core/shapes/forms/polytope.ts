@@ -1,4 +1,5 @@
 import { hypot } from '../../base/exact/index.js';
+import { Farthest } from './farthest.js';
 import type { Flat, Form } from './form.js';
 
 /** Within this angle from it, in radians, an edge lies along a plane. */
@@ -14,6 +15,8 @@ export class PolytopeForm implements Form {
   readonly #faces: readonly (readonly number[])[];
   /** Their outward normals. */
   readonly #normals: Flat;
+  readonly #farthestCorner: Farthest;
+  readonly #farthestNormal: Farthest;
   /** From each corner along the edges to others. */
   readonly #neighbours: readonly (readonly number[])[];
 
@@ -21,6 +24,8 @@ export class PolytopeForm implements Form {
     this.points = points;
     this.#faces = faces;
     this.#normals = normals;
+    this.#farthestCorner = new Farthest(points);
+    this.#farthestNormal = new Farthest(normals);
     this.#neighbours = neighboursOf(points.length / 3, faces);
     let reach = 0;
     for (let i = 0; i < points.length; i += 3)
@@ -30,17 +35,7 @@ export class PolytopeForm implements Form {
 
   /** The number of the corner that is farthest along a direction, of equals the first. */
   protected farthest(x: number, y: number, z: number): number {
-    const { points } = this;
-    let most = -Infinity;
-    let found = 0;
-    for (let i = 0; i < points.length; i += 3) {
-      const along = points[i]! * x + points[i + 1]! * y + points[i + 2]! * z;
-      if (along > most) {
-        most = along;
-        found = i;
-      }
-    }
-    return found / 3;
+    return this.#farthestCorner.along(x, y, z);
   }
 
   #copy(corner: number, out: Flat, at: number): void {
@@ -57,17 +52,7 @@ export class PolytopeForm implements Form {
 
   /** The number of the face that looks most along a direction, of equals the first. */
   protected mostAlong(x: number, y: number, z: number): number {
-    const normals = this.#normals;
-    let most = -Infinity;
-    let found = -1;
-    for (let i = 0; i < normals.length; i += 3) {
-      const along = normals[i]! * x + normals[i + 1]! * y + normals[i + 2]! * z;
-      if (along > most) {
-        most = along;
-        found = i;
-      }
-    }
-    return found / 3;
+    return this.#farthestNormal.along(x, y, z);
   }
 
   facing(x: number, y: number, z: number, out: Flat): number {
