@@ -76,6 +76,8 @@ export class ContactSolve extends Effect {
   readonly #solved: Part[] = [];
   /** Pointers of the bodies of parts that are solved directly. */
   readonly #direct = new Set<number>();
+  /** And of those of the others: a step has not the effort for what moves. */
+  readonly #left = new Set<number>();
   /** And of those of large heaps that matrices are too dear for in each step, and that hang on no joints. */
   readonly #heaps = new Set<number>();
   /** The step from which on a part may be tried again, by pointer of its first body. */
@@ -156,11 +158,17 @@ export class ContactSolve extends Effect {
     return this.#direct.has(a) || this.#direct.has(b);
   }
 
+  /** Whether it left it to Bullet, since a step of this level has not the effort for it. */
+  leaves(a: number, b: number): boolean {
+    return this.#left.has(a) || this.#left.has(b);
+  }
+
   override release(node: Cause): void {
     super.release(node);
     if (node !== this.#cause) return;
     this.#cause = undefined;
     this.#direct.clear();
+    this.#left.clear();
     this.#heaps.clear();
     this.#rolling.forget();
     this.#needPoints(false);
@@ -178,6 +186,7 @@ export class ContactSolve extends Effect {
   reset(): void {
     this.#failed.clear();
     this.#direct.clear();
+    this.#left.clear();
     this.#heaps.clear();
     this.#savings.forget();
     this.#rolling.forget();
@@ -224,9 +233,15 @@ export class ContactSolve extends Effect {
 
   /** Those that sleep stay what they were. */
   #noteDirect(): void {
+    this.#left.clear();
+    const bounded = this.#simulation.bullet.settings.effort < Infinity;
     for (let i = 0; i < this.#parts.count; i++) {
-      const { bodies, direct } = this.#parts.at(i);
-      for (const body of bodies) this.#note(this.#bodies.pointers[body]!, direct);
+      const { bodies, manifolds, direct } = this.#parts.at(i);
+      const left = bounded && !direct && manifolds.length > 0;
+      for (const body of bodies) {
+        this.#note(this.#bodies.pointers[body]!, direct);
+        if (left) this.#left.add(this.#bodies.pointers[body]!);
+      }
     }
     const rest = this.#effects.caused(resting);
     if (rest) rest.heaps = this.#heaps;

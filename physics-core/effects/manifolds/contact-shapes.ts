@@ -35,6 +35,8 @@ const BUSY = 1000;
 export interface BoxSolver {
   /** Whether it took what touches these bodies, by pointer, in the last step. */
   solves(a: number, b: number): boolean;
+  /** Whether it left them to Bullet. */
+  leaves(a: number, b: number): boolean;
 }
 
 /**
@@ -110,7 +112,7 @@ export class ContactShapes extends Effect {
   #isWanted(first: BodyForms, second: BodyForms, a: number, b: number): boolean {
     if (first.wanted || second.wanted) return true;
     if (!this.solver || !first.boxes || !second.boxes) return false;
-    return !this.#busy || this.solver.solves(a, b);
+    return this.#busy ? this.solver.solves(a, b) : !this.solver.leaves(a, b);
   }
 
   #formsAt(pointer: number): BodyForms | undefined {
