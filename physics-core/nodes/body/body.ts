@@ -197,7 +197,7 @@ export class BodyNode extends PhysicsNode implements Body {
   // ---- rest -------------------------------------------------------------------------------------------------------
 
   get sleeping(): boolean {
-    return this.active && this.movable && this.world.bodies.asleep(this);
+    return this.active && this.world.bodies.asleep(this) && this.movable;
   }
 
   wake(): void {
