@@ -51,7 +51,7 @@ const noInexact = INEXACT.split(' ').map((property) => ({
   message: 'Bits differ between browsers: physics-core/base/exact has its like.',
 }));
 /** In rooms that run in every step. */
-const STEPS = ['base', 'engine', 'dynamics', 'effects'];
+const STEPS = ['base', 'solver', 'engine', 'dynamics', 'effects'];
 const noTakenApart = [
   'VariableDeclarator[id.type="ArrayPattern"][init.type="ArrayExpression"]',
   'AssignmentExpression[left.type="ArrayPattern"][right.type="ArrayExpression"]',

@@ -40,15 +40,17 @@ const views = () => globSync('elements/ui/*/view.ts');
 /** What only views need lies in their folder, so that it is whole: Ammo's glue is the only other package inside. */
 const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\//.test(id);
 
+const OF_CORE =
+  /\/physics-core\/(inside|face\/shown|base\/cholesky|solver\/(tolerances|joints\/blocks))\.ts$/;
+
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
- * also runs without one, with the little that joints and hands have in common. What debug drawing and measurement have in
+ * also runs without one, with the little that joints, hands and contacts have in common. What debug drawing and measurement have in
  * common with contacts stays in the file of these.
  */
 const together = (id) => {
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
-  if (/\/physics-core\/(inside|face\/shown|base\/cholesky|effects\/joints\/blocks)\.ts$/.test(id))
-    return 'core';
+  if (OF_CORE.test(id)) return 'core';
   return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;
 };
 

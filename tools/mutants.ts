@@ -7,7 +7,7 @@ import { STAGES } from '../physics-core/effects/effect/effect.js';
 import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../physics-core/base/guards.js';
-import { energyGuards } from '../physics-core/effects/contact-solve/energy-guards.js';
+import { energyGuards } from '../physics-core/solver/energy/energy-guards.js';
 import { nodeTypes } from '../physics-core/inside.js';
 import { factsOf } from '../test/conformance/all.js';
 import { wrongInCore } from '../test/conformance/core-driver.js';

@@ -7,6 +7,7 @@ export const trees = {
     rooms: [
       'fields',
       'base',
+      'solver',
       'engine',
       'shapes',
       'dynamics',

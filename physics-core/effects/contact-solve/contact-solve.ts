@@ -7,26 +7,27 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { resting } from '../rest/resting.js';
-import { BounceEnergy } from './bounce-energy.js';
-import { BoundRows } from './bound-rows.js';
-import { ConeContacts } from './cone-contacts.js';
+import { BounceEnergy } from '../../solver/energy/bounce-energy.js';
+import { BoundRows } from '../../solver/rows/bound-rows.js';
+import { ConeContacts } from '../../solver/rows/cone-contacts.js';
 import { CoupledJoints } from './coupled-joints.js';
 import { Grips } from './grips.js';
-import { JointedEnergy } from './jointed-energy.js';
-import { Newton } from './newton.js';
-import type { Part } from './part.js';
+import { JointedEnergy } from '../../solver/energy/jointed-energy.js';
+import { Newton } from '../../solver/methods/newton.js';
+import type { Part } from '../../solver/part.js';
 import { PartReader } from './part-reader.js';
 import { ContactPort } from './read-contact.js';
 import { RollingResistance } from './rolling-resistance.js';
-import { Savings } from './savings.js';
-import { SolveBodies } from './solve-bodies.js';
+import { Savings } from '../../solver/methods/savings.js';
+import { TouchingBodies } from './touching-bodies.js';
 import { CurvedPaths } from './curved-paths.js';
-import { SIZE } from './sparse-cholesky.js';
-import { StandingStart } from './standing-start.js';
-import { Sweeps } from './sweeps.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
+import { StandingStart } from '../../solver/methods/standing-start.js';
+import { Sweeps } from '../../solver/methods/sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 import { TurningCorners } from './turning-corners.js';
 import { Ways, type Way } from './ways.js';
+import { PAUSE } from '../../solver/tolerances.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
@@ -36,9 +37,6 @@ const ASIDE = 1e24;
  * stands: that is nearer to how a top on its tip goes round (measured).
  */
 const TURNED = 0.1;
-
-/** Steps before what is too dear is tried again, and before a busy world without a calm part is looked at again. */
-const PAUSE = 8;
 
 interface Solver {
   /** False: it finds no end. */
@@ -57,7 +55,7 @@ export class ContactSolve extends Effect {
   readonly #effects: Effects;
   readonly #contacts = new ConeContacts();
   readonly #rows = new BoundRows();
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #parts: TouchingParts;
   readonly #reader: PartReader;
   readonly #ways: Ways;
@@ -102,7 +100,7 @@ export class ContactSolve extends Effect {
       },
     };
     const { ammo } = simulation.engine;
-    this.#bodies = new SolveBodies(ammo);
+    this.#bodies = new TouchingBodies(ammo);
     this.#ways = new Ways(simulation, this.#bodies);
     this.#rolling = new RollingResistance(simulation, this.#contacts, this.#rows, this.#bodies);
     this.#solvers = {
@@ -111,7 +109,7 @@ export class ContactSolve extends Effect {
     };
     this.#bounces = new BounceEnergy(this.#contacts, this.#rows, this.#bodies);
     this.#jointed = new JointedEnergy(this.#contacts, this.#rows, this.#bodies);
-    this.#standing = new StandingStart(ammo, this.#contacts, this.#bodies);
+    this.#standing = new StandingStart(this.#contacts, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
     this.#curvedPaths = new CurvedPaths(

@@ -2,17 +2,10 @@ import type { Joint } from '../../dynamics/joint.js';
 import type { Ahead, JointRows } from '../joints/joint-rows.js';
 import type { JointSolve } from '../joints/joint-solve.js';
 import type { Bound } from '../joints/bounded-rows.js';
-import { R, rate, type BoundRows } from './bound-rows.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
-
-/**
- * What a miss costs, in effective masses of the row; and where more bodies than that hang together: all that a net weighs
- * hangs on a knot (with 1e4 a step takes 25 matrices for ten contacts, or finds no end; with this, ten).
- */
-const STIFFNESS = 1e4;
-const MANY = 24;
-const STIFFNESS_OF_MANY = 1e7;
+import { R, rate, type BoundRows } from '../../solver/rows/bound-rows.js';
+import type { Part } from '../../solver/part.js';
+import type { TouchingBodies } from './touching-bodies.js';
+import { MANY, ROW_STIFFNESS, ROW_STIFFNESS_OF_MANY } from '../../solver/tolerances.js';
 
 /** Rows of a joint: six that may be locked, and as many bounds. */
 const ROWS = 12;
@@ -27,18 +20,18 @@ const WIDTH = 12;
 export class CoupledJoints {
   #joints: JointRows | undefined;
   readonly #rows: BoundRows;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   /** Impulses by joint, and the step that found them. */
   readonly #impulses = new Map<Joint, { step: number; values: Float64Array }>();
   #step = 0;
-  #stiffness = STIFFNESS;
+  #stiffness = ROW_STIFFNESS;
   /** By row: its joint, and which of its rows. */
   readonly #owners: Joint[] = [];
   readonly #places: number[] = [];
   /** Its number among the six of the joint; -1: a bound. */
   readonly #numbers: number[] = [];
 
-  constructor(rows: BoundRows, bodies: SolveBodies) {
+  constructor(rows: BoundRows, bodies: TouchingBodies) {
     this.#rows = rows;
     this.#bodies = bodies;
   }
@@ -50,7 +43,7 @@ export class CoupledJoints {
 
   /** The rows of a joint, into those of its part. False: it gives way, and no row here does. */
   add(joint: Joint, solve: JointSolve, dt: number, { bodies, rows: into }: Part): boolean {
-    this.#stiffness = bodies.length > MANY ? STIFFNESS_OF_MANY : STIFFNESS;
+    this.#stiffness = bodies.length > MANY ? ROW_STIFFNESS_OF_MANY : ROW_STIFFNESS;
     const { lockedRows, corrections, body1, body2 } = joint;
     const a = body1?.movable ? this.#bodies.numberOf(body1.pointer) : -1;
     const b = body2?.movable ? this.#bodies.numberOf(body2.pointer) : -1;

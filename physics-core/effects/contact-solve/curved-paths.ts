@@ -3,42 +3,26 @@ import type { Joint } from '../../dynamics/joint.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { isCarried, readVelocity } from '../../engine/solver-body.js';
 import type { Ahead, JointRows } from '../joints/joint-rows.js';
-import { R, rate, type BoundRows } from './bound-rows.js';
-import type { ConeContacts } from './cone-contacts.js';
+import { R, rate, type BoundRows } from '../../solver/rows/bound-rows.js';
+import type { ConeContacts } from '../../solver/rows/cone-contacts.js';
 import type { CoupledJoints } from './coupled-joints.js';
-import type { Part } from './part.js';
-import { ProximalMasses } from './proximal-masses.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SolveState } from './solve-state.js';
-import { SIZE } from './sparse-cholesky.js';
-
-/**
- * Misses of joints at the end of a step, m or rad: those that straight rows may leave, since bringing joints together after
- * the step is enough for them; and those that the rounds end with, which nobody brings together.
- */
-const LEFT_OPEN = 1e-4;
-const CLOSED = 2e-5;
-
-/**
- * Rounds, at most: a hit of 1:200 on what is taut takes all of them, what lies on a net one. And matrices, in all of them: a box
- * that strikes a chain of 15 takes a dozen in each (with 100 in all a load of 1:840 falls through a net).
- */
-const ROUNDS = 20;
-const MATRICES = 240;
-
-/** Below LEFT_OPEN a round that leaves more than this share of a miss is the last one. */
-const SLOW = 0.7;
-
-/** A round may lead to a greater miss than the one before as long as that is smaller than this, m or rad: a hit begins with none. */
-const FIRST_MISS = 1e-3;
-
-/** What holds bodies back, in times their mass, after a round that did not help; and by how much more after the next. */
-const HELD_BACK = 1;
-const MORE = 10;
-const MOST_HELD_BACK = 1e6;
-
-/** Times that a way apart is halved, at most: then nothing is left of it. */
-const HALVES = 8;
+import type { Part } from '../../solver/part.js';
+import { ProximalMasses } from '../../solver/methods/proximal-masses.js';
+import type { TouchingBodies } from './touching-bodies.js';
+import { SolveState } from '../../solver/methods/solve-state.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
+import {
+  CLOSED,
+  CURVED_MATRICES,
+  CURVED_ROUNDS,
+  CURVED_SLOW,
+  FIRST_MISS,
+  HALVES,
+  HELD_BACK,
+  HELD_BACK_MORE,
+  LEFT_OPEN,
+  MOST_HELD_BACK,
+} from '../../solver/tolerances.js';
 
 /** Solves by straight rows. */
 interface Straight {
@@ -58,7 +42,7 @@ export class CurvedPaths implements Ahead {
   dt = 0;
   readonly #ammo: Ammo;
   readonly #rows: BoundRows;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #joints: CoupledJoints;
   readonly #masses: ProximalMasses;
   readonly #state: SolveState;
@@ -71,7 +55,7 @@ export class CurvedPaths implements Ahead {
     ammo: Ammo,
     contacts: ConeContacts,
     rows: BoundRows,
-    bodies: SolveBodies,
+    bodies: TouchingBodies,
     joints: CoupledJoints,
   ) {
     this.#ammo = ammo;
@@ -98,19 +82,19 @@ export class CurvedPaths implements Ahead {
     let any = false;
     let give = 0;
     let before = Infinity;
-    let matrices = MATRICES;
-    for (let round = 0; round < ROUNDS && give < MOST_HELD_BACK && matrices > 0; round++) {
+    let matrices = CURVED_MATRICES;
+    for (let round = 0; round < CURVED_ROUNDS && give < MOST_HELD_BACK && matrices > 0; round++) {
       this.#state.keep(part);
       const found = this.#solveOnce(part, give, matrices, straight);
       matrices -= straight.used;
       any ||= found;
       const miss = found ? this.#miss(part) : Infinity;
-      if (miss < CLOSED || (miss < LEFT_OPEN && miss > SLOW * before)) break;
+      if (miss < CLOSED || (miss < LEFT_OPEN && miss > CURVED_SLOW * before)) break;
       if (miss > Math.max(before, FIRST_MISS)) {
         this.#state.putBack(part);
-        give = Math.max(HELD_BACK, MORE * give);
+        give = Math.max(HELD_BACK, HELD_BACK_MORE * give);
       } else {
-        give = give > HELD_BACK ? give / MORE : 0;
+        give = give > HELD_BACK ? give / HELD_BACK_MORE : 0;
         before = miss;
       }
     }

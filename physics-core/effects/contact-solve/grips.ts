@@ -9,11 +9,11 @@ import { carrying } from '../drag/effects.js';
 import type { StepWay } from '../drag/smooth-way.js';
 import type { Effects } from '../effect/effects.js';
 import { flight } from '../flight/flight.js';
-import { C, type ConeContacts } from './cone-contacts.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
+import { C, type ConeContacts } from '../../solver/rows/cone-contacts.js';
+import type { Part } from '../../solver/part.js';
+import type { TouchingBodies } from './touching-bodies.js';
 import { Pulls, steadily } from './pulls.js';
-import { SIZE } from './sparse-cholesky.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s: boxes that slide do. */
 const TREMBLING = 0.0015;
@@ -32,7 +32,7 @@ const SAME = 1e-6;
 export class Grips {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #contacts: ConeContacts;
   readonly #pulls = new Pulls();
   readonly #from = new Float64Array(SIZE);
@@ -42,7 +42,7 @@ export class Grips {
   constructor(
     simulation: Simulation,
     effects: Effects,
-    bodies: SolveBodies,
+    bodies: TouchingBodies,
     contacts: ConeContacts,
   ) {
     this.#simulation = simulation;

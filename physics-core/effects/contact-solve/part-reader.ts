@@ -5,9 +5,9 @@ import { contactSurface } from '../contacts/effects.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import type { CoupledJoints } from './coupled-joints.js';
-import type { Part } from './part.js';
+import type { Part } from '../../solver/part.js';
 import type { ContactPort, ContactStep } from './read-contact.js';
-import type { SolveBodies } from './solve-bodies.js';
+import type { TouchingBodies } from './touching-bodies.js';
 import type { TurningCorners } from './turning-corners.js';
 
 const NONE: ReadonlySet<number> = new Set();
@@ -16,7 +16,7 @@ const NONE: ReadonlySet<number> = new Set();
 export class PartReader {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   readonly #corners: TurningCorners;
@@ -27,7 +27,7 @@ export class PartReader {
   constructor(
     simulation: Simulation,
     effects: Effects,
-    bodies: SolveBodies,
+    bodies: TouchingBodies,
     port: ContactPort,
     joints: CoupledJoints,
     corners: TurningCorners,

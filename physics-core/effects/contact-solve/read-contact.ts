@@ -5,9 +5,10 @@ import { originOf } from '../../engine/body-heap.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { isCarried, readVelocity } from '../../engine/solver-body.js';
 import { ALONG } from '../drag/slips.js';
-import { C, speeds, type ConeContacts } from './cone-contacts.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
+import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js';
+import type { TouchingBodies } from './touching-bodies.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
+import { BAND } from '../../solver/tolerances.js';
 
 /** Bullet's solver leaves out what lies farther away, metres. */
 export const LEFT_OUT = 1e18;
@@ -19,12 +20,6 @@ const STIFFNESS = 1e3;
 const SHARE = 0.2;
 const SHALLOW = 1e-3;
 const PUSH_SHARE = 0.8;
-
-/**
- * By so much a contact may lie less deep than it should and still bear, metres: what stands on four legs would else stand
- * on three, as single precision has it.
- */
-export const BAND = 8e-6;
 
 /**
  * Where contacts are gone over one at a time, one may be off by so much, either way, and go on bearing what it bore, metres:
@@ -47,7 +42,7 @@ export interface ContactStep {
 /** Takes contact points from Bullet, and gives them what was found. */
 export class ContactPort {
   readonly #ammo: Ammo;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #contacts: ConeContacts;
   readonly #point: ContactPoint;
   /** Velocity of a body that is carried. */
@@ -56,7 +51,7 @@ export class ContactPort {
   readonly #turned = new Float64Array(3);
   readonly #swing = new Float64Array(3);
 
-  constructor(ammo: Ammo, bodies: SolveBodies, contacts: ConeContacts) {
+  constructor(ammo: Ammo, bodies: TouchingBodies, contacts: ConeContacts) {
     this.#ammo = ammo;
     this.#bodies = bodies;
     this.#contacts = contacts;

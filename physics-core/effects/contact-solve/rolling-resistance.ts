@@ -1,10 +1,10 @@
 import { grown, grownInt } from '../../base/grown.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { islandAt, speedSquared } from '../../engine/solver-body.js';
-import { R, type BoundRows } from './bound-rows.js';
-import { C, type ConeContacts } from './cone-contacts.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
+import { R, type BoundRows } from '../../solver/rows/bound-rows.js';
+import { C, type ConeContacts } from '../../solver/rows/cone-contacts.js';
+import type { Part } from '../../solver/part.js';
+import type { TouchingBodies } from './touching-bodies.js';
 
 /** Bodies of an island that touch something, from which on it is a heap. */
 const HEAP = 24;
@@ -33,7 +33,7 @@ export class RollingResistance {
   readonly #simulation: Simulation;
   readonly #contacts: ConeContacts;
   readonly #rows: BoundRows;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   /** Touching bodies by island. */
   #crowds = new Int32Array(16);
   /** Impulses of contacts by body, N s. */
@@ -47,7 +47,7 @@ export class RollingResistance {
     simulation: Simulation,
     contacts: ConeContacts,
     rows: BoundRows,
-    bodies: SolveBodies,
+    bodies: TouchingBodies,
   ) {
     this.#simulation = simulation;
     this.#contacts = contacts;

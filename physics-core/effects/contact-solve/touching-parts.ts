@@ -3,8 +3,8 @@ import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import type { Jointed } from '../joints/joint-solve.js';
-import { Parts, type Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
+import { Parts, type Part } from '../../solver/part.js';
+import type { TouchingBodies } from './touching-bodies.js';
 
 /** What is in touch in a step, and what hangs together by contacts and joints. */
 export class TouchingParts {
@@ -12,12 +12,12 @@ export class TouchingParts {
   readonly manifolds: number[] = [];
   readonly #simulation: Simulation;
   readonly #effects: Effects;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #parts = new Parts();
   /** Those whose bodies are joined already. */
   readonly #joined = new Set<Jointed>();
 
-  constructor(simulation: Simulation, effects: Effects, bodies: SolveBodies) {
+  constructor(simulation: Simulation, effects: Effects, bodies: TouchingBodies) {
     this.#simulation = simulation;
     this.#effects = effects;
     this.#bodies = bodies;

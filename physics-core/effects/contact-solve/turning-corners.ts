@@ -7,11 +7,11 @@ import type { Effects } from '../effect/effects.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
 import { flight, type Turning } from '../flight/flight.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
-import { C, speeds, type ConeContacts } from './cone-contacts.js';
+import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js';
 import { eccentricBallAt, isFlatAt } from './eccentric-ball.js';
 import { turnedEvenly } from './even-push.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
+import type { TouchingBodies } from './touching-bodies.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s (boxes that slide do so by 0.0014); what turns farther in a step goes no way that is known beforehand, radians. */
 const RESTING = 0.0015;
@@ -26,7 +26,7 @@ const FARTHEST = 0.5;
 export class TurningCorners {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #contacts: ConeContacts;
   readonly #point: ContactPoint;
   /** Of the corner, and of it against the middle of a body, m/s; what the turn adds to the speeds of the contact, m/s². */
@@ -39,7 +39,7 @@ export class TurningCorners {
   constructor(
     simulation: Simulation,
     effects: Effects,
-    bodies: SolveBodies,
+    bodies: TouchingBodies,
     contacts: ConeContacts,
   ) {
     this.#simulation = simulation;

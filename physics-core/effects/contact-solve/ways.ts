@@ -1,54 +1,24 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
 import { speedSquared, swiftnessSquared } from '../../engine/solver-body.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
+import type { Part } from '../../solver/part.js';
+import type { TouchingBodies } from './touching-bodies.js';
 import type { TouchingParts } from './touching-parts.js';
-
-/**
- * Bodies of one part that get a matrix, however fast they are; and those that may, once all are slower than this, m/s, spin
- * and all: what a ball stirs without going anywhere has new contacts in each step.
- */
-const FEW = 24;
-const MOST = 600;
-const SLOW = 0.25;
-
-/** Bodies of one part that is slow from which on a matrix is too dear for each step of a busy world. */
-const LARGE = 200;
-
-/** Share of bodies that are not slow from which on a part is Bullet's. */
-const FAST = 0.25;
-
-/**
- * Share of a part's bodies that touch something, up to which the rest hangs on joints: a net on a ball. The matrix has those
- * that touch last, so that finding what they hold costs little more than one matrix of the joints does.
- */
-const TOUCHING = 0.25;
-
-/** Seconds: in longer steps what falls comes in so deep that a net which is held where it touches is torn. */
-const COARSE = 1 / 90;
-
-/** Pairs in touch that make a busy world. */
-const BUSY = 400;
-
-/**
- * Where small parts of a busy world have so many bodies that are not calm, it tumbles: only those of them get a matrix whose
- * bodies are all slower than this, m/s. Fewer are the last ones of a heap to lie down.
- */
-const TUMBLING = 100;
-const CALM = 0.05;
-
-/**
- * Where a step has an effort, what is slower than this moves no more, m/s: a step of 1/60 s gives that to what falls, and
- * iterations leave some of it in heaps. Those of 100 boxes rest then; of what is slower than CALM alone they never do.
- */
-const FALL = 0.16;
-
-/** Share of the bodies that parts solved here have to have at least, in a busy world. */
-const WORTH = 0.1;
-
-/** Where so many bodies of a large part are faster than this, m/s, it sways: sweeps alone do not hold it. Fewer slip. */
-const SWAYING = { speed: 0.02, share: 0.1 };
+import {
+  BUSY,
+  CALM,
+  COARSE,
+  FALL,
+  FAST_SHARE,
+  FEW,
+  LARGE,
+  MOST_BODIES,
+  SLOW,
+  SWAYING,
+  TOUCHING_SHARE,
+  TUMBLING,
+  WORTH,
+} from '../../solver/tolerances.js';
 
 /** How a part is solved, by a matrix as long as one is to be had in `either`; what none suits has Bullet's iterations. */
 export type Way = 'matrix' | 'sweeps' | 'either';
@@ -59,12 +29,12 @@ export class Ways {
   /** Of each of them. */
   readonly ways: Way[] = [];
   readonly #simulation: Simulation;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: TouchingBodies;
   readonly #touching = new Set<number>();
   /** What moves has more blocks than the step has effort. */
   #tooDear = false;
 
-  constructor(simulation: Simulation, bodies: SolveBodies) {
+  constructor(simulation: Simulation, bodies: TouchingBodies) {
     this.#simulation = simulation;
     this.#bodies = bodies;
   }
@@ -121,19 +91,19 @@ export class Ways {
     if (this.#tooDear && this.#moves(part)) return undefined;
     if (bodies.length <= FEW)
       return tumbling && this.#fasterOf(bodies, CALM) > 0 ? undefined : 'matrix';
-    if (bodies.length > MOST) return undefined;
+    if (bodies.length > MOST_BODIES) return undefined;
     if (this.#simulation.timeStep < COARSE && (part.looped || this.#fewTouch(part)))
       return 'matrix';
     // A busy world saves its matrices up.
     const fast = this.#fasterOf(bodies, SLOW, busy ? speedSquared : swiftnessSquared);
     if (fast === 0) return busy && bodies.length > LARGE ? 'either' : 'matrix';
-    return fast < FAST * bodies.length ? 'sweeps' : undefined;
+    return fast < FAST_SHARE * bodies.length ? 'sweeps' : undefined;
   }
 
   /** Whether most of its bodies only hang on others. */
   #fewTouch({ bodies, manifolds }: Part): boolean {
     const { ammo } = this.#simulation.engine;
-    const most = TOUCHING * bodies.length;
+    const most = TOUCHING_SHARE * bodies.length;
     this.#touching.clear();
     for (const manifold of manifolds) {
       this.#touch(bodyAAt(ammo, manifold));

@@ -4,9 +4,9 @@ import type { Body } from '../../dynamics/body.js';
 import { applyInertia, applyInverseInertia } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
-import { BODY_BLOCK, SIDE } from '../joints/blocks.js';
+import { BODY_BLOCK, SIDE } from '../../solver/joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
-import type { RowSystem } from '../joints/row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 import { TOP_SPEED } from './effects.js';
 import { Hand } from './hand.js';
 

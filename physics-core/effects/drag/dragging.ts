@@ -2,7 +2,7 @@ import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { isJointed } from '../../dynamics/jointed.js';
-import type { RowSystem } from '../joints/row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 import { Drag, type DragEnd } from './drag.js';
 import { drags } from './effects.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';

@@ -1,10 +1,10 @@
 import { perStep, softnessAtStep } from '../../dynamics/levels.js';
 import type { Joint, Motor, Stop } from '../../dynamics/joint.js';
-import { ROWS } from './blocks.js';
-import type { Component } from './forest.js';
+import { ROWS } from '../../solver/joints/blocks.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { LockedRows } from './locked-rows.js';
 import type { JointedBodies } from './jointed-bodies.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 import { StopBounce } from './stop-bounce.js';
 
 /** Below this rate (rad/s, m/s) a stop holds instead of bouncing. */

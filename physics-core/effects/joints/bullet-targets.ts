@@ -1,11 +1,11 @@
 import type { Joint } from '../../dynamics/joint.js';
 import { dot3 } from '../../base/flat-math.js';
 import { Gimbal } from './gimbal.js';
-import { SIDE } from './blocks.js';
+import { SIDE } from '../../solver/joints/blocks.js';
 import type { JointEnds } from './joint-ends.js';
 import type { End } from './joint-geometry.js';
 import type { JointedBodies } from './jointed-bodies.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /**
  * Tells Bullet's own constraints what was found: each locked row is asked to be, after the step, where the velocities

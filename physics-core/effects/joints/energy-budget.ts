@@ -1,8 +1,8 @@
 import { MATRIX } from '../../base/matrix.js';
-import { SIDE } from './blocks.js';
-import type { Component } from './forest.js';
+import { SIDE } from '../../solver/joints/blocks.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /** Share of the most energy of motion there was that steps may seem to gain: velocities are those of the middle of a step. */
 const SLACK = 3e-3;

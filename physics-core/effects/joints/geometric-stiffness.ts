@@ -1,9 +1,9 @@
 import { hypot } from '../../base/exact/index.js';
 import { dot3 } from '../../base/flat-math.js';
 import type { Joint } from '../../dynamics/joint.js';
-import { INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { INERTIA, ROW_BLOCK, ROWS, SIDE } from '../../solver/joints/blocks.js';
 import type { JointedBodies } from './jointed-bodies.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /**
  * Stiffness from which on the motion is too fast for the step and is damped instead: in squares of radians per step

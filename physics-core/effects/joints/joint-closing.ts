@@ -1,11 +1,11 @@
 import type { BoundedRows } from './bounded-rows.js';
-import { Closing } from './closing.js';
-import type { Component } from './forest.js';
+import { Closing } from '../../solver/joints/closing.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { LockedRows } from './locked-rows.js';
 import type { PointConstraints } from './point-constraints.js';
 import type { PostStabilization } from './post-stabilization.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /** What it works with. */
 interface Parts {

@@ -1,7 +1,7 @@
 import type { Joint } from '../../dynamics/joint.js';
 import { compose, type Pose } from '../../base/math.js';
-import { SIDE } from './blocks.js';
-import type { Edge } from './forest.js';
+import { SIDE } from '../../solver/joints/blocks.js';
+import type { Edge } from '../../solver/joints/forest.js';
 import { JointGeometry, type End } from './joint-geometry.js';
 import { writeSpin } from '../../base/matrix-spin.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';

@@ -7,7 +7,7 @@ import type { Effects } from '../effect/effects.js';
 import { stops } from './effects.js';
 import { isBounded, type Bound } from './bounded-rows.js';
 import { ComponentSolve, type Pull } from './component-solve.js';
-import { Forest, type Component, type Edge } from './forest.js';
+import { Forest, type Component, type Edge } from '../../solver/joints/forest.js';
 import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import { GAPING, reportGap } from './joint-reports.js';

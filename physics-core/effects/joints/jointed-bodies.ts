@@ -1,10 +1,10 @@
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { INERTIA, SIDE } from './blocks.js';
-import type { Component } from './forest.js';
+import { INERTIA, SIDE } from '../../solver/joints/blocks.js';
+import type { Component } from '../../solver/joints/forest.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /** Of a body: mass, three moments, and the shares of linear and angular velocity that damping leaves in a step. */
 const TRAITS = 6;

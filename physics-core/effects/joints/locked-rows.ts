@@ -1,11 +1,11 @@
 import { dot3 } from '../../base/flat-math.js';
 import type { Joint } from '../../dynamics/joint.js';
-import { ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { ROW_BLOCK, ROWS, SIDE } from '../../solver/joints/blocks.js';
 import type { JointEnds } from './joint-ends.js';
 import { LINEAR } from './joint-geometry.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { NextPoses } from './next-poses.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /**
  * The rows by which joints hold their bodies, other than by pins, written into the system anew for each step: which way

@@ -1,9 +1,9 @@
 import { cos, sin } from '../../base/exact/index.js';
-import { SIDE } from './blocks.js';
-import type { Component, Edge } from './forest.js';
+import { SIDE } from '../../solver/joints/blocks.js';
+import type { Component, Edge } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 const QUATERNION = 4;
 

@@ -1,12 +1,12 @@
 import type { Joint } from '../../dynamics/joint.js';
 import { compose, subtract } from '../../base/math.js';
-import { SIDE } from './blocks.js';
-import type { Edge, Forest } from './forest.js';
+import { SIDE } from '../../solver/joints/blocks.js';
+import type { Edge, Forest } from '../../solver/joints/forest.js';
 import type { Ways } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { NextPoses } from './next-poses.js';
-import type { PointSolver } from './point-solver.js';
-import type { RowSystem } from './row-system.js';
+import type { PointSolver } from '../../solver/joints/point-solver.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /** Numbers of both points of a pin; the parent's begins half-way. */
 const POINTS = 6;

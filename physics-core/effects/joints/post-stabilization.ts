@@ -3,10 +3,10 @@ import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
-import { SIDE } from './blocks.js';
-import type { Component } from './forest.js';
+import { SIDE } from '../../solver/joints/blocks.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /** Share of a velocity, or of a place, that single precision may change in a step. */
 const SAME = 1e-5;

@@ -1,8 +1,8 @@
-import { copy6, ROWS, SIDE } from './blocks.js';
+import { copy6, ROWS, SIDE } from '../../solver/joints/blocks.js';
 import type { BoundedRows } from './bounded-rows.js';
-import type { Component } from './forest.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { PointConstraints } from './point-constraints.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /** Radians in a step from which on pivots do not shake what hangs on them, but throw it. */
 const THROWN = 1;

@@ -1,7 +1,7 @@
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { BulletTargets } from './bullet-targets.js';
-import type { Component, Forest } from './forest.js';
+import type { Component, Forest } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 
 /**

@@ -3,11 +3,11 @@ import { multiply4, writeTurn } from '../../base/flat-math.js';
 import { rotate, type Quaternion } from '../../base/math.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { SIDE } from './blocks.js';
-import type { Component } from './forest.js';
+import { SIDE } from '../../solver/joints/blocks.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import { MOST_TURN } from './next-poses.js';
-import type { RowSystem } from './row-system.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /**
  * What brings joints together that an edit tore apart. It is no motion: Bullet's step never sees it, so that nobody is struck

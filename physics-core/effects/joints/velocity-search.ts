@@ -1,11 +1,11 @@
 import type { BoundedRows } from './bounded-rows.js';
-import type { Component } from './forest.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
 import type { LockedRows } from './locked-rows.js';
 import type { NextPoses } from './next-poses.js';
 import type { PointConstraints } from './point-constraints.js';
-import { Recent } from './recent.js';
-import type { RowSystem } from './row-system.js';
+import { Recent } from '../../solver/joints/recent.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /**
  * Rounds, at most, in which the rates asked for are corrected by how far the step would miss. Each gains two digits at the

@@ -2,7 +2,7 @@ import { allEffects } from '../../../physics-core/effects/all.js';
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { guards } from '../../../physics-core/base/guards.js';
-import { energyGuards } from '../../../physics-core/effects/contact-solve/energy-guards.js';
+import { energyGuards } from '../../../physics-core/solver/energy/energy-guards.js';
 import { nodeTypes } from '../../../physics-core/inside.js';
 import { factsOf } from '../../conformance/all.js';
 import { fact, world } from '../helpers.js';

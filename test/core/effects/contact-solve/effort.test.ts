@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import { Newton } from '../../../../physics-core/effects/contact-solve/newton.js';
-import type { Part } from '../../../../physics-core/effects/contact-solve/part.js';
+import { Newton } from '../../../../physics-core/solver/methods/newton.js';
+import type { Part } from '../../../../physics-core/solver/part.js';
 import { levelNamed, type LevelName } from '../../../../physics-core/dynamics/levels.js';
 import type { World } from '../../../../physics-core/inside.js';
 import {

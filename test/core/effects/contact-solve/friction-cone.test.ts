@@ -8,9 +8,9 @@ import {
   SLIDES,
   STICKS,
   stiffnessOf,
-} from '../../../../physics-core/effects/contact-solve/cone-contacts.js';
+} from '../../../../physics-core/solver/rows/cone-contacts.js';
 import { above, below, type Vec3 } from '../../helpers.js';
-import { anyContact, minus, next, three, vector } from './contacts.js';
+import { anyContact, minus, next, three, vector } from '../../solver/rows/contacts.js';
 
 // What a contact pushes: the nearest point of its friction cone, and how it answers speeds.
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { levelNames } from '../../../../physics-core/dynamics/levels.js';
-import { Forest } from '../../../../physics-core/effects/joints/forest.js';
+import { Forest } from '../../../../physics-core/solver/joints/forest.js';
 import type { World } from '../../../../physics-core/inside.js';
 import {
   addBody,

@@ -1,4 +1,4 @@
-import { PartMatrix } from '../../../../../physics-core/effects/contact-solve/part-matrix.js';
+import { PartMatrix } from '../../../../../physics-core/solver/methods/part-matrix.js';
 import type { World } from '../../../../../physics-core/inside.js';
 import {
   addBody,

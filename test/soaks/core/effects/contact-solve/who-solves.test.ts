@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { contactSolve } from '../../../../../physics-core/effects/contact-solve/effects.js';
-import { Newton } from '../../../../../physics-core/effects/contact-solve/newton.js';
-import type { Part } from '../../../../../physics-core/effects/contact-solve/part.js';
+import { Newton } from '../../../../../physics-core/solver/methods/newton.js';
+import type { Part } from '../../../../../physics-core/solver/part.js';
 import type { World } from '../../../../../physics-core/inside.js';
 import {
   above,

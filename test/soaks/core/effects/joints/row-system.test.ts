@@ -1,6 +1,6 @@
 import { test } from 'node:test';
-import type { Edge } from '../../../../../physics-core/effects/joints/forest.js';
-import { RowSystem } from '../../../../../physics-core/effects/joints/row-system.js';
+import type { Edge } from '../../../../../physics-core/solver/joints/forest.js';
+import { RowSystem } from '../../../../../physics-core/solver/joints/row-system.js';
 import { below } from '../../../../core/helpers.js';
 import {
   GIVE,
@@ -9,7 +9,7 @@ import {
   solveAll,
   difference,
   chain,
-} from '../../../../core/effects/joints/dense.js';
+} from '../../../../core/solver/joints/dense.js';
 
 void test('one system serves graphs that grow, shrink and grow again', () => {
   const system = new RowSystem();

@@ -1,11 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import {
-  SIZE,
-  SparseCholesky,
-} from '../../../../physics-core/effects/contact-solve/sparse-cholesky.js';
+import { SIZE, SparseCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { below } from '../../helpers.js';
-import { fullOf, next, some } from './contacts.js';
+import { fullOf, next, some } from '../rows/contacts.js';
 
 // The sparse factor of blocks of six against elimination in the full matrix.
 

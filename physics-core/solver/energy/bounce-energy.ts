@@ -1,9 +1,9 @@
-import { R, type BoundRows } from './bound-rows.js';
-import { C, speeds, type ConeContacts } from './cone-contacts.js';
+import { R, type BoundRows } from '../rows/bound-rows.js';
+import { C, speeds, type ConeContacts } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /** Joules, by the share of the way from a solution without bounce to that with it: a + b s + c s². */
 interface Work {

@@ -1,31 +1,20 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
-import { R, rate, type BoundRows } from './bound-rows.js';
-import { C, speeds, type ConeContacts } from './cone-contacts.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
-
-/**
- * Times that all contacts are gone over in a step, there and back by turns; and where all are slow: with as few as before
- * heaps of hundreds slip for ever, by a millimetre in a second (measured).
- */
-const SWEEPS = 16;
-const SWEEPS_OF_SLOW = 32;
-
-/** With joints, which are stiff; only what no matrix could solve comes to this. */
-const SWEEPS_OF_JOINTED = 64;
-
-/** Times that overlaps are, there and back by turns. */
-const PUSHES = 4;
-
-/** What no contact misses its speed by any more, m/s. */
-const MISS = 1e-5;
+import { R, rate, type BoundRows } from '../rows/bound-rows.js';
+import { C, speeds, type ConeContacts } from '../rows/cone-contacts.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
+import {
+  MISS_OF_MANY,
+  PUSHES,
+  SHALLOW,
+  SWEEPS,
+  SWEEPS_OF_JOINTED,
+  SWEEPS_OF_SLOW,
+} from '../tolerances.js';
 
 /** Numbers by contact of how its speeds answer: normal, normal and each along it, then those along it. */
 const ANSWERS = 6;
-
-/** Overlaps that are let stand, metres. */
-const SHALLOW = 1e-6;
 
 /**
  * Goes over contacts one at a time (Gauss–Seidel), there and back. Impulses begin with all that the last step ended with,
@@ -56,7 +45,7 @@ export class Sweeps {
     this.#begin();
     const times = part.jointed ? SWEEPS_OF_JOINTED : this.slow ? SWEEPS_OF_SLOW : SWEEPS;
     let worst = Infinity;
-    for (let i = 0; i < times && worst >= MISS; i++) worst = this.#sweep(i % 2 === 1);
+    for (let i = 0; i < times && worst >= MISS_OF_MANY; i++) worst = this.#sweep(i % 2 === 1);
     return Number.isFinite(worst);
   }
 

@@ -1,9 +1,9 @@
 import { cross, normalize, perpendicular } from '../../../../physics-core/base/math.js';
-import { C, ConeContacts } from '../../../../physics-core/effects/contact-solve/cone-contacts.js';
+import { C, ConeContacts } from '../../../../physics-core/solver/rows/cone-contacts.js';
 import {
   SIZE,
   type SparseCholesky,
-} from '../../../../physics-core/effects/contact-solve/sparse-cholesky.js';
+} from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { random, type Vec3 } from '../../helpers.js';
 
 // Any contacts, and matrices in full.

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import { Forest, type Edge } from '../../../../physics-core/effects/joints/forest.js';
-import { RowSystem } from '../../../../physics-core/effects/joints/row-system.js';
+import { Forest, type Edge } from '../../../../physics-core/solver/joints/forest.js';
+import { RowSystem } from '../../../../physics-core/solver/joints/row-system.js';
 import { random } from '../../helpers.js';
 
 export const SIDE = 6;

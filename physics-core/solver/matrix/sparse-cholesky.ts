@@ -1,4 +1,4 @@
-import { backward, factor, forward, rowOf } from './cholesky.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import type { SparsePattern } from './sparse-pattern.js';
 
 /** Rows of a joint that holds a point: of nets all blocks have so many, and are gone through without loops inside. */

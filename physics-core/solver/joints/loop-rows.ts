@@ -1,28 +1,15 @@
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
-import { SparseCholesky } from '../../base/sparse-cholesky.js';
-import { SparsePattern } from '../../base/sparse-pattern.js';
+import { SparseCholesky } from '../matrix/sparse-cholesky.js';
+import { SparsePattern } from '../matrix/sparse-pattern.js';
 import { BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
-
-/**
- * Added to the response of each row that closes a loop, as a share of what the row would do to its bodies by themselves:
- * loops that are closed more than once would be singular. Where they are, the rounding of poses makes them all but rigid,
- * and less than this brakes them (measured: at 1e-9 a cardan shaft on two hinges loses 2 % of its energy in 4 s at 1/960 s).
- */
-const COMPLIANCE = 1e-6;
-
-/** The same of what is taut: what hangs on a chain that is nearly straight pulls it a thousand times as hard. */
-const FIRM = 1e-9;
-
-/** The same of all other rows, as a share of their response: a motor and a stop on one axis are the same row twice. */
-const LEAST_COMPLIANCE = 1e-12;
-
-/**
- * Products of blocks in one factor: a tenth of a second. A net of 40 × 40 balls has 1.4 million; 230 joints on one body
- * that close loops, which all act on each other, have as many as this.
- */
-const MOST_PRODUCTS = 2e6;
+import {
+  FIRM_COMPLIANCE,
+  LEAST_COMPLIANCE,
+  LOOP_COMPLIANCE,
+  MOST_PRODUCTS,
+} from '../tolerances.js';
 
 /** Two joints of a body, where their block lies, and from which sides they see the body. */
 interface Coupling {
@@ -170,7 +157,7 @@ export class LoopRows {
     const seen = this.#seen;
     const largest = this.#largest(closing);
     const give = this.#system.give * largest;
-    const extra = Math.max(give, (this.#system.firm ? FIRM : COMPLIANCE) * largest);
+    const extra = Math.max(give, (this.#system.firm ? FIRM_COMPLIANCE : LOOP_COMPLIANCE) * largest);
     for (let i = 0; i < joints.length; i++) {
       const joint = joints[i]!;
       this.#fillDiagonal(

@@ -9,63 +9,32 @@ import {
   STICKS,
   takePush,
   type ConeContacts,
-} from './cone-contacts.js';
-import { clamp, gives, R, rate, takeAlong, type BoundRows } from './bound-rows.js';
-import { energyGuards } from './energy-guards.js';
-import type { Part } from './part.js';
+} from '../rows/cone-contacts.js';
+import { clamp, gives, R, rate, takeAlong, type BoundRows } from '../rows/bound-rows.js';
+import { energyGuards } from '../energy/energy-guards.js';
+import type { Part } from '../part.js';
 import { PartMatrix } from './part-matrix.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
-
-/** Steps of Newton for one set of impulses, and sets of impulses, at most. */
-const STEPS = 30;
-const ROUNDS = 12;
-
-/** A change of velocities that is none any more, m/s and rad/s. */
-const STILL = 1e-7;
-
-/**
- * Of many bodies this share of what one bears is none, either: Bullet keeps impulses in single precision, so what stood at
- * the end of a step is off by as much in the next (the lowest bricks of a wall of 25 rows by 1e-6 m/s). Two units in the
- * last place.
- */
-const ROUNDED = 2 ** -22;
-
-/**
- * What a contact or a joint may miss by, m/s; of many bodies more, and a share of the greatest speed, too. What few drive
- * or brake in a step is less than that share of their speed.
- */
-export const MISS = 2e-6;
-const MISS_OF_MANY = 1e-5;
-const MISS_SHARE = 1e-3;
-const STILL_SHARE = 1e-5;
-
-/**
- * Slower sliding than this may lift, m/s: by less than a micrometre in a step. Of many bodies faster ones may, too: there
- * some contacts would go to and fro for ever (300 boxes rest after 7 s instead of never, measured).
- */
-const CREEPING = 1e-4;
-const CREEPING_OF_MANY = 1e-2;
-const MANY = 24;
-
-/** Tries to find how far a step should go. */
-const TRIES = 10;
-
-/** Share of the slope that a step may leave. */
-const FLAT = 0.1;
-
-/** Overlaps that are let stand: single precision has 1e-6 m at ten metres from the origin. */
-const SHALLOW = 1e-6;
-
-/** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
-const SLOW = 0.7;
-
-/**
- * Many bodies that miss by so many times what they may, and come nearer by less than this in a round, contradict each other
- * (the joints and the contacts of a chain that lies on the ground): they are as near as they get.
- */
-const NEARLY = 10;
-const STUCK = 0.95;
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
+import {
+  CREEPING,
+  CREEPING_OF_MANY,
+  LINE_FLAT,
+  LINE_TRIES,
+  MANY,
+  MISS,
+  MISS_OF_MANY,
+  MISS_SHARE,
+  NEARLY,
+  NEWTON_ROUNDS,
+  NEWTON_STEPS,
+  ROUNDED,
+  SHALLOW,
+  STILL,
+  STILL_SHARE,
+  STUCK,
+  TO_AND_FRO,
+} from '../tolerances.js';
 
 /**
  * Finds the velocities and impulses of bodies in touch at once. Velocities minimise their distance from free ones, by
@@ -105,12 +74,12 @@ export class Newton {
     if (this.#stands()) return true;
     let before = Infinity;
     let share = 1;
-    for (let round = 0; round < ROUNDS; round++) {
+    for (let round = 0; round < NEWTON_ROUNDS; round++) {
       if (!this.#minimise()) return false;
       const miss = this.#raise(share);
       if (miss < this.#miss || (miss < this.#nearly && miss > STUCK * before)) return true;
       this.#foresee();
-      share = miss > SLOW * before ? 0.5 : 1;
+      share = miss > TO_AND_FRO * before ? 0.5 : 1;
       before = miss;
     }
     this.ranAway = !this.#follows() && !this.#followsWithoutForesight();
@@ -233,7 +202,7 @@ export class Newton {
 
   #minimise(): boolean {
     this.#readMisses();
-    for (let step = 0; step < STEPS; step++) {
+    for (let step = 0; step < NEWTON_STEPS; step++) {
       if (this.#readSlope() < this.#still) return true;
       if (this.used++ >= this.#most || !this.#matrix.factor()) return false;
       // Newton's direction goes to `change`.
@@ -322,9 +291,9 @@ export class Newton {
     let high = 1;
     let atHigh = NaN;
     let s = 1;
-    for (let i = 0; i < TRIES; i++) {
+    for (let i = 0; i < LINE_TRIES; i++) {
       const slope = constant + s * curve - this.#powerAt(s);
-      if (slope <= FLAT * -begin && (s === 1 || slope >= FLAT * begin)) break;
+      if (slope <= LINE_FLAT * -begin && (s === 1 || slope >= LINE_FLAT * begin)) break;
       if (slope > 0) {
         high = s;
         atHigh = slope;

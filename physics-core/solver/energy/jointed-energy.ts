@@ -1,9 +1,9 @@
-import { R, rate, type BoundRows } from './bound-rows.js';
-import { C, type ConeContacts } from './cone-contacts.js';
+import { R, rate, type BoundRows } from '../rows/bound-rows.js';
+import { C, type ConeContacts } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /**
  * Keeps contacts of jointed bodies from giving energy. Rows of joints lead along the round ways of the motion without

@@ -1,8 +1,8 @@
-import { R, type BoundRows } from './bound-rows.js';
-import { C, type ConeContacts } from './cone-contacts.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
+import { R, type BoundRows } from '../rows/bound-rows.js';
+import { C, type ConeContacts } from '../rows/cone-contacts.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /** What a solution of a part begins with and leaves: velocities of bodies, impulses of contacts and rows. */
 export class SolveState {

@@ -3,9 +3,7 @@ import { LoopRows } from './loop-rows.js';
 import type { Component, Edge, Forest } from './forest.js';
 import { PointSolver } from './point-solver.js';
 import { TreeSolver } from './tree-solver.js';
-
-/** Rounds of the search for which bounded rows hold and which give way. */
-const ROUNDS = 8;
+import { SEARCH_ROUNDS } from '../tolerances.js';
 
 /** How a row stands: it holds, or its impulse lies at its lower or upper bound. */
 const HOLDS = 0;
@@ -121,7 +119,7 @@ export class RowSystem {
 
   /** False: singular; the velocities then mean nothing. */
   solve(component: Component): boolean {
-    for (let round = 0; round < ROUNDS; round++) {
+    for (let round = 0; round < SEARCH_ROUNDS; round++) {
       for (const joint of component.rows) this.#hold(joint);
       const solver = component.loops.length > 0 ? this.#loops : this.#trees;
       if (!solver.factor(component)) return false;

@@ -1,5 +1,5 @@
 import { C } from './cone-contacts.js';
-import { SIZE, type SparseCholesky } from './sparse-cholesky.js';
+import { SIZE, type SparseCholesky } from '../matrix/block-cholesky.js';
 
 /** Adds how a contact answers the velocities of its bodies, `p` and `q` of the matrix; -1: it does not move. */
 export function addContact(

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Edge } from '../../../../physics-core/effects/joints/forest.js';
-import { RowSystem } from '../../../../physics-core/effects/joints/row-system.js';
+import type { Edge } from '../../../../physics-core/solver/joints/forest.js';
+import { RowSystem } from '../../../../physics-core/solver/joints/row-system.js';
 import { below } from '../../helpers.js';
 import {
   SIDE,

@@ -1,13 +1,10 @@
-/** Rounds, at most, in which joints are brought together after a step. */
-const ROUNDS = 30;
-
-/** How far rows give way at first, where rounds do not help, and at most: shares of what a row does to its bodies. */
-const FIRST = 1e-5;
-const MOST = 10;
-
-/** An error that shrinks by less in a round is hardly worth it, and so many of those are the last. */
-const PROGRESS = 0.9;
-const TRIES = 3;
+import {
+  CLOSING_PROGRESS,
+  CLOSING_ROUNDS,
+  CLOSING_TRIES,
+  FIRST_GIVE,
+  MOST_GIVE,
+} from '../tolerances.js';
 
 /**
  * The rounds of bringing together what a step left open. Loops that are taut can't be made whole: the straight way to where
@@ -46,11 +43,11 @@ export class Closing {
       this.#least = worst;
       return false;
     }
-    if (this.#loops && !this.better) this.give = Math.max(FIRST, this.give * 30);
-    else if (this.give > 0) this.give = this.give > FIRST ? this.give / 3 : 0;
-    if (this.#loops && worst > PROGRESS * this.#least) this.#slow++;
+    if (this.#loops && !this.better) this.give = Math.max(FIRST_GIVE, this.give * 30);
+    else if (this.give > 0) this.give = this.give > FIRST_GIVE ? this.give / 3 : 0;
+    if (this.#loops && worst > CLOSING_PROGRESS * this.#least) this.#slow++;
     else this.#slow = 0;
     this.#least = Math.min(this.#least, worst);
-    return this.#round++ < ROUNDS && this.#slow < TRIES && this.give < MOST;
+    return this.#round++ < CLOSING_ROUNDS && this.#slow < CLOSING_TRIES && this.give < MOST_GIVE;
   }
 }

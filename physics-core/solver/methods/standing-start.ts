@@ -1,26 +1,20 @@
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { cross3, dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
-import type { Ammo } from '../../engine/ammo.js';
-import { originOf } from '../../engine/body-heap.js';
-import { C, takePush, type ConeContacts } from './cone-contacts.js';
-import { MISS } from './newton.js';
-import type { Part } from './part.js';
-import { BAND } from './read-contact.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
-
-/** What bears gives this share of all in directions in which it gives nothing: four feet in a plane have three of six. */
-const SINGULAR = 1e-12;
-
-/** What lies farther above than the depth that contacts keep was not built to touch, metres: single precision at 10 m. */
-const ROUNDING = 2e-6;
+import { C, takePush, type ConeContacts } from '../rows/cone-contacts.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
+import { BAND, FARTHEST_BUILT, LEVEL, MISS, SINGULAR } from '../tolerances.js';
 
 /** Where what has been built to touch goes on from: in the middle of where it bears as it lies, metres. */
 const BEARS = BAND / 2;
 
-/** What bears has a face that is more level than steep. */
-const LEVEL = Math.SQRT1_2;
+/** Bodies that say where they are. */
+export interface PlacedBodies extends SolveBodies {
+  /** One number of a centre of mass, metres. */
+  originOf(body: number, k: number): number;
+}
 
 /**
  * What stands and was not in touch before begins with the impulses that its weight asks for. From the top down each body is
@@ -31,9 +25,8 @@ const LEVEL = Math.SQRT1_2;
  * begins with nothing.
  */
 export class StandingStart {
-  readonly #ammo: Ammo;
   readonly #contacts: ConeContacts;
-  readonly #bodies: SolveBodies;
+  readonly #bodies: PlacedBodies;
   /** The direction of the load of all. */
   readonly #down = new Float64Array(3);
   /** Of bodies: how far down each stands, the first of the contacts that bear it, and how far it goes down, metres. */
@@ -47,8 +40,7 @@ export class StandingStart {
   readonly #sum = new Float64Array(rowOf(SIZE));
   readonly #asked = new Float64Array(SIZE);
 
-  constructor(ammo: Ammo, contacts: ConeContacts, bodies: SolveBodies) {
-    this.#ammo = ammo;
+  constructor(contacts: ConeContacts, bodies: PlacedBodies) {
     this.#contacts = contacts;
     this.#bodies = bodies;
   }
@@ -59,7 +51,7 @@ export class StandingStart {
     // What contacts have to give goes to `momentum`, and is taken from it as they do.
     this.#bodies.gradient(bodies);
     if (!this.#readDepths(bodies)) return false;
-    this.#sortContacts(bodies, contacts, (slop + ROUNDING) / dt);
+    this.#sortContacts(bodies, contacts, (slop + FARTHEST_BUILT) / dt);
     const downwards = [...bodies].sort((a, b) => this.#depths[a]! - this.#depths[b]!);
     for (const body of downwards) this.#bear(body);
     if (!(this.#bodies.fastest(bodies) < MISS)) {
@@ -89,7 +81,7 @@ export class StandingStart {
 
   /** False: nothing pulls. */
   #readDepths(bodies: readonly number[]): boolean {
-    const { momentum, count, pointers } = this.#bodies;
+    const { momentum, count } = this.#bodies;
     if (this.#depths.length < count) {
       this.#depths = grown(this.#depths, 2 * count);
       this.#ways = grown(this.#ways, 2 * count);
@@ -101,8 +93,7 @@ export class StandingStart {
     for (let k = 0; k < 3; k++) down[k]! /= load;
     for (const body of bodies) {
       this.#depths[body] = this.#ways[body] = 0;
-      for (let k = 0; k < 3; k++)
-        this.#depths[body]! += down[k]! * originOf(this.#ammo, pointers[body]!, k);
+      for (let k = 0; k < 3; k++) this.#depths[body]! += down[k]! * this.#bodies.originOf(body, k);
     }
     return load > 0;
   }

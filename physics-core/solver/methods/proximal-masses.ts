@@ -1,6 +1,6 @@
 import { invertSymmetric, makeSemidefinite } from '../../base/symmetric.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE } from './sparse-cholesky.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /** Numbers of a 3 × 3. */
 const SQUARE = 9;

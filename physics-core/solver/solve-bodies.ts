@@ -1,21 +1,10 @@
-import { dot3 } from '../../base/flat-math.js';
-import { grown, grownInt } from '../../base/grown.js';
-import { PointerNumbers } from '../../base/pointer-numbers.js';
-import type { Ammo } from '../../engine/ammo.js';
-import { inverseMassOf } from '../../engine/body-state.js';
-import {
-  displace,
-  readInertia,
-  readLoad,
-  readVelocity,
-  writeVelocity,
-} from '../../engine/solver-body.js';
-import { SIZE } from './sparse-cholesky.js';
+import { dot3 } from '../base/flat-math.js';
+import { grown } from '../base/grown.js';
+import { SIZE } from './matrix/block-cholesky.js';
 
 /** The bodies of a step that contacts move, six numbers each: linear, then angular. */
 export class SolveBodies {
   count = 0;
-  pointers = new Int32Array(16);
   masses = new Float64Array(16);
   /** World frame, 3 × 3. */
   inertias = new Float64Array(16 * 9);
@@ -25,33 +14,17 @@ export class SolveBodies {
   velocities = new Float64Array(16 * SIZE);
   change = new Float64Array(16 * SIZE);
   momentum = new Float64Array(16 * SIZE);
-  readonly #ammo: Ammo;
-  readonly #load = new Float64Array(SIZE);
-  readonly #numbers = new PointerNumbers();
-
-  constructor(ammo: Ammo) {
-    this.#ammo = ammo;
-  }
-
   begin(): void {
     this.count = 0;
-    this.#numbers.clear();
   }
 
-  /** The number of a body, by its pointer; -1: it does not move. A new one is read later. */
-  numberOf(pointer: number): number {
-    if (inverseMassOf(this.#ammo, pointer) === 0) return -1;
-    const i = this.#numbers.numberOf(pointer);
-    if (i < this.count) return i;
-    this.count++;
-    if (i === this.pointers.length) this.#grow();
-    this.pointers[i] = pointer;
-    return i;
+  /** Room for one more; returns its number. */
+  protected add(): number {
+    if (this.count === this.masses.length) this.grow(2 * this.count);
+    return this.count++;
   }
 
-  #grow(): void {
-    const room = 2 * this.pointers.length;
-    this.pointers = grownInt(this.pointers, room);
+  protected grow(room: number): void {
     this.masses = grown(this.masses, room);
     this.inertias = grown(this.inertias, 9 * room);
     this.inverseInertias = grown(this.inverseInertias, 9 * room);
@@ -59,27 +32,6 @@ export class SolveBodies {
     this.velocities = grown(this.velocities, SIZE * room);
     this.change = grown(this.change, SIZE * room);
     this.momentum = grown(this.momentum, SIZE * room);
-  }
-
-  /** What a step of `dt` seconds begins with. False: numbers that are none. */
-  read(i: number, dt: number): boolean {
-    const ammo = this.#ammo;
-    const pointer = this.pointers[i]!;
-    const at = i * SIZE;
-    this.masses[i] = 1 / inverseMassOf(ammo, pointer);
-    readInertia(ammo, pointer, this.inertias, this.inverseInertias, 9 * i);
-    readVelocity(ammo, pointer, this.velocities, at);
-    readLoad(ammo, pointer, this.#load, 0);
-    let sum = this.masses[i]!;
-    for (let k = 0; k < 3; k++) {
-      this.free[at + k] = this.velocities[at + k]! + (dt / this.masses[i]!) * this.#load[k]!;
-      let spin = 0;
-      for (let l = 0; l < 3; l++)
-        spin += this.inverseInertias[i * 9 + 3 * k + l]! * this.#load[3 + l]!;
-      this.free[at + 3 + k] = this.velocities[at + 3 + k]! + dt * spin;
-      sum += this.free[at + k]! + this.free[at + 3 + k]!;
-    }
-    return Number.isFinite(sum);
   }
 
   /** M (v - free), into `momentum`. */
@@ -200,16 +152,6 @@ export class SolveBodies {
       for (let l = 0; l < 3; l++)
         block[at + (3 + k) * SIZE + 3 + l]! += this.inertias[9 * body + 3 * k + l]!;
     }
-  }
-
-  /** Its velocity goes to Bullet. */
-  writeVelocity(body: number): void {
-    writeVelocity(this.#ammo, this.pointers[body]!, this.velocities, body * SIZE);
-  }
-
-  /** By how much it was pushed apart (`change`), before the step moves it on. */
-  writePlace(body: number): void {
-    displace(this.#ammo, this.pointers[body]!, this.change, body * SIZE);
   }
 }
 

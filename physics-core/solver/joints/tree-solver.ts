@@ -3,9 +3,7 @@ import { add6, BODY_BLOCK, copy6, dot6, JOINT_BLOCK, ROW_BLOCK, ROWS, SIDE } fro
 import type { Component } from './forest.js';
 import type { PointSolver } from './point-solver.js';
 import type { RowSystem } from './row-system.js';
-
-/** Added to each row's response, as a share of it: a motor and a stop on one axis are the same row twice. */
-const LEAST_COMPLIANCE = 1e-12;
+import { LEAST_COMPLIANCE } from '../tolerances.js';
 
 /**
  * Bodies are eliminated from the leaves to the root: each hands its inertia on to its parent through the joint between

@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { rowOf } from '../../../physics-core/base/cholesky.js';
-import { SparseCholesky } from '../../../physics-core/base/sparse-cholesky.js';
-import { SparsePattern } from '../../../physics-core/base/sparse-pattern.js';
-import { below, random } from '../helpers.js';
+import { rowOf } from '../../../../physics-core/base/cholesky.js';
+import { SparseCholesky } from '../../../../physics-core/solver/matrix/sparse-cholesky.js';
+import { SparsePattern } from '../../../../physics-core/solver/matrix/sparse-pattern.js';
+import { below, random } from '../../helpers.js';
 
 const next = random(3);
 

@@ -1,4 +1,4 @@
-import { grownInt } from '../../base/grown.js';
+import { grownInt } from '../base/grown.js';
 
 /** Bodies that hang together by contacts and joints, and what holds them: numbers of a step's bodies, contacts and rows. */
 export interface Part {

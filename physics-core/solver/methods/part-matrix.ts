@@ -1,12 +1,10 @@
-import { stiffnessOf, C, type ConeContacts } from './cone-contacts.js';
-import { addContact } from './contact-blocks.js';
-import { addOuter, addSquare, gives, isBounded, R, type BoundRows } from './bound-rows.js';
-import type { Part } from './part.js';
-import type { SolveBodies } from './solve-bodies.js';
-import { SIZE, SparseCholesky } from './sparse-cholesky.js';
-
-/** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
-const PRODUCTS = 400;
+import { stiffnessOf, C, type ConeContacts } from '../rows/cone-contacts.js';
+import { addContact } from '../rows/contact-blocks.js';
+import { addOuter, addSquare, gives, isBounded, R, type BoundRows } from '../rows/bound-rows.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE, SparseCholesky } from '../matrix/block-cholesky.js';
+import { PRODUCTS_PER_BODY } from '../tolerances.js';
 
 /** How what a part's contacts and joints push answers velocities, with the masses: Newton's matrix. */
 export class PartMatrix {
@@ -70,7 +68,7 @@ export class PartMatrix {
     for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
     for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!, true);
     for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!, this.#isBounded(i));
-    return matrix.analyse(PRODUCTS * bodies.length);
+    return matrix.analyse(PRODUCTS_PER_BODY * bodies.length);
   }
 
   #connect(a: number, b: number, changes: boolean): void {

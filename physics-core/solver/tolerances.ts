@@ -1,0 +1,219 @@
+// The room's numbers, all of them: what a method may leave, how long it may go on, and which one a part gets. Each has its
+// unit, why it is there, and the case that fixes it; one that a law makes needless goes.
+
+// ---- What a method may leave -----------------------------------------------------------------------------------------
+
+/** Steps of Newton for one set of impulses, and sets of impulses, at most. */
+export const NEWTON_STEPS = 30;
+export const NEWTON_ROUNDS = 12;
+
+/** A change of velocities that is none any more, m/s and rad/s. */
+export const STILL = 1e-7;
+
+/**
+ * Of many bodies this share of what one bears is none, either: Bullet keeps impulses in single precision, so what stood at
+ * the end of a step is off by as much in the next (the lowest bricks of a wall of 25 rows by 1e-6 m/s). Two units in the
+ * last place.
+ */
+export const ROUNDED = 2 ** -22;
+
+/** More bodies of one part than this are many. */
+export const MANY = 24;
+
+/**
+ * What a contact or a joint may miss by, m/s; of many bodies more, and a share of the greatest speed, too. What few drive
+ * or brake in a step is less than that share of their speed.
+ */
+export const MISS = 2e-6;
+export const MISS_OF_MANY = 1e-5;
+export const MISS_SHARE = 1e-3;
+export const STILL_SHARE = 1e-5;
+
+/**
+ * Slower sliding than this may lift, m/s: by less than a micrometre in a step. Of many bodies faster ones may, too: there
+ * some contacts would go to and fro for ever (300 boxes rest after 7 s instead of never, measured).
+ */
+export const CREEPING = 1e-4;
+export const CREEPING_OF_MANY = 1e-2;
+
+/** Tries to find how far a step should go. */
+export const LINE_TRIES = 10;
+
+/** Share of the slope that a step may leave. */
+export const LINE_FLAT = 0.1;
+
+/** Overlaps that are let stand: single precision has 1e-6 m at ten metres from the origin. */
+export const SHALLOW = 1e-6;
+
+/** Impulses that miss their end come nearer by so much in a round; from there on they go to and fro. */
+export const TO_AND_FRO = 0.7;
+
+/**
+ * Many bodies that miss by so many times what they may, and come nearer by less than this in a round, contradict each other
+ * (the joints and the contacts of a chain that lies on the ground): they are as near as they get.
+ */
+export const NEARLY = 10;
+export const STUCK = 0.95;
+
+// ---- Sweeps ----------------------------------------------------------------------------------------------------------
+
+/**
+ * Times that all contacts are gone over in a step, there and back by turns; and where all are slow: with as few as before
+ * heaps of hundreds slip for ever, by a millimetre in a second (measured).
+ */
+export const SWEEPS = 16;
+export const SWEEPS_OF_SLOW = 32;
+
+/** With joints, which are stiff; only what no matrix could solve comes to this. */
+export const SWEEPS_OF_JOINTED = 64;
+
+/** Times that overlaps are, there and back by turns. */
+export const PUSHES = 4;
+
+// ---- What matrices may cost ------------------------------------------------------------------------------------------
+
+/** Products of blocks, for each body, beyond which Bullet's iterations are the cheaper way. */
+export const PRODUCTS_PER_BODY = 400;
+
+/** Matrices that are saved up in a step, at most so many: 400 boxes of a wall need 40 in their first step, then one or none. */
+export const MATRICES_PER_STEP = 0.5;
+export const MOST_SAVED = 60;
+
+// ---- The first step of what stands -----------------------------------------------------------------------------------
+
+/** What bears gives this share of all in directions in which it gives nothing: four feet in a plane have three of six. */
+export const SINGULAR = 1e-12;
+
+/** What lies farther above than the depth that contacts keep was not built to touch, metres: single precision at 10 m. */
+export const FARTHEST_BUILT = 2e-6;
+
+/** What bears has a face that is more level than steep. */
+export const LEVEL = Math.SQRT1_2;
+
+/**
+ * By so much a contact may lie less deep than it should and still bear, metres: what stands on four legs would else stand
+ * on three, as single precision has it.
+ */
+export const BAND = 8e-6;
+
+// ---- Joints ----------------------------------------------------------------------------------------------------------
+
+/**
+ * Added to the response of each row that closes a loop, as a share of what the row would do to its bodies by themselves:
+ * loops that are closed more than once would be singular. Where they are, the rounding of poses makes them all but rigid,
+ * and less than this brakes them (measured: at 1e-9 a cardan shaft on two hinges loses 2 % of its energy in 4 s at 1/960 s).
+ */
+export const LOOP_COMPLIANCE = 1e-6;
+
+/** The same of what is taut: what hangs on a chain that is nearly straight pulls it a thousand times as hard. */
+export const FIRM_COMPLIANCE = 1e-9;
+
+/** The same of all other rows, as a share of their response: a motor and a stop on one axis are the same row twice. */
+export const LEAST_COMPLIANCE = 1e-12;
+
+/**
+ * Products of blocks in one factor: a tenth of a second. A net of 40 × 40 balls has 1.4 million; 230 joints on one body
+ * that close loops, which all act on each other, have as many as this.
+ */
+export const MOST_PRODUCTS = 2e6;
+
+/** Rounds of the search for which bounded rows hold and which give way. */
+export const SEARCH_ROUNDS = 8;
+
+/** Rounds, at most, in which joints are brought together after a step. */
+export const CLOSING_ROUNDS = 30;
+
+/** How far rows give way at first, where rounds do not help, and at most: shares of what a row does to its bodies. */
+export const FIRST_GIVE = 1e-5;
+export const MOST_GIVE = 10;
+
+/** An error that shrinks by less in a round is hardly worth it, and so many of those are the last. */
+export const CLOSING_PROGRESS = 0.9;
+export const CLOSING_TRIES = 3;
+
+// ---- Joints of what is in touch --------------------------------------------------------------------------------------
+
+/**
+ * What a miss costs, in effective masses of the row; and where many bodies hang together: all that a net weighs
+ * hangs on a knot (with 1e4 a step takes 25 matrices for ten contacts, or finds no end; with this, ten).
+ */
+export const ROW_STIFFNESS = 1e4;
+export const ROW_STIFFNESS_OF_MANY = 1e7;
+
+/**
+ * Misses of joints at the end of a step, m or rad: those that straight rows may leave, since bringing joints together after
+ * the step is enough for them; and those that the rounds end with, which nobody brings together.
+ */
+export const LEFT_OPEN = 1e-4;
+export const CLOSED = 2e-5;
+
+/**
+ * Rounds, at most: a hit of 1:200 on what is taut takes all of them, what lies on a net one. And matrices, in all of them: a box
+ * that strikes a chain of 15 takes a dozen in each (with 100 in all a load of 1:840 falls through a net).
+ */
+export const CURVED_ROUNDS = 20;
+export const CURVED_MATRICES = 240;
+
+/** Below LEFT_OPEN a round that leaves more than this share of a miss is the last one. */
+export const CURVED_SLOW = 0.7;
+
+/** A round may lead to a greater miss than the one before as long as that is smaller than this, m or rad: a hit begins with none. */
+export const FIRST_MISS = 1e-3;
+
+/** What holds bodies back, in times their mass, after a round that did not help; and by how much more after the next. */
+export const HELD_BACK = 1;
+export const HELD_BACK_MORE = 10;
+export const MOST_HELD_BACK = 1e6;
+
+/** Times that a way apart is halved, at most: then nothing is left of it. */
+export const HALVES = 8;
+
+// ---- Which method ----------------------------------------------------------------------------------------------------
+
+/**
+ * Bodies of one part that get a matrix, however fast they are; and those that may, once all are slower than this, m/s, spin
+ * and all: what a ball stirs without going anywhere has new contacts in each step.
+ */
+export const FEW = 24;
+export const MOST_BODIES = 600;
+export const SLOW = 0.25;
+
+/** Bodies of one part that is slow from which on a matrix is too dear for each step of a busy world. */
+export const LARGE = 200;
+
+/** Share of bodies that are not slow from which on a part is Bullet's. */
+export const FAST_SHARE = 0.25;
+
+/**
+ * Share of a part's bodies that touch something, up to which the rest hangs on joints: a net on a ball. The matrix has those
+ * that touch last, so that finding what they hold costs little more than one matrix of the joints does.
+ */
+export const TOUCHING_SHARE = 0.25;
+
+/** Seconds: in longer steps what falls comes in so deep that a net which is held where it touches is torn. */
+export const COARSE = 1 / 90;
+
+/** Pairs in touch that make a busy world. */
+export const BUSY = 400;
+
+/**
+ * Where small parts of a busy world have so many bodies that are not calm, it tumbles: only those of them get a matrix whose
+ * bodies are all slower than this, m/s. Fewer are the last ones of a heap to lie down.
+ */
+export const TUMBLING = 100;
+export const CALM = 0.05;
+
+/**
+ * Where a step has an effort, what is slower than this moves no more, m/s: a step of 1/60 s gives that to what falls, and
+ * iterations leave some of it in heaps. Those of 100 boxes rest then; of what is slower than CALM alone they never do.
+ */
+export const FALL = 0.16;
+
+/** Share of the bodies that parts solved here have to have at least, in a busy world. */
+export const WORTH = 0.1;
+
+/** Where so many bodies of a large part are faster than this, m/s, it sways: sweeps alone do not hold it. Fewer slip. */
+export const SWAYING = { speed: 0.02, share: 0.1 };
+
+/** Steps before what is too dear is tried again, and before a busy world without a calm part is looked at again. */
+export const PAUSE = 8;
