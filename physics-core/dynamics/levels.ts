@@ -13,7 +13,8 @@ export interface Level {
   twoFrictionDirections: boolean;
   /**
    * Blocks of matrices, one for each body and each point in touch, that a step has for what touches and moves: up to so many
-   * are solved directly; of more, all have Bullet's iterations. What is calm, or hangs on joints, is solved directly anyway.
+   * are solved directly; of more, all have Bullet's iterations. What is calm, or a net, is solved directly anyway, and so is
+   * each car, ragdoll or chain that has no more by itself.
    */
   effort: number;
 }

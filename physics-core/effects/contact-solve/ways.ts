@@ -67,9 +67,11 @@ export class Ways {
     return effort < 0;
   }
 
-  /** Iterations would let joints gape: a chain over the edge of a table. */
-  #moves({ bodies, manifolds, hangs }: Part): boolean {
-    if (manifolds.length === 0 || hangs) return false;
+  /** Iterations would turn a car aside that rolls straight on, and let what lies on a net fall through it. */
+  #moves(part: Part): boolean {
+    const { bodies, manifolds, hangs, looped } = part;
+    if (manifolds.length === 0 || looped) return false;
+    if (hangs && this.#blocksOf(part) <= this.#simulation.bullet.settings.effort) return false;
     return this.#fasterOf(bodies, FALL, swiftnessSquared) > 0;
   }
 
