@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../fields/types.js';
-import { PolytopeForm } from './polytope.js';
+import { neighboursOf, PolytopeForm } from './polytope.js';
 
 /** The faces of a cube whose corner `i` has the sign of x in bit 0, of y in bit 1, of z in bit 2. */
 const FACES = [
@@ -13,10 +13,12 @@ const FACES = [
 
 const NORMALS = Float64Array.of(-1, 0, 0, 1, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, -1, 0, 0, 1);
 
+const NEIGHBOURS = neighboursOf(8, FACES);
+
 /** The most common of all: signs say what others must look for among their corners. */
 export class BoxForm extends PolytopeForm {
   constructor(half: Vec3) {
-    super(cornersOf(half), FACES, NORMALS);
+    super(cornersOf(half), FACES, NORMALS, NEIGHBOURS);
   }
 
   protected override farthest(x: number, y: number, z: number): number {

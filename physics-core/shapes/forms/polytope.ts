@@ -15,18 +15,22 @@ export class PolytopeForm implements Form {
   readonly #faces: readonly (readonly number[])[];
   /** Their outward normals. */
   readonly #normals: Flat;
-  readonly #farthestCorner: Farthest;
-  readonly #farthestNormal: Farthest;
+  /** From when they are asked for first. */
+  #farthestCorner: Farthest | undefined;
+  #farthestNormal: Farthest | undefined;
   /** From each corner along the edges to others. */
   readonly #neighbours: readonly (readonly number[])[];
 
-  constructor(points: Flat, faces: readonly (readonly number[])[], normals: Flat) {
+  constructor(
+    points: Flat,
+    faces: readonly (readonly number[])[],
+    normals: Flat,
+    neighbours = neighboursOf(points.length / 3, faces),
+  ) {
     this.points = points;
     this.#faces = faces;
     this.#normals = normals;
-    this.#farthestCorner = new Farthest(points);
-    this.#farthestNormal = new Farthest(normals);
-    this.#neighbours = neighboursOf(points.length / 3, faces);
+    this.#neighbours = neighbours;
     let reach = 0;
     for (let i = 0; i < points.length; i += 3)
       reach = Math.max(reach, hypot(points[i]!, points[i + 1]!, points[i + 2]!));
@@ -35,7 +39,7 @@ export class PolytopeForm implements Form {
 
   /** The number of the corner that is farthest along a direction, of equals the first. */
   protected farthest(x: number, y: number, z: number): number {
-    return this.#farthestCorner.along(x, y, z);
+    return (this.#farthestCorner ??= new Farthest(this.points)).along(x, y, z);
   }
 
   #copy(corner: number, out: Flat, at: number): void {
@@ -52,7 +56,7 @@ export class PolytopeForm implements Form {
 
   /** The number of the face that looks most along a direction, of equals the first. */
   protected mostAlong(x: number, y: number, z: number): number {
-    return this.#farthestNormal.along(x, y, z);
+    return (this.#farthestNormal ??= new Farthest(this.#normals)).along(x, y, z);
   }
 
   facing(x: number, y: number, z: number, out: Flat): number {
@@ -93,7 +97,8 @@ export class PolytopeForm implements Form {
   }
 }
 
-function neighboursOf(count: number, faces: readonly (readonly number[])[]): number[][] {
+/** Of each corner those that a side leads to. */
+export function neighboursOf(count: number, faces: readonly (readonly number[])[]): number[][] {
   const found = Array.from({ length: count }, () => new Set<number>());
   for (const corners of faces)
     corners.forEach((corner, i) => {
