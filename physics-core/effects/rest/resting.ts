@@ -22,6 +22,13 @@ const LOOK = 0.25;
 
 const limitsOf = ({ rest }: Body) => (rest.mode === 'library' ? LIBRARY : rest);
 
+/** Seconds a body has been slow, the pose it was slow at, and a number that those have in common that fell asleep together. */
+export interface RestState {
+  quiet: number;
+  anchor: number[];
+  island?: number;
+}
+
 interface Island {
   bodies: Body[];
   /** Not all of them may sleep. */
@@ -42,6 +49,10 @@ export class Resting extends Effect {
   readonly #islands: (readonly Body[] | undefined)[] = [];
   /** Pointers of bodies in large heaps that are gone over by sweeps. */
   heaps: ReadonlySet<number> = new Set();
+  /** Slots of those that were restored asleep, and sleep on: Bullet has not looked at what they lie on. */
+  readonly #restored = new Set<number>();
+  /** Islands of the snapshot that is restored, by their number in it. */
+  readonly #loading = new Map<number, Body[]>();
   /** Seconds since islands were looked at. */
   sinceLook = 0;
 
@@ -78,16 +89,41 @@ export class Resting extends Effect {
     this.#limits = limits;
   }
 
-  /** Seconds a body has been slow, and the pose it was slow at. */
-  save(slot: number): { quiet: number; anchor: number[] } {
+  /** How a body rests, for a snapshot. */
+  save(slot: number): RestState {
     const anchor = [...this.#anchor.subarray(slot * POSE, (slot + 1) * POSE)];
-    return { quiet: this.#quiet[slot] ?? 0, anchor };
+    const island = this.#islands[slot]?.[0]?.slot;
+    return { quiet: this.#quiet[slot] ?? 0, anchor, ...(island !== undefined && { island }) };
   }
 
-  load(slot: number, { quiet, anchor }: { quiet: number; anchor: number[] }): void {
+  /** A snapshot is restored: who rested together does so no more. */
+  beginLoad(sinceLook: number): void {
+    this.sinceLook = sinceLook;
+    this.#islands.length = 0;
+    this.#restored.clear();
+    this.#loading.clear();
+  }
+
+  load(body: Body, { quiet, anchor, island }: RestState): void {
+    const { slot } = body;
     if (slot >= this.#quiet.length) this.#grow(slot);
     this.#quiet[slot] = quiet;
     this.#anchor.set(anchor.slice(0, POSE), slot * POSE);
+    if (!body.sleeping) return;
+    this.#restored.add(slot);
+    if (island === undefined) return;
+    const bodies = this.#loading.get(island) ?? [];
+    this.#loading.set(island, bodies);
+    bodies.push(body);
+    this.#islands[slot] = bodies;
+  }
+
+  /** Visits those that were restored asleep, and sleep on. */
+  eachRestored(visit: (body: Body) => void): void {
+    for (const slot of [...this.#restored]) {
+      const body = this.#simulation.bodies.in(slot);
+      if (body) visit(body);
+    }
   }
 
   restart(slot: number): void {
@@ -97,6 +133,7 @@ export class Resting extends Effect {
 
   leaveIsland(slot: number): void {
     this.#islands[slot] = undefined;
+    this.#restored.delete(slot);
   }
 
   /** What a sleeping body fell asleep with: nothing has touched it since. Undefined: that is not known. */

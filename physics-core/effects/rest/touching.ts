@@ -8,10 +8,11 @@ import { resting } from './resting.js';
  * asleep around it, and what sleeps fell asleep with all that touches it, so that an edit of either looks at no contact.
  */
 export function wakeTouching(simulation: Simulation, effects: Effects, body: Body): void {
-  const { slot, movable, joints } = body;
+  const { slot, isDynamic, joints } = body;
   // One that is being taken down calls itself neither active nor asleep any more.
-  if (movable && simulation.bodies.moving.asleep[slot] !== 1) return;
-  const island = movable ? effects.find(resting)?.islandOf(slot) : undefined;
+  if (isDynamic && simulation.bodies.moving.asleep[slot] !== 1) return;
+  const rest = effects.find(resting);
+  const island = isDynamic ? rest?.islandOf(slot) : undefined;
   if (island) {
     for (const other of island) if (other !== body) other.wake();
     return;
@@ -19,4 +20,5 @@ export function wakeTouching(simulation: Simulation, effects: Effects, body: Bod
   for (const { attached, body1, body2 } of joints)
     if (attached) for (const end of [body1, body2]) end?.wake();
   simulation.bullet.eachTouching(body.pointer, (other) => simulation.bodyAt(other)?.wake());
+  rest?.eachRestored((other) => other.wake());
 }

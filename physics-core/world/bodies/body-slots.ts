@@ -163,7 +163,16 @@ export class BodySlots implements BodyTable {
     return this.moving.asleep[body.slot] === 1;
   }
 
+  /** And all that it fell asleep together with: they bear each other, and go in the same step. */
   wake(body: BodyNode): void {
+    const island = this.asleep(body) && this.#world.registry.find(resting)?.islandOf(body.slot);
+    this.#wakeAlone(body);
+    if (!island) return;
+    for (const other of island)
+      if (this.asleep(other as BodyNode)) this.#wakeAlone(other as BodyNode);
+  }
+
+  #wakeAlone(body: BodyNode): void {
     keepAwake(body.body);
     this.#world.registry.find(resting)?.restart(body.slot);
     if (this.moving.asleep[body.slot]) this.#setAsleep(body, false);

@@ -54,5 +54,5 @@ function loadBody(body: BodyNode, state: BodyState, slept = false): void {
   else if (!state.asleep) body.wake();
   else if (slept) world.bodies.restoreSleep(body);
   else body.sleep();
-  world.registry.find(resting)?.load(body.slot, state.rest);
+  world.registry.find(resting)?.load(body, state.rest);
 }

@@ -34,7 +34,7 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
   });
   world.bodies.countFrom(undefined);
   world.stepping.resume(snapshot.time);
-  world.registry.get(resting).sinceLook = snapshot.sinceLook;
+  world.registry.get(resting).beginLoad(snapshot.sinceLook);
   for (const node of world.nodes) loadState(node, found, slept);
   tellWoken();
   world.emit('restore', world);
@@ -70,7 +70,7 @@ export function* copyInto(
   yield* world.lifecycle.starting(engine);
   world.bodies.countFrom(undefined);
   world.stepping.resume(snapshot.time);
-  world.registry.get(resting).sinceLook = snapshot.sinceLook;
+  world.registry.get(resting).beginLoad(snapshot.sinceLook);
   for (const node of world.nodes) {
     loadState(node, found);
     yield;

@@ -3,6 +3,7 @@ import type { Load } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { LevelName } from '../../dynamics/levels.js';
 import type { Field } from '../../nodes/node/table.js';
+import type { RestState } from '../../effects/rest/resting.js';
 
 /** What a node stands for in a snapshot: its id. */
 export interface Reference {
@@ -16,7 +17,7 @@ export interface BodyState {
   velocity: number[];
   asleep: boolean;
   parked: boolean;
-  rest: { quiet: number; anchor: number[] };
+  rest: RestState;
   /** Seconds of its last step, to the middle of which joints keep its velocity; 0: to the moment. */
   lastStep: number;
   /** What `applyForce` and `applyTorque` asked of the next step. */

@@ -145,7 +145,6 @@ fact(
 fact('restore() in a listener likewise, and a body that sleeps on is said to sleep', async () => {
   const { w, low, high } = await sleepers();
   const asleep = w.snapshot();
-  low.wake();
   const log: string[] = [];
   low.on('sleep', () => {
     log.push('low');
@@ -153,7 +152,7 @@ fact('restore() in a listener likewise, and a body that sleeps on is said to sle
   });
   high.on('sleep', () => log.push('high'));
   high.on('wake', () => log.push('high wakes'));
-  high.wake();
+  low.wake();
   while (!log.includes('low')) w.step();
   assert.deepEqual(log, ['high wakes', 'low', 'high']);
   assert.ok(low.sleeping && high.sleeping);
