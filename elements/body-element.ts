@@ -51,6 +51,7 @@ export class X3DBodyElement extends X3DNodeElement {
     return this.#body?.drag(point);
   }
 
+  /** Wakes it, and all that it fell asleep together with. */
   wake(): void {
     this.#body?.wake();
   }

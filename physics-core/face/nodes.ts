@@ -105,6 +105,7 @@ export interface Body extends NodeOf<'RigidBody'> {
    */
   drag(point: Vector, onend?: (reason: DragEnd) => void): Drag | undefined;
 
+  /** And all that it fell asleep together with. */
   wake(): void;
 
   /** Puts it to sleep until something wakes it. */
