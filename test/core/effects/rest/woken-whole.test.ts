@@ -95,3 +95,28 @@ fact('who is restored awake wakes nobody that the snapshot has asleep', async ()
   made.restore(before);
   assert.ok(boxes.slice(0, 9).every(({ sleeping }) => sleeping));
 });
+
+for (const accuracy of ['game', 'standard', 'precise'])
+  fact(
+    `two links that hang asleep fall together once they are let go, at ${accuracy}`,
+    async () => {
+      const made = await world({ gravity: [0, -9.8, 0], rest: 'auto', accuracy });
+      let before = made.add('RigidBody', { fixed: true });
+      const joints = [1, 2].map((i) => {
+        const link = made.add('RigidBody', {
+          position: [0, -i / 2, 0],
+          geometry: [{ type: 'Sphere', radius: 0.1 }],
+        });
+        const ends = { body1: link, body2: before };
+        before = link;
+        return made.add('BallJoint', { ...ends, anchorPoint: [0, 0.25 - i / 2, 0] });
+      });
+      const links = joints.map((joint) => joint.get('body1') as Body);
+      made.advance(6);
+      assert.ok(links.every(({ sleeping }) => sleeping));
+      const from = links.map(heightOf);
+      joints[0]!.remove();
+      made.advance(SECONDS);
+      links.forEach((link, i) => close(from[i]! - heightOf(link), FALL, 1e-4));
+    },
+  );
