@@ -14,6 +14,7 @@ export class SolveBodies {
   velocities = new Float64Array(16 * SIZE);
   change = new Float64Array(16 * SIZE);
   momentum = new Float64Array(16 * SIZE);
+
   begin(): void {
     this.count = 0;
   }
