@@ -64,6 +64,12 @@ export const additions: readonly Addition[] = [
     with: { body: { ...drifting.body, ...slabs } },
   },
   {
+    effect: 'full turns',
+    by: 'balls that spin at 100 rad/s',
+    without: drifting,
+    with: { body: { ...drifting.body, angularVelocity: [0, 100, 0] } },
+  },
+  {
     effect: 'axis damping',
     by: 'autoDamp of slabs that spin',
     without: { body: slabs },

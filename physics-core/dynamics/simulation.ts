@@ -19,6 +19,8 @@ export interface Simulation {
   readonly time: number;
   /** Seconds of one step. */
   readonly timeStep: number;
+  /** Seconds of one step of Bullet: a part of `timeStep` where something turns too far for one. */
+  readonly partOfStep: number;
   /** Steps of Bullet so far, whatever became of time. */
   readonly stepsTaken: number;
   readonly stepping: {

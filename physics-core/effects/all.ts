@@ -10,6 +10,7 @@ import type { EffectDescriptor } from './effect/effect.js';
 import { axisDamping } from './flight/axis-damping.js';
 import { flight } from './flight/flight.js';
 import { forces } from './flight/forces.js';
+import { fullTurns } from './flight/full-turns.js';
 import { gyroscopic } from './flight/gyroscopic.js';
 import { continuousCollision, impactPropagation } from './hits/effects.js';
 import { jointSolve, motors, stops, suspension } from './joints/effects.js';
@@ -22,6 +23,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   contactShapes,
   forces,
   axisDamping,
+  fullTurns,
   flight,
   gyroscopic,
   suspension,

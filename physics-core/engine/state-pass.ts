@@ -2,6 +2,7 @@ import type { Ammo } from './ammo.js';
 import { writeOrientation } from './heap.js';
 import { VELOCITY, type MovingBodies } from './moving-bodies.js';
 import { ACTIVATION, BODY } from './offsets.js';
+import { FAR_TURN } from './turns.js';
 
 /** Numbers per pose: x y z, then the quaternion x y z w. */
 const POSE = 7;
@@ -12,6 +13,8 @@ const O = BODY.origin >> 2;
 const B = BODY.basis >> 2;
 const V = BODY.linearVelocity >> 2;
 const W = BODY.angularVelocity >> 2;
+
+const FAR_TURN_SQUARED = FAR_TURN ** 2;
 
 /** The mark of a slot whose body just moved. */
 export const MOVED = 2;
@@ -24,7 +27,7 @@ interface Poses {
 
 /**
  * Reads poses and velocities of all that moves in one pass over the heap. Who needs more than that is left aside: who was
- * asleep, has no finite numbers, goes far in a step, or whose centre of mass is not its origin.
+ * asleep, has no finite numbers, goes or turns far in a step, or whose centre of mass is not its origin.
  */
 export class StatePass {
   /** How many were read. */
@@ -82,8 +85,9 @@ export class StatePass {
       const way = (vx * vx + vy * vy + vz * vz) * dt * dt;
       const trace = HEAPF32[body + B]! + HEAPF32[body + B + 5]! + HEAPF32[body + B + 10]!;
       // One NaN or infinity shows in the sum. Bullet makes a rotation of a quaternion: what is in one of it is in all.
+      const turn = (wx * wx + wy * wy + wz * wz) * dt * dt;
       const sum = way + (x + y + z) + (wx + wy + wz + trace);
-      if (!(way <= limits[slot]!) || sum - sum !== 0) {
+      if (!(way <= limits[slot]!) || turn > FAR_TURN_SQUARED || sum - sum !== 0) {
         aside[asideCount++] = slot;
         continue;
       }

@@ -217,3 +217,17 @@ export const SWAYING = { speed: 0.02, share: 0.1 };
 
 /** Steps before what is too dear is tried again, and before a busy world without a calm part is looked at again. */
 export const PAUSE = 8;
+
+// ---- How far a step may turn what it moves -----------------------------------------------------------------------------
+
+/** Radians that a step turns what joints hold: a wheel on an arm, at its steady precession, then stays level to 4 mm of 1 m. */
+export const MOST_TURN = 0.6;
+
+/**
+ * The same of what rolls on a ball that is not round its centre of mass: by longer steps a tippe top of 60 rad/s turns over
+ * that should not (by parts of 0.19 rad it is right to 1 degree after 7 s).
+ */
+export const MOST_TURN_ON_BALL = 0.2;
+
+/** Parts, at most, that a step is split into: 1000 rad/s have 0.52 rad in each at `game`. */
+export const MOST_PARTS = 32;

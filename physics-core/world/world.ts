@@ -183,6 +183,10 @@ export class World implements TimedWorld {
     return this.control.level.timeStep;
   }
 
+  get partOfStep(): number {
+    return this.control.partOfStep;
+  }
+
   get solver(): JointSettings {
     return this.control.joints;
   }

@@ -7,7 +7,17 @@ import { createWorld } from '../../physics-core/inside.js';
 export const PAGE = 'docs/effects.md';
 
 /** What an effect may do in a step, in the order in which it comes to that. */
-const ACTS = ['beforeStep', 'found', 'contact', 'solve', 'solved', 'settle', 'afterStep'] as const;
+const ACTS = [
+  'parts',
+  'beforeStep',
+  'found',
+  'contact',
+  'solve',
+  'solved',
+  'settle',
+  'afterStep',
+  'stepOver',
+] as const;
 
 /** What `npm run lab:effects` measured last. */
 interface Numbers {
@@ -40,7 +50,8 @@ the first node that needs it, off with the last, and not called at all in betwee
 whether it is on, because of which elements, its milliseconds and calls per step (measured in one step of 17), and the
 bytes of the file that its code came in; \`<x3d-physics-monitor>\` shows them.
 
-The table has them in the order in which they are called at each stage of a step. \`beforeStep\` is before Bullet's
+The table has them in the order in which they are called at each stage of a step. \`parts\` says into how many parts it must
+be split; all but \`stepOver\`, which comes when it is over, is called in each of them. \`beforeStep\` is before Bullet's
 step. Within it, between its search and its solver, \`found\` comes first, \`contact\` then at each contact point, and
 \`solve\` when all are seen; \`solved\` is after the solver, before bodies move. \`settle\` is right after the step, before
 anybody reads where it took the bodies, and \`afterStep\` once poses and velocities are read. An effect without a stage

@@ -27,7 +27,7 @@ import { Sweeps } from '../../solver/methods/sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 import { TurningCorners } from './turning-corners.js';
 import { Ways, type Way } from './ways.js';
-import { PAUSE } from '../../solver/tolerances.js';
+import { MOST_TURN_ON_BALL, PAUSE } from '../../solver/tolerances.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
@@ -198,8 +198,14 @@ export class ContactSolve extends Effect {
 
   // ---- a step -------------------------------------------------------------------------------------------------------
 
+  /** What rolls on a ball that is not round its centre of mass turns little in each part. */
+  override parts(dt: number): number {
+    return this.#corners.turnOnBalls(dt) / MOST_TURN_ON_BALL;
+  }
+
   override solve(dt: number): void {
     this.#solved.length = 0;
+    this.#corners.begin();
     // Iterations were asked for since.
     if (!this.#simulation.bullet.settings.direct) return this.#letGo();
     if (this.#simulation.stepsTaken < this.#again) return;
@@ -275,14 +281,14 @@ export class ContactSolve extends Effect {
   }
 
   #stands(part: Part): boolean {
-    const { timeStep, bullet } = this.#simulation;
-    return this.#standing.begin(part, timeStep, bullet.settings.linearSlop);
+    const { partOfStep, bullet } = this.#simulation;
+    return this.#standing.begin(part, partOfStep, bullet.settings.linearSlop);
   }
 
   #find(part: Part, way: Way): Solver | undefined {
     const { matrix, sweeps } = this.#solvers;
     if (way !== 'matrix') return sweeps.solve(part) ? sweeps : undefined;
-    if (this.#curvedPaths.solve(part, this.#simulation.timeStep, matrix)) return matrix;
+    if (this.#curvedPaths.solve(part, this.#simulation.partOfStep, matrix)) return matrix;
     return matrix.ranAway ? this.#findRoughly(part) : undefined;
   }
 

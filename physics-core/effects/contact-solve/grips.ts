@@ -112,10 +112,10 @@ export class Grips {
 
   /** What its author and gravity do to it in the step; undefined: nobody knows. */
   #pullOf(body: Body, number: number): StepWay | undefined {
-    const { time, timeStep } = this.#simulation;
+    const { time, partOfStep } = this.#simulation;
     const pull = scale(vector(this.#load), 1 / this.#bodies.masses[number]!);
     if (this.#effects.caused(flight)!.glides(body)) return steadily(pull);
-    return this.#pulls.of(body, pull, time, timeStep);
+    return this.#pulls.of(body, pull, time, partOfStep);
   }
 
   /** Whether all contacts face one way and none throws back, over a surface that moves only with its body. */

@@ -35,6 +35,8 @@ export class TurningCorners {
   readonly #swing = new Float64Array(3);
   readonly #turned = new Float64Array(3);
   readonly #met = new Set<number>();
+  /** What rolls on a ball that is not round its centre of mass. */
+  readonly #balls = new Set<Body>();
 
   constructor(
     simulation: Simulation,
@@ -47,6 +49,23 @@ export class TurningCorners {
     this.#bodies = bodies;
     this.#contacts = contacts;
     this.#point = new ContactPoint(simulation.engine.ammo);
+  }
+
+  /** A step begins. */
+  begin(): void {
+    this.#balls.clear();
+  }
+
+  /** Radians that what rolled on balls of its own in the last step turns in this one, at most. */
+  turnOnBalls(dt: number): number {
+    let most = 0;
+    for (const body of this.#balls) {
+      const { velocities } = this.#simulation.bodies;
+      const at = body.slot * VELOCITY + 3;
+      if (body.active && !body.sleeping)
+        most = Math.max(most, dot3(velocities, at, velocities, at));
+    }
+    return Math.sqrt(most) * dt;
   }
 
   /** The contacts of a pair were read, those from `first` on, of the bodies with these pointers. */
@@ -87,6 +106,7 @@ export class TurningCorners {
     else if (ofB > 0 && isFlatAt(point, a, 0)) c[at + C.corner] = CORNER.ofB;
     else return;
     c[at + C.rounding] = ofA || ofB;
+    this.#balls.add(ofA > 0 ? a : b);
   }
 
   #approaches(contact: number): boolean {

@@ -86,6 +86,8 @@ export abstract class Effect {
     this.release(node);
   }
 
+  /** Into how many parts, at least, a step of `dt` seconds must be split for it: asked before each. */
+  parts?(dt: number): number;
   /** Before each step of Bullet, `dt` seconds. */
   beforeStep?(dt: number): void;
   /** When Bullet has found what touches, before its contacts are seen one by one. */
@@ -98,6 +100,8 @@ export abstract class Effect {
   settle?(dt: number): void;
   /** After each step of Bullet, when poses and velocities are read. */
   afterStep?(dt: number): void;
+  /** After the last part of a step: once, however many there were. */
+  stepOver?(): void;
   /** Sees every contact point between Bullet's contact search and its solver, by heap pointers. False: takes it back. */
   contact?(point: number, a: number, b: number): boolean;
   /** Whether it has to see those of the step that begins. */

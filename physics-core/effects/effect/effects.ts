@@ -30,6 +30,8 @@ export class Effects {
   #on: readonly Effect[] = [];
   readonly #stages: Record<Stage, readonly Effect[]>;
   #contacts: readonly Effect[] = [];
+  #splitting: readonly Effect[] = [];
+  #ending: readonly Effect[] = [];
   /** Those that a step's contacts go to. */
   readonly #seeing: Effect[] = [];
   #steps = 0;
@@ -134,6 +136,16 @@ export class Effects {
     this.#on = this.#ordered.flatMap((each) => (this.active(each) ? [this.get(each)] : []));
     for (const stage of STAGES) this.#stages[stage] = this.#on.filter((effect) => effect[stage]);
     this.#contacts = this.#on.filter((effect) => effect.contact);
+    this.#splitting = this.#on.filter((effect) => effect.parts);
+    this.#ending = this.#on.filter((effect) => effect.stepOver);
+  }
+
+  /** Into how many parts the step that begins must be split, `dt` seconds. */
+  parts(dt: number): number {
+    this.#refresh();
+    let parts = 1;
+    for (const effect of this.#splitting) parts = Math.max(parts, effect.parts!(dt));
+    return parts;
   }
 
   /** Calls those that are on, in order. */
@@ -146,8 +158,9 @@ export class Effects {
     }
   }
 
-  /** The step is over: what each has cost, where that was measured. */
-  noteCosts(): void {
+  /** The step is over: what each has cost, where that was measured, and whom it concerns. */
+  stepOver(): void {
+    for (const effect of this.#ending) effect.stepOver!();
     if (this.#measured) for (const effect of this.#on) if (isCalled(effect)) effect.cost.note();
     this.#measured = ++this.#steps % MEASURED_EVERY === 0;
   }

@@ -57,7 +57,7 @@ export class AuthoredForces extends Effect {
   }
 
   /** What was asked for one step is spent. */
-  override afterStep(): void {
+  override stepOver(): void {
     for (const body of this.#once.keys()) if (!this.#constant.has(body)) super.release(body);
     this.#once.clear();
   }

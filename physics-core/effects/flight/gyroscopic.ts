@@ -26,9 +26,6 @@ const SLOW = 1e-3;
  */
 const MOST_TURN = 1;
 
-/** Bullet turns a body by no more than this in a step, radians. */
-const FARTHEST_TURN = Math.PI / 4;
-
 /** Of a body in this step. */
 export interface Spin {
   momentum: Float64Array;
@@ -46,7 +43,7 @@ export interface Spin {
   even: boolean;
   /** By how much its spin then came out otherwise than `end` and the push say: the push turned it, and its axes with it. */
   missed: Float64Array;
-  /** It turns farther in the step than Bullet does, or is turned aside: its axes are elsewhere at the end. */
+  /** It is turned aside: its axes are elsewhere at the end. */
   beyond: boolean;
   /** By how much it is turned aside, radians; `displaced` where its spin does not turn along. */
   aside: Float64Array;
@@ -165,7 +162,7 @@ export class Gyroscopic extends Effect {
     this.#writeSpin(given, dt);
     state.aside.fill(0);
     state.displaced.fill(0);
-    state.beyond = hypot(given[0]!, given[1]!, given[2]!) * dt > FARTHEST_TURN;
+    state.beyond = false;
     this.#writeEnd(body, state, this.#orientation, 0);
     this.#give(body, given);
   }

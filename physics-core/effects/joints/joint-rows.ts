@@ -8,7 +8,6 @@ import { writeAxes } from '../../base/matrix.js';
 import type { Pose } from '../../base/math.js';
 import { atan2, hypot } from '../../base/exact/index.js';
 import { JointGeometry, LINEAR, type End } from './joint-geometry.js';
-import { MOST_TURN } from './next-poses.js';
 
 /** Velocities of both bodies: linear and angular of body1, then of body2. */
 const WIDTH = 12;
@@ -157,9 +156,7 @@ export class JointRows {
     }
     ahead.readVelocity(body, v);
     this.#now.set(v, at);
-    const speed = hypot(v[3]!, v[4]!, v[5]!);
-    const turning = speed > 0 ? Math.min(ahead.dt, MOST_TURN / speed) : ahead.dt;
-    this.#moveBy(pose, v, ahead.dt, turning);
+    this.#moveBy(pose, v, ahead.dt, ahead.dt);
   }
 
   #moveBy(pose: Float64Array, v: Float64Array, time: number, turning: number): void {

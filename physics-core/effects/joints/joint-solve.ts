@@ -14,6 +14,7 @@ import { GAPING, reportGap } from './joint-reports.js';
 import { JointRows } from './joint-rows.js';
 import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
+import { StepTurns } from './step-turns.js';
 
 /** Bodies that joints hold together, and those joints. */
 export interface Jointed {
@@ -35,6 +36,7 @@ export class JointSolve extends Effect {
   readonly #ways = new Map<Body, Way>();
   /** Bullet's own rows. */
   readonly #sleepingRows: SleepingRows;
+  readonly #turns: StepTurns;
   #joints: (Joint | undefined)[] = [];
   /** Where each of them stands there. */
   readonly #numbers = new Map<Joint, number>();
@@ -57,6 +59,7 @@ export class JointSolve extends Effect {
     this.#simulation = simulation;
     this.rows = this.newRows();
     this.#solver = new ComponentSolve(simulation);
+    this.#turns = new StepTurns(simulation);
     this.#sleepingRows = new SleepingRows(simulation, this.#bodies, this.#solver.targets);
   }
 
@@ -173,6 +176,12 @@ export class JointSolve extends Effect {
   /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
   on = true;
 
+  /** What joints hold turns little in each part. */
+  override parts(dt: number): number {
+    if (this.#stale) this.#rebuild();
+    return this.#turns.parts(dt);
+  }
+
   override beforeStep(dt: number): void {
     if (this.#stale) this.#rebuild();
     for (const body of this.#ways.keys()) this.#takeEnds(body);
@@ -266,7 +275,7 @@ export class JointSolve extends Effect {
   #leaves(pointer: number): boolean {
     const body = this.#solver.torn.size > 0 && this.#simulation.bodyAt(pointer);
     const component = body && this.#componentOf.get(body);
-    return component ? this.#solver.leaves(component, body, this.#simulation.timeStep) : false;
+    return component ? this.#solver.leaves(component, body, this.#simulation.partOfStep) : false;
   }
 
   #rebuild(): void {
@@ -285,6 +294,7 @@ export class JointSolve extends Effect {
       rows: joint.lockedRows.length > 3 || isBounded(joint),
     }));
     this.#forest.build(numbers.size, edges);
+    this.#turns.take([...numbers.keys()]);
     this.#solver.take([...numbers.keys()], joints, this.#joints, edges, this.#forest);
     this.#sleepingRows.take(joints, this.#forest);
     this.#componentOf.clear();

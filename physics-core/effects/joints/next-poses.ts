@@ -7,9 +7,6 @@ import type { RowSystem } from '../../solver/joints/row-system.js';
 
 const QUATERNION = 4;
 
-/** Bullet turns no body by more than this in a step, radians. */
-export const MOST_TURN = Math.PI / 4;
-
 /** Where the velocities found will take the bodies in the step. */
 export class NextPoses {
   readonly #system: RowSystem;
@@ -46,7 +43,7 @@ export class NextPoses {
     this.#hasRows = new Uint8Array(room);
   }
 
-  /** As Bullet will move and turn them. */
+  /** As the step will move and turn them. */
   predict({ bodies }: Component, dt: number): void {
     for (const i of bodies) {
       this.#turnOn(i, dt);
@@ -61,7 +58,7 @@ export class NextPoses {
     const y = velocity[i * SIDE + 4]!;
     const z = velocity[i * SIDE + 5]!;
     const speed = Math.sqrt(x * x + y * y + z * z);
-    const half = Math.min(speed * dt, MOST_TURN) / 2;
+    const half = (speed * dt) / 2;
     const s = speed > 1e-12 ? sin(half) / speed : dt / 2;
     this.#step[q] = x * s;
     this.#step[q + 1] = y * s;

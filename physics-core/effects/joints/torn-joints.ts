@@ -6,7 +6,6 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { SIDE } from '../../solver/joints/blocks.js';
 import type { Component } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
-import { MOST_TURN } from './next-poses.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
 
 /**
@@ -78,12 +77,9 @@ export class TornJoints {
     body.setCenterOfMassTransform(scratch.transform(pose, turn));
   }
 
-  /** As Bullet turns what spins so. */
   #writeTurn(out: Float64Array, velocity: Float64Array, at: number, dt: number): void {
     for (let x = 0; x < 3; x++) this.#spin[x] = velocity[at + 3 + x]!;
-    const speed = hypot(this.#spin[0]!, this.#spin[1]!, this.#spin[2]!);
-    const time = speed > 0 ? Math.min(Math.abs(dt), MOST_TURN / speed) : Math.abs(dt);
-    writeTurn(out, this.#spin, Math.sign(dt) * time);
+    writeTurn(out, this.#spin, dt);
   }
 
   /** Once all is where it belongs. */

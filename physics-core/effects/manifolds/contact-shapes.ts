@@ -19,7 +19,7 @@ import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
 import type { PlacedForm } from './placed-form.js';
-import { SeparatingAxes } from './separating-axes.js';
+import { apartAlong, preferAxes, SeparatingAxes } from './separating-axes.js';
 
 /**
  * Where boxes bounce, those that move faster against each other have the points that Bullet has found, m/s; and those
@@ -194,6 +194,8 @@ export class ContactShapes extends Effect {
       return sure;
     }
     if (!known && (areFar(a, b, limit) || this.#axes.separates(manifold, a, b, limit))) return true;
+    // In single precision, of a long floor and a rim that rolls on it, Bullet's normal may point anywhere.
+    if (apartAlong(a, b, normal) < theirs - OFF) preferAxes(a, b, normal);
     this.#convex.find(a, b, normal, limit, points, -1, theirs);
     if (points.count === 0) this.#axes.note(manifold, normal);
     return true;

@@ -15,11 +15,7 @@ export class SeparatingAxes {
   separates(pair: number, a: PlacedForm, b: PlacedForm, limit: number): boolean {
     const number = this.#pairs.find(pair);
     if (number < 0) return false;
-    const at = 3 * number;
-    const x = this.#axes[at]!;
-    const y = this.#axes[at + 1]!;
-    const z = this.#axes[at + 2]!;
-    return -b.height(x, y, z) - a.height(-x, -y, -z) > limit;
+    return apartAlong(a, b, this.#axes, 3 * number) > limit;
   }
 
   note(pair: number, axis: Flat): void {
@@ -34,3 +30,30 @@ export class SeparatingAxes {
     this.#axes.set(before);
   }
 }
+
+/** How far apart two forms are along a direction from B to A, metres. */
+export function apartAlong(a: PlacedForm, b: PlacedForm, axis: Flat, at = 0): number {
+  const x = axis[at]!;
+  const y = axis[at + 1]!;
+  const z = axis[at + 2]!;
+  return -b.height(x, y, z) - a.height(-x, -y, -z);
+}
+
+/**
+ * Turns a guess of where the normal points into that axis of either form along which they are farther apart, if there is one:
+ * from the middle of a long floor to what rolls on its end the way is along the floor.
+ */
+export function preferAxes(a: PlacedForm, b: PlacedForm, normal: Flat): void {
+  let most = apartAlong(a, b, normal);
+  for (const { turn } of [a, b])
+    for (let i = 0; i < 6; i++) {
+      const sign = i < 3 ? 1 : -1;
+      for (let k = 0; k < 3; k++) axis[k] = sign * turn[3 * k + (i % 3)]!;
+      const apart = apartAlong(a, b, axis);
+      if (!(apart > most)) continue;
+      most = apart;
+      for (let k = 0; k < 3; k++) normal[k] = axis[k]!;
+    }
+}
+
+const axis = new Float64Array(3);

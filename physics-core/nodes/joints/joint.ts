@@ -251,6 +251,12 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.#changed();
   }
 
+  /** Steps are of another length, for as long as something spins: its own softness may be another. */
+  lengthenSteps(): void {
+    if (this.#constraint && this.corrections.some(({ softness }) => softness > 0))
+      this.updateCorrection();
+  }
+
   /** Where a row has its own; undefined: the collection's. */
   protected correctionOf(_row: number): OwnCorrection | undefined {
     return undefined;

@@ -6,6 +6,7 @@ import { contactSurface } from '../../effects/contacts/effects.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { NO_DEMANDS } from '../../effects/contacts/solver-demands.js';
 import type { JointSettings, NodeWorld } from '../../nodes/node/node-world.js';
+import { MOST_PARTS } from '../../solver/tolerances.js';
 
 /** Detail of the event `accuracy`: the level in force is another. */
 export interface AccuracyChange {
@@ -30,6 +31,8 @@ export class LevelControl {
   /** FALSE on the first collection freezes the world. */
   enabled = true;
   joints!: JointSettings;
+  /** Into how many parts steps are split. */
+  #parts = 1;
   #told: Level | undefined;
   /** While it is carried out. */
   #verdict: Verdict | undefined;
@@ -67,6 +70,21 @@ export class LevelControl {
     if (!this.#verdict) this.#auto.begin(level);
   }
 
+  /** Seconds of one step of Bullet. */
+  get partOfStep(): number {
+    return this.level.timeStep / this.#parts;
+  }
+
+  /** Splits the step that begins: a power of two, so that what depends on its length seldom is another. */
+  split(parts: number): number {
+    const now = parts > 1 ? Math.min(MOST_PARTS, 2 ** Math.ceil(Math.log2(parts))) : 1;
+    if (now === this.#parts) return now;
+    this.#parts = now;
+    this.configureSolver();
+    for (const node of this.#world.nodes) if (isJoint(node)) node.lengthenSteps();
+    return now;
+  }
+
   /** Says so where the level is another than it was said to be. A world that starts says nothing. */
   tell(): void {
     const from = this.#told;
@@ -80,9 +98,14 @@ export class LevelControl {
 
   configureSolver(): void {
     const { settings, bullet, registry: effects } = this.#world;
-    this.joints = jointSettings(settings, this.level);
+    this.joints = jointSettings(settings, this.level, this.partOfStep);
     bullet.configure(
-      solverSettings(settings, this.level, effects.find(contactSurface)?.demands ?? NO_DEMANDS),
+      solverSettings(
+        settings,
+        this.level,
+        this.partOfStep,
+        effects.find(contactSurface)?.demands ?? NO_DEMANDS,
+      ),
     );
   }
 

@@ -33,13 +33,14 @@ export function levelOf(settings: PhysicsNode): Level | undefined {
 const authored = <T>(settings: PhysicsNode, field: string, otherwise: T): T =>
   settings.authored(field) ? settings.asked<T>(field) : otherwise;
 
-export function jointSettings(settings: PhysicsNode, level: Level): JointSettings {
+/** Of steps of so many seconds. */
+export function jointSettings(settings: PhysicsNode, level: Level, seconds: number): JointSettings {
   return {
     errorCorrection: settings.authored('errorCorrection')
-      ? perStep(settings.asked('errorCorrection'), level.timeStep)
+      ? perStep(settings.asked('errorCorrection'), seconds)
       : level.errorCorrection,
     constantForceMix: authored(settings, 'constantForceMix', 0),
-    stepSeconds: level.timeStep,
+    stepSeconds: seconds,
   };
 }
 
@@ -47,6 +48,7 @@ export function jointSettings(settings: PhysicsNode, level: Level): JointSetting
 export function solverSettings(
   settings: PhysicsNode,
   level: Level,
+  seconds: number,
   { pushing, directed }: SolverDemands,
 ): SolverSettings {
   return {
@@ -54,7 +56,7 @@ export function solverSettings(
     givenFrictionDirections: directed,
     twoFrictionDirections: directed || level.twoFrictionDirections,
     splitImpulseThreshold: pushing ? 0 : SPLIT_THRESHOLD,
-    contactErrorReduction: perStep(CONTACT_CORRECTION, level.timeStep),
+    contactErrorReduction: perStep(CONTACT_CORRECTION, seconds),
     linearSlop: Math.max(CONTACT_DEPTH, settings.asked<number>('contactSurfaceThickness')),
     // Who says how often Bullet is to iterate wants its iterations.
     direct: !settings.authored('iterations'),

@@ -7,7 +7,9 @@ import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { MovingBodies, VELOCITY } from '../../engine/moving-bodies.js';
 import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
-import { compose7 } from '../../base/flat-math.js';
+import { compose7, dot3 } from '../../base/flat-math.js';
+import { fullTurns } from '../../effects/flight/full-turns.js';
+import { FAR_TURN } from '../../engine/turns.js';
 import { invert, type Pose } from '../../base/math.js';
 import { originFor } from './origin.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -148,13 +150,16 @@ export class BodySlots implements BodyTable {
 
   /** What goes far in a step is looked after. */
   #judge(body: BodyNode, slot: number): void {
-    const { timeStep, registry: effects } = this.#world;
+    const { partOfStep, registry: effects } = this.#world;
     const v = this.moving.velocities;
     const at = slot * VELOCITY;
-    const square = (v[at]! ** 2 + v[at + 1]! ** 2 + v[at + 2]! ** 2) * timeStep * timeStep;
+    const square = dot3(v, at, v, at) * partOfStep * partOfStep;
     const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
     if (far && contacts.here) effects.get(continuousCollision).need(body);
     else effects.caused(continuousCollision)?.release(body);
+    const spin = dot3(v, at + 3, v, at + 3) * partOfStep * partOfStep;
+    if (spin > FAR_TURN ** 2) effects.get(fullTurns).need(body);
+    else effects.caused(fullTurns)?.release(body);
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------
@@ -226,8 +231,8 @@ export class BodySlots implements BodyTable {
   /** Reads poses and velocities of everything awake; parks what is no longer finite. */
   read(): void {
     const pass = this.#pass;
-    const { engine, timeStep } = this.#world;
-    if (engine.heapTrusted) pass.all(engine.ammo, this.moving, this.#poses, timeStep);
+    const { engine, partOfStep } = this.#world;
+    if (engine.heapTrusted) pass.all(engine.ammo, this.moving, this.#poses, partOfStep);
     else pass.none(this.moving);
     let awake = pass.count;
     let broken: BodyNode[] | undefined;
@@ -243,14 +248,14 @@ export class BodySlots implements BodyTable {
     if (broken) this.#mend(broken);
   }
 
-  /** Who went far in the step before may do so no more. */
+  /** Who went or turned far in the step before may do so no more. */
   #judgeFast(): void {
-    const fast = this.#world.registry.caused(continuousCollision);
-    if (!fast) return;
-    for (const node of fast.causes) {
-      const body = node as BodyNode;
-      if (body.active && body.isDynamic && !this.asleep(body)) this.#judge(body, body.slot);
-    }
+    const { registry: effects } = this.#world;
+    for (const effect of [effects.caused(continuousCollision), effects.caused(fullTurns)])
+      for (const node of effect?.causes ?? []) {
+        const body = node as BodyNode;
+        if (body.active && body.isDynamic && !this.asleep(body)) this.#judge(body, body.slot);
+      }
   }
 
   /** What is carried along may push others. */

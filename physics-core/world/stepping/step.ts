@@ -12,6 +12,10 @@ export interface SteppedWorld extends NodeWorld {
   readonly bodies: BodySlots;
   readonly awaiting: Awaiting;
   readonly accuracy: LevelName;
+  readonly control: {
+    /** Splits the step that begins into parts, as many as are asked for or more; returns how many. */
+    split(parts: number): number;
+  };
   heard(event: string): boolean;
 }
 
@@ -75,14 +79,10 @@ export class Step {
       }
       const start = performance.now();
       this.#world.poses.shift();
-      effects.run('beforeStep', timeStep);
-      this.#stepBullet(timeStep);
-      effects.run('settle', timeStep);
-      this.#world.rays.moved();
-      this.#reportContacts();
-      const read = this.#read();
-      effects.run('afterStep', timeStep);
-      effects.noteCosts();
+      const parts = this.#world.control.split(effects.parts(timeStep));
+      let read = 0;
+      for (let i = 0; i < parts; i++) read += this.#takePart(parts);
+      effects.stepOver();
       this.#costs.spent('step', start);
       // That one lies within it.
       this.#costs.ms.step -= read;
@@ -92,26 +92,39 @@ export class Step {
     }
   }
 
+  /** One of so many steps of Bullet. Returns the milliseconds that reading took. */
+  #takePart(parts: number): number {
+    const { registry: effects, partOfStep } = this.#world;
+    effects.run('beforeStep', partOfStep);
+    this.#stepBullet(partOfStep, parts);
+    effects.run('settle', partOfStep);
+    this.#world.rays.moved();
+    this.#reportContacts();
+    const read = this.#read();
+    effects.run('afterStep', partOfStep);
+    return read;
+  }
+
   /** What is told of the step is told with the time at its end. */
-  #stepBullet(timeStep: number): void {
-    const { engine, bullet } = this.#world;
+  #stepBullet(seconds: number, parts: number): void {
+    const { engine, bullet, timeStep } = this.#world;
     engine.forgetFound(bullet.bullet);
     engine.solverHook.listen(this.#between);
-    bullet.step(timeStep);
+    bullet.step(seconds);
     engine.solverHook.listen(null);
-    this.#time.count(timeStep);
+    this.#time.count(timeStep, parts);
   }
 
   /** In the middle of Bullet's step. */
   readonly #between: SolverListener = {
     found: () => {
-      const { registry: effects, timeStep } = this.#world;
+      const { registry: effects, partOfStep } = this.#world;
       effects.found();
-      effects.run('found', timeStep);
+      effects.run('found', partOfStep);
       effects.seeContacts();
-      effects.run('solve', timeStep);
+      effects.run('solve', partOfStep);
     },
-    solved: () => this.#world.registry.run('solved', this.#world.timeStep),
+    solved: () => this.#world.registry.run('solved', this.#world.partOfStep),
   };
 
   /** Where its code is not here there are no contacts. */
@@ -121,7 +134,7 @@ export class Step {
     if (!contacts.here) return;
     if (first) contacts.code.reportOverlaps(this.#world);
     this.#hardContacts ??= contacts.code.hardContacts(this.#world);
-    this.#hardContacts.look(this.#world.timeStep);
+    this.#hardContacts.look(this.#world.partOfStep);
   }
 
   #read(): number {

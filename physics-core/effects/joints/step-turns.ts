@@ -1,0 +1,57 @@
+import { dot3 } from '../../base/flat-math.js';
+import type { Body } from '../../dynamics/body.js';
+import { levels } from '../../dynamics/levels.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { VELOCITY } from '../../engine/moving-bodies.js';
+import { MOST_PARTS, MOST_TURN } from '../../solver/tolerances.js';
+
+/**
+ * How far steps turn what joints hold. Where a body turns on within a step, its joints pull and its axes lie elsewhere at
+ * the end of it: steps are split until all turn little in each part.
+ */
+export class StepTurns {
+  readonly #simulation: Simulation;
+  #bodies: readonly Body[] = [];
+
+  constructor(simulation: Simulation) {
+    this.#simulation = simulation;
+  }
+
+  take(bodies: readonly Body[]): void {
+    this.#bodies = bodies;
+  }
+
+  /** Into how many parts a step is to be split. */
+  parts(dt: number): number {
+    const { bodies } = this.#simulation;
+    const { velocities } = bodies;
+    let most = 0;
+    let fastest: Body | undefined;
+    for (const body of this.#bodies) {
+      const at = body.slot * VELOCITY + 3;
+      const square = dot3(velocities, at, velocities, at);
+      if (!(square > most) || bodies.asleep(body)) continue;
+      most = square;
+      fastest = body;
+    }
+    const spin = Math.sqrt(most);
+    const parts = (spin * dt) / MOST_TURN;
+    if (fastest && parts > MOST_PARTS) reportTooFast(fastest, spin, dt);
+    return parts;
+  }
+}
+
+/** Turns no more than this, rad/s, are followed by steps of so many seconds. */
+const fastestAt = (dt: number): number => (MOST_TURN * MOST_PARTS) / dt;
+
+function reportTooFast(body: Body, spin: number, dt: number): void {
+  const better = levels.find(({ timeStep }) => spin <= fastestAt(timeStep));
+  body.report({
+    code: 'too-fast',
+    severity: 'warning',
+    attribute: 'angularVelocity',
+    value: spin,
+    used: `${MOST_PARTS} parts of each step`,
+    message: `${body.label} spins at ${Math.round(spin)} rad/s: what joints hold keeps its axis up to ${Math.round(fastestAt(dt))} rad/s at this accuracy; ${better ? `accuracy="${better.name}" or better follows it` : 'no accuracy follows it'}`,
+  });
+}
