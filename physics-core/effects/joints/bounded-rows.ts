@@ -123,6 +123,20 @@ export class BoundedRows {
     for (; i < end; i++) this.#release(i);
   }
 
+  /** Whether a stop of a joint was in its way in the last step. */
+  stopped(k: number): boolean {
+    const first = this.#firstStop(k);
+    for (let i = first; i < first + this.#joints[k]!.stops.length; i++)
+      if (this.#system.holds(i)) return true;
+    return false;
+  }
+
+  /** Stops are in nobody's way. */
+  letStops(k: number): void {
+    const first = this.#firstStop(k);
+    for (let i = first; i < first + this.#joints[k]!.stops.length; i++) this.#release(i);
+  }
+
   #release(i: number): void {
     this.#system.threshold[i] = -Infinity;
     this.#system.bounded(i, 0, 0);

@@ -67,8 +67,9 @@ export class ComponentSolve {
   /** Those that contacts moved in the last step: gaps of theirs are no edit's. */
   readonly #disturbed = new Set<Component>();
 
-  constructor(simulation: Simulation) {
-    this.bodies = new JointedBodies(simulation, this.#system);
+  /** `of`: it is asked for the velocities that those bodies have when their step is over. */
+  constructor(simulation: Simulation, of?: JointedBodies) {
+    this.bodies = new JointedBodies(simulation, this.#system, of);
     this.#next = new NextPoses(this.#system, this.bodies);
     this.#stabilization = new PostStabilization(simulation, this.#system, this.bodies);
     this.#pins = new PointConstraints(this.#system, this.bodies, this.#next);
@@ -246,6 +247,26 @@ export class ComponentSolve {
       if (speed > 0) tell(component, speed);
     }
     for (const component of this.torn) this.#tornJoints.turnSpins(component);
+  }
+
+  // ---- between steps ------------------------------------------------------------------------------------------------
+
+  /** Whether nothing acts on it but forces, motors, and joints that give way to nobody: what half a step of them does is known. */
+  hangsFree({ joints }: Component): boolean {
+    if (this.pulls.size > 0) return false;
+    for (const k of joints)
+      if (this.#ends.moves(k) || this.#rows.anySoft(k) || this.#bounded.stopped(k)) return false;
+    return true;
+  }
+
+  /** The velocities, by body, that a component has at the end of its step; undefined: there are none that make sense. */
+  atMoment(component: Component): Float64Array | undefined {
+    const dt = this.bodies.stepOf(component);
+    this.#fill(component, dt);
+    this.#search.setTargets(component, dt, 0);
+    for (const k of component.rows) this.#bounded.letStops(k);
+    if (!this.bodies.finite || !this.#system.solve(component)) return undefined;
+    return this.bodies.sane(component) ? this.#system.velocity : undefined;
   }
 
   // ---- the solution -------------------------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ import { GAPING, reportGap } from './joint-reports.js';
 import { JointRows } from './joint-rows.js';
 import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
+import { MomentVelocities } from './moment-velocities.js';
 import { StepTurns } from './step-turns.js';
 
 /** Bodies that joints hold together, and those joints. */
@@ -37,7 +38,9 @@ export class JointSolve extends Effect {
   /** Bullet's own rows. */
   readonly #sleepingRows: SleepingRows;
   readonly #turns: StepTurns;
+  readonly #moments: MomentVelocities;
   #joints: (Joint | undefined)[] = [];
+  #edges: readonly Edge[] = [];
   /** Where each of them stands there. */
   readonly #numbers = new Map<Joint, number>();
   /** Those of this step. */
@@ -60,6 +63,7 @@ export class JointSolve extends Effect {
     this.rows = this.newRows();
     this.#solver = new ComponentSolve(simulation);
     this.#turns = new StepTurns(simulation);
+    this.#moments = new MomentVelocities(simulation, this.#solver);
     this.#sleepingRows = new SleepingRows(simulation, this.#bodies, this.#solver.targets);
   }
 
@@ -85,6 +89,7 @@ export class JointSolve extends Effect {
 
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
+    this.#letsGo(node as Joint);
     this.#stale = true;
     super.release(node);
     const k = this.#numbers.get(node as Joint);
@@ -140,6 +145,33 @@ export class JointSolve extends Effect {
 
   setLastStep(body: Body, seconds: number): void {
     this.#bodies.setLastStep(body, seconds);
+  }
+
+  /** The velocity of a body at this moment, from `at` on, where it has another; undefined: it has that. */
+  velocityOf(body: Body): { velocities: Float64Array; at: number } | undefined {
+    const component = this.#free(body);
+    return component && this.#moments.of(component, body);
+  }
+
+  /** What a body hangs together with gets another load, or is struck: at this moment, and not in the middle of a step. */
+  loadChanges(body: Body): void {
+    const component = this.#free(body);
+    if (component) this.#moments.settle(component);
+  }
+
+  /** Its bodies may be others by now: those count that it held in the last step. */
+  #letsGo(joint: Joint): void {
+    const edge = this.#edges[this.#numbers.get(joint) ?? -1];
+    const body = edge && this.#bodies.bodies[Math.max(edge.a, edge.b)];
+    if (body) this.loadChanges(body);
+  }
+
+  /** What hangs together with a body, whole, where nothing but joints and forces acted in the last step. */
+  #free(body: Body): Component | undefined {
+    const component = this.#alone.has(body) ? this.#componentOf.get(body) : undefined;
+    if (!component) return undefined;
+    for (const k of component.joints) if (!this.#joints[k]) return undefined;
+    return component;
   }
 
   /** Its velocity is given anew. */
@@ -293,9 +325,11 @@ export class JointSolve extends Effect {
       pin: isPin(joint),
       rows: joint.lockedRows.length > 3 || isBounded(joint),
     }));
+    this.#edges = edges;
     this.#forest.build(numbers.size, edges);
     this.#turns.take([...numbers.keys()]);
     this.#solver.take([...numbers.keys()], joints, this.#joints, edges, this.#forest);
+    this.#moments.take([...numbers.keys()], joints, edges, this.#forest);
     this.#sleepingRows.take(joints, this.#forest);
     this.#componentOf.clear();
     this.#jointed.clear();

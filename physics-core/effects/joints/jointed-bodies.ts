@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { INERTIA, SIDE } from '../../solver/joints/blocks.js';
+import { copy6, INERTIA, SIDE } from '../../solver/joints/blocks.js';
 import type { Component } from '../../solver/joints/forest.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
@@ -35,9 +35,13 @@ export class JointedBodies {
   readonly #pose = new Float64Array(POSE);
   readonly #out = new Float64Array(SIDE);
 
-  constructor(simulation: Simulation, system: RowSystem) {
+  /** Whose bodies these are, at the end of their last step. */
+  readonly #of: JointedBodies | undefined;
+
+  constructor(simulation: Simulation, system: RowSystem, of?: JointedBodies) {
     this.#simulation = simulation;
     this.#system = system;
+    this.#of = of;
   }
 
   take(bodies: readonly Body[]): void {
@@ -99,6 +103,13 @@ export class JointedBodies {
     return moved && moved.step >= this.#simulation.stepsTaken ? moved.seconds : 0;
   }
 
+  /** Of a component at the end of its step: the longest of its bodies. */
+  stepOf({ bodies }: Component): number {
+    let longest = 0;
+    for (const i of bodies) longest = Math.max(longest, this.#of!.lastStep(this.bodies[i]!));
+    return longest;
+  }
+
   eachMoved(visit: (body: Body) => void): void {
     for (const body of this.#moved.keys()) visit(body);
   }
@@ -151,12 +162,13 @@ export class JointedBodies {
     const p = i * SIDE;
     reader.pose(body, pointer, pose, 0);
     reader.velocity(body, pointer, v, p);
-    reader.load(body, pointer, this.#load, p);
+    if (this.#of) copy6(this.#load, p, this.#of.#load, p);
+    else reader.load(body, pointer, this.#load, p);
     this.place[i * 3] = pose[0]!;
     this.place[i * 3 + 1] = pose[1]!;
     this.place[i * 3 + 2] = pose[2]!;
     writeMatrix(this.turn, i * MATRIX, pose, 3);
-    this.#readTraits(i, node, dt);
+    this.#readTraits(i, node, this.#of ? this.#of.lastStep(node) / 2 : dt);
     this.#writeInertia(i);
     this.#writeMomentum(i, node, dt);
     return (
@@ -211,7 +223,7 @@ export class JointedBodies {
    */
   #writeMomentum(i: number, node: Body, step: number): void {
     const { inertia, momentum } = this.#system;
-    const dt = (this.lastStep(node) + step) / 2;
+    const dt = this.#of ? this.#of.lastStep(node) / 2 : (this.lastStep(node) + step) / 2;
     const { appliedGravity } = node;
     const t = i * TRAITS;
     const n = i * INERTIA;

@@ -30,6 +30,7 @@ export class BodyBuild {
     const node = this.#node;
     if (node.fresh) return;
     const pose = node.pose();
+    node.motion.loadChanges();
     const velocity = node.velocityAtOrigin();
     node.mass = massOf(node);
     if (!samePose(node.mass.centerOfMass, node.centerOfMass))
@@ -55,6 +56,7 @@ export class BodyBuild {
       this.updateShape();
       return;
     }
+    node.motion.loadChanges();
     node.mass = mass;
     this.#applyMass();
     node.wake();

@@ -31,6 +31,7 @@ export class BodyCommands {
     const given = <T>(type: 'SFVec3f' | 'SFRotation', value: unknown, now: T): T | undefined =>
       value === undefined ? now : this.argument<T>('teleport', type, value);
     if (!node.built) return;
+    node.motion.loadChanges();
     const { linear, angular } = node.velocityAtOrigin();
     const p = this.argument<Vec3>('teleport', 'SFVec3f', position);
     const rotation = given('SFRotation', orientation, rotationOf(node.pose().q));
@@ -61,6 +62,7 @@ export class BodyCommands {
     const node = this.#node;
     this.#apply('applyImpulse', impulse, at, (j, moment) => {
       const { scratch } = node.world.engine;
+      node.motion.loadChanges();
       node.body.applyCentralImpulse(scratch.vector(...j));
       node.body.applyTorqueImpulse(scratch.vector(...moment));
       node.world.bodies.readVelocity(node);

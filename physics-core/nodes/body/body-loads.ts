@@ -36,7 +36,10 @@ export class BodyLoads {
   /** Bullet forgets it with each new mass, and whenever the body comes into the world. */
   applyGravity(): void {
     const { gravity } = this;
-    if (!gravity.every((value, i) => value === this.appliedGravity[i])) this.#node.wake();
+    if (!gravity.every((value, i) => value === this.appliedGravity[i])) {
+      this.#node.motion.loadChanges();
+      this.#node.wake();
+    }
     this.appliedGravity = gravity;
     this.#node.world.bodies.review(this.#node);
     this.#node.body.setGravity(this.#node.world.engine.scratch.vector(...gravity));
@@ -45,6 +48,7 @@ export class BodyLoads {
   updateForces(): void {
     const sum = (name: string): Vec3 =>
       this.#node.asked<Vec3[]>(name).reduce<Vec3>((total, value) => add(total, value), [0, 0, 0]);
+    this.#node.motion.loadChanges();
     this.constantLoad = { force: sum('forces'), torque: sum('torques') };
     this.#node.changed('load');
     this.#node.wake();

@@ -103,6 +103,7 @@ export class BodyMotion {
       this.start = pose;
       return;
     }
+    this.loadChanges();
     this.#wakeTouching();
     if (this.kinematic) this.#letGo();
     const velocity = this.velocityAtOrigin();
@@ -176,8 +177,28 @@ export class BodyMotion {
     return { linear: subtract([vx!, vy!, vz!], cross(angular, this.#arm())), angular };
   }
 
+  /** The same, where joints hold it too: of the end of the step, not of its middle. */
+  velocityShown(): Velocity {
+    const { world } = this.#node;
+    const now = world.registry.find(jointSolve)?.velocityOf(this.#node);
+    if (!now) return this.velocityAtOrigin();
+    const { velocities: v, at } = now;
+    const angular: Vec3 = [v[at + 3]!, v[at + 4]!, v[at + 5]!];
+    return {
+      linear: subtract([v[at]!, v[at + 1]!, v[at + 2]!], cross(angular, this.#arm())),
+      angular,
+    };
+  }
+
+  /** It is about to be pushed, struck or turned otherwise than before. */
+  loadChanges(): void {
+    const node = this.#node;
+    if (node.built && node.joints.size > 0) node.world.registry.find(jointSolve)?.loadChanges(node);
+  }
+
   setVelocityAtOrigin({ linear, angular }: Velocity): void {
     const { world, body } = this.#node;
+    this.loadChanges();
     const { scratch } = world.engine;
     body.setLinearVelocity(scratch.vector(...add(linear, cross(angular, this.#arm()))));
     body.setAngularVelocity(scratch.vector(...angular));
@@ -188,6 +209,7 @@ export class BodyMotion {
   updateVelocity(part: 'linearVelocity' | 'angularVelocity'): void {
     const node = this.#node;
     if (!node.movable) return;
+    this.loadChanges();
     const velocity = this.velocityAtOrigin();
     const value = [...node.asked<Vec3>(part)] as Vec3;
     this.setVelocityAtOrigin(

@@ -143,6 +143,8 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
 
   /** The constraint came or went, or its stops, motors or rows are others. */
   #changed(): void {
+    this.body1?.motion.loadChanges();
+    this.body2?.motion.loadChanges();
     this.stops = this.attached ? this.wantedStops() : [];
     this.motors = this.attached ? this.wantedMotors() : [];
     this.world.registry.jointChanged(this);

@@ -101,7 +101,7 @@ export abstract class PlacedJoint extends PhysicsNode {
   /** ω1 - ω2, rad/s. */
   relativeSpin(): Vec3 {
     const spin = (body: BodyNode | undefined): Vec3 =>
-      body ? body.velocityAtOrigin().angular : [0, 0, 0];
+      body ? body.motion.velocityShown().angular : [0, 0, 0];
     return subtract(spin(this.body1), spin(this.body2));
   }
 
