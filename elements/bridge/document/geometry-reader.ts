@@ -16,6 +16,8 @@ import { nodeOf } from '../x3dom/x3dom.js';
 export class GeometryReader {
   readonly #user: Binding;
   readonly found: GeometryData[] = [];
+  /** What is being read: what stands in itself by USE is read but once. */
+  readonly #reading = new Set<Element>();
   /** One of the Shapes has no geometry that could be used. */
   waiting = false;
 
@@ -24,39 +26,49 @@ export class GeometryReader {
   }
 
   /** All Shapes at and under `root` that no nearer body owns; `matrix` takes root's own frame to the collidable's. */
-  collect(root: Element, scope: Scope, matrix: Affine = identity()): void {
+  collect(root: Element, around: Scope, matrix: Affine = identity()): void {
     this.#watch(root);
-    const use = attribute(root, 'USE');
-    const element = use ? scope.find(use, this.#user) : root;
-    if (!element) return;
+    const meant = this.#meant(root, around);
+    if (!meant || this.#reading.has(meant.element)) return;
+    const { element, scope } = meant;
+    this.#reading.add(element);
     if (element !== root) this.#watch(element);
     if (isShape(element)) this.#shape(element, scope, matrix);
     else for (const child of element.children) this.#child(child, scope, matrix);
+    this.#reading.delete(element);
   }
 
   /** The first of some elements that is a geometry itself: a massDensityModel. */
-  single(elements: Element[], scope: Scope): GeometryData | undefined {
+  single(elements: Element[], around: Scope): GeometryData | undefined {
     const geometry = elements.find((element) => knownGeometry(lowerName(element)));
-    return geometry && this.#geometry(geometry, scope);
+    const meant = geometry && this.#meant(geometry, around);
+    return meant && this.#geometry(meant.element, meant.scope);
   }
 
-  #child(child: Element, scope: Scope, matrix: Affine): void {
+  /** An element, or what it stands for by USE, which may stand in another file. */
+  #meant(element: Element, scope: Scope): { element: Element; scope: Scope } | undefined {
+    const use = attribute(element, 'USE');
+    if (!use) return { element, scope };
+    const found = scope.find(use, this.#user);
+    return found && { element: found, scope: scope.all.around(found) ?? scope };
+  }
+
+  #child(child: Element, around: Scope, matrix: Affine): void {
     if (isPhysics(child)) return;
-    const use = attribute(child, 'USE');
-    const element = use ? scope.find(use, this.#user) : child;
-    if (!element) return;
-    if (!isTransform(element)) return this.collect(child, scope, matrix);
+    const meant = this.#meant(child, around);
+    if (!meant) return;
+    const { element } = meant;
+    if (!isTransform(element)) return this.collect(child, around, matrix);
     // A Transform with a body of its own moves by itself, as long as it has one.
     if (this.#user.scene!.drivers.of(element)) return this.#watch(element);
-    this.collect(child, scope, multiply(matrix, localMatrix(element)));
+    this.collect(child, around, multiply(matrix, localMatrix(element)));
   }
 
-  #shape(shape: Element, scope: Scope, matrix: Affine): void {
+  #shape(shape: Element, around: Scope, matrix: Affine): void {
     this.#watch(shape);
     const before = this.found.length;
     for (const child of shape.children) {
-      const use = attribute(child, 'USE');
-      const element = (use ? scope.find(use, this.#user) : child) ?? child;
+      const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
       const data = this.#geometry(element, scope);
       if (!data) continue;
       this.found.push(placed(data, matrix, scope.units.length));
@@ -81,10 +93,9 @@ export class GeometryReader {
     return data;
   }
 
-  #coord(geometry: Element, scope: Scope): number[] {
+  #coord(geometry: Element, around: Scope): number[] {
     for (const child of geometry.children) {
-      const use = attribute(child, 'USE');
-      const element = (use ? scope.find(use, this.#user) : child) ?? child;
+      const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
       if (!/^coordinate(double)?$/.test(lowerName(element))) continue;
       this.#watch(element);
       const text = attribute(element, 'point') ?? '';

@@ -1,24 +1,14 @@
 import { namers, ownBinding, type Binding } from '../nodes/binding.js';
-import { attribute, isType, lowerName, precedes } from '../words/dom.js';
+import { attribute, isType } from '../words/dom.js';
 import { nodeElement, parentIn } from '../scopes/instances.js';
 import type { Scope } from '../scopes/scope.js';
+import * as standing from '../scopes/standing.js';
 
 // Who belongs to whom, read off the document: pure questions, asked anew whenever something near changed.
 
-/** Where a node stands: its own element and those that stand for it by USE, in document order. */
-export function placesOf(binding: Binding): Element[] {
-  const uses = binding.scope!.names.usesOf(binding.element);
-  const places = uses.length > 0 ? [binding.element, ...uses].sort(precedes) : [binding.element];
-  return places.filter((place) => !inMetadata(place));
-}
-
-/** Authoring tools keep copies of nodes in metadata; those take part only where they are USEd. */
-function inMetadata(element: Element): boolean {
-  for (let at = element.parentElement; at; at = at.parentElement) {
-    if (lowerName(at).startsWith('metadata')) return true;
-  }
-  return false;
-}
+/** Where a node takes part: its own element and those that stand for it by USE, in document order. */
+export const placesOf = (binding: Binding): Element[] =>
+  standing.placesOf(binding.element, binding.scope!);
 
 function collectionAbove(element: Element, scope: Scope): Binding | undefined {
   const [namer] = namers.of(element, 'RigidBodyCollection');
@@ -35,10 +25,12 @@ const above = (element: Element, { all }: Scope): Element | null => {
   return scope ? parentIn(element, scope) : element.parentElement;
 };
 
+const scopeOf = (place: Element, { scope }: Binding): Scope => scope!.all.around(place) ?? scope!;
+
 /** The collection that a body, joint or CollisionCollection belongs to: the first in document order owns it. */
 export function collectionOf(binding: Binding): Binding | undefined {
   const collections = placesOf(binding)
-    .map((place) => collectionAbove(place, binding.scope!))
+    .map((place) => collectionAbove(place, scopeOf(place, binding)))
     .filter((found) => found !== undefined);
   const [first] = collections;
   const second = collections.find((other) => other !== first);
@@ -66,16 +58,19 @@ export function meant(user: Binding, element: Element, role: string): Binding | 
     user.waitFor(role, use);
     return undefined;
   }
-  return ownBinding(found);
+  return ownBinding(nodeElement(found, scope.all));
 }
 
-/** The body that a collidable makes a shape of, through any offsets; the first in document order owns it. */
-export function ownerOf(collidable: Binding): Binding | undefined {
-  const uses = collidable.scope!.names.usesOf(collidable.element);
-  for (const place of [collidable.element, ...uses].sort(precedes)) {
+/**
+ * The body that a collidable makes a shape of, through any offsets; the first in document order owns it. Offsets may
+ * stand in each other in a circle: none is asked twice.
+ */
+export function ownerOf(collidable: Binding, asked = new Set<Binding>()): Binding | undefined {
+  if (asked.has(collidable) || !collidable.scope) return undefined;
+  asked.add(collidable);
+  for (const place of placesOf(collidable)) {
     for (const holder of holdersOf(place, collidable, 'RigidBody', 'CollidableOffset')) {
-      if (holder.is('RigidBody')) return holder;
-      const owner = holder !== collidable ? ownerOf(holder) : undefined;
+      const owner = holder.is('RigidBody') ? holder : ownerOf(holder, asked);
       if (owner) return owner;
     }
   }
@@ -83,8 +78,8 @@ export function ownerOf(collidable: Binding): Binding | undefined {
 }
 
 /** The nodes of these types in which an element stands as a child, or that name it. */
-function holdersOf(place: Element, { scope }: Binding, ...types: string[]): Binding[] {
-  const parent = parentIn(place, scope!);
+function holdersOf(place: Element, binding: Binding, ...types: string[]): Binding[] {
+  const parent = parentIn(place, scopeOf(place, binding));
   const holder = parent && isType(parent, ...types) ? ownBinding(parent) : undefined;
   return [...(holder ? [holder] : []), ...namers.of(place, ...types)];
 }

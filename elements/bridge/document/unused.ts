@@ -34,7 +34,7 @@ function isUnused(binding: Binding): boolean {
 }
 
 function isHeld(place: Element, { scope }: Binding): boolean {
-  const parent = parentIn(place, scope!);
+  const parent = parentIn(place, scope!.all.around(place) ?? scope!);
   return (!!parent && isPhysics(parent)) || namers.of(place, ...HOLDERS).length > 0;
 }
 

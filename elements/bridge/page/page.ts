@@ -12,13 +12,18 @@ import { listening } from '../x3dom/listening.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 import { firstCopy, tellTwoCopies } from './copies.js';
 import { explanation, type Explanation } from './explain.js';
+import { circle } from '../document/circles.js';
 import { Scenes, X3D } from './scenes.js';
 
 /** The page: hands what x3dom tells us to the scene it concerns, and answers what users ask. */
 class Page implements Listener {
   readonly #scenes = new Scenes({
     register: () => this.#register(),
-    made: (world, x3d) => world.on('ready', () => this.#reportOtherPhysics(world, x3d)),
+    made: (world, x3d) =>
+      world.on('ready', () => {
+        this.#reportOtherPhysics(world, x3d);
+        this.#reportCircles(world, x3d);
+      }),
   });
   #registered = false;
   begun = false;
@@ -78,6 +83,24 @@ class Page implements Listener {
       },
       x3d,
     );
+  }
+
+  /** USEs of what they stand in, that nobody has been told of. */
+  readonly #circles = new Set<Element>();
+
+  circleRefused(use: Element): void {
+    this.#circles.add(use);
+    const scene = this.#scenes.of(use);
+    const world = [...(scene?.worlds.all ?? [])].find(({ started }) => started);
+    if (scene && world) this.#reportCircles(world, scene.x3d);
+  }
+
+  #reportCircles(world: PageWorld, x3d: Element): void {
+    for (const use of this.#circles) {
+      if (this.#scenes.of(use)?.x3d !== x3d) continue;
+      this.#circles.delete(use);
+      world.report(circle(use), use);
+    }
   }
 
   #listenersChanged(target: EventTarget, name: string): void {

@@ -64,9 +64,13 @@ export class Arrivals {
   #reviveUses(element: Element, scope: Scope): void {
     const { document } = this.#scene;
     if (!document || !nodeOf(element)) return;
-    for (const use of scope.names.usesOf(element)) {
+    for (const use of scope.usesOf(element)) {
       const parent = use.parentElement;
-      if (!nodeOf(use) && parent && nodeOf(parent)) document.onNodeAdded(use, parent);
+      const space = parent && nodeOf(parent)?._nameSpace;
+      if (nodeOf(use) || !parent || !space) continue;
+      // By IMPORT, of which x3dom hears before the file is there.
+      space.defMap[attribute(use, 'USE')!] ??= nodeOf(element);
+      document.onNodeAdded(use, parent);
     }
   }
 

@@ -84,6 +84,8 @@ export interface PhysicsX3DNode extends X3DNode {
 export interface NameSpace {
   doc: X3DDocument;
   superInlineNode: X3DNode | null;
+  defMap: Record<string, X3DNode | undefined>;
+  setupTree(node: Node, parent: X3DNode | null): X3DNode | null;
   routeLateRoutes(): void;
 }
 
@@ -135,6 +137,7 @@ export interface X3DOM {
   nodeTypes: Record<string, X3DNodeClass>;
   nodeTypesLC: Record<string, X3DNodeClass>;
   Mesh: X3DMeshClass;
+  NodeNameSpace: { prototype: NameSpace };
   fields: {
     SFVec3f: new (x: number, y: number, z: number) => X3DVector;
     SFVec2f: new (x: number, y: number) => { x: number; y: number };

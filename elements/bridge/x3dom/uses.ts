@@ -1,0 +1,90 @@
+import { attribute, isPhysics, isTemplate } from '../words/dom.js';
+import { nodeOf, type NameSpace, type X3DNode, type X3DOM } from './x3dom.js';
+
+// x3dom drops a USE that it meets before its DEF, and breaks off where a geometry lacks its Coordinate for that; it does
+// not look into what it does not know, a Script's fields; and what stands in itself by USE it follows until its stack is
+// full. So what is USEd is set up as soon as it is asked for, and never in itself.
+
+/** Whom that is told. */
+export interface UseListener {
+  /** A USE of something that it stands in itself. */
+  circleRefused(use: Element): void;
+}
+
+/** What is set up before x3dom comes to it: it is there already then. */
+const early = new WeakSet<Element>();
+/** What is being set up now: each stands in the one before. */
+const open = new Set<Element>();
+
+export function watchUses(x: X3DOM, listener: UseListener): void {
+  const { prototype } = x.NodeNameSpace;
+  const { setupTree } = prototype;
+
+  prototype.setupTree = function (node, parent): X3DNode | null {
+    if (!isElement(node)) return setupTree.call(this, node, parent);
+    if (early.delete(node)) return nodeOf(node) ?? null;
+    const name = attribute(node, 'USE');
+    if (name === null) return setUp(this, node, parent);
+    if (!this.defMap[name]) setUpEarly(this, node, name);
+    const meant = this.defMap[name];
+    if (!meant || !isCircle(meant, node)) return setupTree.call(this, node, parent);
+    listener.circleRefused(node);
+    return null;
+  };
+
+  function setUp(space: NameSpace, element: Element, parent: X3DNode | null): X3DNode | null {
+    open.add(element);
+    try {
+      return setupTree.call(space, element, parent);
+    } finally {
+      open.delete(element);
+    }
+  }
+
+  function setUpEarly(space: NameSpace, use: Element, name: string): void {
+    const element = bearerNear(use, name);
+    if (!element || open.has(element) || nodeOf(element)) return;
+    if (!x.nodeTypesLC[element.localName.toLowerCase()]) return;
+    if (setUp(space, element, null)) early.add(element);
+  }
+}
+
+const isElement = (node: Node): node is Element => node.nodeType === Node.ELEMENT_NODE;
+
+/** Our own nodes draw nothing of what they name. */
+function isCircle(meant: X3DNode, use: Element): boolean {
+  const parent = use.parentElement;
+  if (!parent || isPhysics(parent)) return false;
+  if (meant._xmlNode && open.has(meant._xmlNode)) return true;
+  const node = nodeOf(parent);
+  return node !== undefined && standsIn(node, meant);
+}
+
+/** Whether `node` is `outer` or in it. */
+function standsIn(node: X3DNode, outer: X3DNode, asked = new Set<X3DNode>()): boolean {
+  if (node === outer) return true;
+  if (asked.has(node)) return false;
+  asked.add(node);
+  return node._parentNodes.some((parent) => standsIn(parent, outer, asked));
+}
+
+/** DEFs of a tree, for as long as it is read. */
+const known = new Map<Node, Map<string, Element>>();
+
+/** The last element of that DEF in the tree of a USE. */
+function bearerNear(use: Element, name: string): Element | undefined {
+  let root: Element = use;
+  while (root.parentElement && root.localName.toLowerCase() !== 'scene') root = root.parentElement;
+  if (known.size === 0) queueMicrotask(() => known.clear());
+  const defs = known.get(root) ?? defsIn(root);
+  known.set(root, defs);
+  return defs.get(name);
+}
+
+function defsIn(root: Element, defs = new Map<string, Element>()): Map<string, Element> {
+  if (isTemplate(root)) return defs;
+  const name = attribute(root, 'DEF');
+  if (name !== null) defs.set(name, root);
+  for (const child of root.children) defsIn(child, defs);
+  return defs;
+}
