@@ -2,6 +2,7 @@ import { namers, ownBinding, type Binding } from '../nodes/binding.js';
 import { attribute, isType } from '../words/dom.js';
 import { nodeElement, parentIn } from '../scopes/instances.js';
 import type { Scope } from '../scopes/scope.js';
+import { byPlace } from './order.js';
 import * as standing from '../scopes/standing.js';
 
 // Who belongs to whom, read off the document: pure questions, asked anew whenever something near changed.
@@ -102,14 +103,61 @@ export function listing(binding: Binding, asked = new Set<Binding>()): Binding |
   return undefined;
 }
 
-/** The nodes of these types that a field names; where it names none, those among the children. */
-export function nodesOf(binding: Binding, role: string, ...types: string[]): Binding[] {
+/**
+ * The nodes of these types that a field names; where it names none, those among the children. Without what the node stands
+ * in itself.
+ */
+export const nodesOf = (binding: Binding, role: string, ...types: string[]): Binding[] =>
+  named(binding, role, ...types).filter((found) => !closesCircle(binding, found));
+
+function named(binding: Binding, role: string, ...types: string[]): Binding[] {
   const elements = binding.named(role) ?? [...binding.element.children];
   return elements
     .map((element) => nodeElement(element, binding.scope!.all))
     .filter((element) => isType(element, ...types))
     .map((element) => meant(binding, element, role))
     .filter((found) => found !== undefined);
+}
+
+/** Of nodes that stand in each other in a circle, the last in document order goes without. */
+function closesCircle(binding: Binding, found: Binding): boolean {
+  if (!binding.is(...NESTING)) return false;
+  const way = wayTo(binding, found);
+  return way !== undefined && !way.some((other) => byPlace(other, binding) > 0);
+}
+
+/** Tells of what an offset or a space goes without, as it stands in that itself. */
+export function tellCircles(binding: Binding): void {
+  const role = nestingRole(binding);
+  for (const found of named(binding, role, ...NESTING)) {
+    if (!closesCircle(binding, found)) continue;
+    binding.problem({
+      code: 'use-circle',
+      severity: 'warning',
+      attribute: role,
+      value: found.name,
+      used: 'nothing',
+      message: `${found.label} stands in itself: ${binding.label} goes without it`,
+    });
+  }
+}
+
+/** Nodes that may stand in nodes of their kind. */
+const NESTING = ['CollidableOffset', 'CollisionSpace'];
+
+const nestingRole = (binding: Binding): string =>
+  binding.is('CollisionSpace') ? 'collidables' : 'collidable';
+
+/** From a node through what is in it to one that stands there again. */
+function wayTo(end: Binding, at: Binding, asked = new Set<Binding>()): Binding[] | undefined {
+  if (at === end) return [at];
+  if (asked.has(at) || !at.scope || !at.is(...NESTING)) return undefined;
+  asked.add(at);
+  for (const next of named(at, nestingRole(at), ...NESTING)) {
+    const way = wayTo(end, next, asked);
+    if (way) return [at, ...way];
+  }
+  return undefined;
 }
 
 export const collidablesIn = (binding: Binding, role: string): Binding[] =>

@@ -89,6 +89,8 @@ class Page implements Listener {
   readonly #circles = new Set<Element>();
 
   circleRefused(use: Element): void {
+    // Of our own nodes their binding tells.
+    if (isPhysics(use)) return;
     this.#circles.add(use);
     const scene = this.#scenes.of(use);
     const world = [...(scene?.worlds.all ?? [])].find(({ started }) => started);

@@ -1,7 +1,7 @@
 import { show, type PhysicsNode, type World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
-import { listsAll, membersOf, nodesOf } from '../document/structure.js';
+import { listsAll, membersOf, nodesOf, tellCircles } from '../document/structure.js';
 
 /** The one CollisionCollection among the children. */
 function colliderOf(binding: Binding, world: World): PhysicsNode | null {
@@ -43,5 +43,6 @@ export function planColliders(binding: Binding, world: World): Plan {
 }
 
 export function planSpace(binding: Binding, world: World): Plan {
+  tellCircles(binding);
   return { world, relations: { collidables: listedBy(binding, world) } };
 }

@@ -11,7 +11,7 @@ import { GeometryReader, noteWaiting } from '../document/geometry-reader.js';
 import { axisAngleOf, decompose, identity, withLinear } from '../geometry/matrix.js';
 import { nodesIn, type Plan } from './plan.js';
 import { standInMatrix } from '../document/shortcuts.js';
-import { collidablesIn, ownerOf } from '../document/structure.js';
+import { collidablesIn, ownerOf, tellCircles } from '../document/structure.js';
 import { transformsAbove } from '../scopes/transforms.js';
 
 export function planShape(binding: Binding, world: World): Plan {
@@ -69,6 +69,7 @@ function followAbove(binding: Binding): void {
 }
 
 export function planOffset(binding: Binding, world: World): Plan {
+  tellCircles(binding);
   const child = collidablesIn(binding, 'collidable')[0];
   const collidable = child ? (nodesIn(world, [child], binding)[0] ?? null) : null;
   const relations: Record<string, unknown> = { collidable };

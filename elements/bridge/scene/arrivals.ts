@@ -5,6 +5,7 @@ import type { Updates } from '../plans/updates.js';
 import type { Scope } from '../scopes/scope.js';
 import { attribute, isInline, isPhysics, nameOf } from '../words/dom.js';
 import { nodeOf, type PhysicsX3DNode, type X3DDocument } from '../x3dom/x3dom.js';
+import { isRefused } from '../x3dom/uses.js';
 import type { Tree } from './tree.js';
 
 /** The scene in which they arrive. */
@@ -67,7 +68,7 @@ export class Arrivals {
     for (const use of scope.usesOf(element)) {
       const parent = use.parentElement;
       const space = parent && nodeOf(parent)?._nameSpace;
-      if (nodeOf(use) || !parent || !space) continue;
+      if (nodeOf(use) || isRefused(use) || !parent || !space) continue;
       // By IMPORT, of which x3dom hears before the file is there.
       space.defMap[attribute(use, 'USE')!] ??= nodeOf(element);
       document.onNodeAdded(use, parent);

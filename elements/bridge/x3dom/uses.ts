@@ -1,4 +1,4 @@
-import { attribute, isPhysics, isTemplate } from '../words/dom.js';
+import { attribute, isPhysics, isTemplate, isTransform, isType } from '../words/dom.js';
 import { nodeOf, type NameSpace, type X3DNode, type X3DOM } from './x3dom.js';
 
 // x3dom drops a USE that it meets before its DEF, and breaks off where a geometry lacks its Coordinate for that; it does
@@ -16,6 +16,12 @@ const early = new WeakSet<Element>();
 /** What is being set up now: each stands in the one before. */
 const open = new Set<Element>();
 
+/** USEs of what they stand in. */
+const refused = new WeakSet<Element>();
+
+/** Whether x3dom is to have nothing for it. */
+export const isRefused = (use: Element): boolean => refused.has(use);
+
 export function watchUses(x: X3DOM, listener: UseListener): void {
   const { prototype } = x.NodeNameSpace;
   const { setupTree } = prototype;
@@ -28,7 +34,8 @@ export function watchUses(x: X3DOM, listener: UseListener): void {
     if (!this.defMap[name]) setUpEarly(this, node, name);
     const meant = this.defMap[name];
     if (!meant || !isCircle(meant, node)) return setupTree.call(this, node, parent);
-    listener.circleRefused(node);
+    if (!refused.has(node)) listener.circleRefused(node);
+    refused.add(node);
     return null;
   };
 
@@ -36,6 +43,9 @@ export function watchUses(x: X3DOM, listener: UseListener): void {
     open.add(element);
     try {
       return setupTree.call(space, element, parent);
+    } catch (error) {
+      if (!waits(element)) throw error;
+      return nodeOf(element) ?? null;
     } finally {
       open.delete(element);
     }
@@ -51,14 +61,22 @@ export function watchUses(x: X3DOM, listener: UseListener): void {
 
 const isElement = (node: Node): node is Element => node.nodeType === Node.ELEMENT_NODE;
 
-/** Our own nodes draw nothing of what they name. */
+/** A geometry whose Coordinate comes with a file: x3dom breaks off, and is shown it when it is there. */
+const waits = ({ children }: Element): boolean =>
+  [...children].some((child) => attribute(child, 'USE') !== null && !nodeOf(child));
+
 function isCircle(meant: X3DNode, use: Element): boolean {
   const parent = use.parentElement;
-  if (!parent || isPhysics(parent)) return false;
+  if (!parent || !draws(parent, use)) return false;
   if (meant._xmlNode && open.has(meant._xmlNode)) return true;
   const node = nodeOf(parent);
   return node !== undefined && standsIn(node, meant);
 }
+
+/** Of our own nodes only collidables draw what is in them, but for the Transform that they name. */
+const draws = (parent: Element, child: Element): boolean =>
+  !isPhysics(parent) ||
+  (isType(parent, 'CollidableShape', 'CollidableOffset') && !isTransform(child));
 
 /** Whether `node` is `outer` or in it. */
 function standsIn(node: X3DNode, outer: X3DNode, asked = new Set<X3DNode>()): boolean {

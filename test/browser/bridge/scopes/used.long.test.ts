@@ -3,7 +3,7 @@ import { page } from '../../../../elements/bridge/index.js';
 import { drawn, drawnAt, nextFrame, place, position, until } from '../../scene.js';
 import { worldOf, type World } from '../../inside.js';
 import { claim } from '../../console.js';
-import { fieldsOf, inAnotherCollection, isOwned, MOVABLE, PLACES, sceneWithout } from './used.js';
+import { ALL, fieldsOf, MOVED, ownedAmong, PLACES, sceneWithout } from './used.js';
 
 interface Seen {
   /** Where all bodies are after a second, by name. */
@@ -18,7 +18,7 @@ async function see(markup: string): Promise<Seen> {
   place(markup);
   // Until then the scene before it is there, too.
   await nextFrame();
-  await until(() => ALL.every((name) => worldNamed(name)?.node(name) !== undefined), 1000);
+  await until(() => NAMED.every((name) => worldNamed(name)?.node(name) !== undefined), 1000);
   const worlds = ['collection', 'crateBody'].map((name) => worldNamed(name)!);
   for (const world of worlds) {
     await world.ready;
@@ -43,7 +43,7 @@ function worldNamed(name: string): World | undefined {
   return element && worldOf(element);
 }
 
-const ALL = ['collection', 'ball', 'arm', 'floor', 'post', 'crateBody'];
+const NAMED = ['collection', 'ball', 'arm', 'floor', 'post', 'crateBody'];
 
 /** Between a body and what x3dom draws of its collidable. */
 function gapOf(world: World, name: string): number {
@@ -65,37 +65,39 @@ function compare(seen: Seen, expected: Seen): void {
   for (const gap of seen.gaps) expect(gap).to.be.lessThan(0.01);
 }
 
-describe('a node that stands elsewhere and is USEd', () => {
+describe('nodes that stand elsewhere and are USEd', () => {
   let expected: Seen;
-  let cases = 0;
-  const rows = Object.keys(PLACES).length;
+  const walked = new Set<string>();
+
+  // x3dom itself stumbles over an Inline that goes within a second of its coming.
+  const { setTimeout } = window;
+  after(() => (window.setTimeout = setTimeout));
 
   before(async () => {
-    expected = await see(sceneWithout(undefined).scene);
+    const soon = (work: TimerHandler, delay?: number): number =>
+      setTimeout(work, delay === 1000 ? 0 : delay);
+    window.setTimeout = soon as typeof window.setTimeout;
+    expected = await see(sceneWithout([]).scene);
   });
 
   for (const [where, put] of Object.entries(PLACES)) {
-    for (const moved of MOVABLE) {
-      it(`${moved} in ${where} is ${fieldsOf(moved).join(', ')} as if it stood there`, async () => {
-        const { scene, node } = sceneWithout(moved);
-        compare(await see(put(scene, node)), expected);
-        cases++;
+    for (const moved of MOVED) {
+      it(`${moved.join(', ')} in ${where} are as if they stood there`, async () => {
+        const { scene, kept } = sceneWithout(moved);
+        const owned = where === 'another collection after' ? ownedAmong(moved) : 0;
+        claim(...Array<string>(owned).fill('already-owned'));
+        const seen = await see(put(scene, kept));
+        expect(seen.problems.splice(0)).to.have.lengthOf(owned);
+        compare(seen, expected);
+        for (const def of moved)
+          for (const field of fieldsOf(def)) walked.add(`${where}: ${def} as ${field}`);
       });
     }
   }
 
-  for (const moved of MOVABLE) {
-    if (moved === 'collection') continue;
-    it(`${moved} in another collection after it is ${fieldsOf(moved).join(', ')} as if it stood there`, async () => {
-      const { scene, node } = sceneWithout(moved);
-      if (isOwned(moved)) claim('already-owned');
-      const seen = await see(inAnotherCollection(scene, node));
-      if (isOwned(moved)) expect(seen.problems.splice(0).length).to.equal(1);
-      compare(seen, expected);
-    });
-  }
-
-  it('none of the places and fields is left out', () => {
-    expect(cases).to.equal(rows * MOVABLE.length);
+  it('none of the places, nodes and fields is left out', () => {
+    const values = ALL.flatMap(fieldsOf).length;
+    expect(MOVED.flat().sort()).to.eql([...ALL].sort());
+    expect(walked.size).to.equal(Object.keys(PLACES).length * values);
   });
 });

@@ -180,16 +180,23 @@ for (const each of SCENE) note(each, 'Scene');
 nodes.set('space', SPACE);
 for (const each of SPACE.children!) note(each, SPACE.tag);
 
-/** What may stand elsewhere, of all that there is. */
-export const MOVABLE = [...nodes.keys()];
+/** What stands elsewhere together: none of these stands in another one of its row. */
+export const MOVED: readonly (readonly string[])[] = [
+  ['collection'],
+  ['ball', 'floor', 'arm', 'post', 'joint', 'collider', 'sensor', 'crate'],
+  ['ballShape', 'offset', 'armShape', 'postShape', 'space', 'model', 'crateLook', 'crateBody'],
+  ['shape', 'floorShape', 'armLook', 'postLook', 'crateBox'],
+  ['faces', 'floorLook', 'armBox', 'postBox'],
+  ['coord', 'floorBox'],
+];
+
+/** All nodes that are the value of a field. */
+export const ALL = [...nodes.keys()];
 
 /** The fields of which a node is a value somewhere in the scene. */
 export const fieldsOf = (def: string): string[] => [...fields.get(def)!];
 
-/** Nodes that stand elsewhere, by DEF. */
-type Elsewhere = ReadonlySet<string>;
-
-function written({ node, field }: Child, elsewhere: Elsewhere, seen: Set<string>): string {
+function written({ node, field }: Child, elsewhere: ReadonlySet<string>, seen: Set<string>): string {
   const def = typeof node === 'string' ? node : node.def;
   const container = field ? ` containerField="${field}"` : '';
   const { tag, attributes = '', children = [] } = nodes.get(def)!;
@@ -199,50 +206,50 @@ function written({ node, field }: Child, elsewhere: Elsewhere, seen: Set<string>
   return `<${tag} DEF="${def}"${container} ${attributes}>${inner}</${tag}>`;
 }
 
-/** The scene, and the node `moved` as it is to stand elsewhere; all that is in it goes along. */
-export function sceneWithout(moved: string | undefined): { scene: string; node: string } {
-  const elsewhere = new Set(moved ? [moved] : []);
+/** The scene, and the nodes `moved` as they are to stand elsewhere; all that is in them goes along. */
+export function sceneWithout(moved: readonly string[]): { scene: string; kept: string[] } {
   const seen = new Set<string>();
-  const node = moved ? written(child(nodes.get(moved)!), new Set(), seen) : '';
-  const scene = SCENE.map((each) => written(each, elsewhere, seen)).join('');
-  return { scene, node };
+  const kept = moved.map((def) => {
+    const others = new Set(moved.filter((other) => other !== def));
+    return written(child(nodes.get(def)!), others, seen);
+  });
+  const scene = SCENE.map((each) => written(each, new Set(moved), seen)).join('');
+  return { scene, kept };
 }
 
-const inMetadata = (node: string): string =>
-  `<WorldInfo title="t"><MetadataSet name="m" reference="r">${withField(node, 'value')}</MetadataSet></WorldInfo>`;
+const inMetadata = (kept: string[]): string =>
+  `<WorldInfo title="t"><MetadataSet name="m" reference="r">${kept.map(asValue).join('')}</MetadataSet></WorldInfo>`;
 
-const withField = (node: string, field: string): string =>
-  node.replace(/^<(\w+)/, `<$1 containerField="${field}"`);
+const asValue = (node: string): string =>
+  node.replace(/^<(\w+)/, '<$1 containerField="value"');
 
-/** Where the node may stand: the markup of a scene from its own and the node's. */
-export const PLACES: Record<string, (scene: string, node: string) => string> = {
-  'a Group before': (scene, node) => `<Group>${node}</Group>${scene}`,
-  'a Group after': (scene, node) => `${scene}<Group>${node}</Group>`,
-  metadata: (scene, node) => inMetadata(node) + scene,
-  'metadata after': (scene, node) => scene + inMetadata(node),
-  'metadata, deep': (scene, node) =>
-    `<Group><MetadataSet name="a" containerField="metadata"><MetadataSet name="b" containerField="value"><Group containerField="value"><Group>${node}</Group></Group></MetadataSet></MetadataSet></Group>${scene}`,
-  'a Switch that chooses nothing': (scene, node) =>
-    `<Switch whichChoice="-1"><Group>${node}</Group></Switch>${scene}`,
-  'a LOD that shows another level': (scene, node) =>
-    `<LOD range="1"><Group>${node}</Group><Group></Group></LOD>${scene}`,
-  'a prototype of all': (scene, node) =>
-    `<ProtoDeclare name="All"><ProtoBody><Group>${inMetadata(node)}${scene}</Group></ProtoBody></ProtoDeclare><ProtoInstance name="All" DEF="all"></ProtoInstance>`,
-  'a Group of a file': (scene, node) => inFile(`<Group>${node}</Group>${scene}`),
-  'metadata of a file': (scene, node) => inFile(inMetadata(node) + scene),
-  'the field of a Script': (scene, node) =>
-    inFile(
-      `<Script DEF="script"><field name="kept" type="SFNode" accessType="initializeOnly">${node}</field></Script>${scene}`,
-    ),
-  'the field of a Script after': (scene, node) =>
-    inFile(
-      `${scene}<Script DEF="script"><field name="kept" type="SFNode" accessType="initializeOnly">${node}</field></Script>`,
-    ),
-  'a file that exports it': (scene, node) => imported(node, `<Group>${node}</Group>`) + scene,
-  'a file that exports it, after': (scene, node) =>
-    scene + imported(node, `<Group>${node}</Group>`),
-  'the metadata of a file that exports it': (scene, node) =>
-    imported(node, inMetadata(node)) + scene,
+const inGroup = (kept: string[]): string => `<Group>${kept.join('')}</Group>`;
+
+const inScript = (kept: string[]): string =>
+  `<Script DEF="script"><field name="kept" type="MFNode" accessType="initializeOnly">${kept.join('')}</field></Script>`;
+
+/** Where nodes may stand: the markup of a scene from its own and theirs. */
+export const PLACES: Record<string, (scene: string, kept: string[]) => string> = {
+  'a Group before': (scene, kept) => inGroup(kept) + scene,
+  'a Group after': (scene, kept) => scene + inGroup(kept),
+  metadata: (scene, kept) => inMetadata(kept) + scene,
+  'metadata after': (scene, kept) => scene + inMetadata(kept),
+  'metadata, deep': (scene, kept) =>
+    `<Group><MetadataSet name="a" containerField="metadata"><MetadataSet name="b" containerField="value"><Group containerField="value">${inGroup(kept)}</Group></MetadataSet></MetadataSet></Group>${scene}`,
+  'a Switch that chooses nothing': (scene, kept) =>
+    `<Switch whichChoice="-1">${inGroup(kept)}</Switch>${scene}`,
+  'a LOD that shows another level': (scene, kept) =>
+    `<LOD range="1">${inGroup(kept)}<Group></Group></LOD>${scene}`,
+  'a prototype of all': (scene, kept) =>
+    `<ProtoDeclare name="All"><ProtoBody><Group>${inMetadata(kept)}${scene}</Group></ProtoBody></ProtoDeclare><ProtoInstance name="All" DEF="all"></ProtoInstance>`,
+  'a Group of a file': (scene, kept) => inFile(inGroup(kept) + scene),
+  'metadata of a file': (scene, kept) => inFile(inMetadata(kept) + scene),
+  'the field of a Script': (scene, kept) => inFile(inScript(kept) + scene),
+  'the field of a Script after': (scene, kept) => inFile(scene + inScript(kept)),
+  'a file that exports them': (scene, kept) => imported(inGroup(kept)) + scene,
+  'a file that exports them, after': (scene, kept) => scene + imported(inGroup(kept)),
+  'the metadata of a file that exports them': (scene, kept) => imported(inMetadata(kept)) + scene,
+  'another collection after': (scene, kept) => scene + kept.map(inAnotherCollection).join(''),
 };
 
 const inFile = (content: string): string => `<inline DEF="file" url="${fileOf(content)}"></inline>`;
@@ -254,16 +261,20 @@ const fileOf = (content: string): string =>
     }),
   );
 
-function imported(node: string, content: string): string {
-  const [, name] = node.match(/DEF="(\w+)"/)!;
-  return `${inFile(`${content}<EXPORT localDEF="${name}" AS="given"/>`)}<import inlineDEF="file" importedDEF="given" AS="${name}"></import>`;
+function imported(content: string): string {
+  const names = [...content.matchAll(/DEF="(\w+)"/g)].map(([, name]) => name);
+  const out = names.map((name) => `<EXPORT localDEF="${name}" AS="given-${name}"/>`);
+  const into = names.map(
+    (name) => `<import inlineDEF="file" importedDEF="given-${name}" AS="${name}"></import>`,
+  );
+  return inFile(content + out.join('')) + into.join('');
 }
 
-/** Where a node of this kind may stand in another collection; after the scene, which has it first. */
-export function inAnotherCollection(scene: string, node: string): string {
+/** Where a node of this kind may stand in another collection. */
+function inAnotherCollection(node: string): string {
   const [, tag] = node.match(/^<(\w+)/)!;
   const hold = HOLDERS.find(([tags]) => tags.test(tag))?.[1];
-  return scene + (hold?.(node) ?? `<Group>${node}</Group>`);
+  return hold?.(node) ?? inGroup([node]);
 }
 
 const inBody = (shape: string): string =>
@@ -271,7 +282,7 @@ const inBody = (shape: string): string =>
 const HOLDERS: [RegExp, (node: string) => string][] = [
   [
     /^(RigidBody|BallJoint|CollisionCollection)$/,
-    (node) => `<RigidBodyCollection DEF="second">${node}</RigidBodyCollection>`,
+    (node) => `<RigidBodyCollection>${node}</RigidBodyCollection>`,
   ],
   [
     /^(CollidableShape|CollidableOffset|CollisionSpace)$/,
@@ -291,6 +302,9 @@ const HOLDERS: [RegExp, (node: string) => string][] = [
   ],
 ];
 
-/** Kinds of node that live in one place: the second collection is told that it goes without. */
-export const isOwned = (def: string): boolean =>
+/** Kinds of node that live in one place: a second collection is told that it goes without. */
+const isOwned = (def: string): boolean =>
   /^(RigidBody|BallJoint|CollisionCollection)$/.test(nodes.get(def)!.tag) && def !== 'crateBody';
+
+/** How often that is told, of the nodes that stand in another collection after. */
+export const ownedAmong = (moved: readonly string[]): number => moved.filter(isOwned).length;
