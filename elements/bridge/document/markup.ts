@@ -1,7 +1,7 @@
 import type { ProblemReport } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import type { Scope } from '../scopes/scope.js';
-import { known, unknownAttribute } from '../words/attributes.js';
+import { canAdvise, known, unknownAttribute } from '../words/attributes.js';
 import { attribute, isCustom, isHTML, isPhysics, lowerName } from '../words/dom.js';
 
 /** What may not stand in what: these pairs come from a tag that the author thought closed, or are misplaced. */
@@ -17,9 +17,9 @@ const JOINT_CHILD = /joint|collision|rigid-?body-?collection|^shape$|^transform$
 /** Looks at the markup of one element, as the author wrote it. */
 export function checkMarkup(binding: Binding): void {
   const { element, type } = binding;
-  for (const { name } of element.attributes) {
-    if (!known(type, name)) binding.problem(unknownAttribute(binding, name));
-  }
+  const unknown = [...element.attributes].filter(({ name }) => !known(type, name));
+  if (unknown.length > 0 && canAdvise(() => binding.dirty()))
+    for (const { name } of unknown) binding.problem(unknownAttribute(binding, name));
   for (const report of binding.refused) binding.problem(report);
   const impossible =
     IMPOSSIBLE[type.name] ?? (type.name.endsWith('Joint') ? JOINT_CHILD : undefined);

@@ -24,6 +24,7 @@ import { millisecondsOfPicture } from '../x3dom/picture-cost.js';
 import { documentOf, nodeOf, type PhysicsX3DNode, type X3DDocument } from '../x3dom/x3dom.js';
 import { Arrivals } from './arrivals.js';
 import type { SceneWorld } from './scene-world.js';
+import { Strangers } from './strangers.js';
 import { Tree } from './tree.js';
 import { Worlds } from './worlds.js';
 
@@ -47,6 +48,7 @@ export class Scene implements Driven, Site, Stage {
   readonly draggables: Draggables = new Draggables(this);
   readonly debug = new Debug(this);
   readonly tree: Tree;
+  readonly strangers: Strangers;
   readonly reports: Reports;
   live = false;
   /** Once, not in each frame. */
@@ -61,6 +63,7 @@ export class Scene implements Driven, Site, Stage {
     this.scopes = new Scopes(x3d);
     this.worlds = new Worlds(this.scopes);
     this.reports = new Reports(this.worlds, () => this.updates.schedule());
+    this.strangers = new Strangers(this.worlds);
     this.tree = new Tree(this);
     const listeners = [this.debug, this.events, this.draggables];
     this.worlds.onmake((world) => {

@@ -13,6 +13,7 @@ import { nodeOf } from '../x3dom/x3dom.js';
 interface Scene extends Surroundings {
   readonly scopes: Scopes;
   readonly updates: Updates;
+  readonly strangers: { add(element: Element): void; delete(element: Element): void };
   readonly arrivals: { add(element: Element, scope: Scope): void };
 }
 
@@ -91,6 +92,7 @@ export class Tree implements Elements {
     if (!scope.names.has(element)) scope.names.add(element);
     scope.noteStatement(element, true);
     this.#scene.arrivals.add(element, scope);
+    this.#scene.strangers.add(element);
     if (!isPhysics(element) || attribute(element, 'USE')) return;
     const binding = ownBinding(element);
     if (!binding || binding.scope === scope) return;
@@ -106,6 +108,7 @@ export class Tree implements Elements {
   #disconnect(element: Element, scope: Scope, from?: Element): void {
     scope.names.remove(element);
     scope.noteStatement(element, false);
+    this.#scene.strangers.delete(element);
     const inner = this.#scopes.in(element);
     if (inner) this.removeScope(inner, from);
     const binding = isPhysics(element) ? ownBinding(element) : undefined;

@@ -1,4 +1,4 @@
-import { meant, show, type ProblemReport } from '../../../physics-core/inside.js';
+import { advice, meant, show, type ProblemReport } from '../../../physics-core/inside.js';
 import { attribute, type NodeType } from './dom.js';
 import { attributeOf, fieldsByAttribute } from './fields.js';
 
@@ -61,8 +61,20 @@ export function unknownAttribute({ element, type, label }: Labelled, name: strin
     attribute: name,
     value: attribute(element, name),
     used: 'nothing',
-    message: `${label} has no attribute ${show(name)}${meant(name, attributesOf(type))}`,
+    message: `${label} has no attribute ${show(name)}${meant({ name, type: type.name, value: attribute(element, name) }, attributesOf(type))}`,
   };
+}
+
+let missing = false;
+
+/** Whether there is advice by now, or can't be: until then nobody is told of names that there are not. `again` is called then. */
+export function canAdvise(again: () => void): boolean {
+  if (advice.here || missing) return true;
+  advice
+    .load()
+    .catch(() => (missing = true))
+    .finally(again);
+  return false;
 }
 
 const attributesOf = (type: NodeType): string[] => [
