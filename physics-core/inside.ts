@@ -11,7 +11,7 @@ import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
-export type { Chunk } from './base/chunk.js';
+export { Chunk } from './base/chunk.js';
 export { chunks } from './world/chunks/all.js';
 export { contacts, joints } from './effects/effect/chunks.js';
 export { meshes } from './shapes/meshes.js';

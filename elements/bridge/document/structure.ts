@@ -36,14 +36,7 @@ export function collectionOf(binding: Binding): Binding | undefined {
   const [first] = collections;
   const second = collections.find((other) => other !== first);
   if (second) {
-    binding.problem({
-      code: 'already-owned',
-      severity: 'warning',
-      attribute: 'bodies',
-      value: second.label,
-      used: first.label,
-      message: `${binding.label} belongs to ${first.label}; ${second.label} goes without it`,
-    });
+    binding.fault((faults) => faults.owned(binding, first.label, second.label, 'bodies'));
   }
   return first;
 }
@@ -130,15 +123,7 @@ function closesCircle(binding: Binding, found: Binding): boolean {
 export function tellCircles(binding: Binding): void {
   const role = nestingRole(binding);
   for (const found of named(binding, role, ...NESTING)) {
-    if (!closesCircle(binding, found)) continue;
-    binding.problem({
-      code: 'use-circle',
-      severity: 'warning',
-      attribute: role,
-      value: found.name,
-      used: 'nothing',
-      message: `${found.label} stands in itself: ${binding.label} goes without it`,
-    });
+    if (closesCircle(binding, found)) binding.fault((faults) => faults.nested(binding, found, role));
   }
 }
 

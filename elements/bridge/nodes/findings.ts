@@ -1,6 +1,7 @@
 import { show, type ProblemReport } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { nameOf, type NodeType } from '../words/dom.js';
+import { faultsFor, type Faults } from '../words/faults.js';
 
 /** What is wrong with an element, and what it waits for: told once its node is as its surroundings say. */
 export abstract class Findings {
@@ -35,6 +36,12 @@ export abstract class Findings {
   problem(report: ProblemReport): void {
     if (this.#planning) this.#found.set(`${report.code} ${report.attribute}`, report);
     else this.tell(report);
+  }
+
+  /** The same, in words that only those fetch who have a fault in their markup. */
+  fault(say: (faults: Faults) => ProblemReport): void {
+    const faults = faultsFor(this.element, () => this.dirty());
+    if (faults) this.problem(say(faults));
   }
 
   /** A ROUTE that may not be: told with what its markup has wrong. */

@@ -7,12 +7,12 @@ import { prefetch } from '../scene/code.js';
 import { registerNodeTypes, type Listener } from '../scene/node-types.js';
 import type { Scene } from '../scene/scene.js';
 import { attribute, isInline, isPhysics, isX3D } from '../words/dom.js';
+import { faultsFor } from '../words/faults.js';
 import { setUpDropped, whenThere } from '../x3dom/late.js';
 import { listening } from '../x3dom/listening.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 import { firstCopy, tellTwoCopies } from './copies.js';
 import { explanation, type Explanation } from './explain.js';
-import { circle } from '../document/circles.js';
 import { Scenes, X3D } from './scenes.js';
 
 /** The page: hands what x3dom tells us to the scene it concerns, and answers what users ask. */
@@ -100,8 +100,10 @@ class Page implements Listener {
   #reportCircles(world: PageWorld, x3d: Element): void {
     for (const use of this.#circles) {
       if (this.#scenes.of(use)?.x3d !== x3d) continue;
+      const faults = faultsFor(use, () => this.#reportCircles(world, x3d));
+      if (!faults) return;
       this.#circles.delete(use);
-      world.report(circle(use), use);
+      world.report(faults.circle(use), use);
     }
   }
 

@@ -59,13 +59,7 @@ function followAbove(binding: Binding): void {
   if (ownerOf(binding)) return;
   const body = transforms.map((transform) => drivers.of(transform)).find((each) => each);
   if (!body) return;
-  binding.problem({
-    code: 'misplaced',
-    severity: 'warning',
-    value: body.label,
-    used: 'the place where it stands now',
-    message: `${binding.label} stands in a Transform that ${body.label} moves, and does not move with it: name it in the body's geometry`,
-  });
+  binding.fault((faults) => faults.unmoved(binding, body.label));
 }
 
 export function planOffset(binding: Binding, world: World): Plan {

@@ -1,8 +1,7 @@
-import { advice, nodeTypes, show, type ProblemReport } from '../../../physics-core/inside.js';
 import { tellPage } from '../document/misplaced.js';
 import type { PageWorld } from '../nodes/surroundings.js';
-import { canAdvise } from '../words/attributes.js';
-import { isPhysics, kebab, lowerName } from '../words/dom.js';
+import { isPhysics, lowerName } from '../words/dom.js';
+import { faultsFor, type Faults } from '../words/faults.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Of a name like these somebody expects physics. */
@@ -35,13 +34,15 @@ export class Strangers {
   }
 
   #tell(): void {
-    if (this.#met.size === 0 || !canAdvise(() => this.#tell())) return;
-    for (const element of this.#met) if (isStranger(element)) this.#tellOf(element);
+    const [first] = this.#met;
+    const faults = first && faultsFor(first, () => this.#tell());
+    if (!faults) return;
+    for (const element of this.#met) if (isStranger(element)) this.#tellOf(element, faults);
     this.#met.clear();
   }
 
-  #tellOf(element: Element): void {
-    const report = reportOf(element);
+  #tellOf(element: Element, faults: Faults): void {
+    const report = faults.stranger(element);
     if (!report) return;
     this.#told.add(element);
     const [world] = this.#worlds.all;
@@ -52,21 +53,3 @@ export class Strangers {
 
 const isStranger = (element: Element): boolean =>
   !isPhysics(element) && !nodeOf(element) && !customElements.get(element.localName);
-
-/** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */
-function reportOf(element: Element): ProblemReport | undefined {
-  const tag = element.localName;
-  const found = advice.here ? advice.code.meantNode(tag, Object.keys(nodeTypes)) : undefined;
-  const isOurs = tag.toLowerCase().startsWith('x3d-');
-  if (!found && !isOurs) return undefined;
-  const name = found?.type;
-  const meant = name && `did you mean <${isOurs ? `x3d-${kebab(name)}` : name}>, X3D's ${name}?`;
-  const text = [meant, found?.does].filter(Boolean).join(' ');
-  return {
-    code: CODE,
-    severity: 'warning',
-    value: tag,
-    used: 'nothing',
-    message: `<${show(tag)}> is no node${text ? `; ${text}` : ''}`,
-  };
-}
