@@ -123,7 +123,8 @@ function closesCircle(binding: Binding, found: Binding): boolean {
 export function tellCircles(binding: Binding): void {
   const role = nestingRole(binding);
   for (const found of named(binding, role, ...NESTING)) {
-    if (closesCircle(binding, found)) binding.fault((faults) => faults.nested(binding, found, role));
+    if (closesCircle(binding, found))
+      binding.fault((faults) => faults.nested(binding, found, role));
   }
 }
 

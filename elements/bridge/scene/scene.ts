@@ -19,13 +19,14 @@ import { Updates } from '../plans/updates.js';
 import { Readers } from '../scopes/readers.js';
 import type { Scope } from '../scopes/scope.js';
 import { Scopes } from '../scopes/scopes.js';
-import { isPhysics, isScene } from '../words/dom.js';
+import { isPhysics, isScene, subtree } from '../words/dom.js';
 import { millisecondsOfPicture } from '../x3dom/picture-cost.js';
 import { documentOf, nodeOf, type PhysicsX3DNode, type X3DDocument } from '../x3dom/x3dom.js';
 import { Arrivals } from './arrivals.js';
 import type { SceneWorld } from './scene-world.js';
 import { Strangers } from './strangers.js';
 import { Tree } from './tree.js';
+import { Undrawn } from './undrawn.js';
 import { Worlds } from './worlds.js';
 
 /** The physics of one `<x3d>`: its scopes, its worlds, and the nodes that wait to be brought up to date. */
@@ -49,6 +50,7 @@ export class Scene implements Driven, Site, Stage {
   readonly debug = new Debug(this);
   readonly tree: Tree;
   readonly strangers: Strangers;
+  readonly undrawn: Undrawn = new Undrawn(this);
   readonly reports: Reports;
   live = false;
   /** Once, not in each frame. */
@@ -196,7 +198,10 @@ export class Scene implements Driven, Site, Stage {
   readByX3DOM(): void {
     if (!this.live || this.document === this.#readBy) return;
     this.#readBy = this.document;
-    for (const scope of this.scopes) this.tree.requeue(scope);
+    for (const scope of this.scopes) {
+      this.tree.requeue(scope);
+      for (const element of subtree(scope.root)) this.undrawn.add(element);
+    }
     for (const binding of this.bindings()) this.updates.redraw(binding);
   }
 

@@ -60,7 +60,8 @@ export class Start {
     if (document.readyState === 'loading') return ['the document'];
     if (!this.#isRead(this.#scene.x3d)) return ['x3dom'];
     this.#scene.readPage();
-    return this.#pendingInlines().map((inline) => `Inline ${attribute(inline, 'url')}`);
+    const waits = this.#pendingInlines().map((inline) => `Inline ${attribute(inline, 'url')}`);
+    return this.#scene.undrawn.pending ? [...waits, 'what draws its geometry'] : waits;
   }
 
   /** Without x3dom, or where it finds no WebGL, the simulation runs unseen. */

@@ -20,7 +20,11 @@ export class Scope {
   /** X3D version of its file. */
   readonly version: number;
   readonly names = new Names();
-  readonly #statements = { import: new Set<Element>(), export: new Set<Element>(), route: new Set<Element>() };
+  readonly #statements = {
+    import: new Set<Element>(),
+    export: new Set<Element>(),
+    route: new Set<Element>(),
+  };
 
   constructor(all: Scopes, root: Element, host: Element | null, parent: Scope | null) {
     this.all = all;

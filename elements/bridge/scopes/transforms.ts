@@ -91,7 +91,11 @@ export function matrixAbove(element: Element, scope: Scope): Affine {
 /** What is above an element, nearest first. What stands in itself by USE is above itself but once. */
 function* allAbove(element: Element, scope: Scope): Generator<Element> {
   const met = new Set([element]);
-  for (let at = outer(element, scope); at && !met.has(at.element); at = outer(at.element, at.scope)) {
+  for (
+    let at = outer(element, scope);
+    at && !met.has(at.element);
+    at = outer(at.element, at.scope)
+  ) {
     met.add(at.element);
     yield at.element;
   }

@@ -1,5 +1,11 @@
 // The chunk `faults`: what is wrong with the markup, in words.
-import { advice, meant, nodeTypes, show, type ProblemReport } from '../../../physics-core/inside.js';
+import {
+  advice,
+  meant,
+  nodeTypes,
+  show,
+  type ProblemReport,
+} from '../../../physics-core/inside.js';
 import { attribute, isHTML, isPhysics, kebab, lowerName, nameOf, type NodeType } from './dom.js';
 import { attributeOf } from './fields.js';
 import { STRUCTURE } from './attributes.js';

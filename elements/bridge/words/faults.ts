@@ -18,7 +18,11 @@ export interface Faults {
   /** A USE of what it stands in. */
   circle(use: Element): ProblemReport;
   /** A node that stands in itself. */
-  nested(at: Labelled, found: { name?: string | undefined; label: string }, role: string): ProblemReport;
+  nested(
+    at: Labelled,
+    found: { name?: string | undefined; label: string },
+    role: string,
+  ): ProblemReport;
   /** A node that lives in one place, and a second one that claims it. */
   owned(at: Labelled, owner: string | undefined, other: string, role: string): ProblemReport;
   /** Two bodies that stand for one element. */

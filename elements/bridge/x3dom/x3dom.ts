@@ -58,6 +58,8 @@ export interface X3DNode {
   _trafo?: X3DMatrix;
   /** Geometry only. */
   _mesh?: X3DMesh;
+  /** Geometry that we draw: the triangles that collide. */
+  surface?: { points: number[]; index: number[] };
   /** Instances of prototypes only. */
   protoBodyClone?: Element;
   addChild(child: X3DNode, containerField?: string | null): boolean | undefined;

@@ -80,7 +80,10 @@ describe('a circle of USE', () => {
   }
 
   it('that an edit closes is told once, and the rest runs', async () => {
-    const { x3d, world } = await show(`<group def="g"><group id="in"></group></group>${CRATE}`, '#b');
+    const { x3d, world } = await show(
+      `<group def="g"><group id="in"></group></group>${CRATE}`,
+      '#b',
+    );
     claim('use-circle');
     x3d.querySelector('#in')!.innerHTML = '<group use="g"></group>';
     await until(() => codes(world).length > 0);

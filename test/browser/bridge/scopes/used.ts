@@ -196,7 +196,11 @@ export const ALL = [...nodes.keys()];
 /** The fields of which a node is a value somewhere in the scene. */
 export const fieldsOf = (def: string): string[] => [...fields.get(def)!];
 
-function written({ node, field }: Child, elsewhere: ReadonlySet<string>, seen: Set<string>): string {
+function written(
+  { node, field }: Child,
+  elsewhere: ReadonlySet<string>,
+  seen: Set<string>,
+): string {
   const def = typeof node === 'string' ? node : node.def;
   const container = field ? ` containerField="${field}"` : '';
   const { tag, attributes = '', children = [] } = nodes.get(def)!;
@@ -220,8 +224,7 @@ export function sceneWithout(moved: readonly string[]): { scene: string; kept: s
 const inMetadata = (kept: string[]): string =>
   `<WorldInfo title="t"><MetadataSet name="m" reference="r">${kept.map(asValue).join('')}</MetadataSet></WorldInfo>`;
 
-const asValue = (node: string): string =>
-  node.replace(/^<(\w+)/, '<$1 containerField="value"');
+const asValue = (node: string): string => node.replace(/^<(\w+)/, '<$1 containerField="value"');
 
 const inGroup = (kept: string[]): string => `<Group>${kept.join('')}</Group>`;
 
