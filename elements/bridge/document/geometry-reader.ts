@@ -1,4 +1,4 @@
-import { codecs, show } from '../../../physics-core/inside.js';
+import { codecs } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isShape, isTransform, lowerName } from '../words/dom.js';
 import {
@@ -113,13 +113,7 @@ export class GeometryReader {
   }
 
   #malformed(element: Element, name: string, text: string): void {
-    this.#user.problem({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: name,
-      value: text,
-      message: `<${element.localName}> ${name}="${show(text)}" can't be read; X3D's default is used`,
-    });
+    this.#user.fault((faults) => faults.malformed(element, name, text));
   }
 }
 

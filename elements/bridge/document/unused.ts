@@ -41,11 +41,5 @@ function isHeld(place: Element, { scope }: Binding): boolean {
 const HOLDERS = ['CollidableOffset', 'CollisionSpace'];
 
 function report(binding: Binding): void {
-  const bodies = binding.isCollidable ? 'no RigidBody and ' : '';
-  binding.problem({
-    code: 'unused-collidable',
-    severity: 'info',
-    used: 'no collision',
-    message: `${binding.label} is in ${bodies}no CollisionCollection, and collides with nothing`,
-  });
+  binding.fault((faults) => faults.unused(binding, binding.isCollidable));
 }

@@ -71,18 +71,10 @@ class Page implements Listener {
 
   #reportOtherPhysics(world: PageWorld, x3d: Element): void {
     if (!this.#otherPhysics) return;
+    const faults = faultsFor(x3d, () => this.#reportOtherPhysics(world, x3d));
+    if (!faults) return;
     this.#otherPhysics = false;
-    world.report(
-      {
-        code: 'two-physics-engines',
-        severity: 'warning',
-        value: 'x3dom-full.js',
-        used: 'x3d-physics',
-        message:
-          'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
-      },
-      x3d,
-    );
+    world.report(faults.otherPhysics(), x3d);
   }
 
   /** USEs of what they stand in, that nobody has been told of. */

@@ -22,6 +22,9 @@ export const provide = (): Faults => ({
   rival,
   namedCollidables,
   unmoved,
+  unused,
+  malformed,
+  otherPhysics: () => OTHER_PHYSICS,
   stranger,
   notDrawn,
 });
@@ -140,6 +143,29 @@ const unmoved: Faults['unmoved'] = ({ label }, body) => ({
   used: 'the place where it stands now',
   message: `${label} stands in a Transform that ${body} moves, and does not move with it: name it in the body's geometry`,
 });
+
+const unused: Faults['unused'] = ({ label }, isCollidable) => ({
+  code: 'unused-collidable',
+  severity: 'info',
+  used: 'no collision',
+  message: `${label} is in ${isCollidable ? 'no RigidBody and ' : ''}no CollisionCollection, and collides with nothing`,
+});
+
+const malformed: Faults['malformed'] = ({ localName: tag }, name, text) => ({
+  code: 'bad-value',
+  severity: 'warning',
+  attribute: name,
+  value: text,
+  message: `<${tag}> ${name}="${show(text)}" can't be read; X3D's default is used`,
+});
+
+const OTHER_PHYSICS: ProblemReport = {
+  code: 'two-physics-engines',
+  severity: 'warning',
+  value: 'x3dom-full.js',
+  used: 'x3d-physics',
+  message: 'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
+};
 
 /** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */
 function stranger({ localName: tag }: Element): ProblemReport | undefined {

@@ -31,6 +31,12 @@ export interface Faults {
   namedCollidables(at: Labelled, text: string): ProblemReport;
   /** A collidable in a Transform that a body moves without it. */
   unmoved(at: Labelled, body: string): ProblemReport;
+  /** A collidable or a space that nobody has. */
+  unused(at: Labelled, isCollidable: boolean): ProblemReport;
+  /** A field of a geometry. */
+  malformed(geometry: Element, name: string, text: string): ProblemReport;
+  /** x3dom-full.js brings a physics engine of its own. */
+  otherPhysics(): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
   /** A geometry that collides and is not drawn. */
@@ -40,7 +46,7 @@ export interface Faults {
 /** Pages whose markup has no fault don't fetch it. */
 export const faults = new Chunk<Faults>({
   name: 'faults',
-  causes: 'a fault in the markup: a name that there is not, a node in the wrong place',
+  causes: 'a fault in the markup',
 }).comesFrom(() => import('./faults-code.js'));
 
 let coming: Promise<unknown> | undefined;

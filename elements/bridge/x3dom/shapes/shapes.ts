@@ -15,8 +15,7 @@ export interface Shapes {
 /** Nobody needs it who has none of that, or an x3dom that has all of it. */
 export const shapes = new Chunk<Shapes>({
   name: 'shapes',
-  causes:
-    'an ElevationGrid, an Extrusion, a Rectangle2D, a Disk2D, a set of quads, of triangle fans or strips, where x3dom has no such node',
+  causes: 'geometry that x3dom lacks',
 }).comesFrom(() => import('./shapes-code.js'));
 
 /** Whether x3dom has nothing for a geometry, but we have. */
