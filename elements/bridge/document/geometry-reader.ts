@@ -11,7 +11,7 @@ import { axisAngleOf, decompose, identity, multiply, type Affine } from '../geom
 import type { Scope } from '../scopes/scope.js';
 import { localMatrix } from '../scopes/transforms.js';
 import { cannotDraw } from '../x3dom/shapes/shapes.js';
-import { nodeOf, type X3DNode } from '../x3dom/x3dom.js';
+import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Reads the geometry of Shapes for one node, which is told when something it read changes. */
 export class GeometryReader {
@@ -133,7 +133,8 @@ function placed(data: GeometryData, matrix: Affine, length: number): GeometryDat
 /** The triangles that x3dom made of a geometry we have no table for: Torus, Extrusion, Pyramid, … */
 function meshOf(element: Element, length: number): GeometryData | undefined {
   const { surface, _mesh: mesh } = nodeOf(element) ?? {};
-  if (surface) return withOutside(surface, element, length);
+  if (surface?.index.length)
+    return { type: 'Mesh', points: scaled(surface.points, length), index: surface.index };
   if (!mesh || mesh._primType !== 'TRIANGLES') return undefined;
   const points: number[] = [];
   const index: number[] = [];
@@ -144,19 +145,6 @@ function meshOf(element: Element, length: number): GeometryData | undefined {
     for (let i = 0; i < indices.length; i++) index.push(indices[i] + first);
   });
   return index.length > 0 ? { type: 'Mesh', points, index } : undefined;
-}
-
-/** Triangles that we draw: with `ccw` FALSE they face the other way. */
-function withOutside(
-  { points, index }: NonNullable<X3DNode['surface']>,
-  element: Element,
-  length: number,
-): GeometryData | undefined {
-  const turned = attribute(element, 'ccw')?.trim().toLowerCase() === 'false';
-  const scaledPoints = scaled(points, length);
-  return index.length > 0
-    ? { type: 'Mesh', points: scaledPoints, index: turned ? index.toReversed() : index }
-    : undefined;
 }
 
 export function noteWaiting(binding: Binding, reader: GeometryReader): void {

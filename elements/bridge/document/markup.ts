@@ -18,7 +18,8 @@ export function checkMarkup(binding: Binding): void {
   const { element, type } = binding;
   for (const { name } of element.attributes)
     if (!known(type, name)) binding.fault((faults) => faults.unknownAttribute(binding, name));
-  for (const report of binding.refused) binding.problem(report);
+  for (const [name, verb] of binding.refused)
+    binding.fault((faults) => faults.refusedRoute(binding, name, verb));
   const impossible =
     IMPOSSIBLE[type.name] ?? (type.name.endsWith('Joint') ? JOINT_CHILD : undefined);
   const child =

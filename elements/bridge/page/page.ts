@@ -19,11 +19,7 @@ import { Scenes, X3D } from './scenes.js';
 class Page implements Listener {
   readonly #scenes = new Scenes({
     register: () => this.#register(),
-    made: (world, x3d) =>
-      world.on('ready', () => {
-        this.#reportOtherPhysics(world, x3d);
-        this.#reportCircles(world, x3d);
-      }),
+    made: (world, x3d) => world.on('ready', () => this.#reportOtherPhysics(world, x3d)),
   });
   #registered = false;
   begun = false;
@@ -77,26 +73,9 @@ class Page implements Listener {
     world.report(faults.otherPhysics(), x3d);
   }
 
-  /** USEs of what they stand in, that nobody has been told of. */
-  readonly #circles = new Set<Element>();
-
+  /** Of our own nodes their binding tells. */
   circleRefused(use: Element): void {
-    // Of our own nodes their binding tells.
-    if (isPhysics(use)) return;
-    this.#circles.add(use);
-    const scene = this.#scenes.of(use);
-    const world = [...(scene?.worlds.all ?? [])].find(({ started }) => started);
-    if (scene && world) this.#reportCircles(world, scene.x3d);
-  }
-
-  #reportCircles(world: PageWorld, x3d: Element): void {
-    for (const use of this.#circles) {
-      if (this.#scenes.of(use)?.x3d !== x3d) continue;
-      const faults = faultsFor(use, () => this.#reportCircles(world, x3d));
-      if (!faults) return;
-      this.#circles.delete(use);
-      world.report(faults.circle(use), use);
-    }
+    if (!isPhysics(use)) this.#scenes.of(use)?.noteFault(use, (faults) => faults.circle(use));
   }
 
   #listenersChanged(target: EventTarget, name: string): void {

@@ -165,6 +165,13 @@ export class Scene implements Driven, Site, Stage {
 
   updated(): void {
     this.reports.tellUnheard();
+    this.strangers.tellSoon();
+  }
+
+  /** Of an element that is no node of ours. */
+  noteFault(...fault: Parameters<Strangers['note']>): void {
+    this.strangers.note(...fault);
+    this.updates.schedule();
   }
 
   /** The document is read: nodes are made, and later changes are followed. */

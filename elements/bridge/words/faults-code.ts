@@ -25,6 +25,7 @@ export const provide = (): Faults => ({
   unused,
   malformed,
   otherPhysics: () => OTHER_PHYSICS,
+  refusedRoute,
   stranger,
   notDrawn,
 });
@@ -165,6 +166,20 @@ const OTHER_PHYSICS: ProblemReport = {
   value: 'x3dom-full.js',
   used: 'x3d-physics',
   message: 'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
+};
+
+const refusedRoute: Faults['refusedRoute'] = ({ label, type }, name, verb) => {
+  const field = type.fields[name];
+  return {
+    code: field ? 'bad-access' : 'unknown-attribute',
+    severity: 'warning',
+    attribute: name,
+    value: 'ROUTE',
+    used: 'nothing',
+    message: field
+      ? `${label}: ${name} is ${field.access} and can't be ROUTEd ${verb}`
+      : `${label} has no field ${name} to ROUTE ${verb}`,
+  };
 };
 
 /** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */

@@ -37,6 +37,8 @@ export interface Faults {
   malformed(geometry: Element, name: string, text: string): ProblemReport;
   /** x3dom-full.js brings a physics engine of its own. */
   otherPhysics(): ProblemReport;
+  /** A ROUTE from or to a field that there is not, or where X3D does not allow it. */
+  refusedRoute(at: Labelled, name: string, verb: string): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
   /** A geometry that collides and is not drawn. */

@@ -173,7 +173,7 @@ const childValues = <T>(node: X3DNode, role: string, field: string): T[] | undef
 
 function makeType(row: ShapeRow, x: X3DOM): X3DNodeClass {
   return class extends x.nodeTypes.X3DComposedGeometryNode {
-    /** The triangles that collide. */
+    /** The triangles that collide: as they face. */
     surface: Surface = { points: [], index: [] };
 
     constructor(context: NodeContext) {
@@ -187,8 +187,10 @@ function makeType(row: ShapeRow, x: X3DOM): X3DNodeClass {
       const values = this._vf as Fields;
       const points = childValues<Point>(this, 'coord', 'point') ?? [];
       const coord = points.flatMap(({ x: a, y: b, z: c }) => [a, b, c]);
-      this.surface = row.surface(values, coord);
-      fill(this as unknown as GeometryNode, this.surface, row.crease(values), {
+      const surface = row.surface(values, coord);
+      const { points: at, index } = surface;
+      this.surface = { points: at, index: values.ccw ? index : index.toReversed() };
+      fill(this as unknown as GeometryNode, surface, row.crease(values), {
         normals: childValues<Point>(this, 'normal', 'vector'),
         colors: childValues(this, 'color', 'color'),
         texCoords: childValues<Point>(this, 'texCoord', 'point'),
