@@ -51,7 +51,7 @@ export type { EffectReport } from './effects/effect/report.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
-export type { Geometry } from './shapes/geometry.js';
+export { geometryFields, type Geometry, type GeometryType } from './shapes/geometry.js';
 
 /** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
 export async function debugLines(world: World): Promise<DebugLines> {

@@ -2,8 +2,9 @@ import { codecs } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isShape, isTransform, lowerName } from '../words/dom.js';
 import {
-  geometryFields,
+  attributesOf,
   hasCoord,
+  isLength,
   knownGeometry,
   type GeometryData,
 } from '../geometry/geometry-fields.js';
@@ -83,13 +84,15 @@ export class GeometryReader {
     const type = knownGeometry(lowerName(element));
     if (!type) return meshOf(element, scope.units.length);
     const data: GeometryData = { type };
-    for (const [name, field] of Object.entries(geometryFields[type])) {
+    for (const [name, fieldType] of attributesOf(type)) {
       const text = attribute(element, name);
       if (text === null) continue;
-      const value = codecs[field.type].parse(text);
+      const value = codecs[fieldType].parse(text);
       if (value === undefined) this.#malformed(element, name, text);
       else
-        data[name] = field.length ? scaled(value as number | number[], scope.units.length) : value;
+        data[name] = isLength(fieldType)
+          ? scaled(value as number | number[], scope.units.length)
+          : value;
     }
     if (hasCoord(type)) data.coord = this.#coord(element, scope);
     return data;

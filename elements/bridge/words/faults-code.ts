@@ -26,6 +26,7 @@ export const provide = (): Faults => ({
   malformed,
   otherPhysics: () => OTHER_PHYSICS,
   refusedRoute,
+  twoCopies: () => TWO_COPIES,
   stranger,
   notDrawn,
 });
@@ -180,6 +181,14 @@ const refusedRoute: Faults['refusedRoute'] = ({ label, type }, name, verb) => {
       ? `${label}: ${name} is ${field.access} and can't be ROUTEd ${verb}`
       : `${label} has no field ${name} to ROUTE ${verb}`,
   };
+};
+
+const TWO_COPIES: ProblemReport = {
+  code: 'two-copies',
+  severity: 'warning',
+  used: 'the first copy',
+  message:
+    'x3d-physics is in this page twice, say as a module and as a classic script; the first copy does all the work, the second only costs its bytes',
 };
 
 /** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */

@@ -39,6 +39,8 @@ export interface Faults {
   otherPhysics(): ProblemReport;
   /** A ROUTE from or to a field that there is not, or where X3D does not allow it. */
   refusedRoute(at: Labelled, name: string, verb: string): ProblemReport;
+  /** The library is in the page a second time. */
+  twoCopies(): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
   /** A geometry that collides and is not drawn. */
@@ -68,5 +70,5 @@ const missing = (error: string): ProblemReport => ({
   severity: 'warning',
   value: error,
   used: 'nothing',
-  message: `the markup has a fault, and the code that tells which could not be loaded: ${error}`,
+  message: `the markup has a fault; the code that says which could not be loaded: ${error}`,
 });
