@@ -27,6 +27,8 @@ export const provide = (): Faults => ({
   otherPhysics: () => OTHER_PHYSICS,
   refusedRoute,
   twoCopies: () => TWO_COPIES,
+  outside,
+  late,
   stranger,
   notDrawn,
 });
@@ -190,6 +192,28 @@ const TWO_COPIES: ProblemReport = {
   message:
     'x3d-physics is in this page twice, say as a module and as a classic script; the first copy does all the work, the second only costs its bytes',
 };
+
+const outside: Faults['outside'] = ({ localName: tag }, inShadow) =>
+  inShadow
+    ? {
+        code: 'shadow-root',
+        severity: 'warning',
+        used: 'nothing',
+        message: `<${tag}> stands in a shadow root, where x3dom does not look`,
+      }
+    : {
+        code: 'misplaced',
+        severity: 'warning',
+        used: 'nothing',
+        message: `<${tag}> stands outside the scene of any <x3d>`,
+      };
+
+const late: Faults['late'] = (waits) => ({
+  code: 'waiting-for-document',
+  severity: 'warning',
+  value: waits,
+  message: `the simulation starts without waiting longer for ${waits}`,
+});
 
 /** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */
 function stranger({ localName: tag }: Element): ProblemReport | undefined {

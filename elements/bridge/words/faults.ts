@@ -41,6 +41,10 @@ export interface Faults {
   refusedRoute(at: Labelled, name: string, verb: string): ProblemReport;
   /** The library is in the page a second time. */
   twoCopies(): ProblemReport;
+  /** A node of ours that no scene will see. */
+  outside(element: Element, inShadow: boolean): ProblemReport;
+  /** What a world waited for too long. */
+  late(waits: string): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
   /** A geometry that collides and is not drawn. */
