@@ -13,6 +13,8 @@ export interface UseListener {
 
 /** What is set up before x3dom comes to it: it is there already then. */
 const early = new WeakSet<Element>();
+/** What was inserted, while x3dom reads it: what else is new comes later, and what it names with it. */
+let added: Element | undefined;
 /** What is being set up now: each stands in the one before. */
 const open = new Set<Element>();
 
@@ -39,6 +41,19 @@ export function watchUses(x: X3DOM, listener: UseListener): void {
     return null;
   };
 
+  const { prototype: documents } = x.X3DDocument;
+  const { onNodeAdded } = documents;
+
+  documents.onNodeAdded = function (element, parent): void {
+    const before = added;
+    added = element;
+    try {
+      onNodeAdded.call(this, element, parent);
+    } finally {
+      added = before;
+    }
+  };
+
   function setUp(space: NameSpace, element: Element, parent: X3DNode | null): X3DNode | null {
     open.add(element);
     try {
@@ -54,6 +69,7 @@ export function watchUses(x: X3DOM, listener: UseListener): void {
   function setUpEarly(space: NameSpace, use: Element, name: string): void {
     const element = bearerNear(use, name);
     if (!element || open.has(element) || nodeOf(element)) return;
+    if (added && !added.contains(element)) return;
     if (!x.nodeTypesLC[element.localName.toLowerCase()]) return;
     if (setUp(space, element, null)) early.add(element);
   }

@@ -140,6 +140,7 @@ export interface X3DOM {
   nodeTypesLC: Record<string, X3DNodeClass>;
   Mesh: X3DMeshClass;
   NodeNameSpace: { prototype: NameSpace };
+  X3DDocument: { prototype: X3DDocument };
   fields: {
     SFVec3f: new (x: number, y: number, z: number) => X3DVector;
     SFVec2f: new (x: number, y: number) => { x: number; y: number };

@@ -50,6 +50,24 @@ describe('a node that is only kept', () => {
   }
 });
 
+describe('a USE before its DEF', () => {
+  it('that come together into a running scene are drawn, both', async () => {
+    const { x3d, world } = await show('<x3d-rigid-body id="other"></x3d-rigid-body>', '#other');
+    x3d.querySelector('scene')!.insertAdjacentHTML(
+      'beforeend',
+      `<transform id="first" translation="1 0 0"><shape use="s"></shape></transform>
+       <transform id="second" translation="2 0 0"><shape def="s"><box></box></shape></transform>`,
+    );
+    await until(() => parentsOf(x3d, '[def=s]') === 2);
+    expect(world.problems).to.eql([]);
+  });
+});
+
+/** In how many places x3dom draws it. */
+const parentsOf = (x3d: Element, selector: string): number =>
+  (x3d.querySelector(selector) as unknown as { _x3domNode?: { _parentNodes: unknown[] } })
+    ._x3domNode?._parentNodes.length ?? 0;
+
 describe('a circle of USE', () => {
   const CRATE =
     '<transform translation="0 3 0"><shape><box></box></shape><x3d-rigid-body id="b"></x3d-rigid-body></transform>';
