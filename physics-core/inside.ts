@@ -5,12 +5,13 @@ import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
 import { chunks } from './world/chunks/all.js';
 import { outlines } from './effects/debug/debugging.js';
+import { advice } from './nodes/node/advice.js';
 import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
-export type { Chunk } from './base/chunk.js';
+export { Chunk } from './base/chunk.js';
 export { chunks } from './world/chunks/all.js';
 export { contacts, joints } from './effects/effect/chunks.js';
 export { meshes } from './shapes/meshes.js';
@@ -25,7 +26,7 @@ export { PhysicsNode } from './nodes/node/node.js';
 export { nodeTypes } from './nodes/index.js';
 export type { NodeDefinition as NodeType } from './nodes/node/define.js';
 export { defaultOf, type Field } from './nodes/node/table.js';
-export { meant } from './nodes/node/meant.js';
+export { advice, meant } from './nodes/node/advice.js';
 export { show } from './base/show.js';
 export { codecs } from './fields/values.js';
 export { fromSI, SI, toSI, type Units } from './fields/units.js';
@@ -50,7 +51,7 @@ export type { EffectReport } from './effects/effect/report.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
-export type { Geometry } from './shapes/geometry.js';
+export { geometryFields, type Geometry, type GeometryType } from './shapes/geometry.js';
 
 /** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
 export async function debugLines(world: World): Promise<DebugLines> {
@@ -63,7 +64,8 @@ export async function debugLines(world: World): Promise<DebugLines> {
 
 /** The engine, and the code of all effects: nothing that is made of them waits. */
 export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  const [engine] = await Promise.all([loadBullet(options), ...chunks.map((chunk) => chunk.load())]);
+  const all = [advice, ...chunks].map((chunk) => chunk.load());
+  const [engine] = await Promise.all([loadBullet(options), ...all]);
   return engine;
 }
 

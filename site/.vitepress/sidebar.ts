@@ -21,6 +21,7 @@ const TROUBLE = {
   'not-moving': 'Why doesn’t it move?',
   problems: 'Problem codes',
   'looking-inside': 'Looking inside',
+  geometry: 'What collides and is drawn',
   limits: 'What works where',
   migration: 'From other X3D physics',
 };

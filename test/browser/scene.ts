@@ -1,10 +1,11 @@
 import './console.js';
+import { faults } from '../../elements/bridge/words/faults.js';
 import '../../elements/index.js';
 import { worldOf, type World } from './inside.js';
-import { chunks } from '../../physics-core/inside.js';
+import { advice, chunks } from '../../physics-core/inside.js';
 
 // What comes late would have worlds wait for it: chunks.long.test.ts has that.
-await Promise.all(chunks.map((chunk) => chunk.load()));
+await Promise.all([advice, faults, ...chunks].map((chunk) => chunk.load()));
 
 /** Puts an `<x3d>` with this content into the page and waits until its world has started. */
 export async function show(

@@ -18,6 +18,12 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-drag-code', drags.causes],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-debug-code', outlines.causes],
+  ['chunk-faults-code', 'a fault in the markup'],
+  ['chunk-advice-code', 'a tag or an attribute that there is not'],
+  [
+    'chunk-shapes-code',
+    'an ElevationGrid, an Extrusion, a set of fans, strips or quads, a Rectangle2D or a Disk2D, where x3dom lacks it',
+  ],
   ['chunk-batch-code', 'eight bodies of one geometry, drawn in one call where they look alike'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-measure', '`measureAccuracy()`'],

@@ -13,6 +13,7 @@ import {
   type Pose,
 } from '../geometry/matrix.js';
 import { ownerOf } from './structure.js';
+import { drawnPlace } from '../scopes/standing.js';
 import { matrixAbove } from '../scopes/transforms.js';
 
 // Where collidables stand, going by the document.
@@ -21,8 +22,11 @@ import { matrixAbove } from '../scopes/transforms.js';
 export const above = (collidable: Binding): Affine =>
   isPart(collidable) ? identity() : matrixAbove(collidable.element, collidable.scope!);
 
-const isPart = ({ element: { parentElement } }: Binding): boolean =>
-  !parentElement || isType(parentElement, ...UNDRAWN);
+/** Wherever it is drawn, if it is, it is what another node has. */
+function isPart({ element, scope }: Binding): boolean {
+  const { parentElement } = scope ? drawnPlace(element, scope).element : element;
+  return !parentElement || isType(parentElement, ...UNDRAWN);
+}
 
 /** Itself, or the offsets around it. */
 export function standsInScene(collidable: Binding): boolean {

@@ -1,21 +1,25 @@
-import { codecs, show } from '../../../physics-core/inside.js';
+import { codecs } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isShape, isTransform, lowerName } from '../words/dom.js';
 import {
-  geometryFields,
+  attributesOf,
   hasCoord,
+  isLength,
   knownGeometry,
   type GeometryData,
 } from '../geometry/geometry-fields.js';
 import { axisAngleOf, decompose, identity, multiply, type Affine } from '../geometry/matrix.js';
 import type { Scope } from '../scopes/scope.js';
 import { localMatrix } from '../scopes/transforms.js';
+import { cannotDraw } from '../x3dom/shapes/shapes.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
 /** Reads the geometry of Shapes for one node, which is told when something it read changes. */
 export class GeometryReader {
   readonly #user: Binding;
   readonly found: GeometryData[] = [];
+  /** What is being read: what stands in itself by USE is read but once. */
+  readonly #reading = new Set<Element>();
   /** One of the Shapes has no geometry that could be used. */
   waiting = false;
 
@@ -24,39 +28,49 @@ export class GeometryReader {
   }
 
   /** All Shapes at and under `root` that no nearer body owns; `matrix` takes root's own frame to the collidable's. */
-  collect(root: Element, scope: Scope, matrix: Affine = identity()): void {
+  collect(root: Element, around: Scope, matrix: Affine = identity()): void {
     this.#watch(root);
-    const use = attribute(root, 'USE');
-    const element = use ? scope.find(use, this.#user) : root;
-    if (!element) return;
+    const meant = this.#meant(root, around);
+    if (!meant || this.#reading.has(meant.element)) return;
+    const { element, scope } = meant;
+    this.#reading.add(element);
     if (element !== root) this.#watch(element);
     if (isShape(element)) this.#shape(element, scope, matrix);
     else for (const child of element.children) this.#child(child, scope, matrix);
+    this.#reading.delete(element);
   }
 
   /** The first of some elements that is a geometry itself: a massDensityModel. */
-  single(elements: Element[], scope: Scope): GeometryData | undefined {
+  single(elements: Element[], around: Scope): GeometryData | undefined {
     const geometry = elements.find((element) => knownGeometry(lowerName(element)));
-    return geometry && this.#geometry(geometry, scope);
+    const meant = geometry && this.#meant(geometry, around);
+    return meant && this.#geometry(meant.element, meant.scope);
   }
 
-  #child(child: Element, scope: Scope, matrix: Affine): void {
+  /** An element, or what it stands for by USE, which may stand in another file. */
+  #meant(element: Element, scope: Scope): { element: Element; scope: Scope } | undefined {
+    const use = attribute(element, 'USE');
+    if (!use) return { element, scope };
+    const found = scope.find(use, this.#user);
+    return found && { element: found, scope: scope.all.around(found) ?? scope };
+  }
+
+  #child(child: Element, around: Scope, matrix: Affine): void {
     if (isPhysics(child)) return;
-    const use = attribute(child, 'USE');
-    const element = use ? scope.find(use, this.#user) : child;
-    if (!element) return;
-    if (!isTransform(element)) return this.collect(child, scope, matrix);
+    const meant = this.#meant(child, around);
+    if (!meant) return;
+    const { element } = meant;
+    if (!isTransform(element)) return this.collect(child, around, matrix);
     // A Transform with a body of its own moves by itself, as long as it has one.
     if (this.#user.scene!.drivers.of(element)) return this.#watch(element);
-    this.collect(child, scope, multiply(matrix, localMatrix(element)));
+    this.collect(child, around, multiply(matrix, localMatrix(element)));
   }
 
-  #shape(shape: Element, scope: Scope, matrix: Affine): void {
+  #shape(shape: Element, around: Scope, matrix: Affine): void {
     this.#watch(shape);
     const before = this.found.length;
     for (const child of shape.children) {
-      const use = attribute(child, 'USE');
-      const element = (use ? scope.find(use, this.#user) : child) ?? child;
+      const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
       const data = this.#geometry(element, scope);
       if (!data) continue;
       this.found.push(placed(data, matrix, scope.units.length));
@@ -66,25 +80,27 @@ export class GeometryReader {
 
   #geometry(element: Element, scope: Scope): GeometryData | undefined {
     this.#watch(element);
+    if (cannotDraw(element)) this.#user.fault((faults) => faults.notDrawn(element));
     const type = knownGeometry(lowerName(element));
     if (!type) return meshOf(element, scope.units.length);
     const data: GeometryData = { type };
-    for (const [name, field] of Object.entries(geometryFields[type])) {
+    for (const [name, fieldType] of attributesOf(type)) {
       const text = attribute(element, name);
       if (text === null) continue;
-      const value = codecs[field.type].parse(text);
+      const value = codecs[fieldType].parse(text);
       if (value === undefined) this.#malformed(element, name, text);
       else
-        data[name] = field.length ? scaled(value as number | number[], scope.units.length) : value;
+        data[name] = isLength(fieldType)
+          ? scaled(value as number | number[], scope.units.length)
+          : value;
     }
     if (hasCoord(type)) data.coord = this.#coord(element, scope);
     return data;
   }
 
-  #coord(geometry: Element, scope: Scope): number[] {
+  #coord(geometry: Element, around: Scope): number[] {
     for (const child of geometry.children) {
-      const use = attribute(child, 'USE');
-      const element = (use ? scope.find(use, this.#user) : child) ?? child;
+      const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
       if (!/^coordinate(double)?$/.test(lowerName(element))) continue;
       this.#watch(element);
       const text = attribute(element, 'point') ?? '';
@@ -100,13 +116,7 @@ export class GeometryReader {
   }
 
   #malformed(element: Element, name: string, text: string): void {
-    this.#user.problem({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: name,
-      value: text,
-      message: `<${element.localName}> ${name}="${show(text)}" can't be read; X3D's default is used`,
-    });
+    this.#user.fault((faults) => faults.malformed(element, name, text));
   }
 }
 
@@ -125,7 +135,9 @@ function placed(data: GeometryData, matrix: Affine, length: number): GeometryDat
 
 /** The triangles that x3dom made of a geometry we have no table for: Torus, Extrusion, Pyramid, … */
 function meshOf(element: Element, length: number): GeometryData | undefined {
-  const mesh = nodeOf(element)?._mesh;
+  const { surface, _mesh: mesh } = nodeOf(element) ?? {};
+  if (surface?.index.length)
+    return { type: 'Mesh', points: scaled(surface.points, length), index: surface.index };
   if (!mesh || mesh._primType !== 'TRIANGLES') return undefined;
   const points: number[] = [];
   const index: number[] = [];

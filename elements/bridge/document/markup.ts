@@ -1,8 +1,7 @@
-import type { ProblemReport } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import type { Scope } from '../scopes/scope.js';
-import { known, unknownAttribute } from '../words/attributes.js';
-import { attribute, isCustom, isHTML, isPhysics, lowerName } from '../words/dom.js';
+import { known } from '../words/attributes.js';
+import { attribute, isCustom, lowerName } from '../words/dom.js';
 
 /** What may not stand in what: these pairs come from a tag that the author thought closed, or are misplaced. */
 const IMPOSSIBLE: Record<string, RegExp> = {
@@ -17,19 +16,19 @@ const JOINT_CHILD = /joint|collision|rigid-?body-?collection|^shape$|^transform$
 /** Looks at the markup of one element, as the author wrote it. */
 export function checkMarkup(binding: Binding): void {
   const { element, type } = binding;
-  for (const { name } of element.attributes) {
-    if (!known(type, name)) binding.problem(unknownAttribute(binding, name));
-  }
-  for (const report of binding.refused) binding.problem(report);
+  for (const { name } of element.attributes)
+    if (!known(type, name)) binding.fault((faults) => faults.unknownAttribute(binding, name));
+  for (const [name, verb] of binding.refused)
+    binding.fault((faults) => faults.refusedRoute(binding, name, verb));
   const impossible =
     IMPOSSIBLE[type.name] ?? (type.name.endsWith('Joint') ? JOINT_CHILD : undefined);
   const child =
     impossible && [...element.children].find((each) => impossible.test(lowerName(each)));
-  if (child) binding.problem(misplacedChild(binding, child));
-  if (isFirstForeign(binding)) binding.problem(NOT_UPGRADED);
+  if (child) binding.fault((faults) => faults.misplacedChild(binding, child));
+  if (isFirstForeign(binding)) binding.fault((faults) => faults.notUpgraded());
   const def = attribute(element, 'DEF');
   if (def && binding.scope!.names.bearers(def).at(-1) !== element)
-    binding.problem(duplicate(def, binding));
+    binding.fault((faults) => faults.duplicate(binding, def));
 }
 
 /** By scope: the one that says that hyphenated tags there are no custom elements. */
@@ -43,41 +42,4 @@ function isFirstForeign(binding: Binding): boolean {
   if (first?.scope === scope) return first === binding;
   foreign.set(scope, binding);
   return true;
-}
-
-const NOT_UPGRADED: ProblemReport = {
-  code: 'not-upgraded',
-  severity: 'info',
-  message:
-    'hyphenated tags outside the XHTML namespace are no custom elements: they simulate, but have no properties and methods',
-};
-
-const duplicate = (def: string, { label }: Binding): ProblemReport => ({
-  code: 'duplicate-def',
-  severity: 'warning',
-  attribute: 'DEF',
-  value: def,
-  used: 'the later element',
-  message: `${label} shares its DEF with a later element, and a USE means the later one`,
-});
-
-function misplacedChild({ element, type, label }: Binding, child: Element): ProblemReport {
-  // A collection that is thought closed swallows whole bodies and collections, not single collidables.
-  const stray = type.name === 'RigidBodyCollection' && /collidable/.test(lowerName(child));
-  const swallowed = isHTML(element) && !stray && (isPhysics(child) || lowerName(child) === 'scene');
-  return swallowed
-    ? {
-        code: 'self-closing',
-        severity: 'error',
-        value: child.localName,
-        used: 'the markup as HTML reads it',
-        message: `${label} has swallowed <${child.localName}>: HTML knows no self-closing tags, write <${element.localName}></${element.localName}>`,
-      }
-    : {
-        code: 'misplaced',
-        severity: 'warning',
-        value: child.localName,
-        used: 'nothing',
-        message: `<${child.localName}> can't stand in ${label}${lowerName(child) === 'shape' ? '; put it into a CollidableShape' : ''}`,
-      };
 }

@@ -1,6 +1,7 @@
 import type { ProblemReport } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { logInPage } from '../words/console.js';
+import { faultsFor } from '../words/faults.js';
 
 const misplaced = new WeakSet<Element>();
 const told = new WeakMap<Element, Set<string>>();
@@ -30,9 +31,6 @@ export function checkPlace(element: Element): void {
   const inShadow = element.getRootNode() instanceof ShadowRoot;
   if (inScene && !inShadow) return;
   misplaced.add(element);
-  const { code, where } = inShadow
-    ? { code: 'shadow-root', where: 'in a shadow root, where x3dom does not look' }
-    : { code: 'misplaced', where: 'outside the scene of any <x3d>' };
-  const message = `<${element.localName}> stands ${where}`;
-  tellPage({ code, severity: 'warning', used: 'nothing', message }, element);
+  const faults = faultsFor(element, () => checkPlace(element));
+  if (faults) tellPage(faults.outside(element, inShadow), element);
 }

@@ -28,15 +28,6 @@ export function mayMove(binding: Binding): boolean {
 
 function tell(binding: Binding, part: Binding, rival: Binding): void {
   const { transform, shapes } = part.standIn!;
-  const element = transform ?? shapes;
-  const name = attribute(element, 'DEF') ?? attribute(element, 'id');
-  const what = `<${element.localName}>${name ? ` "${name}"` : ''}`;
-  binding.problem({
-    code: 'already-owned',
-    severity: 'warning',
-    attribute: attribute(part.element, 'for') ? 'for' : 'geometry',
-    value: what,
-    used: rival.label,
-    message: `two bodies stand for ${what}: ${rival.label} moves it, ${binding.label} waits until that has gone`,
-  });
+  const role = attribute(part.element, 'for') ? 'for' : 'geometry';
+  binding.fault((faults) => faults.rival(binding, transform ?? shapes, rival.label, role));
 }

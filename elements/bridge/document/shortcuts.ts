@@ -2,6 +2,8 @@ import type { Binding } from '../nodes/binding.js';
 import { attribute, isPhysics, isTransform } from '../words/dom.js';
 import { multiply, type Affine } from '../geometry/matrix.js';
 import type { StandIn } from '../nodes/stand-in.js';
+import type { Scope } from '../scopes/scope.js';
+import { placesOf } from './structure.js';
 import { drivenMatrix, matrixAbove, transformsAbove } from '../scopes/transforms.js';
 
 /** Shortcut 2: `for="ID"` names a Transform, a Shape or a group. */
@@ -19,8 +21,15 @@ function named(binding: Binding, name: string): StandIn | undefined {
 
 /** Shortcut 1: a body inside a Transform, with nothing of physics between them. */
 function enclosing(binding: Binding): StandIn | undefined {
-  const scope = binding.scope!;
-  for (let at = binding.element.parentElement; at && at !== scope.root; at = at.parentElement) {
+  for (const place of placesOf(binding)) {
+    const found = transformAround(place, binding.scope!.all.around(place) ?? binding.scope!);
+    if (found) return found;
+  }
+  return undefined;
+}
+
+function transformAround(place: Element, scope: Scope): StandIn | undefined {
+  for (let at = place.parentElement; at && at !== scope.root; at = at.parentElement) {
     if (isPhysics(at)) return undefined;
     if (isTransform(at)) return { scope, transform: at, shapes: at };
   }

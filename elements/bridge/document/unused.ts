@@ -34,18 +34,12 @@ function isUnused(binding: Binding): boolean {
 }
 
 function isHeld(place: Element, { scope }: Binding): boolean {
-  const parent = parentIn(place, scope!);
+  const parent = parentIn(place, scope!.all.around(place) ?? scope!);
   return (!!parent && isPhysics(parent)) || namers.of(place, ...HOLDERS).length > 0;
 }
 
 const HOLDERS = ['CollidableOffset', 'CollisionSpace'];
 
 function report(binding: Binding): void {
-  const bodies = binding.isCollidable ? 'no RigidBody and ' : '';
-  binding.problem({
-    code: 'unused-collidable',
-    severity: 'info',
-    used: 'no collision',
-    message: `${binding.label} is in ${bodies}no CollisionCollection, and collides with nothing`,
-  });
+  binding.fault((faults) => faults.unused(binding, binding.isCollidable));
 }

@@ -6,7 +6,6 @@ import { collectionOf, listing, membersOf, nodesOf, ownerOf, placesOf } from './
 /** The world that a node lives in; undefined while it lives in none. */
 export function worldFor(binding: Binding): PageWorld | undefined {
   const { worlds, unlisted } = binding.scene!;
-  if (binding.is('RigidBodyCollection')) return worlds.of(binding);
   if (binding.isCollidable || binding.is('CollisionSpace')) {
     const user = ownerOf(binding) ?? listing(binding);
     if (user) return user.scope ? worldFor(user) : undefined;
@@ -14,6 +13,7 @@ export function worldFor(binding: Binding): PageWorld | undefined {
     return free ? unlisted.worldOf(binding) : undefined;
   }
   if (placesOf(binding).length === 0) return undefined;
+  if (binding.is('RigidBodyCollection')) return worlds.of(binding);
   const collection = collectionOf(binding);
   if (collection) return worlds.of(collection);
   if (binding.is('RigidBody')) return worlds.default;

@@ -7,7 +7,7 @@ import {
 } from '../../../physics-core/inside.js';
 import type { Names, Watcher } from '../scopes/names.js';
 import type { Scope } from '../scopes/scope.js';
-import { known, unknownAttribute } from '../words/attributes.js';
+import { known } from '../words/attributes.js';
 import { attribute, typeOf, type Field } from '../words/dom.js';
 import {
   fieldsByAttribute,
@@ -168,7 +168,7 @@ export class Binding extends Findings implements Watcher {
     if (known(this.type, attributeName)) this.dirty();
     else if (attribute(this.element, attributeName) === null)
       this.settle('unknown-attribute', attributeName);
-    else this.problem(unknownAttribute(this, attributeName));
+    else this.fault((faults) => faults.unknownAttribute(this, attributeName));
   }
 
   // ---- properties -------------------------------------------------------------------------------------------------

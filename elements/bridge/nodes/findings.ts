@@ -1,12 +1,14 @@
 import { show, type ProblemReport } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { nameOf, type NodeType } from '../words/dom.js';
+import { faultsFor, type Faults } from '../words/faults.js';
 
 /** What is wrong with an element, and what it waits for: told once its node is as its surroundings say. */
 export abstract class Findings {
   readonly element: Element;
   readonly type: NodeType;
-  readonly #refused = new Map<string, ProblemReport>();
+  /** ROUTEs that may not be: `from` or `to` a field. */
+  readonly #refused = new Map<string, string>();
   #waiting = new Map<string, string>();
   /** What was reported while its node was planned: taken back when the next plan does not find it again. */
   #found = new Map<string, ProblemReport>();
@@ -37,19 +39,25 @@ export abstract class Findings {
     else this.tell(report);
   }
 
+  /** The same, in words that only those fetch who have a fault in their markup. */
+  fault(say: (faults: Faults) => ProblemReport): void {
+    const faults = faultsFor(this.element, () => this.dirty());
+    if (faults) this.problem(say(faults));
+  }
+
   /** A ROUTE that may not be: told with what its markup has wrong. */
-  refuse(report: ProblemReport): void {
-    this.#refused.set(`${report.code} ${report.attribute}`, report);
+  refuse(name: string, verb: string): void {
+    this.#refused.set(name, verb);
     this.dirty();
   }
 
   /** That ROUTE went. */
-  permit({ code, attribute: name }: ProblemReport): void {
-    if (this.#refused.delete(`${code} ${name}`)) this.dirty();
+  permit(name: string): void {
+    if (this.#refused.delete(name)) this.dirty();
   }
 
-  get refused(): Iterable<ProblemReport> {
-    return this.#refused.values();
+  get refused(): Iterable<[name: string, verb: string]> {
+    return this.#refused;
   }
 
   /** A name that nobody bears yet. */

@@ -7,6 +7,7 @@ import { prefetch } from '../scene/code.js';
 import { registerNodeTypes, type Listener } from '../scene/node-types.js';
 import type { Scene } from '../scene/scene.js';
 import { attribute, isInline, isPhysics, isX3D } from '../words/dom.js';
+import { faultsFor } from '../words/faults.js';
 import { setUpDropped, whenThere } from '../x3dom/late.js';
 import { listening } from '../x3dom/listening.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
@@ -66,18 +67,15 @@ class Page implements Listener {
 
   #reportOtherPhysics(world: PageWorld, x3d: Element): void {
     if (!this.#otherPhysics) return;
+    const faults = faultsFor(x3d, () => this.#reportOtherPhysics(world, x3d));
+    if (!faults) return;
     this.#otherPhysics = false;
-    world.report(
-      {
-        code: 'two-physics-engines',
-        severity: 'warning',
-        value: 'x3dom-full.js',
-        used: 'x3d-physics',
-        message:
-          'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
-      },
-      x3d,
-    );
+    world.report(faults.otherPhysics(), x3d);
+  }
+
+  /** Of our own nodes their binding tells. */
+  circleRefused(use: Element): void {
+    if (!isPhysics(use)) this.#scenes.of(use)?.noteFault(use, (faults) => faults.circle(use));
   }
 
   #listenersChanged(target: EventTarget, name: string): void {

@@ -47,14 +47,7 @@ function ownCollidables(binding: Binding): Binding[] {
     binding.use(collidable);
     const owner = collidable.scope && ownerOf(collidable);
     if (owner === binding) return true;
-    binding.problem({
-      code: 'already-owned',
-      severity: 'warning',
-      attribute: 'USE',
-      value: collidable.label,
-      used: owner?.label,
-      message: `${collidable.label} belongs to ${owner?.label}; ${binding.label} goes without it`,
-    });
+    binding.fault((faults) => faults.owned(collidable, owner?.label, binding.label, 'USE'));
     return false;
   });
 }

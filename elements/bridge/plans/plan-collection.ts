@@ -1,7 +1,7 @@
-import { show, type PhysicsNode, type World } from '../../../physics-core/inside.js';
+import type { PhysicsNode, World } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { collectionNode, nodesIn, type Plan } from './plan.js';
-import { listsAll, membersOf, nodesOf } from '../document/structure.js';
+import { listsAll, membersOf, nodesOf, tellCircles } from '../document/structure.js';
 
 /** The one CollisionCollection among the children. */
 function colliderOf(binding: Binding, world: World): PhysicsNode | null {
@@ -21,14 +21,7 @@ export function planSensor(binding: Binding, world: World): Plan {
 function refuseNames(binding: Binding): void {
   const text = binding.authored('collidables');
   if (typeof text !== 'string' || !text.trim()) return;
-  binding.problem({
-    code: 'bad-value',
-    severity: 'warning',
-    attribute: 'collidables',
-    value: text,
-    used: 'its children',
-    message: `${binding.label}: collidables="${show(text)}" is not "*"; its children are used, which may be there by USE`,
-  });
+  binding.fault((faults) => faults.namedCollidables(binding, text));
 }
 
 function listedBy(binding: Binding, world: World): '*' | PhysicsNode[] {
@@ -43,5 +36,6 @@ export function planColliders(binding: Binding, world: World): Plan {
 }
 
 export function planSpace(binding: Binding, world: World): Plan {
+  tellCircles(binding);
   return { world, relations: { collidables: listedBy(binding, world) } };
 }

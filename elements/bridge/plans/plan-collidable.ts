@@ -11,7 +11,7 @@ import { GeometryReader, noteWaiting } from '../document/geometry-reader.js';
 import { axisAngleOf, decompose, identity, withLinear } from '../geometry/matrix.js';
 import { nodesIn, type Plan } from './plan.js';
 import { standInMatrix } from '../document/shortcuts.js';
-import { collidablesIn, ownerOf } from '../document/structure.js';
+import { collidablesIn, ownerOf, tellCircles } from '../document/structure.js';
 import { transformsAbove } from '../scopes/transforms.js';
 
 export function planShape(binding: Binding, world: World): Plan {
@@ -59,16 +59,11 @@ function followAbove(binding: Binding): void {
   if (ownerOf(binding)) return;
   const body = transforms.map((transform) => drivers.of(transform)).find((each) => each);
   if (!body) return;
-  binding.problem({
-    code: 'misplaced',
-    severity: 'warning',
-    value: body.label,
-    used: 'the place where it stands now',
-    message: `${binding.label} stands in a Transform that ${body.label} moves, and does not move with it: name it in the body's geometry`,
-  });
+  binding.fault((faults) => faults.unmoved(binding, body.label));
 }
 
 export function planOffset(binding: Binding, world: World): Plan {
+  tellCircles(binding);
   const child = collidablesIn(binding, 'collidable')[0];
   const collidable = child ? (nodesIn(world, [child], binding)[0] ?? null) : null;
   const relations: Record<string, unknown> = { collidable };

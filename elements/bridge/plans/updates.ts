@@ -96,7 +96,7 @@ export class Updates {
 
   /** What is in the document again was moved: its node stays. */
   #takeLeft(): void {
-    for (const binding of this.#left) {
+    for (const binding of holdersFirst(this.#left)) {
       const scope = this.#site.scopes.around(binding.element);
       if (scope && scope === binding.scope) this.#queue.add(binding);
       else this.drop(binding);
@@ -184,9 +184,13 @@ export class Updates {
   }
 
   dropAll(): void {
-    for (const binding of this.#left) this.drop(binding);
+    for (const binding of holdersFirst(this.#left)) this.drop(binding);
     this.#left.clear();
     this.#queue.clear();
     this.#site.arrivals.clear();
   }
 }
+
+/** What goes together goes from the outside in: nobody is told that it lacks what only went before it. */
+const holdersFirst = (bindings: Iterable<Binding>): Binding[] =>
+  [...bindings].sort((a, b) => b.type.rank - a.type.rank);

@@ -5,6 +5,7 @@ import type { Updates } from '../plans/updates.js';
 import type { Scope } from '../scopes/scope.js';
 import { attribute, isInline, isPhysics, nameOf } from '../words/dom.js';
 import { nodeOf, type PhysicsX3DNode, type X3DDocument } from '../x3dom/x3dom.js';
+import { isRefused } from '../x3dom/uses.js';
 import type { Tree } from './tree.js';
 
 /** The scene in which they arrive. */
@@ -64,9 +65,13 @@ export class Arrivals {
   #reviveUses(element: Element, scope: Scope): void {
     const { document } = this.#scene;
     if (!document || !nodeOf(element)) return;
-    for (const use of scope.names.usesOf(element)) {
+    for (const use of scope.usesOf(element)) {
       const parent = use.parentElement;
-      if (!nodeOf(use) && parent && nodeOf(parent)) document.onNodeAdded(use, parent);
+      const space = parent && nodeOf(parent)?._nameSpace;
+      if (nodeOf(use) || isRefused(use) || !parent || !space) continue;
+      // By IMPORT, of which x3dom hears before the file is there.
+      space.defMap[attribute(use, 'USE')!] ??= nodeOf(element);
+      document.onNodeAdded(use, parent);
     }
   }
 

@@ -1,5 +1,6 @@
 import { chunks, contacts, drags, meshes, type Chunk } from '../../../physics-core/inside.js';
 import { attribute, isPhysics, isScene, isShape, isType, lowerName, typeOf } from '../words/dom.js';
+import { lacks, shapes } from '../x3dom/shapes/shapes.js';
 import { prefetchEngine } from './engine.js';
 
 /** What Bullet has shapes for, and what is no geometry. */
@@ -11,6 +12,7 @@ export function prefetch(elements: Iterable<Element>): void {
   const physics = all.filter(isPhysics);
   if (physics.length === 0) return;
   prefetchEngine();
+  if (all.some(lacks)) fetchCode(shapes);
   if (chunks.every(({ here }) => here)) return;
   for (const element of physics) fetchCode(typeOf(element)?.chunk);
   const bodies = physics.filter(

@@ -6,6 +6,7 @@ import { placeAsWritten } from '../drawing/place.js';
 import { surviveLostContext } from '../x3dom/lost-context.js';
 import { watchRoutes } from './route-ends.js';
 import { watchTransforms, type TransformListener } from '../x3dom/transform-edits.js';
+import { watchUses, type UseListener } from '../x3dom/uses.js';
 import { fromX3DOM, toX3DOM } from '../x3dom/values.js';
 import {
   nodeOf,
@@ -74,7 +75,7 @@ export function cureListeners(element: Element): void {
 }
 
 /** Whom our node types and hooks tell. */
-export interface Listener extends TransformListener {
+export interface Listener extends TransformListener, UseListener {
   nodeMade(element: Element): void;
   routed(node: PhysicsX3DNode): void;
   inlineSettled(inline: Element, loaded: boolean): void;
@@ -215,6 +216,7 @@ export function registerNodeTypes(x: X3DOM, listener: Listener): void {
   }
   watchRoutes(x);
   watchTransforms(x, listener);
+  watchUses(x, listener);
   watchInlines(x, listener);
   surviveLostContext(x);
 }

@@ -1,4 +1,3 @@
-import type { ProblemReport } from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import { fieldNamed } from '../words/fields.js';
 import type { PhysicsX3DNode, X3DNode, X3DOM } from '../x3dom/x3dom.js';
@@ -24,17 +23,7 @@ function refusal(node: X3DNode, name: string, forbidden: string[], verb: string)
   // x3dom's own fields of what it draws.
   if (!field && name in node._vf) return undefined;
   if (field && !forbidden.includes(field.access)) return undefined;
-  const report: ProblemReport = {
-    code: field ? 'bad-access' : 'unknown-attribute',
-    severity: 'warning',
-    attribute: name,
-    value: 'ROUTE',
-    used: 'nothing',
-    message: field
-      ? `${binding.label}: ${name} is ${field.access} and can't be ROUTEd ${verb}`
-      : `${binding.label} has no field ${name} to ROUTE ${verb}`,
-  };
-  return { binding, report };
+  return { binding, name, verb };
 }
 
 const refusals = (from: X3DNode, field: string, to: X3DNode, toField: string) =>
@@ -49,12 +38,12 @@ export function watchRoutes(x: X3DOM): void {
   prototype.setupRoute = function (this: X3DNode, field, to, toField): void {
     const [from, into] = [nameOf(this, field), nameOf(to, toField)];
     const refused = refusals(this, from, to, into);
-    for (const { binding, report } of refused) binding.refuse(report);
+    for (const { binding, name, verb } of refused) binding.refuse(name, verb);
     if (refused.length === 0) setupRoute.call(this, from, to, into);
   };
   prototype.removeRoute = function (this: X3DNode, field, to, toField): void {
     const [from, into] = [nameOf(this, field), nameOf(to, toField)];
-    for (const { binding, report } of refusals(this, from, to, into)) binding.permit(report);
+    for (const { binding, name } of refusals(this, from, to, into)) binding.permit(name);
     removeRoute.call(this, from, to, into);
   };
 }

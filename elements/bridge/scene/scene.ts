@@ -19,12 +19,14 @@ import { Updates } from '../plans/updates.js';
 import { Readers } from '../scopes/readers.js';
 import type { Scope } from '../scopes/scope.js';
 import { Scopes } from '../scopes/scopes.js';
-import { isPhysics, isScene } from '../words/dom.js';
+import { isPhysics, isScene, subtree } from '../words/dom.js';
 import { millisecondsOfPicture } from '../x3dom/picture-cost.js';
 import { documentOf, nodeOf, type PhysicsX3DNode, type X3DDocument } from '../x3dom/x3dom.js';
 import { Arrivals } from './arrivals.js';
 import type { SceneWorld } from './scene-world.js';
+import { Strangers } from './strangers.js';
 import { Tree } from './tree.js';
+import { Undrawn } from './undrawn.js';
 import { Worlds } from './worlds.js';
 
 /** The physics of one `<x3d>`: its scopes, its worlds, and the nodes that wait to be brought up to date. */
@@ -47,6 +49,8 @@ export class Scene implements Driven, Site, Stage {
   readonly draggables: Draggables = new Draggables(this);
   readonly debug = new Debug(this);
   readonly tree: Tree;
+  readonly strangers: Strangers;
+  readonly undrawn: Undrawn = new Undrawn(this);
   readonly reports: Reports;
   live = false;
   /** Once, not in each frame. */
@@ -61,6 +65,7 @@ export class Scene implements Driven, Site, Stage {
     this.scopes = new Scopes(x3d);
     this.worlds = new Worlds(this.scopes);
     this.reports = new Reports(this.worlds, () => this.updates.schedule());
+    this.strangers = new Strangers(this.worlds);
     this.tree = new Tree(this);
     const listeners = [this.debug, this.events, this.draggables];
     this.worlds.onmake((world) => {
@@ -160,6 +165,13 @@ export class Scene implements Driven, Site, Stage {
 
   updated(): void {
     this.reports.tellUnheard();
+    this.strangers.tellSoon();
+  }
+
+  /** Of an element that is no node of ours. */
+  noteFault(...fault: Parameters<Strangers['note']>): void {
+    this.strangers.note(...fault);
+    this.updates.schedule();
   }
 
   /** The document is read: nodes are made, and later changes are followed. */
@@ -193,7 +205,10 @@ export class Scene implements Driven, Site, Stage {
   readByX3DOM(): void {
     if (!this.live || this.document === this.#readBy) return;
     this.#readBy = this.document;
-    for (const scope of this.scopes) this.tree.requeue(scope);
+    for (const scope of this.scopes) {
+      this.tree.requeue(scope);
+      for (const element of subtree(scope.root)) this.undrawn.add(element);
+    }
     for (const binding of this.bindings()) this.updates.redraw(binding);
   }
 

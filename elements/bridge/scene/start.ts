@@ -1,5 +1,6 @@
 import { awaitAttempt, engine, stopAwaiting, type Engine } from './engine.js';
 import { attribute, isInline, subtree } from '../words/dom.js';
+import { faultsFor } from '../words/faults.js';
 import type { SceneWorld } from './scene-world.js';
 import type { Scene } from './scene.js';
 import { nodeOf, x3dom, type X3DElement } from '../x3dom/x3dom.js';
@@ -60,7 +61,8 @@ export class Start {
     if (document.readyState === 'loading') return ['the document'];
     if (!this.#isRead(this.#scene.x3d)) return ['x3dom'];
     this.#scene.readPage();
-    return this.#pendingInlines().map((inline) => `Inline ${attribute(inline, 'url')}`);
+    const waits = this.#pendingInlines().map((inline) => `Inline ${attribute(inline, 'url')}`);
+    return this.#scene.undrawn.pending ? [...waits, 'what draws its geometry'] : waits;
   }
 
   /** Without x3dom, or where it finds no WebGL, the simulation runs unseen. */
@@ -95,15 +97,9 @@ export class Start {
   #reportWaits(waits: string[]): void {
     const [world] = this.#scene.worlds.all;
     // Without physics nothing starts.
-    world?.report(
-      {
-        code: 'waiting-for-document',
-        severity: 'warning',
-        value: waits.join(', '),
-        message: `the simulation starts without waiting longer for ${waits.join(', ')}`,
-      },
-      this.#scene.x3d,
-    );
+    if (!world) return;
+    const faults = faultsFor(this.#scene.x3d, () => this.#reportWaits(waits));
+    if (faults) world.report(faults.late(waits.join(', ')), this.#scene.x3d);
   }
 
   // ---- the engine -----------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ import type { Surroundings } from '../nodes/surroundings.js';
 import type { Updates } from '../plans/updates.js';
 import type { Scope } from '../scopes/scope.js';
 import type { Scopes } from '../scopes/scopes.js';
+import { takesPart } from '../scopes/standing.js';
 import { attribute, isPhysics, subtree } from '../words/dom.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
@@ -12,6 +13,8 @@ import { nodeOf } from '../x3dom/x3dom.js';
 interface Scene extends Surroundings {
   readonly scopes: Scopes;
   readonly updates: Updates;
+  readonly strangers: { add(element: Element): void; delete(element: Element): void };
+  readonly undrawn: { add(element: Element): void };
   readonly arrivals: { add(element: Element, scope: Scope): void };
 }
 
@@ -38,13 +41,20 @@ export class Tree implements Elements {
     const scope = this.#scopes.add(root, host, parent);
     scope.names.onchange = (name, watchers) => {
       for (const watcher of watchers) watcher.dirty();
-      const bearer = scope.names.find(name);
-      if (bearer && isPhysics(bearer)) ownBinding(bearer)?.dirty();
+      const bearer = scope.find(name);
+      if (bearer) this.#usedOtherwise(bearer);
     };
     this.connect(root, scope);
     this.#observed.observe(scope);
     scope.touchImports();
     return scope;
+  }
+
+  /** A USE of it came or went: what is merely kept where it stands takes part now, or no more. */
+  #usedOtherwise(bearer: Element): void {
+    if (isPhysics(bearer)) ownBinding(bearer)?.dirty();
+    if (!this.#scene.live || takesPart(bearer, this.#scopes)) return;
+    for (const element of subtree(bearer)) if (isPhysics(element)) ownBinding(element)?.dirty();
   }
 
   /** `from`: what its host was taken out of. */
@@ -83,6 +93,8 @@ export class Tree implements Elements {
     if (!scope.names.has(element)) scope.names.add(element);
     scope.noteStatement(element, true);
     this.#scene.arrivals.add(element, scope);
+    this.#scene.strangers.add(element);
+    this.#scene.undrawn.add(element);
     if (!isPhysics(element) || attribute(element, 'USE')) return;
     const binding = ownBinding(element);
     if (!binding || binding.scope === scope) return;
@@ -98,6 +110,7 @@ export class Tree implements Elements {
   #disconnect(element: Element, scope: Scope, from?: Element): void {
     scope.names.remove(element);
     scope.noteStatement(element, false);
+    this.#scene.strangers.delete(element);
     const inner = this.#scopes.in(element);
     if (inner) this.removeScope(inner, from);
     const binding = isPhysics(element) ? ownBinding(element) : undefined;

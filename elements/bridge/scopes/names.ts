@@ -84,6 +84,11 @@ export class Names {
     return uses.length > 1 ? uses.sort(precedes) : uses;
   }
 
+  /** The elements that stand for a node of this name, whichever that is. */
+  usesNamed(name: string): Element[] {
+    return this.#uses.list(name);
+  }
+
   /** `watcher` is to hear when the bearers of `name` change. */
   watch(name: string, watcher: Watcher): void {
     this.#watchers.add(name, watcher);

@@ -20,7 +20,11 @@ export class Scope {
   /** X3D version of its file. */
   readonly version: number;
   readonly names = new Names();
-  readonly #statements = new Set<Element>();
+  readonly #statements = {
+    import: new Set<Element>(),
+    export: new Set<Element>(),
+    route: new Set<Element>(),
+  };
 
   constructor(all: Scopes, root: Element, host: Element | null, parent: Scope | null) {
     this.all = all;
@@ -53,9 +57,9 @@ export class Scope {
   noteStatement(element: Element, present: boolean): void {
     const name = lowerName(element);
     if (name !== 'import' && name !== 'export' && name !== 'route') return;
-    if (present) this.#statements.add(element);
-    else this.#statements.delete(element);
-    const local = attribute(element, 'AS') ?? attribute(element, 'importedDEF');
+    if (present) this.#statements[name].add(element);
+    else this.#statements[name].delete(element);
+    const local = localName(element);
     if (name === 'import' && local) this.names.touch(local);
   }
 
@@ -94,13 +98,28 @@ export class Scope {
   touchImports(): void {
     const { parent } = this;
     for (const statement of parent ? parent.#named('import') : []) {
-      const local = attribute(statement, 'AS') ?? attribute(statement, 'importedDEF');
+      const local = localName(statement);
       if (local) parent!.names.touch(local);
     }
   }
 
-  #named(name: string): Element[] {
-    return [...this.#statements].filter((statement) => lowerName(statement) === name);
+  #named(name: 'import' | 'export' | 'route'): Element[] {
+    return [...this.#statements[name]];
+  }
+
+  /** The elements that stand for `element` by USE: here, and where it is IMPORTed in the scopes outside. */
+  usesOf(element: Element): Element[] {
+    const own = this.names.usesOf(element);
+    return this.parent ? [...own, ...this.parent.#usesOfImported(element)] : own;
+  }
+
+  #usesOfImported(element: Element): Element[] {
+    const names = new Set(this.#named('import').map(localName));
+    if (names.size === 0) return [];
+    const uses = [...names]
+      .filter((name) => name && this.find(name) === element)
+      .flatMap((name) => this.names.usesNamed(name!));
+    return this.parent ? [...uses, ...this.parent.#usesOfImported(element)] : uses;
   }
 
   /** `shared-world` on an Inline holds for every collection inside it, further Inlines included. */
@@ -109,6 +128,10 @@ export class Scope {
     return own ?? this.parent?.sharedWorld ?? null;
   }
 }
+
+/** The name that an IMPORT gives. */
+const localName = (statement: Element): string | null =>
+  attribute(statement, 'AS') ?? attribute(statement, 'importedDEF');
 
 /** HTML has no version of X3D, and then the newest holds. */
 const versionOf = (x3d: Element): number => parseFloat(attribute(x3d, 'version') ?? '') || 4;

@@ -10,6 +10,7 @@ import {
   type Affine,
 } from '../geometry/matrix.js';
 import type { Scope } from './scope.js';
+import { drawnPlace } from './standing.js';
 import { fromX3D, wasDrawn } from '../x3dom/matrices.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
@@ -60,11 +61,12 @@ export function localMatrix(element: Element): Affine {
   return trafo ? fromX3D(trafo) : composed(element, 1);
 }
 
-/** The element around an element: in a scope's root, what stands for that scope outside. */
+/** The element around an element, where that is drawn: in a scope's root, what stands for that scope outside. */
 export function outer(
-  element: Element,
-  scope: Scope,
+  node: Element,
+  around: Scope,
 ): { element: Element; scope: Scope } | undefined {
+  const { element, scope } = drawnPlace(node, around);
   const parent = element.parentElement;
   if (element !== scope.root && parent && !isX3D(parent)) return { element: parent, scope };
   return scope.host && scope.parent ? { element: scope.host, scope: scope.parent } : undefined;
@@ -80,20 +82,28 @@ const PLACED = new Set([
 /** World matrix of everything above an element, in the lengths that x3dom draws. */
 export function matrixAbove(element: Element, scope: Scope): Affine {
   let matrix = identity();
-  for (let at = outer(element, scope); at; at = outer(at.element, at.scope)) {
-    if (isTransform(at.element) || PLACED.has(lowerName(at.element)))
-      matrix = multiply(localMatrix(at.element), matrix);
+  for (const at of allAbove(element, scope)) {
+    if (isTransform(at) || PLACED.has(lowerName(at))) matrix = multiply(localMatrix(at), matrix);
   }
   return matrix;
 }
 
+/** What is above an element, nearest first. What stands in itself by USE is above itself but once. */
+function* allAbove(element: Element, scope: Scope): Generator<Element> {
+  const met = new Set([element]);
+  for (
+    let at = outer(element, scope);
+    at && !met.has(at.element);
+    at = outer(at.element, at.scope)
+  ) {
+    met.add(at.element);
+    yield at.element;
+  }
+}
+
 /** The Transforms above an element, nearest first. */
 export function transformsAbove(element: Element, scope: Scope): Element[] {
-  const found: Element[] = [];
-  for (let at = outer(element, scope); at; at = outer(at.element, at.scope)) {
-    if (isTransform(at.element)) found.push(at.element);
-  }
-  return found;
+  return [...allAbove(element, scope)].filter(isTransform);
 }
 
 /**

@@ -1,6 +1,5 @@
-import { meant, show, type ProblemReport } from '../../../physics-core/inside.js';
-import { attribute, type NodeType } from './dom.js';
-import { attributeOf, fieldsByAttribute } from './fields.js';
+import type { NodeType } from './dom.js';
+import { fieldsByAttribute } from './fields.js';
 
 /** Attributes that any element of a page or any X3D node may have. */
 const COMMON = new Set([
@@ -46,26 +45,3 @@ export function known(type: NodeType, name: string): boolean {
     fieldsByAttribute(type).has(lower)
   );
 }
-
-/** An element as messages call it. */
-interface Labelled {
-  element: Element;
-  type: NodeType;
-  label: string;
-}
-
-export function unknownAttribute({ element, type, label }: Labelled, name: string): ProblemReport {
-  return {
-    code: 'unknown-attribute',
-    severity: 'warning',
-    attribute: name,
-    value: attribute(element, name),
-    used: 'nothing',
-    message: `${label} has no attribute ${show(name)}${meant(name, attributesOf(type))}`,
-  };
-}
-
-const attributesOf = (type: NodeType): string[] => [
-  ...Object.entries(type.fields).map(([field, entry]) => attributeOf(field, entry)),
-  ...(STRUCTURE[type.name] ?? []),
-];

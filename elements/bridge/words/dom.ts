@@ -75,11 +75,7 @@ export const isType = (element: Element, ...names: string[]): boolean => {
 export const containerField = (element: Element): string | null =>
   attribute(element, 'containerField');
 
-/** The X3D names of all physics nodes, also of those without a table yet. */
-const PHYSICS =
-  /^(x3d-)?(rigid-?body(-?collection)?|collidable-?(shape|offset)|collision-?(collection|space|sensor)|contact|(ball|(single|double)-?axis-?hinge|slider|universal|motor)-?joint)$/;
-export const isPhysics = (element: Element): boolean =>
-  PHYSICS.test(lowerName(element)) || typeOfClass(element) !== undefined;
+export const isPhysics = (element: Element): boolean => typeOf(element) !== undefined;
 
 export const isCustom = (element: Element): boolean =>
   element.localName.startsWith('x3d-') && element.namespaceURI === 'http://www.w3.org/1999/xhtml';

@@ -58,6 +58,8 @@ export interface X3DNode {
   _trafo?: X3DMatrix;
   /** Geometry only. */
   _mesh?: X3DMesh;
+  /** Geometry that we draw: the triangles that collide. */
+  surface?: { points: number[]; index: number[] };
   /** Instances of prototypes only. */
   protoBodyClone?: Element;
   addChild(child: X3DNode, containerField?: string | null): boolean | undefined;
@@ -84,6 +86,8 @@ export interface PhysicsX3DNode extends X3DNode {
 export interface NameSpace {
   doc: X3DDocument;
   superInlineNode: X3DNode | null;
+  defMap: Record<string, X3DNode | undefined>;
+  setupTree(node: Node, parent: X3DNode | null): X3DNode | null;
   routeLateRoutes(): void;
 }
 
@@ -135,6 +139,8 @@ export interface X3DOM {
   nodeTypes: Record<string, X3DNodeClass>;
   nodeTypesLC: Record<string, X3DNodeClass>;
   Mesh: X3DMeshClass;
+  NodeNameSpace: { prototype: NameSpace };
+  X3DDocument: { prototype: X3DDocument };
   fields: {
     SFVec3f: new (x: number, y: number, z: number) => X3DVector;
     SFVec2f: new (x: number, y: number) => { x: number; y: number };

@@ -4,7 +4,7 @@ import { boundOf, shownBound } from '../../fields/bounds.js';
 import { guards } from '../../base/guards.js';
 import type { ProblemReport } from '../../base/problems.js';
 import { cut, show, showUsed } from '../../base/show.js';
-import { meant } from './meant.js';
+import { meant } from './advice.js';
 import type { FieldOwner } from './field-owner.js';
 import type { Field } from './table.js';
 
@@ -17,7 +17,7 @@ export function fieldOf(node: FieldOwner, name: string): Field | undefined {
       severity: 'warning',
       attribute: name,
       used: 'nothing',
-      message: `${node.label} has no field ${show(name)}${meant(name, Object.keys(node.type.fields))}`,
+      message: `${node.label} has no field ${show(name)}${meant({ name, type: node.type.name }, Object.keys(node.type.fields))}`,
     });
   }
   return field;

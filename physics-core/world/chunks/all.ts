@@ -2,6 +2,7 @@ import type { Chunk } from '../../base/chunk.js';
 import { outlines } from '../../effects/debug/debugging.js';
 import { drags } from '../../effects/drag/effects.js';
 import { contacts, joints } from '../../effects/effect/chunks.js';
+import { advice } from '../../nodes/node/advice.js';
 import { meshes } from '../../shapes/meshes.js';
 
 /** All code that nodes wait for; pages fetch it when it is needed. */
@@ -12,5 +13,6 @@ export const chunks: readonly Chunk<unknown>[] = [
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),
 ];
 
-// No node waits for this one.
+// No node waits for these.
+advice.comesFrom(() => import('../../nodes/node/advice-code.js'));
 outlines.comesFrom(() => import('../../effects/debug-code.js'));

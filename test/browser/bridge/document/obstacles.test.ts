@@ -322,7 +322,8 @@ describe('CollisionSpace', () => {
     });
   }
 
-  it('may list itself in a circle', async () => {
+  it('may list itself in a circle, and is told', async () => {
+    claim('use-circle');
     const x3d = place(`
       <x3d-rigid-body-collection id="c"></x3d-rigid-body-collection>
       <x3d-collision-collection><x3d-collision-space def="a"><x3d-collision-space def="b">

@@ -222,6 +222,7 @@ describe('pages', () => {
     const page = await open('other-physics.html');
     const world = await worldIn(page);
     world.paused = true;
+    await until(() => heardIn(page).length > 0);
     expect(heardIn(page)).to.eql(['two-physics-engines']);
     world.reset();
     world.advance(1);
