@@ -6,6 +6,7 @@ import { isAwake } from './body-state.js';
 import { DISPATCHER, MANIFOLD, SOLVER, SOLVER_MODE } from './offsets.js';
 import { firstPoint, forgetImpulses, pointAt, pointCountAt, type Manifold } from './manifold.js';
 import { Owner } from './owner.js';
+import { SolveOrder } from './solve-order.js';
 
 export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
 
@@ -44,6 +45,8 @@ export class BulletWorld {
   readonly #dispatcher: Ammo['btCollisionDispatcher']['prototype'];
   readonly #solver: number;
   readonly #solverTrusted: boolean;
+  /** Undefined where the heap is not trusted. */
+  readonly order: SolveOrder | undefined;
   #meshesMove = false;
   settings!: SolverSettings;
 
@@ -63,6 +66,13 @@ export class BulletWorld {
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
     if (engine.heapTrusted) engine.solverHook.attach(ammo.getPointer(solver));
     engine.stages?.attach(ammo.getPointer(this.bullet));
+    // Without its stages Bullet could not be told the names of its islands.
+    if (engine.stages)
+      this.order = new SolveOrder(
+        ammo,
+        ammo.getPointer(this.bullet),
+        ammo.getPointer(this.#dispatcher),
+      );
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
     this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
   }
@@ -102,6 +112,7 @@ export class BulletWorld {
 
   /** One exact step: `maxSubSteps` 0 makes Bullet take the given time as it is. */
   step(seconds: number): void {
+    this.order?.arrange();
     this.bullet.stepSimulation(seconds, 0);
   }
 
@@ -220,19 +231,25 @@ export class BulletWorld {
     return this.#dispatcher.getNumManifolds();
   }
 
-  addBody(body: BtBody, group: number, mask: number): void {
+  /** `id`: the number of its node, which says where it comes in what is solved. */
+  addBody(body: BtBody, id: number, group: number, mask: number): void {
+    this.order?.expectBody();
     this.bullet.addRigidBody(body, group, mask);
+    this.order?.addBody(this.engine.ammo.getPointer(body), id);
   }
 
   removeBody(body: BtBody): void {
+    this.order?.removeBody(this.engine.ammo.getPointer(body));
     this.bullet.removeRigidBody(body);
   }
 
-  addConstraint(constraint: BtConstraint): void {
+  addConstraint(constraint: BtConstraint, id: number): void {
     this.bullet.addConstraint(constraint, true);
+    this.order?.addConstraint(this.engine.ammo.getPointer(constraint), id);
   }
 
   removeConstraint(constraint: BtConstraint): void {
+    this.order?.removeConstraint(this.engine.ammo.getPointer(constraint));
     this.bullet.removeConstraint(constraint);
   }
 

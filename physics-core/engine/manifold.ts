@@ -81,3 +81,13 @@ export function forgetImpulses(ammo: Ammo, manifold: number): void {
       HEAPF32[(point + at) >> 2] = guards.impulseOfOtherMass(HEAPF32[(point + at) >> 2]!);
   });
 }
+
+/** Sorts the manifolds of one pair by the parts that they are of; one without points comes first. */
+export function childKeyAt({ HEAP32 }: Ammo, manifold: number): number {
+  if (HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0) return -1;
+  const point = (manifold + MANIFOLD.points) >> 2;
+  return HEAP32[point + POINT.index0 / 4]! * MOST_PARTS + HEAP32[point + POINT.index1 / 4]!;
+}
+
+/** Triangles of a mesh, at most: numbers of parts and of triangles stand side by side. */
+const MOST_PARTS = 2 ** 24;

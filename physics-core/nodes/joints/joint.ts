@@ -117,7 +117,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.takeZero();
     this.#constraint = this.#make();
     this.#setRows(this.#constraint);
-    this.#constraint.add(this.slides);
+    this.#constraint.add(this.id, this.slides);
     if (bodies.length === 2) this.#part(bodies[0]!, bodies[1]!);
     for (const body of bodies) body.wake();
     reportMassRatio(this);

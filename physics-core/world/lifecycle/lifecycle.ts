@@ -127,6 +127,7 @@ export class Lifecycle {
     }
     world.rays.dispose();
     world.engine.solverHook.listen(null);
+    world.engine.stages?.listen(null);
     world.bullet.dispose();
     world.started = false;
   }

@@ -97,14 +97,18 @@ export class Step {
     const { engine, bullet } = this.#world;
     engine.forgetFound(bullet.bullet);
     engine.solverHook.listen(this.#between);
+    engine.stages?.listen(this.#between);
     bullet.step(timeStep);
     engine.solverHook.listen(null);
+    engine.stages?.listen(null);
     this.#time.count(timeStep);
   }
 
   /** In the middle of Bullet's step. */
-  readonly #between: SolverListener = {
+  readonly #between: SolverListener & { islands(): void } = {
+    islands: () => this.#world.bullet.order?.nameIslands(),
     found: () => {
+      this.#world.bullet.order?.sortManifolds();
       const { registry: effects, timeStep } = this.#world;
       effects.found();
       effects.run('found', timeStep);

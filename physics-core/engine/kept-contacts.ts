@@ -1,0 +1,69 @@
+import type { Ammo } from './ammo.js';
+import { childKeyAt } from './manifold.js';
+import { BODY, MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
+
+// Contact points as they stand on the heap, to the last bit: Bullet's next step begins with them.
+
+/** Words of a manifold: the ranks of both bodies and how many points; and of a point. */
+const HEAD = 3;
+const WORDS = POINT.size / 4;
+
+type Visit = (manifold: number, a: number, b: number) => void;
+
+/** Of all manifolds that `each` visits. */
+export function saveContacts({ HEAP32 }: Ammo, each: (visit: Visit) => void): Int32Array {
+  let words = new Int32Array(1024);
+  let used = 0;
+  each((manifold, a, b) => {
+    const count = HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
+    if (count === 0) return;
+    const size = HEAD + count * WORDS;
+    if (used + size > words.length) {
+      const more = new Int32Array(2 * words.length);
+      more.set(words);
+      words = more;
+    }
+    words[used] = HEAP32[(a + BODY.rank) >> 2]!;
+    words[used + 1] = HEAP32[(b + BODY.rank) >> 2]!;
+    words[used + 2] = count;
+    const from = (manifold + MANIFOLD.points) >> 2;
+    words.set(HEAP32.subarray(from, from + count * WORDS), used + HEAD);
+    used += size;
+  });
+  return words.slice(0, used);
+}
+
+/** Into manifolds that Bullet has made of the same pairs; what is near each other otherwise touches nowhere. */
+export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, words: Int32Array): void {
+  const { HEAP32 } = ammo;
+  const found = new Map<string, number[]>();
+  each((manifold, a, b) => {
+    const key = `${HEAP32[(a + BODY.rank) >> 2]} ${HEAP32[(b + BODY.rank) >> 2]}`;
+    const those = found.get(key);
+    if (those) those.push(manifold);
+    else found.set(key, [manifold]);
+  });
+  const loads: [manifold: number, at: number, count: number][] = [];
+  for (let at = 0; at < words.length; ) {
+    const count = words[at + 2]!;
+    const those = found.get(`${words[at]} ${words[at + 1]}`);
+    const manifold = those && takeOut(ammo, those, words, at + HEAD);
+    if (manifold !== undefined) loads.push([manifold, at + HEAD, count]);
+    at += HEAD + count * WORDS;
+  }
+  each((manifold) => (HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = 0));
+  for (const [manifold, at, count] of loads) {
+    HEAP32.set(words.subarray(at, at + count * WORDS), (manifold + MANIFOLD.points) >> 2);
+    HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = count;
+  }
+}
+
+/** Of several of one pair the one of the same parts. */
+function takeOut(ammo: Ammo, those: number[], words: Int32Array, at: number): number | undefined {
+  if (those.length === 1) return those.pop();
+  const key = words[at + POINT.index0 / 4]! * 2 ** 24 + words[at + POINT.index1 / 4]!;
+  const same = those.findIndex((manifold) => childKeyAt(ammo, manifold) === key);
+  const empty = those.findIndex((manifold) => childKeyAt(ammo, manifold) === -1);
+  const [one] = those.splice(same >= 0 ? same : Math.max(0, empty), 1);
+  return one;
+}
