@@ -14,7 +14,7 @@ export function pack(numbers: Numbers): string {
 }
 
 /** Throws where it is no base64 of whole numbers of `size` bytes. */
-function bytesOf(text: string, size: number): ArrayBuffer {
+function bufferOf(text: string, size: number): ArrayBuffer {
   const all = atob(text);
   if (all.length % size !== 0) throw new RangeError('numbers are cut in half');
   const bytes = new Uint8Array(all.length);
@@ -22,6 +22,7 @@ function bytesOf(text: string, size: number): ArrayBuffer {
   return bytes.buffer;
 }
 
-export const floatsOf = (text: string): Float32Array => new Float32Array(bytesOf(text, 4));
-export const doublesOf = (text: string): Float64Array => new Float64Array(bytesOf(text, 8));
-export const wordsOf = (text: string): Int32Array => new Int32Array(bytesOf(text, 4));
+export const bytesOf = (text: string): Uint8Array => new Uint8Array(bufferOf(text, 1));
+export const floatsOf = (text: string): Float32Array => new Float32Array(bufferOf(text, 4));
+export const doublesOf = (text: string): Float64Array => new Float64Array(bufferOf(text, 8));
+export const wordsOf = (text: string): Int32Array => new Int32Array(bufferOf(text, 4));

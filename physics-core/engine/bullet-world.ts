@@ -3,6 +3,7 @@ import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
 import { isAwake } from './body-state.js';
+import { KeptWorld } from './kept-world.js';
 import { DISPATCHER, MANIFOLD, SOLVER, SOLVER_MODE } from './offsets.js';
 import { firstPoint, forgetImpulses, pointAt, pointCountAt, type Manifold } from './manifold.js';
 import { Owner } from './owner.js';
@@ -47,6 +48,7 @@ export class BulletWorld {
   readonly #solverTrusted: boolean;
   /** Undefined where the heap is not trusted. */
   readonly order: SolveOrder | undefined;
+  readonly kept: KeptWorld | undefined;
   #meshesMove = false;
   settings!: SolverSettings;
 
@@ -67,12 +69,11 @@ export class BulletWorld {
     if (engine.heapTrusted) engine.solverHook.attach(ammo.getPointer(solver));
     engine.stages?.attach(ammo.getPointer(this.bullet));
     // Without its stages Bullet could not be told the names of its islands.
-    if (engine.stages)
-      this.order = new SolveOrder(
-        ammo,
-        ammo.getPointer(this.bullet),
-        ammo.getPointer(this.#dispatcher),
-      );
+    if (engine.stages) {
+      const dispatcher = ammo.getPointer(this.#dispatcher);
+      this.order = new SolveOrder(ammo, ammo.getPointer(this.bullet), dispatcher);
+      this.kept = new KeptWorld(this, ammo.getPointer(broadphase));
+    }
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
     this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
   }
@@ -114,6 +115,11 @@ export class BulletWorld {
   step(seconds: number): void {
     this.order?.arrange();
     this.bullet.stepSimulation(seconds, 0);
+  }
+
+  /** Between steps: finds what is near each other and where it touches, as a step does first. */
+  findPairs(): void {
+    this.engine.stages?.collide(this.engine.ammo.getPointer(this.bullet));
   }
 
   /** Calls `visit` with the pointers of both bodies of every pair that may touch. */

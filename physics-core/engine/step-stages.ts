@@ -52,6 +52,11 @@ export class StepStages {
     this.#listener = listener;
   }
 
+  /** Its second stage alone. */
+  collide(world: number): void {
+    this.#stages[1]!(world);
+  }
+
   readonly #step = (world: number, seconds: number): void => {
     const [predict, collide, findIslands, solve, integrate, activate] = this.#stages;
     predict!(world, seconds);

@@ -103,8 +103,17 @@ export class JointedBodies {
     for (const body of this.#moved.keys()) visit(body);
   }
 
-  setLastStep(body: Body, seconds: number): void {
-    this.#note(body, this.#simulation.stepsTaken, seconds);
+  forgetSteps(): void {
+    this.#moved.clear();
+  }
+
+  /** Ids, and each step with its seconds. */
+  keepSteps(): [id: number, step: number, seconds: number][] {
+    return [...this.#moved].map(([{ id }, { step, seconds }]) => [id, step, seconds]);
+  }
+
+  goOn(body: Body, step: number, seconds: number): void {
+    this.#note(body, step, seconds);
   }
 
   /** Its velocity is given anew, or it begins to move: the next step is a first half step again. */

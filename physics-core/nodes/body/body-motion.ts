@@ -128,14 +128,20 @@ export class BodyMotion {
       return;
     }
     const from = compose(this.poseInBullet(), node.centerOfMass);
-    this.kinematic = true;
-    node.object.setFlags();
     this.#wakeTouching();
+    this.goAlong();
     this.place(pose);
-    keepAwake(node.body);
     node.world.registry
       .get(carrying)
       .carry(node, from, compose(this.#inBullet(pose), node.centerOfMass));
+  }
+
+  /** It is kinematic from now on. */
+  goAlong(): void {
+    const node = this.#node;
+    this.kinematic = true;
+    node.object.setFlags();
+    keepAwake(node.body);
   }
 
   /** It goes no further on its way. */

@@ -1,4 +1,3 @@
-import { resting } from '../../effects/rest/resting.js';
 import type { Engine } from '../../engine/engine.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
@@ -9,7 +8,7 @@ import type { Stepping } from '../stepping/stepping.js';
 import type { AddOptions } from '../store/types.js';
 import { loadNode, loadState } from './load.js';
 import { Lookup } from './lookup.js';
-import type { Snapshot } from './snapshot.js';
+import { FORMAT, type Snapshot } from './snapshot.js';
 
 /** The world that goes back to a snapshot, or becomes one. */
 interface RestoredWorld extends NodeWorld {
@@ -33,9 +32,8 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
     for (const node of [...world.nodes]) loadNode(node, found);
   });
   world.bodies.countFrom(undefined);
-  world.stepping.resume(snapshot.time);
-  world.registry.get(resting).beginLoad(snapshot.sinceLook);
-  for (const node of world.nodes) loadState(node, found, slept);
+  world.stepping.resume(snapshot.time, snapshot.taken);
+  loadState(world, snapshot, slept);
   tellWoken();
   world.emit('restore', world);
 }
@@ -57,10 +55,11 @@ export function* copyInto(
     yield;
   }
   const found = new Lookup(world.nodes, snapshot);
+  const elsewhere = Object.keys(settings).length > 0;
   for (const { id, heard, collection } of snapshot.nodes) {
     // It may have been born after those that belong to it.
     if (collection !== undefined) born.get(id)!.collection = born.get(collection);
-    loadNode(born.get(id)!, found);
+    loadNode(born.get(id)!, found, elsewhere);
     for (const event of heard) born.get(id)!.on(event, () => {});
     yield;
   }
@@ -69,16 +68,12 @@ export function* copyInto(
   world.bodies.countFrom(snapshot.origin);
   yield* world.lifecycle.starting(engine);
   world.bodies.countFrom(undefined);
-  world.stepping.resume(snapshot.time);
-  world.registry.get(resting).beginLoad(snapshot.sinceLook);
-  for (const node of world.nodes) {
-    loadState(node, found);
-    yield;
-  }
+  world.stepping.resume(snapshot.time, snapshot.taken);
+  loadState(world, snapshot);
 }
 
 function isSnapshot(world: RestoredWorld, snapshot: Snapshot): boolean {
-  if ((snapshot as Snapshot | undefined)?.x3dPhysics === 1) return true;
+  if ((snapshot as Snapshot | undefined)?.x3dPhysics === FORMAT) return true;
   world.report({
     code: 'bad-value',
     severity: 'warning',

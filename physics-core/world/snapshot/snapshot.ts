@@ -1,27 +1,36 @@
 import type { Pose } from '../../base/math.js';
-import type { Load } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { LevelName } from '../../dynamics/levels.js';
+import type { JointRowsState, JointZero } from '../../nodes/joints/placed-joint.js';
 import type { Field } from '../../nodes/node/table.js';
-import type { RestState } from '../../effects/rest/resting.js';
 
 /** What a node stands for in a snapshot: its id. */
 export interface Reference {
   nodeId: number;
 }
 
-/** What Bullet and the effects know of a body. */
-export interface BodyState {
-  pose: Pose;
-  /** Of the centre of mass, linear then angular. */
-  velocity: number[];
-  asleep: boolean;
-  parked: boolean;
-  rest: RestState;
-  /** Seconds of its last step, to the middle of which joints keep its velocity; 0: to the moment. */
-  lastStep: number;
-  /** What `applyForce` and `applyTorque` asked of the next step. */
-  load: Load | undefined;
+/** Bodies that stand in Bullet, by their ids. Numbers are packed: see `base/packed.ts`. */
+export interface BodyStates {
+  ids: number[];
+  /** Of each: `AWAKE`, and the list of Bullet's broadphase that it stands in. */
+  flags: string;
+  /** To the bit, and the boxes of those that move in Bullet's broadphase. */
+  states: string;
+  boxes: string;
+  /** Where those are that Bullet has at a place rounded, or nowhere. */
+  poses: [id: number, pose: Pose][];
+  /** The list of Bullet's broadphase that the next step fills. */
+  list: number;
+}
+
+export const AWAKE = 0;
+export const ASLEEP = 1;
+export const PARKED = 2;
+
+/** What is known of a joint. */
+export interface JointState extends JointZero {
+  /** What its rows are, which was looked at where the bodies were then. */
+  rows: JointRowsState;
 }
 
 export interface NodeState {
@@ -39,19 +48,26 @@ export interface NodeState {
   asked: [string, unknown][];
   authored: string[];
   beforeEvent: [string, unknown][];
-  body?: BodyState;
-  /** Where the joint is at zero. */
-  joint?: { frame1: Pose; frame2: Pose };
+  joint?: JointState;
 }
+
+/** What a snapshot is written in. */
+export const FORMAT = 2;
 
 /** A world at one moment as plain data. */
 export interface Snapshot {
-  x3dPhysics: 1;
+  x3dPhysics: typeof FORMAT;
   time: number;
-  sinceLook: number;
+  /** Steps of Bullet before. */
+  taken: number;
   /** The level in force. */
   level: LevelName;
   nodes: NodeState[];
+  bodies: BodyStates;
+  /** Points in touch, packed. */
+  contacts: string;
+  /** What effects know of the steps before, by their names. */
+  effects: Record<string, unknown>;
   /** Where Bullet counted from. */
   origin?: Vec3;
 }

@@ -1,25 +1,13 @@
-import { forces } from '../../effects/flight/forces.js';
-import { jointSolve } from '../../effects/joints/effects.js';
-import { resting } from '../../effects/rest/resting.js';
-import type { Pose } from '../../base/math.js';
 import type { LevelName } from '../../dynamics/levels.js';
 import type { Value } from '../../fields/types.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import { isJoint } from '../../nodes/joints/is-joint.js';
-import type { JointNode } from '../../nodes/joints/joint.js';
-import type { NodeWorld } from '../../nodes/node/node-world.js';
 import { PhysicsNode } from '../../nodes/node/node.js';
-import {
-  cloned,
-  isKept,
-  type BodyState,
-  type NodeState,
-  type Reference,
-  type Snapshot,
-} from './snapshot.js';
+import { takeBodies, type BodiesWorld } from './bodies.js';
+import { cloned, FORMAT, isKept, type NodeState, type Reference, type Snapshot } from './snapshot.js';
 
 /** The world that a snapshot is taken of. */
-interface SnapshotWorld extends NodeWorld {
+interface SnapshotWorld extends BodiesWorld {
   readonly accuracy: LevelName;
 }
 
@@ -28,12 +16,14 @@ export function takeSnapshot(world: SnapshotWorld): Snapshot {
   const nodes = [...world.nodes];
   const children = new Set(nodes.flatMap((node) => node.children.all));
   return {
-    x3dPhysics: 1,
+    x3dPhysics: FORMAT,
     time: world.time,
-    sinceLook: world.registry.find(resting)?.sinceLook ?? 0,
+    taken: world.stepsTaken,
     level: world.accuracy,
     origin: [...world.poses.origin],
     nodes: nodes.map((node) => stateOf(node, children.has(node))),
+    ...takeBodies(world),
+    effects: world.registry.save(),
   };
 }
 
@@ -58,31 +48,11 @@ function stateOf(node: PhysicsNode, child: boolean): NodeState {
     authored: [...authored].filter((name) => node.type.fields[name]!.access !== 'inputOnly'),
     beforeEvent: encoded(beforeEvent),
     ...(node instanceof BodyNode && { start: structuredClone(node.motion.start) }),
-    ...(node instanceof BodyNode && node.built ? { body: bodyState(node) } : {}),
-    ...(isJoint(node) && node.placed ? { joint: framesOf(node) } : {}),
+    ...(isJoint(node) && node.placed ? { joint: node.save() } : {}),
   };
 }
-
-const framesOf = ({ frame1, frame2 }: JointNode): { frame1: Pose; frame2: Pose } =>
-  structuredClone({ frame1, frame2 });
 
 function encode(value: Value): unknown {
   if (value instanceof PhysicsNode) return { nodeId: value.id } satisfies Reference;
   return Array.isArray(value) ? value.map(encode) : cloned(value);
 }
-
-function bodyState(body: BodyNode): BodyState {
-  const { bodies, registry: effects } = body.world;
-  return {
-    pose: body.pose(),
-    velocity: [...bodies.velocityOf(body)],
-    asleep: body.sleeping,
-    parked: body.presence.parked,
-    rest: effects.find(resting)?.save(body.slot) ?? NEVER_QUIET,
-    lastStep: effects.find(jointSolve)?.lastStep(body) ?? 0,
-    load: structuredClone(effects.find(forces)?.pending(body)),
-  };
-}
-
-/** Of a body whose rest nobody looks after. */
-const NEVER_QUIET = { quiet: 0, anchor: [] };

@@ -1,0 +1,77 @@
+import type { BulletWorld } from './bullet-world.js';
+import type { BtBody } from './heap.js';
+import { BODY, PROXY } from './offsets.js';
+import { keepAwake } from './body-state.js';
+import { BOX, currentList, layLists, listOf, loadBox, saveBox } from './kept-bodies.js';
+import { loadContacts, saveContacts } from './kept-contacts.js';
+
+/** A body that stands in the world, whose box is one of `boxes`. */
+interface Standing {
+  readonly id: number;
+  readonly body: BtBody;
+  readonly pointer: number;
+  readonly movable: boolean;
+}
+
+/** What a world goes back to: boxes by bodies, contact points, and the list that the next step fills. */
+interface Moment {
+  boxes: Float32Array;
+  at: readonly number[];
+  contacts: Int32Array;
+  list: number;
+}
+
+/** What Bullet keeps of its world from step to step beside bodies: which of them are near each other, and where they touch. */
+export class KeptWorld {
+  readonly #bullet: BulletWorld;
+  readonly #broadphase: number;
+
+  constructor(bullet: BulletWorld, broadphase: number) {
+    this.#bullet = bullet;
+    this.#broadphase = broadphase;
+  }
+
+  get #ammo(): BulletWorld['engine']['ammo'] {
+    return this.#bullet.engine.ammo;
+  }
+
+  get list(): number {
+    return currentList(this.#ammo, this.#broadphase);
+  }
+
+  listOf(body: number): number {
+    return listOf(this.#ammo, body);
+  }
+
+  saveBox(body: number, to: number[]): void {
+    const box = new Float32Array(BOX);
+    saveBox(this.#ammo, body, box, 0);
+    to.push(...box);
+  }
+
+  saveContacts(): Int32Array {
+    this.#bullet.order!.arrange();
+    return saveContacts(this.#ammo, (visit) => this.#bullet.eachManifoldInHeap(visit));
+  }
+
+  /** Bodies stand where they did; those that sleep are woken. */
+  goBack(bodies: readonly Standing[], lists: readonly number[], moment: Moment): void {
+    const ammo = this.#ammo;
+    for (const each of bodies) this.#comeAnew(each);
+    for (const { body, movable } of bodies) if (movable) keepAwake(body);
+    this.#bullet.order!.arrange();
+    this.#bullet.findPairs();
+    loadContacts(ammo, (visit) => this.#bullet.eachManifoldInHeap(visit), moment.contacts);
+    bodies.forEach(({ pointer }, i) => loadBox(ammo, pointer, moment.boxes, moment.at[i]!));
+    const pointers = bodies.map(({ pointer }) => pointer);
+    layLists(ammo, this.#broadphase, moment.list, pointers, lists);
+  }
+
+  /** Bullet forgets whom it was near. */
+  #comeAnew({ id, body, pointer }: Standing): void {
+    const { HEAP32 } = this.#ammo;
+    const groups = HEAP32[(HEAP32[(pointer + BODY.proxy) >> 2]! + PROXY.groups) >> 2]!;
+    this.#bullet.removeBody(body);
+    this.#bullet.addBody(body, id, (groups << 16) >> 16, groups >> 16);
+  }
+}
