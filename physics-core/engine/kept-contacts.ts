@@ -1,5 +1,5 @@
 import type { Ammo } from './ammo.js';
-import { childKeyAt } from './manifold.js';
+import { bodyAAt, bodyBAt, partsKey, partsKeyAt } from './manifold.js';
 import { BODY, MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
 
 // Contact points as they stand on the heap, to the last bit: Bullet's next step begins with them.
@@ -61,9 +61,11 @@ export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, words: In
 /** Of several of one pair the one of the same parts. */
 function takeOut(ammo: Ammo, those: number[], words: Int32Array, at: number): number | undefined {
   if (those.length === 1) return those.pop();
-  const key = words[at + POINT.index0 / 4]! * 2 ** 24 + words[at + POINT.index1 / 4]!;
-  const same = those.findIndex((manifold) => childKeyAt(ammo, manifold) === key);
-  const empty = those.findIndex((manifold) => childKeyAt(ammo, manifold) === -1);
-  const [one] = those.splice(same >= 0 ? same : Math.max(0, empty), 1);
-  return one;
+  const [first] = those;
+  if (first === undefined) return undefined;
+  const [index0, index1] = [words[at + POINT.index0 / 4]!, words[at + POINT.index1 / 4]!];
+  const key = partsKey(ammo, bodyAAt(ammo, first), bodyBAt(ammo, first), index0, index1);
+  const same = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === key);
+  const empty = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === -1);
+  return same < 0 && empty < 0 ? undefined : those.splice(same >= 0 ? same : empty, 1)[0];
 }

@@ -51,6 +51,7 @@ export class KeptWorld {
 
   saveContacts(): Int32Array {
     this.#bullet.order!.arrange();
+    this.#bullet.order!.sortManifolds();
     return saveContacts(this.#ammo, (visit) => this.#bullet.eachManifoldInHeap(visit));
   }
 

@@ -1,6 +1,6 @@
 import { guards } from '../base/guards.js';
 import type { Ammo } from './ammo.js';
-import { MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
+import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, SHAPE, SHAPE_TYPE } from './offsets.js';
 
 // Bullet's contact points of two bodies near each other; only where the heap is trusted.
 
@@ -82,12 +82,25 @@ export function forgetImpulses(ammo: Ammo, manifold: number): void {
   });
 }
 
-/** Sorts the manifolds of one pair by the parts that they are of; one without points comes first. */
-export function childKeyAt({ HEAP32 }: Ammo, manifold: number): number {
-  if (HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0) return -1;
-  const point = (manifold + MANIFOLD.points) >> 2;
-  return HEAP32[point + POINT.index0 / 4]! * MOST_PARTS + HEAP32[point + POINT.index1 / 4]!;
+/** Parts of a body, at most. */
+const MOST_PARTS = 2 ** 24;
+
+/** The number of a part, from what stands in a point: where a body is of one part, nobody wrote there. */
+function partIn({ HEAP32 }: Ammo, body: number, index: number): number {
+  const shape = HEAP32[(body + BODY.shape) >> 2]!;
+  return HEAP32[(shape + SHAPE.type) >> 2] === SHAPE_TYPE.compound ? index : 0;
 }
 
-/** Triangles of a mesh, at most: numbers of parts and of triangles stand side by side. */
-const MOST_PARTS = 2 ** 24;
+/** Tells points of one pair apart by the parts that they are of. */
+export const partsKey = (ammo: Ammo, a: number, b: number, index0: number, index1: number) =>
+  partIn(ammo, a, index0) * MOST_PARTS + partIn(ammo, b, index1);
+
+/** Sorts the manifolds of one pair by the parts that they are of; one without points comes first. */
+export function partsKeyAt(ammo: Ammo, manifold: number): number {
+  if (pointCountAt(ammo, manifold) === 0) return -1;
+  const { HEAP32 } = ammo;
+  const point = (manifold + MANIFOLD.points) >> 2;
+  const index0 = HEAP32[point + POINT.index0 / 4]!;
+  const index1 = HEAP32[point + POINT.index1 / 4]!;
+  return partsKey(ammo, bodyAAt(ammo, manifold), bodyBAt(ammo, manifold), index0, index1);
+}

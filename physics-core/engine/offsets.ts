@@ -8,6 +8,7 @@ export const BODY = {
   origin: 52,
   /** Its btDbvtProxy, while it stands in a world. */
   proxy: 188,
+  shape: 192,
   collisionFlags: 204,
   islandTag: 208,
   activationState: 216,

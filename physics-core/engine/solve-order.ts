@@ -1,6 +1,6 @@
 import { grown, grownInt } from '../base/grown.js';
 import type { Ammo } from './ammo.js';
-import { childKeyAt } from './manifold.js';
+import { partsKeyAt } from './manifold.js';
 import { BODY, BROADPHASE, DISPATCHER, ISLANDS, MANIFOLD, PROXY, WORLD } from './offsets.js';
 
 /** A body or a constraint of a world, by its pointer and the number of its node. */
@@ -157,7 +157,7 @@ export class SolveOrder {
   /** Of the same pair, and of a part that comes before. */
   #comesBefore(manifold: number, key: number, other: number, otherKey: number, count: number) {
     if (Math.floor(key / count) !== Math.floor(otherKey / count)) return false;
-    return childKeyAt(this.#ammo, manifold) < childKeyAt(this.#ammo, other);
+    return partsKeyAt(this.#ammo, manifold) < partsKeyAt(this.#ammo, other);
   }
 
   /** Numbers that sort as the pairs do, and tell where each stood. True: all are in order. */

@@ -170,7 +170,7 @@ export class RollingResistance {
       const last = this.#heaped.get(pointer);
       if (last !== undefined && time - last <= APART) kept.heaped.push([id, last]);
       const rows = this.#kept.get(pointer);
-      if (rows?.[KEPT - 1] === stepsTaken) kept.kept.push([id, [...rows]]);
+      if (rows?.[KEPT - 1] === stepsTaken - 1) kept.kept.push([id, [...rows]]);
     }
     return kept;
   }
