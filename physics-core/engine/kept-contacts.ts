@@ -1,12 +1,17 @@
 import type { Ammo } from './ammo.js';
 import { bodyAAt, bodyBAt, partsKey, partsKeyAt } from './manifold.js';
-import { BODY, MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
+import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
 
 // Contact points as they stand on the heap, to the last bit: Bullet's next step begins with them.
 
 /** Words of a manifold: the ranks of both bodies and how many points; and of a point. */
 const HEAD = 3;
 const WORDS = POINT.size / 4;
+
+/** Those of a point that are numbers that somebody reads. */
+const NUMBERS = [POINT.localA, POINT.localB, POINT.positionB, POINT.normalB]
+  .flatMap((first) => [first / 4, first / 4 + 1, first / 4 + 2])
+  .concat([POINT.distance / 4, POINT.impulse / 4]);
 
 type Visit = (manifold: number, a: number, b: number) => void;
 
@@ -31,6 +36,21 @@ export function saveContacts({ HEAP32 }: Ammo, each: (visit: Visit) => void): In
     used += size;
   });
   return words.slice(0, used);
+}
+
+/** Whether words are contact points of so many bodies. */
+export function areContacts(words: Int32Array, bodies: number): boolean {
+  const floats = new Float32Array(words.buffer, words.byteOffset, words.length);
+  let at = 0;
+  while (at + HEAD <= words.length) {
+    const count = words[at + 2]!;
+    const known = [words[at]!, words[at + 1]!].every((rank) => rank >= 0 && rank < bodies);
+    if (!known || count < 1 || count > MOST_POINTS) return false;
+    at += HEAD;
+    for (let i = 0; i < count; i++, at += WORDS)
+      if (!NUMBERS.every((word) => Number.isFinite(floats[at + word]))) return false;
+  }
+  return at === words.length;
 }
 
 /** Into manifolds that Bullet has made of the same pairs; what is near each other otherwise touches nowhere. */
@@ -60,7 +80,6 @@ export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, words: In
 
 /** Of several of one pair the one of the same parts. */
 function takeOut(ammo: Ammo, those: number[], words: Int32Array, at: number): number | undefined {
-  if (those.length === 1) return those.pop();
   const [first] = those;
   if (first === undefined) return undefined;
   const [index0, index1] = [words[at + POINT.index0 / 4]!, words[at + POINT.index1 / 4]!];

@@ -205,6 +205,8 @@ export class ContactSolve extends Effect {
     this.#heaps.clear();
     this.#savings.forget();
     this.#rolling.forget();
+    this.#joints.forgetAll();
+    this.#grips.pulls.forgetAll();
     this.#again = 0;
     this.#letGo();
   }

@@ -1,3 +1,4 @@
+import { doublesOf, pack } from '../../base/packed.js';
 import type { Numbered } from '../effect/effect.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Ahead, JointRows } from '../joints/joint-rows.js';
@@ -134,18 +135,22 @@ export class CoupledJoints {
   }
 
   /** Of the last step, by the ids of joints. */
-  save(): [id: number, impulses: number[]][] {
+  save(): [id: number, impulses: string][] {
     return [...this.#impulses]
       .filter(([, { step }]) => step === this.#step)
-      .map(([{ id }, { values }]) => [id, [...values]]);
+      .map(([{ id }, { values }]) => [id, pack(values)]);
   }
 
-  load(kept: readonly [id: number, impulses: number[]][], { joint }: Numbered): void {
+  load(kept: readonly [id: number, impulses: string][], { joint }: Numbered): void {
     this.#impulses.clear();
     for (const [id, impulses] of kept) {
       const of = joint(id);
-      if (of) this.#impulses.set(of, { step: this.#step, values: Float64Array.from(impulses) });
+      if (of) this.#impulses.set(of, { step: this.#step, values: doublesOf(impulses) });
     }
+  }
+
+  forgetAll(): void {
+    this.#impulses.clear();
   }
 
   /** A joint that is made anew begins anew. */

@@ -27,6 +27,10 @@ export class Pulls {
     this.#last.delete(body);
   }
 
+  forgetAll(): void {
+    this.#last.clear();
+  }
+
   save(): [id: number, last: PlaceInTime[]][] {
     return [...this.#last].map(([{ id }, last]) => [id, structuredClone(last)]);
   }

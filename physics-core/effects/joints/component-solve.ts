@@ -1,3 +1,4 @@
+import { doublesOf, pack } from '../../base/packed.js';
 import { guards } from '../../base/guards.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
@@ -45,8 +46,8 @@ export interface KeptComponent {
   taut: number;
   mended: number;
   disturbed: boolean;
-  /** Joules. */
-  account?: number[];
+  /** Joules, packed. */
+  account?: string;
 }
 
 /** Solves the joints of one component after the other: finds the velocities that take its bodies to where they are whole. */
@@ -130,12 +131,12 @@ export class ComponentSolve {
 
   // ---- from step to step ----------------------------------------------------------------------------------------------
 
-  /** Of a joint, and three numbers of how it pulled. */
-  pullsOf(k: number): number[] {
-    return [...this.#stiffness.pulls.subarray(3 * k, 3 * k + 3)];
+  /** How a joint pulled: three numbers. */
+  pullsOf(k: number): Float64Array {
+    return this.#stiffness.pulls.slice(3 * k, 3 * k + 3);
   }
 
-  setPulls(k: number, pulls: readonly number[]): void {
+  setPulls(k: number, pulls: Float64Array): void {
     this.#stiffness.pulls.set(pulls, 3 * k);
   }
 
@@ -171,14 +172,14 @@ export class ComponentSolve {
     const disturbed = this.#disturbed.has(component);
     const account = this.#budget.keep(component);
     if (!taut && !mended && !disturbed && !account) return undefined;
-    return { taut, mended, disturbed, ...(account && { account }) };
+    return { taut, mended, disturbed, ...(account && { account: pack(account) }) };
   }
 
   loadComponent(component: Component, { taut, mended, disturbed, account }: KeptComponent): void {
     this.#search.taut.goOn(component, taut);
     this.#mended.goOn(component, mended);
     if (disturbed) this.#disturbed.add(component);
-    if (account) this.#budget.goOn(component, account);
+    if (account) this.#budget.goOn(component, doublesOf(account));
   }
 
   /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */

@@ -39,12 +39,12 @@ export class EnergyBudget {
   }
 
   /** Three numbers; undefined: it has none. */
-  keep(component: Component): number[] | undefined {
+  keep(component: Component): Float64Array | undefined {
     const account = this.#accounts.get(component);
-    return account && [account.budget, account.most, account.left];
+    return account && Float64Array.of(account.budget, account.most, account.left);
   }
 
-  goOn(component: Component, [budget, most, left]: number[]): void {
+  goOn(component: Component, [budget, most, left]: Float64Array): void {
     this.#accounts.set(component, { budget: budget!, most: most!, left: left! });
   }
 

@@ -26,7 +26,7 @@ export interface Jointed {
 interface KeptJoints {
   steps: [id: number, step: number, seconds: number][];
   alone: number[];
-  pulls: [id: number, pull: number[]][];
+  pulls: [id: number, pull: string][];
   /** Undefined: they are numbered anew in the next step, which asks nothing of the last one. */
   joints?: [id: number, kept: string][];
   /** By their first joints. */
@@ -161,11 +161,10 @@ export class JointSolve extends Effect {
     const solver = this.#solver;
     const of = (k: number): number => this.#joints[k]!.id;
     const known = this.#joints.map((joint, k) => (joint ? k : -1)).filter((k) => k >= 0);
-    const pulls = known.map((k): [number, number[]] => [of(k), solver.pullsOf(k)]);
     const kept: KeptJoints = {
       steps: this.#bodies.keepSteps(),
       alone: [...this.#alone].map(({ id }) => id),
-      pulls: pulls.filter(([, pull]) => pull.some(Boolean)),
+      pulls: known.map((k) => [of(k), pack(solver.pullsOf(k))]),
     };
     if (this.#stale) return kept;
     kept.joints = known.map((k) => [of(k), pack(solver.keepJoint(k))]);
@@ -190,7 +189,7 @@ export class JointSolve extends Effect {
     this.#rebuild();
     const numberOf = (id: number): number => this.#numbers.get(nodes.joint(id)!) ?? -1;
     for (const [id, pulls] of kept.pulls)
-      if (numberOf(id) >= 0) this.#solver.setPulls(numberOf(id), pulls);
+      if (numberOf(id) >= 0) this.#solver.setPulls(numberOf(id), doublesOf(pulls));
     // It was to be built anew, and nothing else lasts.
     this.#stale = !kept.joints;
     for (const [id, state] of kept.joints ?? [])

@@ -8,7 +8,7 @@ import type { Limit } from '../../engine/limits.js';
 import type { BodyNode } from '../body/body.js';
 import type { BodyJoint } from '../body/body-joint.js';
 import { correctionAt, softnessInBullet, type OwnCorrection } from './joint-corrections.js';
-import { PlacedJoint, type JointRowsState, type JointZero } from './placed-joint.js';
+import { PlacedJoint, UNMET, type JointRowsState, type JointZero } from './placed-joint.js';
 
 export { between, FREE, LOCKED, type Limit } from '../../engine/limits.js';
 export type { OwnCorrection } from './joint-corrections.js';
@@ -250,7 +250,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
         swapped: this.#constraint?.swapped ?? false,
         ...(spring && { spring }),
         corrections: corrections.map(({ erp, softness }, row) => [erp, softness, this.#softs[row]!]),
-        stops: this.stops.map(({ at }) => at ?? null),
+        stops: this.stops.map(({ at }) => at ?? UNMET),
       },
     });
   }

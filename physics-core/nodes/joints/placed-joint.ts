@@ -9,7 +9,7 @@ import {
 } from '../../base/math.js';
 import { jointSolve } from '../../effects/joints/effects.js';
 import { leverRatio, orientations, type JointFrame } from '../../effects/joints/joint-frames.js';
-import type { Spring, Stop } from '../../dynamics/joint.js';
+import type { Spring } from '../../dynamics/joint.js';
 import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from '../body/body.js';
@@ -28,9 +28,11 @@ export interface JointRowsState {
   spring?: Spring;
   /** Of each row: erp, compliance, and that in Bullet's terms. */
   corrections: [erp: number, softness: number, soft: number][];
-  /** Where its stops were met last. */
-  stops: (Stop['at'] | null)[];
+  /** Where its stops were met last, or `UNMET`. */
+  stops: number[];
 }
+
+export const UNMET = 2;
 
 /** Where a joint is: its frame in each of its bodies, and how these stand to each other. */
 export abstract class PlacedJoint extends PhysicsNode {

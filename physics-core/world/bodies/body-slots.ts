@@ -169,10 +169,13 @@ export class BodySlots implements BodyTable {
     return true;
   }
 
-  /** Puts it as a snapshot has it, from `states[at]` on; `pose`: where it is said to be, which Bullet has rounded. */
+  /**
+   * Puts it as a snapshot has it, from `states[at]` on; `pose`: where it is said to be, seen from Bullet's origin, which
+   * Bullet has rounded.
+   */
   load(body: BodyNode, states: Float32Array, at: number, pose?: Pose): void {
     const { engine } = this.#world;
-    if (pose) body.motion.place(pose);
+    if (pose) body.motion.placeInBullet(pose);
     if (engine.heapTrusted) loadState(engine.ammo, body.body, body.pointer, states, at);
     else {
       const [vx, vy, vz, wx, wy, wz] = states.subarray(at + STATE - VELOCITY, at + STATE);

@@ -17,6 +17,13 @@ const NO_LIST = 3;
 const byId = (bodies: Iterable<BodyNode>): BodyNode[] =>
   [...bodies].sort((a, b) => a.id - b.id);
 
+/** By its flag. */
+export const isParked = (flag: number): boolean => flag % HOW === PARKED;
+
+/** How many of them have boxes. */
+export const boxesIn = (flags: Uint8Array): number =>
+  flags.filter((flag) => Math.floor(flag / HOW) !== NO_LIST).length;
+
 /** Bodies and what touches, as they stand in Bullet. */
 export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'contacts'> {
   const { bullet, engine } = world;
@@ -28,7 +35,7 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
   bodies.forEach((body, i) => {
     if (engine.heapTrusted) saveState(engine.ammo, body.pointer, states, i * STATE);
     else states.set(world.bodies.velocityOf(body), (i + 1) * STATE - VELOCITY);
-    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body)) poses.push([body.id, body.pose()]);
+    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body)) poses.push([body.id, body.poseInBullet()]);
     const list = bullet.kept?.listOf(body.pointer) ?? -1;
     flags[i] = howIs(body) + HOW * (list < 0 ? NO_LIST : list);
     if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes);
@@ -66,6 +73,7 @@ export function loadBodies(
   const boxes = floatsOf(kept.boxes);
   const poses = new Map(kept.poses);
   const found = new Map([...world.bodies].map((body) => [body.id, body]));
+  for (const body of found.values()) if (body.kinematic) body.standStill();
   const awaited: { body: BodyNode; list: number; box: number }[] = [];
   let box = 0;
   kept.ids.forEach((id, i) => {
@@ -73,7 +81,7 @@ export function loadBodies(
     const body = found.get(id);
     if (body) {
       world.bodies.load(body, states, i * STATE, poses.get(id));
-      if (flags[i]! % HOW === PARKED) body.presence.park();
+      if (isParked(flags[i]!)) body.presence.park();
       else if (list !== NO_LIST && body.active) awaited.push({ body, list, box });
     }
     if (list !== NO_LIST) box += BOX;

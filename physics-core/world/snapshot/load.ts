@@ -1,6 +1,8 @@
 import type { Numbered } from '../../effects/effect/effect.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import { isJoint } from '../../nodes/joints/is-joint.js';
+import { UNMET } from '../../nodes/joints/placed-joint.js';
+import type { Stop } from '../../dynamics/joint.js';
 import { FieldState } from '../../nodes/node/field-state.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import { loadBodies, type BodiesWorld } from './bodies.js';
@@ -36,12 +38,14 @@ export function loadState(
   for (const node of world.nodes)
     if (isJoint(node)) {
       const stops = node.kept?.rows?.stops;
-      node.stops.forEach((stop, i) => (stop.at = stops?.[i] ?? undefined));
+      node.stops.forEach((stop, i) => (stop.at = metAt(stops?.[i])));
       node.kept = undefined;
     }
   loadBodies(world, snapshot, slept);
   world.registry.load(snapshot.effects, nodesOf(world));
 }
+
+const metAt = (at = UNMET): Stop['at'] => (at === UNMET ? undefined : (at as Stop['at']));
 
 function nodesOf({ bodies, nodes }: BodiesWorld): Numbered {
   const byId = new Map([...bodies].map((body) => [body.id, body]));

@@ -1,18 +1,21 @@
 import type { Engine } from '../../engine/engine.js';
-import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
-import type { BodySlots } from '../bodies/body-slots.js';
 import type { LevelControl } from '../accuracy/level-control.js';
 import type { Lifecycle } from '../lifecycle/lifecycle.js';
 import type { Stepping } from '../stepping/stepping.js';
 import type { AddOptions } from '../store/types.js';
+import type { LevelName } from '../../dynamics/levels.js';
+import { isJoint } from '../../nodes/joints/is-joint.js';
+import type { BodiesWorld } from './bodies.js';
 import { loadNode, loadState } from './load.js';
 import { Lookup } from './lookup.js';
-import { FORMAT, type Snapshot } from './snapshot.js';
+import { isSame } from './same.js';
+import { faultOf } from './check.js';
+import type { Snapshot } from './snapshot.js';
 
 /** The world that goes back to a snapshot, or becomes one. */
-interface RestoredWorld extends NodeWorld {
-  readonly bodies: BodySlots;
+interface RestoredWorld extends BodiesWorld {
+  readonly accuracy: LevelName;
   add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode;
   set(field: string, value: unknown): void;
   readonly lifecycle: Lifecycle;
@@ -23,19 +26,32 @@ interface RestoredWorld extends NodeWorld {
 export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void {
   if (!world.started || !isSnapshot(world, snapshot)) return;
   world.flush();
-  const found = new Lookup(world.nodes, snapshot);
   const tellWoken = world.bodies.sleepers();
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
+  if (isSame(world, snapshot)) begin(world, snapshot);
+  else rebuild(world, snapshot);
+  world.stepping.resume(snapshot.time, snapshot.taken);
+  loadState(world, snapshot, slept);
+  tellWoken();
+  world.emit('restore', world);
+}
+
+/** All that is made stays. */
+function begin(world: RestoredWorld, { nodes }: Snapshot): void {
+  world.registry.reset('reset');
+  world.bodies.forgetSleep();
+  const states = new Map(nodes.map((state) => [state.id, state]));
+  for (const node of world.nodes) if (isJoint(node)) node.kept = states.get(node.id)?.joint;
+}
+
+function rebuild(world: RestoredWorld, snapshot: Snapshot): void {
+  const found = new Lookup(world.nodes, snapshot);
   world.bodies.countFrom(snapshot.origin);
   world.lifecycle.rebuild(() => {
     world.control.begin(snapshot.level);
     for (const node of [...world.nodes]) loadNode(node, found);
   });
   world.bodies.countFrom(undefined);
-  world.stepping.resume(snapshot.time, snapshot.taken);
-  loadState(world, snapshot, slept);
-  tellWoken();
-  world.emit('restore', world);
 }
 
 /**
@@ -73,14 +89,15 @@ export function* copyInto(
 }
 
 function isSnapshot(world: RestoredWorld, snapshot: Snapshot): boolean {
-  if ((snapshot as Snapshot | undefined)?.x3dPhysics === FORMAT) return true;
+  const fault = faultOf(snapshot, world.nodes);
+  if (fault === undefined) return true;
   world.report({
     code: 'bad-value',
     severity: 'warning',
     attribute: 'restore',
     value: snapshot,
     used: 'nothing',
-    message: 'restore takes what snapshot() gave; nothing is done',
+    message: `${fault}; nothing is restored`,
   });
   return false;
 }

@@ -17,7 +17,7 @@ export interface BodyStates {
   /** To the bit, and the boxes of those that move in Bullet's broadphase. */
   states: string;
   boxes: string;
-  /** Where those are that Bullet has at a place rounded, or nowhere. */
+  /** Where those are that Bullet has at a place rounded, or nowhere, seen from its origin. */
   poses: [id: number, pose: Pose][];
   /** The list of Bullet's broadphase that the next step fills. */
   list: number;
@@ -68,6 +68,8 @@ export interface Snapshot {
   contacts: string;
   /** What effects know of the steps before, by their names. */
   effects: Record<string, unknown>;
+  /** How much that is. */
+  extent: number;
   /** Where Bullet counted from. */
   origin?: Vec3;
 }
@@ -75,6 +77,9 @@ export interface Snapshot {
 /** What the simulation makes nothing of, whatever it may be, stays where it is. */
 export const isKept = ({ common, type, nodes }: Field): boolean =>
   common === true || (/^[SM]FNode$/.test(type) && !nodes);
+
+/** What stays of what was asked: not what was only sent in. */
+export const isLasting = (field: Field): boolean => !isKept(field) && field.access !== 'inputOnly';
 
 /** Most values are numbers, which need none. */
 export const cloned = <T>(value: T): T =>

@@ -3,8 +3,9 @@ import type { Value } from '../../fields/types.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import { isJoint } from '../../nodes/joints/is-joint.js';
 import { PhysicsNode } from '../../nodes/node/node.js';
+import { extentOf } from './check.js';
 import { takeBodies, type BodiesWorld } from './bodies.js';
-import { cloned, FORMAT, isKept, type NodeState, type Reference, type Snapshot } from './snapshot.js';
+import { cloned, FORMAT, isLasting, type NodeState, type Reference, type Snapshot } from './snapshot.js';
 
 /** The world that a snapshot is taken of. */
 interface SnapshotWorld extends BodiesWorld {
@@ -14,6 +15,7 @@ interface SnapshotWorld extends BodiesWorld {
 export function takeSnapshot(world: SnapshotWorld): Snapshot {
   world.flush();
   const nodes = [...world.nodes];
+  const effects = world.registry.save();
   const children = new Set(nodes.flatMap((node) => node.children.all));
   return {
     x3dPhysics: FORMAT,
@@ -23,16 +25,14 @@ export function takeSnapshot(world: SnapshotWorld): Snapshot {
     origin: [...world.poses.origin],
     nodes: nodes.map((node) => stateOf(node, children.has(node))),
     ...takeBodies(world),
-    effects: world.registry.save(),
+    effects,
+    extent: extentOf(effects),
   };
 }
 
 function stateOf(node: PhysicsNode, child: boolean): NodeState {
   const { asked, authored, beforeEvent } = node.fieldState;
-  const lasting = ([name]: [string, Value]): boolean => {
-    const field = node.type.fields[name]!;
-    return !isKept(field) && field.access !== 'inputOnly';
-  };
+  const lasting = ([name]: [string, Value]): boolean => isLasting(node.type.fields[name]!);
   const encoded = (values: Map<string, Value>): [string, unknown][] =>
     [...values].filter(lasting).map(([name, value]) => [name, encode(value)]);
   return {
