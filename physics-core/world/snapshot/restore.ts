@@ -45,7 +45,7 @@ function begin(world: RestoredWorld, { nodes }: Snapshot): void {
 }
 
 function rebuild(world: RestoredWorld, snapshot: Snapshot): void {
-  const found = new Lookup(world.nodes, snapshot);
+  const found = new Lookup(world.nodes, snapshot, goneIn(world));
   world.bodies.countFrom(snapshot.origin);
   world.lifecycle.rebuild(() => {
     world.control.begin(snapshot.level);
@@ -70,7 +70,7 @@ export function* copyInto(
     born.set(id, world.add(type, {}, { id, name, version, collection: group, start }));
     yield;
   }
-  const found = new Lookup(world.nodes, snapshot);
+  const found = new Lookup(world.nodes, snapshot, goneIn(world));
   const elsewhere = Object.keys(settings).length > 0;
   for (const { id, heard, collection } of snapshot.nodes) {
     // It may have been born after those that belong to it.
@@ -87,6 +87,12 @@ export function* copyInto(
   world.stepping.resume(snapshot.time, snapshot.taken);
   loadState(world, snapshot);
 }
+
+const goneIn = (world: RestoredWorld) => (id: number) => {
+  const gone = world.add('RigidBody', {}, { id });
+  gone.remove();
+  return gone;
+};
 
 function isSnapshot(world: RestoredWorld, snapshot: Snapshot): boolean {
   const fault = faultOf(snapshot, world.nodes);
