@@ -68,7 +68,11 @@ export function loadBox(ammo: Ammo, body: number, from: Float32Array, at: number
     HEAPF32[(leaf + LEAF.low) / 4 + k] = from[at + k]!;
     HEAPF32[(leaf + LEAF.high) / 4 + k] = from[at + 3 + k]!;
   }
-  for (let node = HEAP32[(leaf + LEAF.parent) >> 2]!; node !== 0; node = HEAP32[(node + LEAF.parent) >> 2]!)
+  for (
+    let node = HEAP32[(leaf + LEAF.parent) >> 2]!;
+    node !== 0;
+    node = HEAP32[(node + LEAF.parent) >> 2]!
+  )
     for (let k = 0; k < 3; k++) {
       const low = (node + LEAF.low) / 4 + k;
       const high = (node + LEAF.high) / 4 + k;

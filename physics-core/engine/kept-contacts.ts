@@ -64,7 +64,7 @@ export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, words: In
     else found.set(key, [manifold]);
   });
   const loads: [manifold: number, at: number, count: number][] = [];
-  for (let at = 0; at < words.length; ) {
+  for (let at = 0; at < words.length;) {
     const count = words[at + 2]!;
     const those = found.get(`${words[at]} ${words[at + 1]}`);
     const manifold = those && takeOut(ammo, those, words, at + HEAD);
@@ -82,7 +82,8 @@ export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, words: In
 function takeOut(ammo: Ammo, those: number[], words: Int32Array, at: number): number | undefined {
   const [first] = those;
   if (first === undefined) return undefined;
-  const [index0, index1] = [words[at + POINT.index0 / 4]!, words[at + POINT.index1 / 4]!];
+  const index0 = words[at + POINT.index0 / 4]!;
+  const index1 = words[at + POINT.index1 / 4]!;
   const key = partsKey(ammo, bodyAAt(ammo, first), bodyBAt(ammo, first), index0, index1);
   const same = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === key);
   const empty = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === -1);

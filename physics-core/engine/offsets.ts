@@ -68,7 +68,15 @@ export const WORLD = {
 export const ISLANDS = { count: 8, elements: 16 } as const;
 
 /** Bytes of btDbvtProxy: what tells pairs apart, the node of the tree that it is a leaf of, and the list that it stands in. */
-export const PROXY = { body: 0, groups: 4, id: 12, leaf: 48, before: 52, after: 56, list: 60 } as const;
+export const PROXY = {
+  body: 0,
+  groups: 4,
+  id: 12,
+  leaf: 48,
+  before: 52,
+  after: 56,
+  list: 60,
+} as const;
 
 /** Bytes of btDbvtNode: both corners of its box, a number each 4 bytes, what it hangs on, and what it is the leaf of. */
 export const LEAF = { low: 0, high: 16, parent: 32, proxy: 36 } as const;

@@ -75,7 +75,8 @@ export class SolveOrder {
   #remove(from: Member[], pointer: number): void {
     this.#stale = true;
     const last = from.length - 1;
-    const at = from[last]?.pointer === pointer ? last : from.findIndex((m) => m.pointer === pointer);
+    const at =
+      from[last]?.pointer === pointer ? last : from.findIndex((m) => m.pointer === pointer);
     if (at >= 0) from.splice(at, 1);
   }
 
@@ -140,7 +141,10 @@ export class SolveOrder {
       const key = keys[i]!;
       const manifold = before[key % count]!;
       let to = i;
-      while (to > 0 && this.#comesBefore(manifold, key, HEAP32[at + to - 1]!, keys[to - 1]!, count)) {
+      while (
+        to > 0 &&
+        this.#comesBefore(manifold, key, HEAP32[at + to - 1]!, keys[to - 1]!, count)
+      ) {
         this.#put(at, to, HEAP32[at + to - 1]!);
         to--;
       }

@@ -12,8 +12,9 @@ import { play } from './play.js';
 const SHRINKING = 20_000;
 
 const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
-const plans = process.argv[4] === 'scenes' ? plan : editsPlan;
-const playOne = process.argv[4] === 'back' ? playBack : play;
+const [, , , , kind] = process.argv;
+const plans = kind === 'back' ? fc.oneof(editsPlan, plan) : kind === 'edits' ? editsPlan : plan;
+const playOne = kind === 'back' ? playBack : play;
 
 async function main(): Promise<void> {
   const owned = new OwnedObjects(await loadEngine());

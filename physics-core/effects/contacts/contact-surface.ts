@@ -158,7 +158,11 @@ export class ContactSurface extends Effect {
 
   /** What the last step gave bodies and pairs. */
   override save(): KeptSurface | undefined {
-    const kept: KeptSurface = { leaving: [...this.#leaving].map(({ id }) => id), bodies: [], pairs: [] };
+    const kept: KeptSurface = {
+      leaving: [...this.#leaving].map(({ id }) => id),
+      bodies: [],
+      pairs: [],
+    };
     if (this.demands.changes) {
       for (const { id, slot } of this.#simulation.bodies) {
         const at = slot * VELOCITY;

@@ -118,7 +118,8 @@ export class Carried implements Way {
   }
 
   static from(kept: KeptMove): Carried {
-    const { now, to, from, since, duration, interval, jumped, paces, begun } = structuredClone(kept);
+    const { now, to, from, since, duration, interval, jumped, paces, begun } =
+      structuredClone(kept);
     const carried = new Carried(now);
     carried.#to = to;
     carried.#from = from;

@@ -56,7 +56,10 @@ export class Carrying extends Effect {
     if (!this.active) return undefined;
     const all = [...this.#carried];
     const idOf = (on: Carried): number => all.find(([, carried]) => carried === on)?.[0].id ?? 0;
-    return { moves: all.map(([{ id }, carried]) => [id, carried.save()]), rides: this.#riders.save(idOf) };
+    return {
+      moves: all.map(([{ id }, carried]) => [id, carried.save()]),
+      rides: this.#riders.save(idOf),
+    };
   }
 
   override load({ moves, rides }: KeptCarrying, nodes: Numbered): void {

@@ -57,7 +57,8 @@ export class Dragging extends Effect implements Pull {
 
   #takeLetGo({ id }: Body): KeptDrag | undefined {
     const { step, drags: those } = this.#letGo;
-    const at = step === this.#simulation.stepsTaken ? those.findIndex((drag) => drag.id === id) : -1;
+    const at =
+      step === this.#simulation.stepsTaken ? those.findIndex((drag) => drag.id === id) : -1;
     return at < 0 ? undefined : those.splice(at, 1)[0];
   }
 

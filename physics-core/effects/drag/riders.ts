@@ -50,7 +50,11 @@ export class Riders {
 
   /** How the last step left them; `idOf`: of what carries them. */
   save(idOf: (on: Carried) => number): KeptRide[] {
-    return [...this.#rides].map(([{ id }, { on, ...ride }]) => [id, idOf(on), structuredClone(ride)]);
+    return [...this.#rides].map(([{ id }, { on, ...ride }]) => [
+      id,
+      idOf(on),
+      structuredClone(ride),
+    ]);
   }
 
   load(body: Body, ride: Ride): void {

@@ -139,7 +139,8 @@ export class Effects {
   load(saved: Readonly<Record<string, unknown>>, nodes: Numbered): void {
     for (const descriptor of this.#ordered) {
       const state = saved[descriptor.name];
-      if (state !== undefined && descriptor.load) this.get(descriptor).load?.(state as never, nodes);
+      if (state !== undefined && descriptor.load)
+        this.get(descriptor).load?.(state as never, nodes);
     }
   }
 

@@ -249,7 +249,11 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
       rows: {
         swapped: this.#constraint?.swapped ?? false,
         ...(spring && { spring }),
-        corrections: corrections.map(({ erp, softness }, row) => [erp, softness, this.#softs[row]!]),
+        corrections: corrections.map(({ erp, softness }, row) => [
+          erp,
+          softness,
+          this.#softs[row]!,
+        ]),
         stops: this.stops.map(({ at }) => at ?? UNMET),
       },
     });

@@ -165,7 +165,8 @@ export class BodySlots implements BodyTable {
   isAsInBullet(body: BodyNode): boolean {
     const at = body.slot * POSE;
     const pose = this.#readPose(body);
-    for (let i = 0; i < POSE; i++) if (!Object.is(pose[i], this.#poses.current[at + i])) return false;
+    for (let i = 0; i < POSE; i++)
+      if (!Object.is(pose[i], this.#poses.current[at + i])) return false;
     return true;
   }
 

@@ -14,8 +14,7 @@ export interface BodiesWorld extends NodeWorld {
 const HOW = 4;
 const NO_LIST = 3;
 
-const byId = (bodies: Iterable<BodyNode>): BodyNode[] =>
-  [...bodies].sort((a, b) => a.id - b.id);
+const byId = (bodies: Iterable<BodyNode>): BodyNode[] => [...bodies].sort((a, b) => a.id - b.id);
 
 /** By its flag. */
 export const isParked = (flag: number): boolean => flag % HOW === PARKED;
@@ -35,7 +34,8 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
   bodies.forEach((body, i) => {
     if (engine.heapTrusted) saveState(engine.ammo, body.pointer, states, i * STATE);
     else states.set(world.bodies.velocityOf(body), (i + 1) * STATE - VELOCITY);
-    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body)) poses.push([body.id, body.poseInBullet()]);
+    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body))
+      poses.push([body.id, body.poseInBullet()]);
     const list = bullet.kept?.listOf(body.pointer) ?? -1;
     flags[i] = howIs(body) + HOW * (list < 0 ? NO_LIST : list);
     if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes);

@@ -24,7 +24,17 @@ export function faultOf(given: unknown, nodes: Iterable<PhysicsNode>): string | 
 const isRecord = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null;
 
-function isWhole({ time, taken, level, origin, nodes, bodies, contacts, effects, extent }: Snapshot) {
+function isWhole({
+  time,
+  taken,
+  level,
+  origin,
+  nodes,
+  bodies,
+  contacts,
+  effects,
+  extent,
+}: Snapshot) {
   return (
     isNumber(time) &&
     isNumber(taken) &&
@@ -40,13 +50,24 @@ function isWhole({ time, taken, level, origin, nodes, bodies, contacts, effects,
 
 const isNumber = (value: unknown): boolean => Number.isFinite(value);
 
-function isNode({ id, type, start, asked, authored, beforeEvent, heard, joint }: NodeState): boolean {
+function isNode({
+  id,
+  type,
+  start,
+  asked,
+  authored,
+  beforeEvent,
+  heard,
+  joint,
+}: NodeState): boolean {
   return (
     isNumber(id) &&
     typeof type === 'string' &&
     authored.length >= 0 &&
     heard.length >= 0 &&
-    isSound([start, joint, asked.map(([, value]) => value), beforeEvent.map(([, value]) => value)])
+    isSound(start) &&
+    isSound(joint) &&
+    [...asked, ...beforeEvent].every(([, value]) => isSound(value))
   );
 }
 
@@ -90,5 +111,8 @@ export function extentOf(value: unknown): number {
 function isOf({ nodes }: Snapshot, here: Iterable<PhysicsNode>): boolean {
   const types = new Map([...here].map((node) => [node.id, node.type.name]));
   const known = nodes.filter(({ id }) => types.has(id));
-  return (known.length > 0 || nodes.length === 0) && known.every(({ id, type }) => types.get(id) === type);
+  return (
+    (known.length > 0 || nodes.length === 0) &&
+    known.every(({ id, type }) => types.get(id) === type)
+  );
 }

@@ -10,11 +10,7 @@ export class Lookup {
   /** Stands for a body that was gone already when the snapshot was taken: its joints hold nothing, and not on to the world. */
   readonly #gone: (id: number) => PhysicsNode;
 
-  constructor(
-    nodes: Iterable<PhysicsNode>,
-    snapshot: Snapshot,
-    gone: (id: number) => PhysicsNode,
-  ) {
+  constructor(nodes: Iterable<PhysicsNode>, snapshot: Snapshot, gone: (id: number) => PhysicsNode) {
     this.#gone = gone;
     this.states = new Map(snapshot.nodes.map((state) => [state.id, state]));
     this.#nodes = new Map([...nodes].map((node) => [node.id, node]));

@@ -53,12 +53,15 @@ function isPlaced(node: PhysicsNode, { start, joint }: NodeState): boolean {
   if (!node.placed || !joint) return !node.placed && !joint;
   const now = node.save();
   const { stops } = joint.rows;
-  return stops.length === now.rows.stops.length && alike({ ...now, rows: { ...now.rows, stops } }, joint);
+  return (
+    stops.length === now.rows.stops.length && alike({ ...now, rows: { ...now.rows, stops } }, joint)
+  );
 }
 
 /** Whether a value is what stands for it in a snapshot. */
 function alike(value: unknown, saved: unknown): boolean {
-  if (typeof value !== 'object' || value === null) return Object.is(value, saved) || (value === undefined && saved === null);
+  if (typeof value !== 'object' || value === null)
+    return value === saved || (value === undefined && saved === null);
   if (typeof saved !== 'object' || saved === null) return false;
   if (value instanceof PhysicsNode) return (saved as { nodeId?: number }).nodeId === value.id;
   if (Array.isArray(value))

@@ -5,7 +5,14 @@ import { isJoint } from '../../nodes/joints/is-joint.js';
 import { PhysicsNode } from '../../nodes/node/node.js';
 import { extentOf } from './check.js';
 import { takeBodies, type BodiesWorld } from './bodies.js';
-import { cloned, FORMAT, isLasting, type NodeState, type Reference, type Snapshot } from './snapshot.js';
+import {
+  cloned,
+  FORMAT,
+  isLasting,
+  type NodeState,
+  type Reference,
+  type Snapshot,
+} from './snapshot.js';
 
 /** The world that a snapshot is taken of. */
 interface SnapshotWorld extends BodiesWorld {
