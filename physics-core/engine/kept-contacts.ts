@@ -1,91 +1,181 @@
 import type { Ammo } from './ammo.js';
-import { bodyAAt, bodyBAt, partsKey, partsKeyAt } from './manifold.js';
+import { bodyAAt, bodyBAt, partsKey, partsKeyAt, pointAt, pointCountAt } from './manifold.js';
 import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
 
 // Contact points as they stand on the heap, to the last bit: Bullet's next step begins with them.
 
-/** Words of a manifold: the ranks of both bodies and how many points; and of a point. */
-const HEAD = 3;
-const WORDS = POINT.size / 4;
-
-/** Those of a point that are numbers that somebody reads. */
-const NUMBERS = [POINT.localA, POINT.localB, POINT.positionB, POINT.normalB]
-  .flatMap((first) => [first / 4, first / 4 + 1, first / 4 + 2])
-  .concat([POINT.distance / 4, POINT.impulse / 4]);
-
 type Visit = (manifold: number, a: number, b: number) => void;
 
-/** Of all manifolds that `each` visits. */
+const words = (first: number, count: number): number[] =>
+  Array.from({ length: count }, (_, i) => first / 4 + i);
+
+/** Words of a point that are numbers, and that somebody reads; those of friction may be of a fresh point, which nobody wrote. */
+const NUMBERS = [
+  ...words(POINT.localA, 3),
+  ...words(POINT.localB, 3),
+  ...words(POINT.positionB, 3),
+  ...words(POINT.normalB, 3),
+  ...words(POINT.distance, 1),
+  ...words(POINT.impulse, 1),
+];
+
+/** All that are kept, a column each. Where a point lies on A follows; lifetimes and what is between vectors nobody asks for. */
+const COLUMNS = [
+  ...NUMBERS,
+  ...words(POINT.friction, 9),
+  ...words(POINT.lateralImpulse1, 4),
+  ...words(POINT.direction1, 3),
+  ...words(POINT.direction2, 3),
+];
+
+/** A flag of one byte: what lies behind it nobody wrote. */
+const FLAG = POINT.directionsGiven / 4;
+
+/** Words of a manifold: the rank of A, and that of B times four with the number of points less one. */
+const HEAD = 2;
+
+/** Words at the beginning: how many manifolds and how many points. */
+const START = 2;
+
+/** What is kept of all manifolds with points: heads, then column by column, of those that are the same all over one word. */
 export function saveContacts({ HEAP32 }: Ammo, each: (visit: Visit) => void): Int32Array {
-  let words = new Int32Array(1024);
-  let used = 0;
+  const heads: number[] = [];
+  const points: number[] = [];
   each((manifold, a, b) => {
     const count = HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!;
     if (count === 0) return;
-    const size = HEAD + count * WORDS;
-    if (used + size > words.length) {
-      const more = new Int32Array(2 * words.length);
-      more.set(words);
-      words = more;
-    }
-    words[used] = HEAP32[(a + BODY.rank) >> 2]!;
-    words[used + 1] = HEAP32[(b + BODY.rank) >> 2]!;
-    words[used + 2] = count;
-    const from = (manifold + MANIFOLD.points) >> 2;
-    words.set(HEAP32.subarray(from, from + count * WORDS), used + HEAD);
-    used += size;
+    const ranks = [a, b].map((body) => HEAP32[(body + BODY.rank) >> 2]!);
+    heads.push(ranks[0]!, ranks[1]! * MOST_POINTS + count - 1);
+    for (let i = 0; i < count; i++) points.push(pointAt(manifold, i) >> 2);
   });
-  return words.slice(0, used);
+  const kept = new Int32Array(START + heads.length + COLUMNS.length * (1 + points.length));
+  kept[0] = heads.length / HEAD;
+  kept[1] = points.length;
+  kept.set(heads, START);
+  let used = START + heads.length;
+  for (const column of COLUMNS) {
+    const mask = column === FLAG ? 0xff : -1;
+    const first = used++;
+    for (let i = 0; i < points.length; i++) kept[used + i] = HEAP32[points[i]! + column]! & mask;
+    const same = isSame(kept, used, used + points.length);
+    kept[first] = +same;
+    used += same ? Math.min(1, points.length) : points.length;
+  }
+  return kept.slice(0, used);
+}
+
+function isSame(numbers: Int32Array, from: number, to: number): boolean {
+  for (let i = from + 1; i < to; i++) if (numbers[i] !== numbers[from]) return false;
+  return true;
+}
+
+/** Where the columns begin, and whether each is one word. Undefined: these are no contacts of so many bodies. */
+function columnsOf(kept: Int32Array, bodies = Infinity): { at: number; same: boolean }[] | undefined {
+  const [manifolds = -1, points = -1] = kept;
+  let at = START + HEAD * manifolds;
+  if (manifolds < 0 || points < manifolds || at > kept.length) return undefined;
+  let counted = 0;
+  for (let i = START; i < at; i += HEAD) {
+    const last = kept[i + 1]!;
+    if (!(kept[i]! >= 0 && kept[i]! < bodies && last >= 0 && last < MOST_POINTS * bodies))
+      return undefined;
+    counted += 1 + (last % MOST_POINTS);
+  }
+  const columns = COLUMNS.map(() => {
+    const same = kept[at] === 1;
+    const column = { at: at + 1, same };
+    at += 1 + (same ? Math.min(1, points) : points);
+    return column;
+  });
+  return counted === points && at === kept.length ? columns : undefined;
 }
 
 /** Whether words are contact points of so many bodies. */
-export function areContacts(words: Int32Array, bodies: number): boolean {
-  const floats = new Float32Array(words.buffer, words.byteOffset, words.length);
-  let at = 0;
-  while (at + HEAD <= words.length) {
-    const count = words[at + 2]!;
-    const known = [words[at]!, words[at + 1]!].every((rank) => rank >= 0 && rank < bodies);
-    if (!known || count < 1 || count > MOST_POINTS) return false;
-    at += HEAD;
-    for (let i = 0; i < count; i++, at += WORDS)
-      if (!NUMBERS.every((word) => Number.isFinite(floats[at + word]))) return false;
-  }
-  return at === words.length;
+export function areContacts(kept: Int32Array, bodies: number): boolean {
+  const columns = columnsOf(kept, bodies);
+  const floats = new Float32Array(kept.buffer, kept.byteOffset, kept.length);
+  return (
+    columns !== undefined &&
+    NUMBERS.every((_, i) => {
+      const { at, same } = columns[i]!;
+      const count = same ? Math.min(1, kept[1]!) : kept[1]!;
+      return floats.subarray(at, at + count).every(Number.isFinite);
+    })
+  );
+}
+
+/** A manifold, its points in `kept`, and how many. */
+interface Load {
+  manifold: number;
+  first: number;
+  count: number;
 }
 
 /** Into manifolds that Bullet has made of the same pairs; what is near each other otherwise touches nowhere. */
-export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, words: Int32Array): void {
-  const { HEAP32 } = ammo;
-  const found = new Map<string, number[]>();
+export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, kept: Int32Array): void {
+  const columns = columnsOf(kept)!;
+  const value = (column: number, point: number): number => {
+    const { at, same } = columns[column]!;
+    return kept[same ? at : at + point]!;
+  };
+  const loads = match(ammo, each, kept, value);
+  each((manifold) => (ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = 0));
+  for (const { manifold, first, count } of loads) {
+    for (let i = 0; i < count; i++) {
+      const point = pointAt(manifold, i) >> 2;
+      COLUMNS.forEach((word, column) => (ammo.HEAP32[point + word] = value(column, first + i)));
+      placeOnA(ammo.HEAPF32, point);
+    }
+    ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = count;
+  }
+}
+
+/** Until the next step works it out anew. */
+function placeOnA(floats: Float32Array, point: number): void {
+  const distance = floats[point + POINT.distance / 4]!;
+  for (let k = 0; k < 3; k++)
+    floats[point + POINT.positionA / 4 + k] =
+      floats[point + POINT.positionB / 4 + k]! + floats[point + POINT.normalB / 4 + k]! * distance;
+}
+
+const INDEX0 = COLUMNS.indexOf(POINT.index0 / 4);
+const INDEX1 = COLUMNS.indexOf(POINT.index1 / 4);
+
+function match(
+  ammo: Ammo,
+  each: (visit: Visit) => void,
+  kept: Int32Array,
+  value: (column: number, point: number) => number,
+): Load[] {
+  const rankOf = (body: number): number => ammo.HEAP32[(body + BODY.rank) >> 2]!;
+  const keyOf = (a: number, b: number): number => a * 2 ** 26 + b;
+  const found = new Map<number, number[]>();
   each((manifold, a, b) => {
-    const key = `${HEAP32[(a + BODY.rank) >> 2]} ${HEAP32[(b + BODY.rank) >> 2]}`;
+    const key = keyOf(rankOf(a), rankOf(b));
     const those = found.get(key);
     if (those) those.push(manifold);
     else found.set(key, [manifold]);
   });
-  const loads: [manifold: number, at: number, count: number][] = [];
-  for (let at = 0; at < words.length;) {
-    const count = words[at + 2]!;
-    const those = found.get(`${words[at]} ${words[at + 1]}`);
-    const manifold = those && takeOut(ammo, those, words, at + HEAD);
-    if (manifold !== undefined) loads.push([manifold, at + HEAD, count]);
-    at += HEAD + count * WORDS;
+  const loads: Load[] = [];
+  let first = 0;
+  for (let i = 0; i < kept[0]!; i++) {
+    const at = START + HEAD * i;
+    const b = Math.floor(kept[at + 1]! / MOST_POINTS);
+    const count = 1 + (kept[at + 1]! % MOST_POINTS);
+    const those = found.get(keyOf(kept[at]!, b)) ?? [];
+    const manifold = takeOut(ammo, those, value(INDEX0, first), value(INDEX1, first));
+    if (manifold !== undefined) loads.push({ manifold, first, count });
+    first += count;
   }
-  each((manifold) => (HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = 0));
-  for (const [manifold, at, count] of loads) {
-    HEAP32.set(words.subarray(at, at + count * WORDS), (manifold + MANIFOLD.points) >> 2);
-    HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = count;
-  }
+  return loads;
 }
 
 /** Of several of one pair the one of the same parts. */
-function takeOut(ammo: Ammo, those: number[], words: Int32Array, at: number): number | undefined {
+function takeOut(ammo: Ammo, those: number[], index0: number, index1: number): number | undefined {
   const [first] = those;
   if (first === undefined) return undefined;
-  const index0 = words[at + POINT.index0 / 4]!;
-  const index1 = words[at + POINT.index1 / 4]!;
   const key = partsKey(ammo, bodyAAt(ammo, first), bodyBAt(ammo, first), index0, index1);
   const same = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === key);
-  const empty = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === -1);
+  const empty = those.findIndex((manifold) => pointCountAt(ammo, manifold) === 0);
   return same < 0 && empty < 0 ? undefined : those.splice(same >= 0 ? same : empty, 1)[0];
 }
