@@ -70,7 +70,10 @@ function isSame(numbers: Int32Array, from: number, to: number): boolean {
 }
 
 /** Where the columns begin, and whether each is one word. Undefined: these are no contacts of so many bodies. */
-function columnsOf(kept: Int32Array, bodies = Infinity): { at: number; same: boolean }[] | undefined {
+function columnsOf(
+  kept: Int32Array,
+  bodies = Infinity,
+): { at: number; same: boolean }[] | undefined {
   const [manifolds = -1, points = -1] = kept;
   let at = START + HEAD * manifolds;
   if (manifolds < 0 || points < manifolds || at > kept.length) return undefined;
