@@ -107,23 +107,54 @@ export function areContacts(kept: Int32Array, bodies: number): boolean {
   );
 }
 
-/** A manifold, its points in `kept`, and how many. */
+/** A manifold, undefined where there is none; its points in `kept`, how many, and the rank of B. */
 interface Load {
-  manifold: number;
+  manifold: number | undefined;
   first: number;
   count: number;
+  b: number;
+}
+
+/** Numbers of a column, by the point. */
+type Values = (column: number, point: number) => number;
+
+function valuesOf(kept: Int32Array): Values {
+  const columns = columnsOf(kept)!;
+  return (column, point) => {
+    const { at, same } = columns[column]!;
+    return kept[same ? at : at + point]!;
+  };
+}
+
+/**
+ * Visits what has no manifold between bodies of several parts: Bullet makes those of two parts only where their boxes
+ * overlap as one of the bodies has them, and keeps them for longer. Told is B, and the column of the normal from B into A.
+ */
+export function eachLost(
+  ammo: Ammo,
+  each: (visit: Visit) => void,
+  kept: Int32Array,
+  visit: (rankB: number, normal: readonly [number, number, number]) => void,
+): void {
+  const value = valuesOf(kept);
+  const floats = new Float32Array(kept.buffer, kept.byteOffset, kept.length);
+  const columns = columnsOf(kept)!;
+  const number = (column: number, point: number): number => {
+    const { at, same } = columns[column]!;
+    return floats[same ? at : at + point]!;
+  };
+  for (const { manifold, first, b } of match(ammo, each, kept, value))
+    if (manifold === undefined)
+      visit(b, [number(NORMAL, first), number(NORMAL + 1, first), number(NORMAL + 2, first)]);
 }
 
 /** Into manifolds that Bullet has made of the same pairs; what is near each other otherwise touches nowhere. */
 export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, kept: Int32Array): void {
-  const columns = columnsOf(kept)!;
-  const value = (column: number, point: number): number => {
-    const { at, same } = columns[column]!;
-    return kept[same ? at : at + point]!;
-  };
+  const value = valuesOf(kept);
   const loads = match(ammo, each, kept, value);
   each((manifold) => (ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = 0));
   for (const { manifold, first, count } of loads) {
+    if (manifold === undefined) continue;
     for (let i = 0; i < count; i++) {
       const point = pointAt(manifold, i) >> 2;
       COLUMNS.forEach((word, column) => (ammo.HEAP32[point + word] = value(column, first + i)));
@@ -141,15 +172,11 @@ function placeOnA(floats: Float32Array, point: number): void {
       floats[point + POINT.positionB / 4 + k]! + floats[point + POINT.normalB / 4 + k]! * distance;
 }
 
+const NORMAL = COLUMNS.indexOf(POINT.normalB / 4);
 const INDEX0 = COLUMNS.indexOf(POINT.index0 / 4);
 const INDEX1 = COLUMNS.indexOf(POINT.index1 / 4);
 
-function match(
-  ammo: Ammo,
-  each: (visit: Visit) => void,
-  kept: Int32Array,
-  value: (column: number, point: number) => number,
-): Load[] {
+function match(ammo: Ammo, each: (visit: Visit) => void, kept: Int32Array, value: Values): Load[] {
   const rankOf = (body: number): number => ammo.HEAP32[(body + BODY.rank) >> 2]!;
   const keyOf = (a: number, b: number): number => a * 2 ** 26 + b;
   const found = new Map<number, number[]>();
@@ -167,7 +194,7 @@ function match(
     const count = 1 + (kept[at + 1]! % MOST_POINTS);
     const those = found.get(keyOf(kept[at]!, b)) ?? [];
     const manifold = takeOut(ammo, those, value(INDEX0, first), value(INDEX1, first));
-    if (manifold !== undefined) loads.push({ manifold, first, count });
+    loads.push({ manifold, first, count, b });
     first += count;
   }
   return loads;

@@ -3,7 +3,11 @@ import type { BtBody } from './heap.js';
 import { BODY, PROXY } from './offsets.js';
 import { keepAwake } from './body-state.js';
 import { BOX, currentList, layLists, listOf, loadBox, saveBox } from './kept-bodies.js';
-import { loadContacts, saveContacts } from './kept-contacts.js';
+import { eachLost, loadContacts, saveContacts } from './kept-contacts.js';
+
+/** How much nearer parts come that Bullet does not see near each other, metres, and how often. */
+const NEARER = 0.04;
+const MOST_ROUNDS = 6;
 
 /** A body that stands in the world, whose box is one of `boxes`. */
 interface Standing {
@@ -11,6 +15,7 @@ interface Standing {
   readonly body: BtBody;
   readonly pointer: number;
   readonly movable: boolean;
+  readonly solidParts: readonly unknown[];
 }
 
 /** What a world goes back to: boxes by bodies, contact points, and the list that the next step fills. */
@@ -62,10 +67,40 @@ export class KeptWorld {
     for (const { body, movable } of bodies) if (movable) keepAwake(body);
     this.#bullet.order!.arrange();
     this.#bullet.findPairs();
+    if (bodies.some(({ solidParts }) => solidParts.length > 1))
+      this.#findParts(bodies, moment.contacts);
     loadContacts(ammo, (visit) => this.#bullet.eachManifoldInHeap(visit), moment.contacts);
     bodies.forEach(({ pointer }, i) => loadBox(ammo, pointer, moment.boxes, moment.at[i]!));
     const pointers = bodies.map(({ pointer }) => pointer);
     layLists(ammo, this.#broadphase, moment.list, pointers, lists);
+  }
+
+  /** Bodies of several parts come a little nearer to what they touched, until Bullet has seen it. */
+  #findParts(bodies: readonly Standing[], contacts: Int32Array): void {
+    const byRank = [...bodies].sort((a, b) => a.id - b.id);
+    for (let round = 0; round < MOST_ROUNDS; round++) {
+      const moved = new Map<number, () => void>();
+      eachLost(
+        this.#ammo,
+        (visit) => this.#bullet.eachManifoldInHeap(visit),
+        contacts,
+        (rank, normal) => {
+          const { pointer } = byRank[rank]!;
+          if (!moved.has(pointer)) moved.set(pointer, this.#nudge(pointer, normal));
+        },
+      );
+      if (moved.size === 0) return;
+      this.#bullet.findPairs();
+      for (const putBack of moved.values()) putBack();
+    }
+  }
+
+  #nudge(body: number, normal: readonly number[]): () => void {
+    const { HEAPF32 } = this.#ammo;
+    const at = (body + BODY.origin) >> 2;
+    const before = HEAPF32.slice(at, at + 3);
+    for (let k = 0; k < 3; k++) HEAPF32[at + k]! += NEARER * normal[k]!;
+    return () => this.#ammo.HEAPF32.set(before, at);
   }
 
   /** Bullet forgets whom it was near. */

@@ -85,11 +85,19 @@ export function forgetImpulses(ammo: Ammo, manifold: number): void {
 /** Parts of a body, at most. */
 const MOST_PARTS = 2 ** 24;
 
-/** The number of a part, from what stands in a point: where a body is of one part, nobody wrote there. */
-function partIn({ HEAP32 }: Ammo, body: number, index: number): number {
+/** Whether a body is of several parts. */
+export function isInParts({ HEAP32 }: Ammo, body: number): boolean {
   const shape = HEAP32[(body + BODY.shape) >> 2]!;
-  return HEAP32[(shape + SHAPE.type) >> 2] === SHAPE_TYPE.compound ? index : 0;
+  return HEAP32[(shape + SHAPE.type) >> 2] === SHAPE_TYPE.compound;
 }
+
+/** Whether one of its bodies is. */
+export const isOfParts = (ammo: Ammo, manifold: number): boolean =>
+  isInParts(ammo, bodyAAt(ammo, manifold)) || isInParts(ammo, bodyBAt(ammo, manifold));
+
+/** The number of a part, from what stands in a point: where a body is of one part, nobody wrote there. */
+const partIn = (ammo: Ammo, body: number, index: number): number =>
+  isInParts(ammo, body) ? index : 0;
 
 /** Tells points of one pair apart by the parts that they are of. */
 export const partsKey = (ammo: Ammo, a: number, b: number, index0: number, index1: number) =>

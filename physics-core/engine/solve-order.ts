@@ -1,6 +1,6 @@
 import { grown, grownInt } from '../base/grown.js';
 import type { Ammo } from './ammo.js';
-import { partsKeyAt } from './manifold.js';
+import { isInParts, isOfParts, partsKeyAt, pointCountAt } from './manifold.js';
 import { BODY, BROADPHASE, DISPATCHER, ISLANDS, MANIFOLD, PROXY, WORLD } from './offsets.js';
 
 /** A body or a constraint of a world, by its pointer and the number of its node. */
@@ -23,6 +23,9 @@ export class SolveOrder {
   readonly #bodies: Member[] = [];
   readonly #constraints: Member[] = [];
   #stale = false;
+  /** Whether any body is of several parts, and how many manifolds of such are set aside. */
+  #inParts = false;
+  #aside = 0;
   #keys = new Float64Array(64);
   #manifolds = new Int32Array(64);
   #roots = new Int32Array(64);
@@ -84,12 +87,14 @@ export class SolveOrder {
 
   /** Lays out Bullet's arrays of bodies and constraints. */
   arrange(): void {
+    this.putBack();
     if (!this.#stale) return;
     this.#stale = false;
     this.#lay(this.#bodies, WORLD.objects);
     this.#lay(this.#constraints, WORLD.constraints);
     const { HEAP32 } = this.#ammo;
     this.#bodies.forEach(({ pointer }, rank) => (HEAP32[(pointer + BODY.rank) >> 2] = rank));
+    this.#inParts = this.#bodies.some(({ pointer }) => isInParts(this.#ammo, pointer));
   }
 
   #lay(members: Member[], array: number): void {
@@ -150,6 +155,34 @@ export class SolveOrder {
       }
       this.#put(at, to, manifold);
     }
+  }
+
+  /**
+   * Effects have found what they find. Of bodies of several parts Bullet keeps manifolds without points longer than it would
+   * make them anew: until it has solved the others they are not there.
+   */
+  setAside(): void {
+    if (!this.#inParts) return;
+    const ammo = this.#ammo;
+    const counter = (this.#dispatcher + DISPATCHER.manifoldCount) >> 2;
+    const count = ammo.HEAP32[counter]!;
+    const at = ammo.HEAP32[(this.#dispatcher + DISPATCHER.manifolds) >> 2]! >> 2;
+    const aside: number[] = [];
+    let kept = 0;
+    for (let i = 0; i < count; i++) {
+      const manifold = ammo.HEAP32[at + i]!;
+      if (pointCountAt(ammo, manifold) === 0 && isOfParts(ammo, manifold)) aside.push(manifold);
+      else this.#put(at, kept++, manifold);
+    }
+    aside.forEach((manifold, i) => this.#put(at, kept + i, manifold));
+    ammo.HEAP32[counter] = kept;
+    this.#aside = aside.length;
+  }
+
+  putBack(): void {
+    if (this.#aside === 0) return;
+    this.#ammo.HEAP32[(this.#dispatcher + DISPATCHER.manifoldCount) >> 2]! += this.#aside;
+    this.#aside = 0;
   }
 
   #put(at: number, index: number, manifold: number): void {

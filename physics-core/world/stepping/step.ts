@@ -108,14 +108,19 @@ export class Step {
   readonly #between: SolverListener & { islands(): void } = {
     islands: () => this.#world.bullet.order?.nameIslands(),
     found: () => {
-      this.#world.bullet.order?.sortManifolds();
-      const { registry: effects, timeStep } = this.#world;
+      const { bullet, registry: effects, timeStep } = this.#world;
+      bullet.order?.sortManifolds();
       effects.found();
       effects.run('found', timeStep);
       effects.seeContacts();
       effects.run('solve', timeStep);
+      bullet.order?.setAside();
     },
-    solved: () => this.#world.registry.run('solved', this.#world.timeStep),
+    solved: () => {
+      const { bullet, registry: effects, timeStep } = this.#world;
+      bullet.order?.putBack();
+      effects.run('solved', timeStep);
+    },
   };
 
   /** Where its code is not here there are no contacts. */
