@@ -1,9 +1,11 @@
-import { bytesOf, floatsOf, pack, wordsOf } from '../../base/packed.js';
+import type { Pose } from '../../base/math.js';
+import { POSE } from '../../dynamics/poses.js';
+import { bytesOf, doublesOf, floatsOf, pack, wordsOf } from '../../base/packed.js';
 import { BOX, STATE, saveState } from '../../engine/kept-bodies.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
-import { ASLEEP, AWAKE, PARKED, type BodyStates, type Snapshot } from './snapshot.js';
+import { ASLEEP, AWAKE, PARKED, type Snapshot } from './snapshot.js';
 
 /** A world of bodies. */
 export interface BodiesWorld extends NodeWorld {
@@ -30,12 +32,15 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
   const states = new Float32Array(bodies.length * STATE);
   const flags = new Uint8Array(bodies.length);
   const boxes: number[] = [];
-  const poses: BodyStates['poses'] = [];
+  const placed: number[] = [];
+  const poses: number[] = [];
   bodies.forEach((body, i) => {
     if (engine.heapTrusted) saveState(engine.ammo, body.pointer, states, i * STATE);
     else states.set(world.bodies.velocityOf(body), (i + 1) * STATE - VELOCITY);
-    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body))
-      poses.push([body.id, body.poseInBullet()]);
+    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body)) {
+      placed.push(body.id);
+      poses.push(...world.poses.current.subarray(body.slot * POSE, (body.slot + 1) * POSE));
+    }
     const list = bullet.kept?.listOf(body.pointer) ?? -1;
     flags[i] = howIs(body) + HOW * (list < 0 ? NO_LIST : list);
     if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes);
@@ -46,12 +51,18 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
       flags: pack(flags),
       states: pack(states),
       boxes: pack(Float32Array.from(boxes)),
-      poses,
+      placed,
+      poses: pack(Float64Array.from(poses)),
       list: bullet.kept?.list ?? 0,
     },
     contacts: pack(bullet.kept?.saveContacts() ?? new Int32Array(0)),
   };
 }
+
+const poseAt = (of: Float64Array, at: number): Pose => ({
+  p: [of[at]!, of[at + 1]!, of[at + 2]!],
+  q: [of[at + 3]!, of[at + 4]!, of[at + 5]!, of[at + 6]!],
+});
 
 /** Numbers of a velocity, the last ones of a state. */
 const VELOCITY = 6;
@@ -71,7 +82,8 @@ export function loadBodies(
   const states = floatsOf(kept.states);
   const flags = bytesOf(kept.flags);
   const boxes = floatsOf(kept.boxes);
-  const poses = new Map(kept.poses);
+  const poses = doublesOf(kept.poses);
+  const placed = new Map(kept.placed.map((id, i) => [id, poseAt(poses, i * POSE)]));
   const found = new Map([...world.bodies].map((body) => [body.id, body]));
   for (const body of found.values()) if (body.kinematic) body.standStill();
   const awaited: { body: BodyNode; list: number; box: number }[] = [];
@@ -80,7 +92,7 @@ export function loadBodies(
     const list = Math.floor(flags[i]! / HOW);
     const body = found.get(id);
     if (body) {
-      world.bodies.load(body, states, i * STATE, poses.get(id));
+      world.bodies.load(body, states, i * STATE, placed.get(id));
       if (isParked(flags[i]!)) body.presence.park();
       else if (list !== NO_LIST && body.active) awaited.push({ body, list, box });
     }

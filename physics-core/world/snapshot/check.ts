@@ -1,4 +1,5 @@
-import { bytesOf, floatsOf, wordsOf } from '../../base/packed.js';
+import { bytesOf, doublesOf, floatsOf, wordsOf } from '../../base/packed.js';
+import { POSE } from '../../dynamics/poses.js';
 import { levelNames } from '../../dynamics/levels.js';
 import { BOX, STATE } from '../../engine/kept-bodies.js';
 import { areContacts } from '../../engine/kept-contacts.js';
@@ -71,10 +72,11 @@ function isNode({
   );
 }
 
-function areBodies({ ids, flags, states, boxes, poses, list }: BodyStates): boolean {
+function areBodies({ ids, flags, states, boxes, placed, poses, list }: BodyStates): boolean {
   const how = bytesOf(flags);
   const numbers = floatsOf(states);
   const sides = floatsOf(boxes);
+  const places = doublesOf(poses);
   return (
     ids.every(isNumber) &&
     how.length === ids.length &&
@@ -82,7 +84,9 @@ function areBodies({ ids, flags, states, boxes, poses, list }: BodyStates): bool
     sides.length === BOX * boxesIn(how) &&
     numbers.every(Number.isFinite) &&
     sides.every(Number.isFinite) &&
-    isSound(poses) &&
+    placed.every(isNumber) &&
+    places.length === POSE * placed.length &&
+    places.every(Number.isFinite) &&
     (list === 0 || list === 1)
   );
 }

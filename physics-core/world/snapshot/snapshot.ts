@@ -18,7 +18,8 @@ export interface BodyStates {
   states: string;
   boxes: string;
   /** Where those are that Bullet has at a place rounded, or nowhere, seen from its origin. */
-  poses: [id: number, pose: Pose][];
+  placed: number[];
+  poses: string;
   /** The list of Bullet's broadphase that the next step fills. */
   list: number;
 }
