@@ -51,21 +51,11 @@ function isWhole({
 
 const isNumber = (value: unknown): boolean => Number.isFinite(value);
 
-function isNode({
-  id,
-  type,
-  start,
-  asked,
-  authored,
-  beforeEvent,
-  heard,
-  joint,
-}: NodeState): boolean {
+function isNode({ id, type, start, asked, authored, beforeEvent = [], heard, joint }: NodeState) {
   return (
     isNumber(id) &&
     typeof type === 'string' &&
-    authored.length >= 0 &&
-    heard.length >= 0 &&
+    [authored, heard].every((names) => names === undefined || Array.isArray(names)) &&
     isSound(start) &&
     isSound(joint) &&
     [...asked, ...beforeEvent].every(([, value]) => isSound(value))

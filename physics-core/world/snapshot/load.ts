@@ -7,7 +7,7 @@ import { FieldState } from '../../nodes/node/field-state.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import { loadBodies, type BodiesWorld } from './bodies.js';
 import type { Lookup } from './lookup.js';
-import { isKept, type Snapshot } from './snapshot.js';
+import { authoredIn, isKept, type Snapshot } from './snapshot.js';
 
 /** What is asked of its fields. `elsewhere`: at another level, at which joints have other rows. */
 export function loadNode(node: PhysicsNode, found: Lookup, elsewhere = false): void {
@@ -21,8 +21,9 @@ export function loadNode(node: PhysicsNode, found: Lookup, elsewhere = false): v
   for (const [name, value] of node.fieldState.asked)
     if (isKept(node.type.fields[name]!)) fields.asked.set(name, value);
   for (const [name, value] of state.asked) fields.asked.set(name, found.decode(value));
-  for (const name of state.authored) fields.authored.add(name);
-  for (const [name, value] of state.beforeEvent) fields.beforeEvent.set(name, found.decode(value));
+  for (const name of authoredIn(state)) fields.authored.add(name);
+  for (const [name, value] of state.beforeEvent ?? [])
+    fields.beforeEvent.set(name, found.decode(value));
   node.load(fields);
   if (!isJoint(node) || !state.joint) return;
   const { rows, ...zero } = structuredClone(state.joint);

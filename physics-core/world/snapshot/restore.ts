@@ -76,7 +76,7 @@ export function* copyInto(
     // It may have been born after those that belong to it.
     if (collection !== undefined) born.get(id)!.collection = born.get(collection);
     loadNode(born.get(id)!, found, elsewhere);
-    for (const event of heard) born.get(id)!.on(event, () => {});
+    for (const event of heard ?? []) born.get(id)!.on(event, () => {});
     yield;
   }
   for (const [name, value] of Object.entries(settings)) world.set(name, value);

@@ -3,7 +3,7 @@ import { isJoint } from '../../nodes/joints/is-joint.js';
 import { PhysicsNode } from '../../nodes/node/node.js';
 import { bytesOf } from '../../base/packed.js';
 import { isParked, type BodiesWorld } from './bodies.js';
-import { isLasting, type NodeState, type Snapshot } from './snapshot.js';
+import { authoredIn, isLasting, type NodeState, type Snapshot } from './snapshot.js';
 
 /** The world that goes back. */
 interface SameWorld extends BodiesWorld {
@@ -37,12 +37,13 @@ function isAsked({ type, fieldState }: PhysicsNode, state: NodeState): boolean {
     for (const name of values.keys()) if (isLasting(type.fields[name]!)) count++;
     return count === saved.length && saved.every(([name, value]) => alike(values.get(name), value));
   };
+  const written = authoredIn(state);
   return (
     same(asked, state.asked) &&
-    same(beforeEvent, state.beforeEvent) &&
-    state.authored.every((name) => authored.has(name)) &&
+    same(beforeEvent, state.beforeEvent ?? []) &&
+    written.every((name) => authored.has(name)) &&
     [...authored].filter((name) => type.fields[name]!.access !== 'inputOnly').length ===
-      state.authored.length
+      written.length
   );
 }
 

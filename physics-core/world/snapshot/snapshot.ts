@@ -43,12 +43,13 @@ export interface NodeState {
   collection: number | undefined;
   start?: Pose | undefined;
   /** Events of it that somebody listens to: they switch effects on. */
-  heard: string[];
+  heard?: string[];
   /** Made from plain data in a field of another. */
-  child: boolean;
+  child?: boolean;
   asked: [string, unknown][];
-  authored: string[];
-  beforeEvent: [string, unknown][];
+  /** The fields that the author wrote; undefined: all that are asked. */
+  authored?: string[];
+  beforeEvent?: [string, unknown][];
   joint?: JointState;
 }
 
@@ -75,6 +76,9 @@ export interface Snapshot {
   origin?: Vec3;
 }
 
+export const authoredIn = ({ asked, authored }: NodeState): readonly string[] =>
+  authored ?? asked.map(([name]) => name);
+
 /** What the simulation makes nothing of, whatever it may be, stays where it is. */
 export const isKept = ({ common, type, nodes }: Field): boolean =>
   common === true || (/^[SM]FNode$/.test(type) && !nodes);
@@ -83,5 +87,9 @@ export const isKept = ({ common, type, nodes }: Field): boolean =>
 export const isLasting = (field: Field): boolean => !isKept(field) && field.access !== 'inputOnly';
 
 /** Most values are numbers, which need none. */
-export const cloned = <T>(value: T): T =>
-  typeof value === 'object' ? structuredClone(value) : value;
+export function cloned<T>(value: T): T {
+  if (typeof value !== 'object' || value === null) return value;
+  if (Array.isArray(value)) return value.map(cloned) as T;
+  if (Object.getPrototypeOf(value) !== Object.prototype) return structuredClone(value);
+  return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, cloned(one)])) as T;
+}

@@ -42,18 +42,22 @@ function stateOf(node: PhysicsNode, child: boolean): NodeState {
   const lasting = ([name]: [string, Value]): boolean => isLasting(node.type.fields[name]!);
   const encoded = (values: Map<string, Value>): [string, unknown][] =>
     [...values].filter(lasting).map(([name, value]) => [name, encode(value)]);
+  const said = encoded(asked);
+  const before = encoded(beforeEvent);
+  const written = [...authored].filter((name) => node.type.fields[name]!.access !== 'inputOnly');
+  const heard = node.heardEvents;
   return {
     id: node.id,
     type: node.type.name,
     name: node.name,
     version: node.version,
     collection: node.collection?.id,
-    heard: node.heardEvents,
-    child,
-    asked: encoded(asked),
-    // What was only sent in is spent.
-    authored: [...authored].filter((name) => node.type.fields[name]!.access !== 'inputOnly'),
-    beforeEvent: encoded(beforeEvent),
+    ...(heard.length > 0 && { heard }),
+    ...(child && { child }),
+    asked: said,
+    // What was only sent in is spent; mostly authors wrote just what is asked.
+    ...(String(written) !== String(said.map(([name]) => name)) && { authored: written }),
+    ...(before.length > 0 && { beforeEvent: before }),
     ...(node instanceof BodyNode && { start: structuredClone(node.motion.start) }),
     ...(isJoint(node) && node.placed ? { joint: node.save() } : {}),
   };
