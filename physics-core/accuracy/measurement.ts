@@ -1,5 +1,5 @@
 import type { Measured } from '../world/measuring.js';
-import { copyInto } from '../world/snapshot/restore.js';
+import { copyInto } from '../world/snapshot/copy.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { World } from '../world/world.js';
 import { Comparison } from './comparison.js';

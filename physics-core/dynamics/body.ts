@@ -94,6 +94,8 @@ export interface Body extends SimulationNode {
   moveTo(pose: Pose): void;
   /** Is carried there, pushing what it meets, where it is fixed. */
   carryTo(pose: Pose): void;
+  /** It stands where it does on its way, as one that is carried. */
+  goAlong(): void;
   /** Carried no longer. */
   standStill(): void;
   /** Makes it immovable where it stands, or movable again. */

@@ -3,9 +3,12 @@ import type { Engine } from './engine.js';
 import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
 import { isAwake } from './body-state.js';
+import { keeping } from './keeping.js';
+import type { KeptWorld } from './kept-world.js';
 import { DISPATCHER, MANIFOLD, SOLVER, SOLVER_MODE } from './offsets.js';
 import { firstPoint, forgetImpulses, pointAt, pointCountAt, type Manifold } from './manifold.js';
 import { Owner } from './owner.js';
+import type { SolveOrder } from './solve-order.js';
 
 export type BtConstraint = Ammo['btTypedConstraint']['prototype'];
 
@@ -44,6 +47,11 @@ export class BulletWorld {
   readonly #dispatcher: Ammo['btCollisionDispatcher']['prototype'];
   readonly #solver: number;
   readonly #solverTrusted: boolean;
+  #order: SolveOrder | undefined;
+  /** Ids by pointers, of what came before there was an order. */
+  readonly #early = { bodies: new Map<number, number>(), constraints: new Map<number, number>() };
+  readonly #broadphase: number;
+  #kept: KeptWorld | undefined;
   #meshesMove = false;
   settings!: SolverSettings;
 
@@ -61,10 +69,34 @@ export class BulletWorld {
     this.ground = this.#makeGround();
     // Every body carries its own collection's gravity.
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
+    this.#broadphase = ammo.getPointer(broadphase);
     if (engine.heapTrusted) engine.solverHook.attach(ammo.getPointer(solver));
     engine.stages?.attach(ammo.getPointer(this.bullet));
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
     this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
+  }
+
+  /**
+   * Undefined: there is nothing to solve, or the heap is not trusted. Without its stages Bullet could not be told the names of
+   * its islands.
+   */
+  get order(): SolveOrder | undefined {
+    return (this.#order ??= this.engine.stages && this.#makeOrder());
+  }
+
+  #makeOrder(): SolveOrder | undefined {
+    const { ammo } = this.engine;
+    const world = ammo.getPointer(this.bullet);
+    const order = keeping.orderOf?.(ammo, world, ammo.getPointer(this.#dispatcher));
+    if (!order) return undefined;
+    for (const [pointer, id] of this.#early.bodies) order.addBody(pointer, id);
+    for (const [pointer, id] of this.#early.constraints) order.addConstraint(pointer, id);
+    return order;
+  }
+
+  /** What it keeps from step to step beside bodies; undefined: nothing touches, or the heap is not trusted. */
+  get kept(): KeptWorld | undefined {
+    return (this.#kept ??= this.order && keeping.of?.(this, this.#broadphase));
   }
 
   #makeGround(): BtBody {
@@ -102,7 +134,13 @@ export class BulletWorld {
 
   /** One exact step: `maxSubSteps` 0 makes Bullet take the given time as it is. */
   step(seconds: number): void {
+    this.order?.arrange();
     this.bullet.stepSimulation(seconds, 0);
+  }
+
+  /** Between steps: finds what is near each other and where it touches, as a step does first. */
+  findPairs(): void {
+    this.engine.stages?.collide(this.engine.ammo.getPointer(this.bullet));
   }
 
   /** Calls `visit` with the pointers of both bodies of every pair that may touch. */
@@ -220,19 +258,33 @@ export class BulletWorld {
     return this.#dispatcher.getNumManifolds();
   }
 
-  addBody(body: BtBody, group: number, mask: number): void {
+  /** `id`: the number of its node, which says where it comes in what is solved. */
+  addBody(body: BtBody, id: number, group: number, mask: number): void {
+    const pointer = this.engine.ammo.getPointer(body);
+    this.order?.expectBody();
     this.bullet.addRigidBody(body, group, mask);
+    if (this.order) this.order.addBody(pointer, id);
+    else this.#early.bodies.set(pointer, id);
   }
 
   removeBody(body: BtBody): void {
+    const pointer = this.engine.ammo.getPointer(body);
+    this.#early.bodies.delete(pointer);
+    this.order?.removeBody(pointer);
     this.bullet.removeRigidBody(body);
   }
 
-  addConstraint(constraint: BtConstraint): void {
+  addConstraint(constraint: BtConstraint, id: number): void {
+    const pointer = this.engine.ammo.getPointer(constraint);
     this.bullet.addConstraint(constraint, true);
+    if (this.order) this.order.addConstraint(pointer, id);
+    else this.#early.constraints.set(pointer, id);
   }
 
   removeConstraint(constraint: BtConstraint): void {
+    const pointer = this.engine.ammo.getPointer(constraint);
+    this.#early.constraints.delete(pointer);
+    this.order?.removeConstraint(pointer);
     this.bullet.removeConstraint(constraint);
   }
 

@@ -59,11 +59,11 @@ export class JointConstraint {
     this.pointer = ammo.getPointer(this.#bullet);
   }
 
-  /** Into the world. `slides`: its bodies may move apart. */
-  add(slides: boolean): void {
+  /** Into the world, by the number of its node. `slides`: its bodies may move apart. */
+  add(id: number, slides: boolean): void {
     this.atOnePoint = slides;
     if (slides) this.#pushAtOnePoint();
-    this.#world.addConstraint(this.#bullet as BtConstraint);
+    this.#world.addConstraint(this.#bullet as BtConstraint, id);
   }
 
   /**

@@ -6,9 +6,14 @@ export const BODY = {
   /** Rows of the rotation matrix, 16 bytes apart; the origin follows. */
   basis: 4,
   origin: 52,
+  /** Its btDbvtProxy, while it stands in a world. */
+  proxy: 188,
+  shape: 192,
   collisionFlags: 204,
   islandTag: 208,
   activationState: 216,
+  /** Bullet leaves it to its users: the body's number in `SolveOrder`. */
+  rank: 240,
   linearVelocity: 312,
   angularVelocity: 328,
   inverseMass: 344,
@@ -47,8 +52,51 @@ export const SIX_DOF = {
   useOffsetForConstraintFrame: 1301,
 } as const;
 
-/** Bytes of btDiscreteDynamicsWorld: its btDispatcherInfo, whose time step comes first, and its btContactSolverInfo. */
-export const WORLD = { dispatchInfo: 28, solverInfo: 92 } as const;
+/** Bytes of btDiscreteDynamicsWorld: its arrays, its btDispatcherInfo, whose time step comes first, and its btContactSolverInfo. */
+export const WORLD = {
+  objectCount: 8,
+  objects: 16,
+  dispatchInfo: 28,
+  broadphase: 68,
+  solverInfo: 92,
+  islands: 204,
+  constraintCount: 212,
+  constraints: 220,
+} as const;
+
+/** Bytes of btSimulationIslandManager: the elements of its union-find, a root and the number of an object each. */
+export const ISLANDS = { count: 8, elements: 16 } as const;
+
+/** Bytes of btDbvtProxy: what tells pairs apart, the node of the tree that it is a leaf of, and the list that it stands in. */
+export const PROXY = {
+  body: 0,
+  groups: 4,
+  id: 12,
+  leaf: 48,
+  before: 52,
+  after: 56,
+  list: 60,
+} as const;
+
+/** Bytes of btDbvtNode: both corners of its box, a number each 4 bytes, what it hangs on, and what it is the leaf of. */
+export const LEAF = { low: 0, high: 16, parent: 32, proxy: 36 } as const;
+
+/** Bytes of btDbvtBroadphase: two trees, of what moved and of what did not; its lists of proxies, the last one that of the latter. */
+export const BROADPHASE = {
+  moving: 4,
+  resting: 64,
+  /** In a tree: its root, and how many leaves it has. */
+  root: 0,
+  leaves: 12,
+  lists: 124,
+  list: 144,
+  /** Percent of all pairs that a step looks at, whether they are still near each other. */
+  cleanup: 156,
+  restingLeft: 164,
+  /** One byte each: who comes is to be compared with all others in the next step; pairs may have gone. */
+  deferred: 193,
+  stale: 194,
+} as const;
 
 /** Bytes of btContactSolverInfo. */
 export const SOLVER = {
@@ -133,6 +181,8 @@ export const MANIFOLD = {
   pointCount: 748,
   /** How far a point may move and still be the same, metres. */
   breaking: 752,
+  /** Its place in the dispatcher's array. */
+  index: 768,
 } as const;
 
 /** btCollisionObject::m_activationState1. */

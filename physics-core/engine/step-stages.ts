@@ -14,6 +14,7 @@ export class StepStages {
   /** Tables of virtual functions. */
   readonly #theirs: number;
   readonly #ours: number;
+  #listener: { islands(): void } | null = null;
 
   private constructor(ammo: Ammo, theirs: number, stages: readonly WasmFunction[]) {
     this.#ammo = ammo;
@@ -46,12 +47,23 @@ export class StepStages {
     this.#ammo.HEAP32[world >> 2] = this.#theirs;
   }
 
+  /** For the step that follows: told when Bullet knows its islands, before it solves them. */
+  listen(listener: { islands(): void } | null): void {
+    this.#listener = listener;
+  }
+
+  /** Its second stage alone. */
+  collide(world: number): void {
+    this.#stages[1]!(world);
+  }
+
   readonly #step = (world: number, seconds: number): void => {
     const [predict, collide, findIslands, solve, integrate, activate] = this.#stages;
     predict!(world, seconds);
     this.#write(world + WORLD.dispatchInfo, seconds);
     collide!(world);
     findIslands!(world);
+    this.#listener?.islands();
     this.#write(world + WORLD.solverInfo + SOLVER.timeStep, seconds);
     solve!(world, world + WORLD.solverInfo);
     integrate!(world, seconds);

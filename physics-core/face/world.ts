@@ -96,10 +96,13 @@ export interface World {
   /** Back to what the markup, or `add` and `set`, say, at time 0. The next n steps are the first n steps, bit for bit. */
   reset(): void;
 
-  /** Its state as plain data, without contacts: to keep, clone or send. */
+  /** All that its next step reads, as plain data: to keep, clone or send. */
   snapshot(): Snapshot;
 
-  /** Back to a snapshot of this world; two restores of one snapshot run alike, bit for bit. */
+  /**
+   * Back to a snapshot of this world: it runs on as it did then, bit for bit. What was not edited since is not made anew.
+   * Anything else than a whole snapshot of this scene is reported, and nothing happens.
+   */
   restore(snapshot: Snapshot): void;
 
   /** Ends it, and gives back its memory. */

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { loadEngine } from '../../physics-core/inside.js';
 import { OwnedObjects } from './heap.js';
 import { editsPlan } from './edits-plan.js';
+import { playBack } from './back.js';
 import { plan } from './plan.js';
 import { play } from './play.js';
 
@@ -11,7 +12,9 @@ import { play } from './play.js';
 const SHRINKING = 20_000;
 
 const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
-const plans = process.argv[4] === 'edits' ? editsPlan : plan;
+const [, , , , kind] = process.argv;
+const plans = kind === 'back' ? fc.oneof(editsPlan, plan) : kind === 'edits' ? editsPlan : plan;
+const playOne = kind === 'back' ? playBack : play;
 
 async function main(): Promise<void> {
   const owned = new OwnedObjects(await loadEngine());
@@ -25,7 +28,7 @@ async function main(): Promise<void> {
 
 async function failureOf(seed: number, owned: OwnedObjects): Promise<string | undefined> {
   const found = await fc.check(
-    fc.asyncProperty(plans, (one) => play(one, owned)),
+    fc.asyncProperty(plans, (one) => playOne(one, owned)),
     { seed, numRuns: 1, interruptAfterTimeLimit: SHRINKING },
   );
   if (!found.failed) return undefined;

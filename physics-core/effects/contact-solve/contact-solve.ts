@@ -3,7 +3,7 @@ import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
 import { contactShapes } from '../manifolds/effects.js';
-import { Effect, type Cause } from '../effect/effect.js';
+import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { resting } from '../rest/resting.js';
@@ -17,7 +17,7 @@ import { Newton } from '../../solver/methods/newton.js';
 import type { Part } from '../../solver/part.js';
 import { PartReader } from './part-reader.js';
 import { ContactPort } from './read-contact.js';
-import { RollingResistance } from './rolling-resistance.js';
+import { RollingResistance, type KeptRolling } from './rolling-resistance.js';
 import { Savings } from '../../solver/methods/savings.js';
 import { TouchingBodies } from './touching-bodies.js';
 import { CurvedPaths } from './curved-paths.js';
@@ -37,6 +37,23 @@ const ASIDE = 1e24;
  * stands: that is nearer to how a top on its tip goes round (measured).
  */
 const TURNED = 0.1;
+
+/** For a snapshot: bodies and joints by their ids. */
+interface KeptSolve {
+  cause: number;
+  /** Whether boxes have points of each step. */
+  points: boolean;
+  direct: number[];
+  left: number[];
+  heaps: number[];
+  failed: [id: number, step: number][];
+  again: number;
+  savings: ReturnType<Savings['save']>;
+  joints: ReturnType<CoupledJoints['save']>;
+  rolling: KeptRolling;
+  pulls: ReturnType<Grips['pulls']['save']>;
+  balls: number[];
+}
 
 interface Solver {
   /** False: it finds no end. */
@@ -169,6 +186,7 @@ export class ContactSolve extends Effect {
     this.#left.clear();
     this.#heaps.clear();
     this.#rolling.forget();
+    this.#corners.begin();
     this.#needPoints(false);
   }
 
@@ -180,16 +198,61 @@ export class ContactSolve extends Effect {
     this.release(node);
   }
 
-  /** The world begins anew. */
-  reset(): void {
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  override reset(): void {
     this.#failed.clear();
     this.#direct.clear();
     this.#left.clear();
     this.#heaps.clear();
     this.#savings.forget();
     this.#rolling.forget();
+    this.#joints.forgetAll();
+    this.#grips.pulls.forgetAll();
     this.#again = 0;
     this.#letGo();
+  }
+
+  override save(): KeptSolve | undefined {
+    if (!this.#cause) return undefined;
+    const idOf = (pointer: number): number => this.#simulation.bodyAt(pointer)?.id ?? 0;
+    const idsOf = (pointers: ReadonlySet<number>): number[] => [...pointers].map(idOf);
+    return {
+      cause: this.#cause.id,
+      points: this.#effects.get(contactShapes).solver === this,
+      direct: idsOf(this.#direct),
+      left: idsOf(this.#left),
+      heaps: idsOf(this.#heaps),
+      failed: [...this.#failed].map(([pointer, step]) => [idOf(pointer), step]),
+      again: this.#again,
+      savings: this.#savings.save(),
+      joints: this.#joints.save(),
+      rolling: this.#rolling.save(),
+      pulls: this.#grips.pulls.save(),
+      balls: this.#corners.save(),
+    };
+  }
+
+  override load(kept: KeptSolve, nodes: Numbered): void {
+    const cause = nodes.body(kept.cause);
+    if (!cause) return;
+    this.touch(cause);
+    this.#needPoints(kept.points);
+    const fill = (pointers: Set<number>, ids: readonly number[]): void => {
+      for (const id of ids) pointers.add(nodes.body(id)?.pointer ?? 0);
+    };
+    fill(this.#direct, kept.direct);
+    fill(this.#left, kept.left);
+    fill(this.#heaps, kept.heaps);
+    for (const [id, step] of kept.failed) this.#failed.set(nodes.body(id)?.pointer ?? 0, step);
+    this.#again = kept.again;
+    this.#savings.load(kept.savings);
+    this.#joints.load(kept.joints, nodes);
+    this.#rolling.load(kept.rolling, nodes);
+    this.#grips.pulls.load(kept.pulls, nodes);
+    this.#corners.load(kept.balls, nodes);
+    const rest = this.#effects.caused(resting);
+    if (rest) rest.heaps = this.#heaps;
   }
 
   #letGo(): void {

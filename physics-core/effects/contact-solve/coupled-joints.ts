@@ -1,3 +1,5 @@
+import { doublesOf, pack } from '../../base/packed.js';
+import type { Numbered } from '../effect/effect.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Ahead, JointRows } from '../joints/joint-rows.js';
 import type { JointSolve } from '../joints/joint-solve.js';
@@ -130,6 +132,25 @@ export class CoupledJoints {
     if (!kept) this.#impulses.set(joint, (kept = { step: 0, values: new Float64Array(ROWS) }));
     kept.step = this.#step;
     kept.values[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
+  }
+
+  /** Of the last step, by the ids of joints. */
+  save(): [id: number, impulses: string][] {
+    return [...this.#impulses]
+      .filter(([, { step }]) => step === this.#step)
+      .map(([{ id }, { values }]) => [id, pack(values)]);
+  }
+
+  load(kept: readonly [id: number, impulses: string][], { joint }: Numbered): void {
+    this.#impulses.clear();
+    for (const [id, impulses] of kept) {
+      const of = joint(id);
+      if (of) this.#impulses.set(of, { step: this.#step, values: doublesOf(impulses) });
+    }
+  }
+
+  forgetAll(): void {
+    this.#impulses.clear();
   }
 
   /** A joint that is made anew begins anew. */

@@ -34,7 +34,8 @@ export class Grips {
   readonly #effects: Effects;
   readonly #bodies: TouchingBodies;
   readonly #contacts: ConeContacts;
-  readonly #pulls = new Pulls();
+  /** What pulls those that slide, from step to step. */
+  readonly pulls = new Pulls();
   readonly #from = new Float64Array(SIZE);
   readonly #load = new Float64Array(SIZE);
   readonly #carried = new Float64Array(SIZE);
@@ -52,7 +53,7 @@ export class Grips {
   }
 
   forget(body: Body): void {
-    this.#pulls.forget(body);
+    this.pulls.forget(body);
   }
 
   /** A part was solved, and Bullet's points are what they were. */
@@ -115,7 +116,7 @@ export class Grips {
     const { time, partOfStep } = this.#simulation;
     const pull = scale(vector(this.#load), 1 / this.#bodies.masses[number]!);
     if (this.#effects.caused(flight)!.glides(body)) return steadily(pull);
-    return this.#pulls.of(body, pull, time, partOfStep);
+    return this.pulls.of(body, pull, time, partOfStep);
   }
 
   /** Whether all contacts face one way and none throws back, over a surface that moves only with its body. */

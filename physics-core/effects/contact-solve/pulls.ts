@@ -1,3 +1,4 @@
+import type { Numbered } from '../effect/effect.js';
 import { add, length, scale, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -24,6 +25,22 @@ export class Pulls {
 
   forget(body: Body): void {
     this.#last.delete(body);
+  }
+
+  forgetAll(): void {
+    this.#last.clear();
+  }
+
+  save(): [id: number, last: PlaceInTime[]][] {
+    return [...this.#last].map(([{ id }, last]) => [id, structuredClone(last)]);
+  }
+
+  load(kept: readonly [id: number, last: PlaceInTime[]][], { body }: Numbered): void {
+    this.#last.clear();
+    for (const [id, last] of kept) {
+      const of = body(id);
+      if (of) this.#last.set(of, last);
+    }
   }
 
   /** Where a pull that varies would take a body in the step that begins, from rest; undefined: nobody knows. */

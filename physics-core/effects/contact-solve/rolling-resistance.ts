@@ -1,4 +1,5 @@
 import { grown, grownInt } from '../../base/grown.js';
+import type { Numbered } from '../effect/effect.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { islandAt, speedSquared } from '../../engine/solver-body.js';
 import { R, type BoundRows } from '../../solver/rows/bound-rows.js';
@@ -23,6 +24,12 @@ const STIFFNESS = 1e3;
 
 /** Numbers by body: impulses of the last step, and that step. */
 const KEPT = 4;
+
+/** For a snapshot. */
+export interface KeptRolling {
+  heaped: [id: number, last: number][];
+  kept: [id: number, rows: number[]][];
+}
 
 /**
  * What rolls, rocks or spins loses nothing by Coulomb's law, so a heap with a cylinder, a cone or a ball in it would never
@@ -153,6 +160,25 @@ export class RollingResistance {
   leave(pointer: number): void {
     this.#kept.delete(pointer);
     this.#heaped.delete(pointer);
+  }
+
+  /** By the ids of bodies, as long as anybody asks for it. */
+  save(): KeptRolling {
+    const { time, stepsTaken } = this.#simulation;
+    const kept: KeptRolling = { heaped: [], kept: [] };
+    for (const { id, pointer } of this.#simulation.bodies) {
+      const last = this.#heaped.get(pointer);
+      if (last !== undefined && time - last <= APART) kept.heaped.push([id, last]);
+      const rows = this.#kept.get(pointer);
+      if (rows?.[KEPT - 1] === stepsTaken - 1) kept.kept.push([id, [...rows]]);
+    }
+    return kept;
+  }
+
+  load({ heaped, kept }: KeptRolling, { body }: Numbered): void {
+    this.forget();
+    for (const [id, last] of heaped) this.#heaped.set(body(id)?.pointer ?? 0, last);
+    for (const [id, rows] of kept) this.#kept.set(body(id)?.pointer ?? 0, Float64Array.from(rows));
   }
 
   forget(): void {

@@ -3,6 +3,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { ContactPoint, CORNER } from '../../engine/contact-point.js';
 import { isCarried } from '../../engine/solver-body.js';
+import type { Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
 import { flight, type Turning } from '../flight/flight.js';
@@ -49,6 +50,19 @@ export class TurningCorners {
     this.#bodies = bodies;
     this.#contacts = contacts;
     this.#point = new ContactPoint(simulation.engine.ammo);
+  }
+
+  /** For a snapshot: ids of what rolled on balls of its own. */
+  save(): number[] {
+    return [...this.#balls].map(({ id }) => id);
+  }
+
+  load(ids: readonly number[], nodes: Numbered): void {
+    this.#balls.clear();
+    for (const id of ids) {
+      const body = nodes.body(id);
+      if (body) this.#balls.add(body);
+    }
   }
 
   /** A step begins. */

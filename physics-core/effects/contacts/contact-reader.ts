@@ -116,7 +116,7 @@ export class ContactReader extends Effect {
   }
 
   /** The world begins anew, or ends. */
-  reset(reason: 'reset' | 'removed' = 'reset'): void {
+  override reset(reason: 'reset' | 'removed' = 'reset'): void {
     this.#touches.endAll(reason, this.#simulation.time);
   }
 

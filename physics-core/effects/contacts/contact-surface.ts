@@ -14,12 +14,19 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';
 import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
-import { Effect, type Cause } from '../effect/effect.js';
+import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
 import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
 
 /** Numbers of a linear velocity. */
 const VELOCITY = 3;
+
+/** For a snapshot: by the ids of bodies. */
+interface KeptSurface {
+  leaving: number[];
+  bodies: [id: number, change: number[]][];
+  pairs: [a: number, b: number, impulse: number[]][];
+}
 
 /** Told of every contact point that has parameters, between Bullet's contact search and its solver. */
 export interface ContactListener {
@@ -139,6 +146,56 @@ export class ContactSurface extends Effect {
     const { pushing, directed } = this.demands;
     if (pushing !== before.pushing || directed !== before.directed)
       this.#simulation.configureSolver();
+  }
+
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  override reset(): void {
+    this.#pairs.clear();
+    this.#step.changes.fill(0);
+    for (const body of this.#leaving) this.release(body);
+  }
+
+  /** What the last step gave bodies and pairs. */
+  override save(): KeptSurface | undefined {
+    const kept: KeptSurface = {
+      leaving: [...this.#leaving].map(({ id }) => id),
+      bodies: [],
+      pairs: [],
+    };
+    if (this.demands.changes) {
+      for (const { id, slot } of this.#simulation.bodies) {
+        const at = slot * VELOCITY;
+        const change = [...this.#step.changes.subarray(at, at + VELOCITY)];
+        if (change.some(Boolean)) kept.bodies.push([id, change]);
+      }
+      for (const byB of this.#pairs.values())
+        for (const { a, b, impulse, summed } of byB.values())
+          if (summed === this.#steps) kept.pairs.push([a.id, b.id, [...impulse]]);
+    }
+    const { leaving, bodies, pairs } = kept;
+    return leaving.length + bodies.length + pairs.length > 0 ? kept : undefined;
+  }
+
+  override load({ leaving, bodies, pairs }: KeptSurface, { body }: Numbered): void {
+    for (const id of leaving) {
+      const one = body(id);
+      if (!one) continue;
+      this.demand(one, 'contacts of a former collection', []);
+      this.#leaving.add(one);
+    }
+    for (const [id, change] of bodies) {
+      const slot = body(id)?.slot ?? -1;
+      if (slot < 0) continue;
+      if ((slot + 1) * VELOCITY > this.#before.length) this.#grow(slot);
+      this.#step.changes.set(change, slot * VELOCITY);
+    }
+    for (const [first, second, impulse] of pairs) {
+      const pair = this.#pairOf(body(first)?.pointer ?? 0, body(second)?.pointer ?? 0);
+      if (!pair) continue;
+      pair.impulse.set(impulse);
+      pair.summed = this.#steps;
+    }
   }
 
   // ---- around a step ----------------------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ export class GivenContacts extends Effect {
   }
 
   /** The world begins anew: lists were meant for the step that would have come. */
-  reset(): void {
+  override reset(): void {
     this.forget();
     if (this.active) this.#letGo();
   }

@@ -11,7 +11,7 @@ import {
 } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Way } from '../joints/joint-ends.js';
-import { SmoothWay, type StepWay } from './smooth-way.js';
+import { SmoothWay, type PlaceInTime, type StepWay } from './smooth-way.js';
 
 /**
  * Changes of speed and spin within a step, m/s and rad/s, from which on a move is a jump: an edit that brings a body
@@ -23,6 +23,21 @@ const SUDDEN_SPIN = 20;
 /** rad/s: rounding of what does not turn is less. */
 const TURNING = 1e-6;
 
+type Speeds = [speed: Vec3, spin: Vec3];
+
+/** How a body is moved along, for a snapshot. */
+export interface KeptMove {
+  now: Pose;
+  to: Pose;
+  from: Pose;
+  since: number;
+  duration: number;
+  interval: number;
+  jumped: boolean;
+  paces: [step: Speeds, before: Speeds, wanted: Speeds];
+  begun: readonly PlaceInTime[];
+}
+
 /** Speed and spin. */
 class Pace {
   #speed: Vec3 = [0, 0, 0];
@@ -31,6 +46,15 @@ class Pace {
   take(from: Pose, to: Pose, seconds: number): void {
     this.#speed = scale(subtract(to.p, from.p), 1 / seconds);
     this.#spin = scale(turnOf(from, to), 1 / seconds);
+  }
+
+  get numbers(): Speeds {
+    return [this.#speed, this.#spin];
+  }
+
+  set numbers([speed, spin]: Speeds) {
+    this.#speed = speed;
+    this.#spin = spin;
   }
 
   copy(other: Pace): void {
@@ -76,6 +100,36 @@ export class Carried implements Way {
 
   constructor(at: Pose) {
     this.now = this.next = this.#to = this.#from = at;
+  }
+
+  /** Between steps. */
+  save(): KeptMove {
+    return structuredClone({
+      now: this.now,
+      to: this.#to,
+      from: this.#from,
+      since: this.since,
+      duration: this.#duration,
+      interval: this.#interval,
+      jumped: this.jumped,
+      paces: [this.#step.numbers, this.#before.numbers, this.#wanted.numbers],
+      begun: this.#way.begun,
+    });
+  }
+
+  static from(kept: KeptMove): Carried {
+    const { now, to, from, since, duration, interval, jumped, paces, begun } =
+      structuredClone(kept);
+    const carried = new Carried(now);
+    carried.#to = to;
+    carried.#from = from;
+    carried.since = since;
+    carried.#duration = duration;
+    carried.#interval = interval;
+    carried.jumped = jumped;
+    [carried.#step.numbers, carried.#before.numbers, carried.#wanted.numbers] = paces;
+    carried.#way.begun = begun;
+    return carried;
   }
 
   /** It is to be elsewhere; `turn`: seconds that pass before its author speaks again. */

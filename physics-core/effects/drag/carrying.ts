@@ -1,12 +1,17 @@
 import type { Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause } from '../effect/effect.js';
+import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
-import { Carried } from './carried.js';
-import { Riders } from './riders.js';
+import { Carried, type KeptMove } from './carried.js';
+import { Riders, type KeptRide } from './riders.js';
 import type { Grip } from './slips.js';
+
+interface KeptCarrying {
+  moves: [id: number, move: KeptMove][];
+  rides: KeptRide[];
+}
 
 /** Seconds without a new pose after which a carried body stands still. */
 const STILL = 0.1;
@@ -40,6 +45,36 @@ export class Carrying extends Effect {
     if (!carried) this.#carried.set(body, (carried = new Carried(from)));
     carried.tell(to, time, stepping.turn, timeStep);
     this.need(body, 'position');
+  }
+
+  override reset(): void {
+    this.#riders.reset();
+    for (const body of [...this.#carried.keys()]) this.release(body);
+  }
+
+  override save(): KeptCarrying | undefined {
+    if (!this.active) return undefined;
+    const all = [...this.#carried];
+    const idOf = (on: Carried): number => all.find(([, carried]) => carried === on)?.[0].id ?? 0;
+    return {
+      moves: all.map(([{ id }, carried]) => [id, carried.save()]),
+      rides: this.#riders.save(idOf),
+    };
+  }
+
+  override load({ moves, rides }: KeptCarrying, nodes: Numbered): void {
+    for (const [id, move] of moves) {
+      const body = nodes.body(id);
+      if (!body || body.movable) continue;
+      body.goAlong();
+      this.#carried.set(body, Carried.from(move));
+      this.need(body, 'position');
+    }
+    for (const [id, onId, ride] of rides) {
+      const body = nodes.body(id);
+      const on = this.#carried.get(nodes.body(onId)!);
+      if (body && on) this.#riders.load(body, { ...structuredClone(ride), on });
+    }
   }
 
   override release(node: Cause): void {

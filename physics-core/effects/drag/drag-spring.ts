@@ -8,7 +8,7 @@ import { BODY_BLOCK, SIDE } from '../../solver/joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
 import { TOP_SPEED } from './effects.js';
-import { Hand } from './hand.js';
+import { Hand, type KeptHand } from './hand.js';
 
 /** rad/s: the grabbed point comes within 1 % of its way in 0.22 s. */
 const SWIFTNESS = 30;
@@ -44,7 +44,7 @@ export class DragSpring {
   readonly #matrix = new Float64Array(rowOf(3));
   readonly #vector = new Float64Array(3);
   readonly #load = new Float64Array(SIDE);
-  readonly #hand: Hand;
+  #hand: Hand;
 
   constructor(simulation: Simulation, body: Body, grip: Vec3) {
     this.#simulation = simulation;
@@ -76,6 +76,14 @@ export class DragSpring {
         ...(joint.body2 === this.#body ? [joint.anchorOn(2)] : []),
       ]);
     return Math.max(...[this.point, ...ends].map((end) => length(subtract(end, centre))));
+  }
+
+  save(): KeptHand {
+    return this.#hand.save();
+  }
+
+  goOn(kept: KeptHand): void {
+    this.#hand = Hand.from(kept);
   }
 
   /** The hand makes its step. It is no farther away than where the spring pulls with all its strength. */

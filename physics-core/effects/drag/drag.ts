@@ -5,6 +5,7 @@ import type { Body, DragMode } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { DragSpring } from './drag-spring.js';
 import { drags, TOP_SPEED } from './effects.js';
+import type { KeptHand } from './hand.js';
 
 /** Why a drag ended. */
 export type DragEnd = 'released' | 'cancelled' | 'removed' | 'disabled' | 'reset';
@@ -21,6 +22,14 @@ interface Moment {
   time: number;
 }
 
+/** How a spring holds a body, for a snapshot: where in its frame, and what at the other end. */
+export interface KeptDrag {
+  id: number;
+  grip: Vec3;
+  target: Vec3;
+  hand: KeptHand;
+}
+
 /** The effect that carries drags out. */
 interface Hands {
   /** Whether a drag still acts on its body. */
@@ -34,7 +43,7 @@ export class Drag {
   readonly #simulation: Simulation;
   readonly body: Body;
   /** The grabbed point in the body's frame. */
-  readonly #grip: Vec3;
+  #grip: Vec3;
   #spring: DragSpring | undefined;
   /** Where the grabbed point is to be: world frame, metres. */
   target: Vec3;
@@ -59,6 +68,19 @@ export class Drag {
     if (drags.here) this.#spring = this.spring;
     this.#emitter.on('end', (reason) => onend(reason as DragEnd));
     this.engage();
+  }
+
+  save(): KeptDrag {
+    const { id } = this.body;
+    return { id, grip: [...this.#grip], target: [...this.target], hand: this.spring.save() };
+  }
+
+  /** It is the one that held the body when a snapshot was taken. */
+  goOn({ grip, target, hand }: KeptDrag): void {
+    this.#grip = [...grip];
+    this.target = [...target];
+    this.#spring = undefined;
+    this.spring.goOn(hand);
   }
 
   get mode(): DragMode {

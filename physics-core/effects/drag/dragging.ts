@@ -3,7 +3,7 @@ import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { isJointed } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
-import { Drag, type DragEnd } from './drag.js';
+import { Drag, type DragEnd, type KeptDrag } from './drag.js';
 import { drags } from './effects.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
@@ -20,6 +20,8 @@ export class Dragging extends Effect implements Pull {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
   readonly #drags = new Set<Drag>();
+  /** What held bodies when the snapshot was taken that is restored, and the step that this was before. */
+  #letGo: { step: number; drags: KeptDrag[] } = { step: -1, drags: [] };
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -33,9 +35,31 @@ export class Dragging extends Effect implements Pull {
     if (!body.active || (!alone && !body.movable) || (alone && this.#of(body).length > 0))
       return undefined;
     const drag = new Drag(this, this.#simulation, body, point, onend);
+    const before = alone ? undefined : this.#takeLetGo(body);
+    if (before) drag.goOn(before);
     this.#drags.add(drag);
     this.need(body, 'drag');
     return drag;
+  }
+
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  /** Springs: what is moved otherwise is carried, or jumps. */
+  override save(): KeptDrag[] | undefined {
+    const springs = [...this.#drags].filter(({ mode }) => mode === 'spring');
+    return springs.length > 0 && drags.here ? springs.map((drag) => drag.save()) : undefined;
+  }
+
+  /** Hands don't come back by themselves; who takes hold of the body again before the next step holds it as it was held. */
+  override load(kept: readonly KeptDrag[]): void {
+    this.#letGo = { step: this.#simulation.stepsTaken, drags: [...kept] };
+  }
+
+  #takeLetGo({ id }: Body): KeptDrag | undefined {
+    const { step, drags: those } = this.#letGo;
+    const at =
+      step === this.#simulation.stepsTaken ? those.findIndex((drag) => drag.id === id) : -1;
+    return at < 0 ? undefined : those.splice(at, 1)[0];
   }
 
   /** Whether a drag still acts on its body. */
@@ -50,7 +74,8 @@ export class Dragging extends Effect implements Pull {
   }
 
   /** The world begins anew, or ends. */
-  reset(reason: DragEnd): void {
+  override reset(reason: DragEnd): void {
+    this.#letGo = { step: -1, drags: [] };
     for (const drag of [...this.#drags]) this.end(drag, reason);
   }
 

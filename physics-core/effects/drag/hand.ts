@@ -9,6 +9,13 @@ const LEAST_STRENGTH = 25;
 
 const shortened = (v: Vec3, most: number): Vec3 => scale(v, Math.min(1, most / (length(v) || 1)));
 
+/** For a snapshot. */
+export interface KeptHand {
+  position: Vec3;
+  velocity: Vec3;
+  topSpeed: number;
+}
+
 /**
  * What holds the other end of a drag's spring. It goes to where the pointer is, but as a hand does: a pointer may jump by
  * metres in one event, and a spring stretched so far tears what it holds. It is held back where the body can't follow.
@@ -24,6 +31,16 @@ export class Hand {
     this.position = position;
     this.#topSpeed = topSpeed;
     this.strength = Math.max(LEAST_STRENGTH, HASTE * topSpeed);
+  }
+
+  save(): KeptHand {
+    return { position: [...this.position], velocity: [...this.velocity], topSpeed: this.#topSpeed };
+  }
+
+  static from({ position, velocity, topSpeed }: KeptHand): Hand {
+    const hand = new Hand([...position], topSpeed);
+    hand.velocity = [...velocity];
+    return hand;
   }
 
   /** One step towards `target`, at most `reach` away from the grabbed point, which is at `point` and moves at `rate`. */

@@ -15,6 +15,9 @@ import type { Vec3 } from '../../fields/types.js';
 import { turnOf, type Carried } from './carried.js';
 import { ALONG, Slips, type Grip, type Ride } from './slips.js';
 
+/** For a snapshot: the ids of both. */
+export type KeptRide = [body: number, on: number, ride: Omit<Ride, 'on'>];
+
 /** What stands on carried bodies, or on what stands there, and goes along with them in a step or slips. */
 export class Riders {
   readonly #simulation: Simulation;
@@ -38,6 +41,24 @@ export class Riders {
     this.#before = this.#rides;
     this.#rides = rides;
     rides.clear();
+  }
+
+  reset(): void {
+    this.#rides.clear();
+    this.#before.clear();
+  }
+
+  /** How the last step left them; `idOf`: of what carries them. */
+  save(idOf: (on: Carried) => number): KeptRide[] {
+    return [...this.#rides].map(([{ id }, { on, ...ride }]) => [
+      id,
+      idOf(on),
+      structuredClone(ride),
+    ]);
+  }
+
+  load(body: Body, ride: Ride): void {
+    this.#rides.set(body, ride);
   }
 
   forget(body: Body): void {

@@ -56,6 +56,14 @@ export class SmoothWay {
   /** Where its moves began, the last one first. */
   readonly #begun: PlaceInTime[] = [];
 
+  get begun(): readonly PlaceInTime[] {
+    return this.#begun;
+  }
+
+  set begun(begun: readonly PlaceInTime[]) {
+    this.#begun.splice(0, Infinity, ...begun);
+  }
+
   /** A move begins. */
   begin(time: number, p: Vec3): void {
     this.#begun.unshift({ time, p });

@@ -1,6 +1,7 @@
 import type { Chunk } from '../../base/chunk.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
+import type { SimulationNode } from '../../dynamics/node.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { EffectCost } from './cost.js';
 import type { Effects } from './effects.js';
@@ -8,6 +9,12 @@ import type { Effects } from './effects.js';
 /** Who needs an effect: a node, or something outside the world that `world.effects` is to name. */
 export interface Cause {
   readonly host: unknown;
+}
+
+/** Nodes by their numbers. */
+export interface Numbered {
+  body(id: number): Body | undefined;
+  joint(id: number): Joint | undefined;
 }
 
 /** What of a body may change so that other effects act on it. */
@@ -49,6 +56,7 @@ export type Stage = (typeof STAGES)[number];
 export abstract class Effect {
   /** Why it is on: the nodes that need it, and what of them. */
   readonly #causes = new Map<Cause, string>();
+  #ordered: readonly Cause[] | undefined;
   readonly cost = new EffectCost();
   /** Told when it comes on and when it goes off. */
   onswitch?: (on: boolean) => void;
@@ -67,17 +75,25 @@ export abstract class Effect {
     return this.#causes.keys();
   }
 
+  /** By the numbers of nodes, whoever came first: what they do adds up to the same bits. */
+  protected get inOrder(): readonly Cause[] {
+    const id = (cause: Cause): number => (cause as Partial<SimulationNode>).id ?? 0;
+    return (this.#ordered ??= [...this.causes].sort((a, b) => id(a) - id(b)));
+  }
+
   isNeededBy(node: Cause): boolean {
     return this.#causes.has(node);
   }
 
   need(node: Cause, reason: string): void {
     this.#causes.set(node, reason);
+    this.#ordered = undefined;
     if (this.#causes.size === 1) this.onswitch?.(true);
   }
 
   /** The node causes it no more. */
   release(node: Cause): void {
+    this.#ordered = undefined;
     if (this.#causes.delete(node) && this.#causes.size === 0) this.onswitch?.(false);
   }
 
@@ -85,6 +101,13 @@ export abstract class Effect {
   unmade(node: Cause): void {
     this.release(node);
   }
+
+  /** Nothing is known of the steps before: the world begins anew, goes back or ends. */
+  reset?(reason: 'reset' | 'removed'): void;
+  /** What the next step asks of those before it, as plain data: nodes by their numbers. Undefined: nothing. */
+  save?(): unknown;
+  /** After a reset: goes on from what `save` gave. Bodies stand and move as they did. */
+  load?(state: never, nodes: Numbered): void;
 
   /** Into how many parts, at least, a step of `dt` seconds must be split for it: asked before each. */
   parts?(dt: number): number;

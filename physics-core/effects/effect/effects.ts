@@ -9,6 +9,7 @@ import {
   type Cause,
   type Effect,
   type EffectDescriptor,
+  type Numbered,
   type Stage,
 } from './effect.js';
 import { reportOf, type EffectReport } from './report.js';
@@ -119,6 +120,30 @@ export class Effects {
   /** What stood for a node in Bullet is gone. */
   unmade(node: Cause): void {
     for (const effect of this.#made.values()) effect.unmade(node);
+  }
+
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  reset(reason: 'reset' | 'removed'): void {
+    for (const descriptor of this.#ordered) this.find(descriptor)?.reset?.(reason);
+  }
+
+  /** What each keeps from step to step, by its name. */
+  save(): Record<string, unknown> {
+    const saved: Record<string, unknown> = {};
+    for (const descriptor of this.#ordered) {
+      const state = this.find(descriptor)?.save?.();
+      if (state !== undefined) saved[descriptor.name] = state;
+    }
+    return saved;
+  }
+
+  load(saved: Readonly<Record<string, unknown>>, nodes: Numbered): void {
+    for (const descriptor of this.#ordered) {
+      const state = saved[descriptor.name];
+      if (state !== undefined && descriptor.load)
+        this.get(descriptor).load?.(state as never, nodes);
+    }
   }
 
   // ---- a step -----------------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ import { carrying } from '../drag/effects.js';
 import { dragging } from '../drag/dragging.js';
 import { EVEN, FreeFall, MOTION, RESTING, same } from '../../engine/free-fall.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause, type EffectDescriptor, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { impactPropagation } from '../hits/effects.js';
 import { jointSolve } from '../joints/effects.js';
@@ -92,12 +92,31 @@ export class Flight extends Effect {
     this.#fall.set(slot, MOTION.unknown);
   }
 
+  override reset(): void {
+    this.#turning.clear();
+    this.#steady();
+  }
+
+  override save(): number[] | undefined {
+    return this.#varying.length > 0 ? this.#varying.map(({ body }) => body.id) : undefined;
+  }
+
+  override load(saved: readonly number[], nodes: Numbered): void {
+    for (const id of saved) {
+      const flyer = this.#flyers[nodes.body(id)?.slot ?? -1];
+      if (!flyer) continue;
+      flyer.varies = true;
+      this.#varying.push(flyer);
+      this.#fall.set(flyer.body.slot, motionOf(flyer));
+    }
+  }
+
   /** Whether nothing acts on it in this step but what is known and, evenly, what touches it. */
   glides(body: Body): boolean {
     return (
       this.isPushed(body) &&
       !this.#flyers[body.slot]!.varies &&
-      !this.#effects.find(carrying)?.carries(body) &&
+      !this.#effects.caused(carrying)?.carries(body) &&
       !this.#effects.find(forces)?.pending(body)
     );
   }
@@ -107,8 +126,8 @@ export class Flight extends Effect {
     return (
       this.#flyers[body.slot]?.body === body &&
       !this.#effects.caused(jointSolve)?.lastStep(body) &&
-      !this.#effects.find(impactPropagation)?.struck(body) &&
-      !this.#effects.find(dragging)?.isNeededBy(body)
+      !(this.#hits && this.#effects.find(impactPropagation)?.struck(body)) &&
+      !this.#effects.caused(dragging)?.isNeededBy(body)
     );
   }
 
@@ -117,11 +136,16 @@ export class Flight extends Effect {
     const effects = this.#effects;
     return (
       !effects.caused(jointSolve) &&
-      !effects.find(impactPropagation) &&
-      !effects.find(carrying) &&
-      !effects.find(forces) &&
-      !effects.find(dragging)
+      !this.#hits &&
+      !effects.caused(carrying) &&
+      !effects.caused(forces) &&
+      !effects.caused(dragging)
     );
+  }
+
+  /** Whether anything may be hit in this step. */
+  get #hits(): boolean {
+    return this.#effects.active(impactPropagation);
   }
 
   /** It turns about a corner in this step: that goes on evenly, too, however slow it is. */

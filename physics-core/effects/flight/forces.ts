@@ -2,7 +2,7 @@ import { add } from '../../base/math.js';
 import type { Body, Load } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause, type EffectDescriptor, type Numbered } from '../effect/effect.js';
 
 const isZero = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
 
@@ -32,6 +32,23 @@ export class AuthoredForces extends Effect {
     const before = this.#once.get(body) ?? { force: [0, 0, 0], torque: [0, 0, 0] };
     this.#once.set(body, { force: add(before.force, force), torque: add(before.torque, torque) });
     if (!this.#constant.has(body)) super.need(body, 'applyForce');
+  }
+
+  override reset(): void {
+    for (const body of this.#once.keys()) if (!this.#constant.has(body)) super.release(body);
+    this.#once.clear();
+  }
+
+  override save(): [id: number, load: Load][] | undefined {
+    if (this.#once.size === 0) return undefined;
+    return [...this.#once].map(([{ id }, load]) => [id, structuredClone(load)]);
+  }
+
+  override load(saved: readonly [id: number, load: Load][], nodes: Numbered): void {
+    for (const [id, { force, torque }] of saved) {
+      const body = nodes.body(id);
+      if (body) this.push(body, force, torque);
+    }
   }
 
   /** What waits for the next step. */

@@ -1,9 +1,10 @@
+import { doublesOf, pack } from '../../base/packed.js';
 import { atan2, hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import { turnsAlike } from '../../dynamics/inertia.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause, type EffectDescriptor, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import {
@@ -92,6 +93,32 @@ export class Gyroscopic extends Effect {
   /** It jumps and keeps its spin: with another pose that is another momentum. */
   forget(body: Body): void {
     this.#spinning.delete(body);
+  }
+
+  override reset(): void {
+    this.#spinning.clear();
+  }
+
+  override save(): [id: number, kept: string][] | undefined {
+    if (this.#spinning.size === 0) return undefined;
+    return [...this.#spinning].map(([{ id }, { momentum, left, missed, even }]) => [
+      id,
+      pack(Float64Array.of(...momentum, ...left, ...missed, +even)),
+    ]);
+  }
+
+  override load(saved: readonly [id: number, kept: string][], nodes: Numbered): void {
+    for (const [id, kept] of saved) {
+      const body = nodes.body(id);
+      if (!body || !this.#tops.has(body)) continue;
+      const numbers = doublesOf(kept);
+      const spin = newSpin();
+      spin.momentum.set(numbers.subarray(0, 3));
+      spin.left.set(numbers.subarray(3, 6));
+      spin.missed.set(numbers.subarray(6, 9));
+      spin.even = numbers[9] === 1;
+      this.#spinning.set(body, spin);
+    }
   }
 
   /** It is turned aside within the step, by so many radians, and that is no motion: its spin turns along. */

@@ -5,7 +5,7 @@ import { compose7 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect } from '../effect/effect.js';
+import { Effect, type Numbered } from '../effect/effect.js';
 
 /** Of the greatest ball within a body: a little less does not catch on the floor that it slides along. */
 const BALL = 0.9;
@@ -36,6 +36,23 @@ export class ContinuousCollision extends Effect {
   /** A body will go far in the next step. */
   override need(body: Body, reason = 'passes more than half its size in a step'): void {
     super.need(body, reason);
+  }
+
+  override reset(): void {
+    for (const cause of [...this.causes]) this.release(cause);
+  }
+
+  /** In the order in which they became so fast: it is the one in which they are sent. */
+  override save(): number[] | undefined {
+    return this.active ? [...this.causes].map((cause) => (cause as Body).id) : undefined;
+  }
+
+  override load(kept: readonly number[], nodes: Numbered): void {
+    this.reset();
+    for (const id of kept) {
+      const body = nodes.body(id);
+      if (body) this.need(body);
+    }
   }
 
   /** Calls `visit` with a contact point for each that has passed something in the step, as deep as it came since. */

@@ -12,12 +12,14 @@ import { isBallAt, isRound, partOf } from '../contacts/contact-part.js';
 import type { Pair } from '../contacts/contact-rows.js';
 import { contactSurface, pairFilter } from '../contacts/effects.js';
 import type { ContactListener, ContactSurface } from '../contacts/contact-surface.js';
-import { Effect } from '../effect/effect.js';
+import { Effect, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import type { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
+
+type KeptLink = [id: number, carried: boolean, borne: boolean];
 
 /** Of places a few metres from the origin, metres: nearer than this, bodies touch. */
 const ROUNDING = 1e-6;
@@ -63,8 +65,27 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   /** The world begins anew: what bore a body in the last step says nothing of the next one. */
-  reset(): void {
+  override reset(): void {
     this.#bulletSteps++;
+  }
+
+  /** Who was borne in the last step, and by what. */
+  override save(): KeptLink[] | undefined {
+    const kept: KeptLink[] = [];
+    for (const { id, slot } of this.#simulation.bodies) {
+      const link = this.#links[slot];
+      if (link?.isKnownIn(this.#bulletSteps)) kept.push([id, link.carried, link.borne]);
+    }
+    return kept.length > 0 ? kept : undefined;
+  }
+
+  override load(kept: readonly KeptLink[], nodes: Numbered): void {
+    for (const [id, carried, borne] of kept) {
+      const slot = nodes.body(id)?.slot ?? -1;
+      if (slot < 0) continue;
+      const link = (this.#links[slot] ??= new StruckBody(this.#simulation.engine, this.#jointRows));
+      link.goOn(this.#bulletSteps, carried, borne);
+    }
   }
 
   readonly #jointRows = (): JointRows => (this.#rows ??= this.#effects.get(jointSolve).newRows());

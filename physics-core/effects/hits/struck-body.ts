@@ -79,6 +79,17 @@ export class StruckBody {
     if (this.#weighed) this.#engine.reader.velocity(body.body, body.pointer, this.#start, 0);
   }
 
+  /** Whether the last step of Bullet, this one, bore it. */
+  isKnownIn(bulletStep: number): boolean {
+    return this.#touchedIn === bulletStep;
+  }
+
+  goOn(bulletStep: number, carried: boolean, borne: boolean): void {
+    this.#touchedIn = bulletStep;
+    this.carried = carried;
+    this.borne = borne;
+  }
+
   /** What lies between others may be hit to and fro without end: from here on Bullet holds it against all of them at once. */
   get isSpent(): boolean {
     return this.movable && this.strikes >= MOST_STRIKES;

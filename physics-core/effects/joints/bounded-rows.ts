@@ -71,6 +71,11 @@ export class BoundedRows {
     });
   }
 
+  /** What the next step asks of the last one: ROWS numbers of each joint. */
+  get lasting(): Float64Array {
+    return this.#rates;
+  }
+
   /** Whether a joint has stops or motors. */
   any(k: number): boolean {
     return this.#joints[k]!.stops.length + this.#joints[k]!.motors.length > 0;

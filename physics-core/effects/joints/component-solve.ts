@@ -1,8 +1,10 @@
+import { doublesOf, pack } from '../../base/packed.js';
 import { guards } from '../../base/guards.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { BoundedRows, type Bound, type StopListener } from './bounded-rows.js';
+import { ROWS } from '../../solver/joints/blocks.js';
 import { BulletTargets } from './bullet-targets.js';
 import { EnergyBudget } from './energy-budget.js';
 import type { Component, Edge, Forest } from '../../solver/joints/forest.js';
@@ -36,6 +38,16 @@ const LONG = 24;
 export interface Pull {
   /** Body number `i` of the system. */
   pullIn(body: Body, system: RowSystem, i: number, dt: number): void;
+}
+
+/** What is known of a component from the steps before. */
+export interface KeptComponent {
+  /** Steps. */
+  taut: number;
+  mended: number;
+  disturbed: boolean;
+  /** Joules, packed. */
+  account?: string;
 }
 
 /** Solves the joints of one component after the other: finds the velocities that take its bodies to where they are whole. */
@@ -116,6 +128,59 @@ export class ComponentSolve {
     this.#search.taut.forget();
     this.#mended.forget();
     this.#disturbed.clear();
+  }
+
+  // ---- from step to step ----------------------------------------------------------------------------------------------
+
+  /** How a joint pulled: three numbers. */
+  pullsOf(k: number): Float64Array {
+    return this.#stiffness.pulls.slice(3 * k, 3 * k + 3);
+  }
+
+  setPulls(k: number, pulls: Float64Array): void {
+    this.#stiffness.pulls.set(pulls, 3 * k);
+  }
+
+  /** What the next step asks of the last one about a joint. */
+  keepJoint(k: number): Float64Array {
+    const parts = this.#lasting(k);
+    return Float64Array.from([...parts.flatMap((part) => [...part]), ...this.#system.keep(k)]);
+  }
+
+  loadJoint(k: number, kept: Float64Array): void {
+    let at = 0;
+    for (const part of this.#lasting(k)) {
+      part.set(kept.subarray(at, at + part.length));
+      at += part.length;
+    }
+    this.#system.goOn(k, kept, at);
+  }
+
+  #lasting(k: number): Float64Array[] {
+    const of = (all: Float64Array, width: number): Float64Array =>
+      all.subarray(k * width, (k + 1) * width);
+    return [
+      ...this.#pins.lasting.map((each) => of(each, 3)),
+      of(this.#rows.lasting, ROWS),
+      of(this.#bounded.lasting, ROWS),
+    ];
+  }
+
+  /** The same about a component; undefined: nothing. */
+  keepComponent(component: Component): KeptComponent | undefined {
+    const taut = this.#search.taut.left(component);
+    const mended = this.#mended.left(component);
+    const disturbed = this.#disturbed.has(component);
+    const account = this.#budget.keep(component);
+    if (!taut && !mended && !disturbed && !account) return undefined;
+    return { taut, mended, disturbed, ...(account && { account: pack(account) }) };
+  }
+
+  loadComponent(component: Component, { taut, mended, disturbed, account }: KeptComponent): void {
+    this.#search.taut.goOn(component, taut);
+    this.#mended.goOn(component, mended);
+    if (disturbed) this.#disturbed.add(component);
+    if (account) this.#budget.goOn(component, doublesOf(account));
   }
 
   /** Where joint `k` holds on to an immovable body is elsewhere, or on its way. */

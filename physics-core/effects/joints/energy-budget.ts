@@ -38,6 +38,16 @@ export class EnergyBudget {
     else this.#accounts.clear();
   }
 
+  /** Three numbers; undefined: it has none. */
+  keep(component: Component): Float64Array | undefined {
+    const account = this.#accounts.get(component);
+    return account && Float64Array.of(account.budget, account.most, account.left);
+  }
+
+  goOn(component: Component, [budget, most, left]: Float64Array): void {
+    this.#accounts.set(component, { budget: budget!, most: most!, left: left! });
+  }
+
   /** What else acted since the last step is allowed for. */
   begin(component: Component): void {
     this.#kept = 1;

@@ -67,6 +67,11 @@ export class GeometricStiffness {
     }
   }
 
+  /** How each joint pulled in the last step: three numbers. */
+  get pulls(): Float64Array {
+    return this.#pulls;
+  }
+
   /** How a joint of rows pulls its first body in this step. */
   note(joint: number): void {
     const { jacobian, impulse, rowCount } = this.#system;

@@ -1,12 +1,13 @@
+import { doublesOf, pack } from '../../base/packed.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { APART, setSolverDistanceAt } from '../../engine/manifold.js';
-import { Effect, type Cause } from '../effect/effect.js';
+import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { stops } from './effects.js';
 import { isBounded, type Bound } from './bounded-rows.js';
-import { ComponentSolve, type Pull } from './component-solve.js';
+import { ComponentSolve, type KeptComponent, type Pull } from './component-solve.js';
 import { Forest, type Component, type Edge } from '../../solver/joints/forest.js';
 import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -21,6 +22,18 @@ import { StepTurns } from './step-turns.js';
 export interface Jointed {
   readonly bodies: readonly Body[];
   readonly joints: readonly Joint[];
+}
+
+/** For a snapshot: bodies and joints by their ids. */
+interface KeptJoints {
+  steps: [id: number, step: number, seconds: number][];
+  alone: number[];
+  loads: [id: number, load: string][];
+  pulls: [id: number, pull: string][];
+  /** Undefined: they are numbered anew in the next step, which asks nothing of the last one. */
+  joints?: [id: number, kept: string][];
+  /** By their first joints. */
+  components?: [id: number, kept: KeptComponent][];
 }
 
 /**
@@ -143,8 +156,63 @@ export class JointSolve extends Effect {
     this.#bodies.eachMoved(visit);
   }
 
-  setLastStep(body: Body, seconds: number): void {
-    this.#bodies.setLastStep(body, seconds);
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  override reset(): void {
+    this.#bodies.forgetSteps();
+    this.#alone.clear();
+    this.#ways.clear();
+    this.#joints = [];
+    this.#stale = true;
+  }
+
+  override save(): KeptJoints {
+    const solver = this.#solver;
+    const of = (k: number): number => this.#joints[k]!.id;
+    const known = this.#joints.map((joint, k) => (joint ? k : -1)).filter((k) => k >= 0);
+    const kept: KeptJoints = {
+      steps: this.#bodies.keepSteps(),
+      alone: [...this.#alone].map(({ id }) => id),
+      loads: this.#bodies.keepLoads().map(([id, load]) => [id, pack(load)]),
+      pulls: known.map((k) => [of(k), pack(solver.pullsOf(k))]),
+    };
+    if (this.#stale) return kept;
+    kept.joints = known.map((k) => [of(k), pack(solver.keepJoint(k))]);
+    kept.components = [];
+    for (const component of this.#forest.components) {
+      const state = solver.keepComponent(component);
+      if (state) kept.components.push([of(component.joints[0]!), state]);
+    }
+    return kept;
+  }
+
+  override load(kept: KeptJoints, nodes: Numbered): void {
+    for (const [id, step, seconds] of kept.steps) {
+      const body = nodes.body(id);
+      if (body) this.#bodies.goOn(body, step, seconds);
+    }
+    for (const id of kept.alone) {
+      const body = nodes.body(id);
+      if (body) this.#alone.add(body);
+    }
+    if (!this.active) return;
+    this.#rebuild();
+    for (const [id, load] of kept.loads) {
+      const body = nodes.body(id);
+      if (body) this.#bodies.setLoad(body, doublesOf(load));
+    }
+    const numberOf = (id: number): number => this.#numbers.get(nodes.joint(id)!) ?? -1;
+    for (const [id, pulls] of kept.pulls)
+      if (numberOf(id) >= 0) this.#solver.setPulls(numberOf(id), doublesOf(pulls));
+    // It was to be built anew, and nothing else lasts.
+    this.#stale = !kept.joints;
+    for (const [id, state] of kept.joints ?? [])
+      if (numberOf(id) >= 0) this.#solver.loadJoint(numberOf(id), doublesOf(state));
+    const components = new Map(this.#forest.components.map((each) => [each.joints[0]!, each]));
+    for (const [id, state] of kept.components ?? []) {
+      const component = components.get(numberOf(id));
+      if (component) this.#solver.loadComponent(component, state);
+    }
   }
 
   /** The velocity of a body at this moment, from `at` on, where it has another; undefined: it has that. */
@@ -312,7 +380,8 @@ export class JointSolve extends Effect {
 
   #rebuild(): void {
     this.#stale = false;
-    const joints = [...this.causes] as Joint[];
+    // In the order of the scene, whoever came first.
+    const joints = ([...this.causes] as Joint[]).sort((a, b) => a.id - b.id);
     const numbers = new Map<Body, number>();
     const number = (body: Body | undefined): number => {
       if (!body?.movable) return -1;

@@ -114,8 +114,32 @@ export class JointedBodies {
     for (const body of this.#moved.keys()) visit(body);
   }
 
-  setLastStep(body: Body, seconds: number): void {
-    this.#note(body, this.#simulation.stepsTaken, seconds);
+  forgetSteps(): void {
+    this.#moved.clear();
+  }
+
+  /** Ids, and each step with its seconds. */
+  keepSteps(): [id: number, step: number, seconds: number][] {
+    return [...this.#moved].map(([{ id }, { step, seconds }]) => [id, step, seconds]);
+  }
+
+  /** Ids, and what pushed each in its last step: six numbers. */
+  keepLoads(): [id: number, load: Float64Array][] {
+    const loads = this.bodies.map(({ id }, i): [number, Float64Array] => [id, this.#loadOf(i)]);
+    return loads.filter(([, load]) => load.some(Boolean));
+  }
+
+  setLoad(body: Body, load: Float64Array): void {
+    const i = this.bodies.indexOf(body);
+    if (i >= 0) this.#loadOf(i).set(load);
+  }
+
+  #loadOf(i: number): Float64Array {
+    return this.#load.subarray(i * SIDE, (i + 1) * SIDE);
+  }
+
+  goOn(body: Body, step: number, seconds: number): void {
+    this.#note(body, step, seconds);
   }
 
   /** Its velocity is given anew, or it begins to move: the next step is a first half step again. */

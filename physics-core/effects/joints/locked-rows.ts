@@ -49,6 +49,11 @@ export class LockedRows {
     this.#nonlinearCorrections = new Float64Array(room * ROWS);
   }
 
+  /** What the next step asks of the last one: ROWS numbers of each joint. */
+  get lasting(): Float64Array {
+    return this.#nonlinearCorrections;
+  }
+
   #takeJoint(joint: Joint, k: number): void {
     const rows = this.#system.isPin[k]
       ? joint.lockedRows.filter((number) => number >= LINEAR)

@@ -78,6 +78,11 @@ export class PointConstraints {
     this.#ways.set(subtract(to, from), pin * 3);
   }
 
+  /** What the next step asks of the last one: three numbers of each. */
+  get lasting(): readonly Float64Array[] {
+    return [this.#nonlinearCorrections, this.#lastWays];
+  }
+
   #grow(room: number): void {
     this.#points = new Float64Array(room * POINTS);
     this.#arms = new Float64Array(room * POINTS);

@@ -25,7 +25,7 @@ export class Suspension extends Effect {
 
   override beforeStep(dt: number): void {
     const rows = this.#rows;
-    for (const node of this.causes) {
+    for (const node of this.inOrder) {
       const joint = node as Joint;
       if (!joint.spring || !rows.read(joint, dt)) continue;
       rows.look(joint.spring.row);

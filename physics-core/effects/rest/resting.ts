@@ -1,9 +1,10 @@
 import { dot4 } from '../../base/flat-math.js';
+import { doublesOf, pack } from '../../base/packed.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
+import { Effect, type Cause, type EffectDescriptor, type Numbered } from '../effect/effect.js';
 
 /**
  * When nobody wrote autoDisable: below these for this long, and not drifting meanwhile, an island may sleep unseen.
@@ -22,11 +23,14 @@ const LOOK = 0.25;
 
 const limitsOf = ({ rest }: Body) => (rest.mode === 'library' ? LIBRARY : rest);
 
-/** Seconds a body has been slow, the pose it was slow at, and a number that those have in common that fell asleep together. */
-export interface RestState {
-  quiet: number;
-  anchor: number[];
-  island?: number;
+/** How bodies rest, for a snapshot. */
+interface RestState {
+  sinceLook: number;
+  /** Those that are slow; of each since when, seconds, and the pose it was slow at, packed. */
+  quiet: number[];
+  times: string;
+  /** What fell asleep together. */
+  islands: number[][];
 }
 
 interface Island {
@@ -48,11 +52,7 @@ export class Resting extends Effect {
   /** What each body fell asleep together with, by slot, until it wakes or is put to sleep by anybody else. */
   readonly #islands: (readonly Body[] | undefined)[] = [];
   /** Pointers of bodies in large heaps that are gone over by sweeps. */
-  heaps: ReadonlySet<number> = new Set();
-  /** Slots of those that were restored asleep, and sleep on: Bullet has not looked at what they lie on. */
-  readonly #restored = new Set<number>();
-  /** Islands of the snapshot that is restored, by their number in it. */
-  readonly #loading = new Map<number, Body[]>();
+  heaps: ReadonlySet<number> = NONE;
   /** Seconds since islands were looked at. */
   sinceLook = 0;
 
@@ -89,40 +89,47 @@ export class Resting extends Effect {
     this.#limits = limits;
   }
 
-  /** How a body rests, for a snapshot. */
-  save(slot: number): RestState {
-    const anchor = [...this.#anchor.subarray(slot * POSE, (slot + 1) * POSE)];
-    const island = this.#islands[slot]?.[0]?.slot;
-    return { quiet: this.#quiet[slot] ?? 0, anchor, ...(island !== undefined && { island }) };
-  }
-
-  /** A snapshot is restored: who rested together does so no more. */
-  beginLoad(sinceLook: number): void {
-    this.sinceLook = sinceLook;
+  override reset(): void {
+    this.sinceLook = 0;
+    this.heaps = NONE;
     this.#islands.length = 0;
-    this.#restored.clear();
-    this.#loading.clear();
+    this.#quiet.fill(0);
   }
 
-  load(body: Body, { quiet, anchor, island }: RestState): void {
-    const { slot } = body;
-    if (slot >= this.#quiet.length) this.#grow(slot);
-    this.#quiet[slot] = quiet;
-    this.#anchor.set(anchor.slice(0, POSE), slot * POSE);
-    if (!body.sleeping) return;
-    this.#restored.add(slot);
-    if (island === undefined) return;
-    const bodies = this.#loading.get(island) ?? [];
-    this.#loading.set(island, bodies);
-    bodies.push(body);
-    this.#islands[slot] = bodies;
+  /** What sleeps says only with whom it fell asleep. */
+  override save(): RestState {
+    const quiet: number[] = [];
+    const times: number[] = [];
+    const islands = new Set<readonly Body[]>();
+    for (const { id, slot, sleeping } of this.#simulation.bodies) {
+      const island = this.#islands[slot];
+      if (island) islands.add(island);
+      if (sleeping || !(this.#quiet[slot]! > 0)) continue;
+      quiet.push(id);
+      times.push(this.#quiet[slot]!, ...this.#anchor.subarray(slot * POSE, (slot + 1) * POSE));
+    }
+    return {
+      sinceLook: this.sinceLook,
+      quiet,
+      times: pack(Float64Array.from(times)),
+      islands: [...islands].map((island) => island.map(({ id }) => id)),
+    };
   }
 
-  /** Visits those that were restored asleep, and sleep on. */
-  eachRestored(visit: (body: Body) => void): void {
-    for (const slot of [...this.#restored]) {
-      const body = this.#simulation.bodies.in(slot);
-      if (body) visit(body);
+  override load({ sinceLook, quiet, times, islands }: RestState, nodes: Numbered): void {
+    this.sinceLook = sinceLook;
+    const numbers = doublesOf(times);
+    quiet.forEach((id, i) => {
+      const slot = nodes.body(id)?.slot ?? -1;
+      if (slot < 0) return;
+      if (slot >= this.#quiet.length) this.#grow(slot);
+      const at = i * (POSE + 1);
+      this.#quiet[slot] = numbers[at]!;
+      this.#anchor.set(numbers.subarray(at + 1, at + 1 + POSE), slot * POSE);
+    });
+    for (const ids of islands) {
+      const island = ids.map((id) => nodes.body(id)).filter((body) => body !== undefined);
+      for (const { slot, sleeping } of island) if (sleeping) this.#islands[slot] = island;
     }
   }
 
@@ -133,7 +140,6 @@ export class Resting extends Effect {
 
   leaveIsland(slot: number): void {
     this.#islands[slot] = undefined;
-    this.#restored.delete(slot);
   }
 
   /** What a sleeping body fell asleep with: nothing has touched it since. Undefined: that is not known. */
@@ -246,6 +252,8 @@ export class Resting extends Effect {
     }
   }
 }
+
+const NONE: ReadonlySet<number> = new Set();
 
 const windowsIn = (seconds: number): number => Math.floor(seconds / LIBRARY.time);
 

@@ -20,6 +20,4 @@ export function wakeTouching(simulation: Simulation, effects: Effects, body: Bod
   for (const { attached, body1, body2 } of joints)
     if (attached) for (const end of [body1, body2]) end?.wake();
   simulation.bullet.eachTouching(body.pointer, (other) => simulation.bodyAt(other)?.wake());
-  // Of what was restored asleep Bullet knows no contact: any of it may have lain there.
-  rest?.eachRestored((other) => other.wake());
 }

@@ -86,8 +86,12 @@ export class BodyMotion {
 
   /** Puts the body there at once. Joints hang on to where an immovable body is put. */
   place(pose: Pose): void {
+    this.placeInBullet(this.#inBullet(pose));
+  }
+
+  /** The same, seen from Bullet's origin. */
+  placeInBullet(own: Pose): void {
     const { world, body, slot, centerOfMass, movable, joints } = this.#node;
-    const own = this.#inBullet(pose);
     const center = compose(own, centerOfMass);
     // setWorldTransform would leave the world inertia tensor and the interpolation pose behind.
     body.setCenterOfMassTransform(world.engine.scratch.transform(center.p, center.q));
@@ -129,14 +133,20 @@ export class BodyMotion {
       return;
     }
     const from = compose(this.poseInBullet(), node.centerOfMass);
-    this.kinematic = true;
-    node.object.setFlags();
     this.#wakeTouching();
+    this.goAlong();
     this.place(pose);
-    keepAwake(node.body);
     node.world.registry
       .get(carrying)
       .carry(node, from, compose(this.#inBullet(pose), node.centerOfMass));
+  }
+
+  /** It is kinematic from now on. */
+  goAlong(): void {
+    const node = this.#node;
+    this.kinematic = true;
+    node.object.setFlags();
+    keepAwake(node.body);
   }
 
   /** It goes no further on its way. */

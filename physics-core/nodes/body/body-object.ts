@@ -104,7 +104,7 @@ export class BodyObject {
     this.leave();
     this.#groups = groups;
     this.setFlags();
-    this.#node.world.bullet.addBody(this.body, ...groups);
+    this.#node.world.bullet.addBody(this.body, this.#node.id, ...groups);
     this.inWorld = true;
     this.#node.world.bodies.review(this.#node);
   }
@@ -122,7 +122,7 @@ export class BodyObject {
   partContacts(): void {
     const { bullet } = this.#node.world;
     bullet.removeBody(this.body);
-    bullet.addBody(this.body, ...this.#groups);
+    bullet.addBody(this.body, this.#node.id, ...this.#groups);
   }
 
   /** Asked for in every step: looked up once for a shape. */

@@ -246,6 +246,10 @@ export class BodyNode extends PhysicsNode implements Body {
     this.motion.carryTo(pose);
   }
 
+  goAlong(): void {
+    this.motion.goAlong();
+  }
+
   standStill(): void {
     this.motion.standStill();
   }

@@ -8,7 +8,7 @@ import type { Limit } from '../../engine/limits.js';
 import type { BodyNode } from '../body/body.js';
 import type { BodyJoint } from '../body/body-joint.js';
 import { correctionAt, softnessInBullet, type OwnCorrection } from './joint-corrections.js';
-import { PlacedJoint } from './placed-joint.js';
+import { PlacedJoint, UNMET, type JointRowsState, type JointZero } from './placed-joint.js';
 
 export { between, FREE, LOCKED, type Limit } from '../../engine/limits.js';
 export type { OwnCorrection } from './joint-corrections.js';
@@ -38,6 +38,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   spring: Spring | undefined;
   /** Just created: the first round of patches finds everything in place already. */
   protected fresh = false;
+  readonly #softs: number[] = [];
   #constraint: JointConstraint | undefined;
 
   /** Linear then angular limits along the joint frame's axes. */
@@ -117,7 +118,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.takeZero();
     this.#constraint = this.#make();
     this.#setRows(this.#constraint);
-    this.#constraint.add(this.slides);
+    this.#constraint.add(this.id, this.slides);
     if (bodies.length === 2) this.#part(bodies[0]!, bodies[1]!);
     for (const body of bodies) body.wake();
     reportMassRatio(this);
@@ -190,7 +191,8 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
         : { body: this.world.bullet.ground, frame: this.frameInBullet(which) };
     const sides = [side(this.body1, 1), side(this.body2, 2)] as const;
     [this.centred1, this.centred2] = [sides[0].frame, sides[1].frame];
-    return new JointConstraint(this.world.bullet, ...sides, this.shouldSwap());
+    const swapped = this.kept?.rows?.swapped ?? this.shouldSwap();
+    return new JointConstraint(this.world.bullet, ...sides, swapped);
   }
 
   // ---- limits and softness ------------------------------------------------------------------------------------------
@@ -199,9 +201,14 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
   protected chooseRows(): void {}
 
   #setRows(constraint: JointConstraint): void {
-    this.chooseRows();
+    this.#chooseRows();
     this.#setLimits(constraint);
     this.#setCorrections(constraint);
+  }
+
+  #chooseRows(): void {
+    if (this.kept?.rows) this.spring = this.kept.rows.spring;
+    else this.chooseRows();
   }
 
   #setLimits(constraint: JointConstraint): void {
@@ -216,13 +223,42 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     const { solver } = this.world;
     const { jointRows } = this;
     jointRows.fill(this, solver.stepSeconds);
+    const kept = this.kept?.rows?.corrections;
     for (let row = 0; row < ROWS; row++) {
+      if (kept) {
+        this.#correct(constraint, row, ...kept[row]!);
+        continue;
+      }
       const { erp, softness } = correctionAt(solver, this.correctionOf(row));
       const response = jointRows.between(row, row);
       const soft = softnessInBullet(softness, response, solver.stepSeconds);
-      this.corrections[row] = { erp, softness: soft * response };
-      constraint.setCorrection(row, erp, soft);
+      this.#correct(constraint, row, erp, soft * response, soft);
     }
+  }
+
+  #correct(constraint: JointConstraint, row: number, erp: number, softness: number, soft: number) {
+    this.corrections[row] = { erp, softness };
+    this.#softs[row] = soft;
+    constraint.setCorrection(row, erp, soft);
+  }
+
+  /** For a snapshot. */
+  save(): JointZero & { rows: JointRowsState } {
+    const { frame1, frame2, spring, corrections } = this;
+    return structuredClone({
+      frame1,
+      frame2,
+      rows: {
+        swapped: this.#constraint?.swapped ?? false,
+        ...(spring && { spring }),
+        corrections: corrections.map(({ erp, softness }, row) => [
+          erp,
+          softness,
+          this.#softs[row]!,
+        ]),
+        stops: this.stops.map(({ at }) => at ?? UNMET),
+      },
+    });
   }
 
   /** Its limits, corrections, stops or motors are others. */
@@ -247,7 +283,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     const constraint = this.#constraint;
     if (!constraint) return;
     const { spring } = this;
-    this.chooseRows();
+    this.#chooseRows();
     if (!spring !== !this.spring) this.#setLimits(constraint);
     this.#setCorrections(constraint);
     this.#changed();

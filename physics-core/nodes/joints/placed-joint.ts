@@ -9,10 +9,30 @@ import {
 } from '../../base/math.js';
 import { jointSolve } from '../../effects/joints/effects.js';
 import { leverRatio, orientations, type JointFrame } from '../../effects/joints/joint-frames.js';
+import type { Spring } from '../../dynamics/joint.js';
 import type { JointRows } from '../../effects/joints/joint-rows.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from '../body/body.js';
 import { PhysicsNode } from '../node/node.js';
+
+/** Where a joint is at zero: its frame in each of its bodies, or the world. */
+export interface JointZero {
+  frame1: Pose;
+  frame2: Pose;
+}
+
+/** What the rows of a joint are. */
+export interface JointRowsState {
+  /** Whether Bullet's A is body2. */
+  swapped: boolean;
+  spring?: Spring;
+  /** Of each row: erp, compliance, and that in Bullet's terms. */
+  corrections: [erp: number, softness: number, soft: number][];
+  /** Where its stops were met last, or `UNMET`. */
+  stops: number[];
+}
+
+export const UNMET = 2;
 
 /** Where a joint is: its frame in each of its bodies, and how these stand to each other. */
 export abstract class PlacedJoint extends PhysicsNode {
@@ -21,8 +41,8 @@ export abstract class PlacedJoint extends PhysicsNode {
   /** The joint's frame in each body (or the world), fixed when the joint is made. */
   frame1: Pose = identityPose();
   frame2: Pose = identityPose();
-  /** While a snapshot is restored: the frames of its zero. */
-  kept: { frame1: Pose; frame2: Pose } | undefined;
+  /** While a snapshot is restored: what it has of it, and of its rows, unless the level is another. */
+  kept: (JointZero & { rows?: JointRowsState }) | undefined;
   #zeroed = false;
 
   /** Of one joint after the other. */

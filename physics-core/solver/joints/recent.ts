@@ -15,6 +15,15 @@ export class Recent {
     this.#left.set(component, STEPS);
   }
 
+  /** Steps for which it still counts; 0: not at all. */
+  left(component: Component): number {
+    return this.#left.get(component) ?? 0;
+  }
+
+  goOn(component: Component, left: number): void {
+    if (left > 0) this.#left.set(component, left);
+  }
+
   has(component: Component): boolean {
     return this.#left.has(component);
   }

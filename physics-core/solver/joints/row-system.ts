@@ -109,6 +109,22 @@ export class RowSystem {
     this.least[row] = NaN;
   }
 
+  /** How its rows stood last: three numbers of each. */
+  keep(joint: number): number[] {
+    const kept: number[] = [];
+    for (let i = joint * ROWS; i < (joint + 1) * ROWS; i++)
+      kept.push(this.least[i]!, this.most[i]!, this.#state[i]!);
+    return kept;
+  }
+
+  goOn(joint: number, kept: ArrayLike<number>, at: number): void {
+    for (let i = joint * ROWS; i < (joint + 1) * ROWS; i++) {
+      this.least[i] = kept[at++]!;
+      this.most[i] = kept[at++]!;
+      this.#state[i] = kept[at++]!;
+    }
+  }
+
   /** A row whose impulse is bounded. One that began to be bounded just now gives way at first. */
   bounded(row: number, least: number, most: number): void {
     const before = this.least[row] === least && this.most[row] === most;

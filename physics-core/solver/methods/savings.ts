@@ -15,6 +15,15 @@ export class Savings {
     this.#saving = this.#solved = -1;
   }
 
+  /** How much is saved up, and both steps. */
+  save(): [saved: number, saving: number, solved: number] {
+    return [this.#saved, this.#saving, this.#solved];
+  }
+
+  load(kept: readonly [saved: number, saving: number, solved: number]): void {
+    [this.#saved, this.#saving, this.#solved] = kept;
+  }
+
   /**
    * Goes on with what there is, or begins where that is `worth` it and enough is there. False: not tried, or it came to no
    * end.

@@ -32,7 +32,7 @@ export class LevelControl {
   enabled = true;
   joints!: JointSettings;
   /** Into how many parts steps are split. */
-  #parts = 1;
+  parts = 1;
   #told: Level | undefined;
   /** While it is carried out. */
   #verdict: Verdict | undefined;
@@ -72,14 +72,14 @@ export class LevelControl {
 
   /** Seconds of one step of Bullet. */
   get partOfStep(): number {
-    return this.level.timeStep / this.#parts;
+    return this.level.timeStep / this.parts;
   }
 
   /** Splits the step that begins: a power of two, so that what depends on its length seldom is another. */
   split(parts: number): number {
     const now = parts > 1 ? Math.min(MOST_PARTS, 2 ** Math.ceil(Math.log2(parts))) : 1;
-    if (now === this.#parts) return now;
-    this.#parts = now;
+    if (now === this.parts) return now;
+    this.parts = now;
     this.configureSolver();
     for (const node of this.#world.nodes) if (isJoint(node)) node.lengthenSteps();
     return now;
@@ -111,8 +111,9 @@ export class LevelControl {
 
   // ---- auto -------------------------------------------------------------------------------------------------------
 
-  /** Where the level is left to itself, it begins at this one. */
-  begin(name: LevelName = DEFAULT_LEVEL): void {
+  /** Where the level is left to itself, it begins at this one; steps are split into so many parts, until one asks for others. */
+  begin(name: LevelName = DEFAULT_LEVEL, parts = 1): void {
+    this.parts = parts;
     this.#auto.begin(levelNamed(name));
   }
 

@@ -5,6 +5,7 @@ import { continuousCollision, FAR } from '../../effects/hits/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { MovingBodies, VELOCITY } from '../../engine/moving-bodies.js';
+import { loadState, STATE } from '../../engine/kept-bodies.js';
 import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
 import { compose7, dot3 } from '../../base/flat-math.js';
@@ -30,6 +31,7 @@ export class BodySlots implements BodyTable {
   readonly moving = new MovingBodies();
   readonly #pass = new StatePass();
   readonly #centre = new Float64Array(POSE);
+  readonly #origin7 = new Float64Array(POSE);
   readonly #velocity = new Float64Array(VELOCITY);
   /** Of bodies in the frame of their centre of mass, by slot, once that was asked for. */
   readonly #origins: (Pose | undefined)[] = [];
@@ -150,16 +152,57 @@ export class BodySlots implements BodyTable {
 
   /** What goes far in a step is looked after. */
   #judge(body: BodyNode, slot: number): void {
-    const { partOfStep, registry: effects } = this.#world;
+    const { timeStep, registry: effects } = this.#world;
     const v = this.moving.velocities;
     const at = slot * VELOCITY;
-    const square = dot3(v, at, v, at) * partOfStep * partOfStep;
+    const square = dot3(v, at, v, at) * timeStep * timeStep;
     const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
     if (far && contacts.here) effects.get(continuousCollision).need(body);
     else effects.caused(continuousCollision)?.release(body);
-    const spin = dot3(v, at + 3, v, at + 3) * partOfStep * partOfStep;
+    const spin = dot3(v, at + 3, v, at + 3) * timeStep * timeStep;
     if (spin > FAR_TURN ** 2) effects.get(fullTurns).need(body);
     else effects.caused(fullTurns)?.release(body);
+  }
+
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  /** Whether its pose is the one that Bullet has, to the last bit; only where the heap is trusted. */
+  isAsInBullet(body: BodyNode): boolean {
+    const at = body.slot * POSE;
+    const pose = this.#readPose(body);
+    for (let i = 0; i < POSE; i++)
+      if (!Object.is(pose[i], this.#poses.current[at + i])) return false;
+    return true;
+  }
+
+  /**
+   * Puts it as a snapshot has it, from `states[at]` on; `pose`: where it is said to be, seen from Bullet's origin, which
+   * Bullet has rounded.
+   */
+  load(body: BodyNode, states: Float32Array, at: number, pose?: Pose): void {
+    const { engine } = this.#world;
+    if (pose) body.motion.placeInBullet(pose);
+    if (engine.heapTrusted) loadState(engine.ammo, body.body, body.pointer, states, at);
+    else {
+      const [vx, vy, vz, wx, wy, wz] = states.subarray(at + STATE - VELOCITY, at + STATE);
+      body.body.setLinearVelocity(engine.scratch.vector(vx!, vy!, vz!));
+      body.body.setAngularVelocity(engine.scratch.vector(wx!, wy!, wz!));
+    }
+    if (!pose) {
+      this.#poses.current.set(this.#readPose(body), body.slot * POSE);
+      this.#poses.snap(body.slot);
+      this.#world.rays.moved();
+    }
+    this.readVelocity(body);
+  }
+
+  /** Of its origin, from Bullet. */
+  #readPose({ body, pointer, slot, centerOfMass }: BodyNode): Float64Array {
+    const out = this.#origin7;
+    this.#world.engine.reader.pose(body, pointer, this.#centre, 0);
+    if (isCentred(centerOfMass)) out.set(this.#centre);
+    else compose7(out, 0, this.#centre, 0, (this.#origins[slot] ??= invert(centerOfMass)));
+    return out;
   }
 
   // ---- sleep ----------------------------------------------------------------------------------------------------
@@ -231,8 +274,8 @@ export class BodySlots implements BodyTable {
   /** Reads poses and velocities of everything awake; parks what is no longer finite. */
   read(): void {
     const pass = this.#pass;
-    const { engine, partOfStep } = this.#world;
-    if (engine.heapTrusted) pass.all(engine.ammo, this.moving, this.#poses, partOfStep);
+    const { engine, timeStep } = this.#world;
+    if (engine.heapTrusted) pass.all(engine.ammo, this.moving, this.#poses, timeStep);
     else pass.none(this.moving);
     let awake = pass.count;
     let broken: BodyNode[] | undefined;

@@ -1,8 +1,3 @@
-import { contactSolve } from '../../effects/contact-solve/effects.js';
-import { contactReader, givenContacts } from '../../effects/contacts/effects.js';
-import { dragging } from '../../effects/drag/dragging.js';
-import { impactPropagation } from '../../effects/hits/effects.js';
-import { resting } from '../../effects/rest/resting.js';
 import { BulletWorld } from '../../engine/bullet-world.js';
 import type { Engine } from '../../engine/engine.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
@@ -95,8 +90,6 @@ export class Lifecycle {
       const tellWoken = world.bodies.sleepers();
       this.rebuild(() => {
         world.stepping.setTime(0);
-        const rest = world.registry.find(resting);
-        if (rest) rest.sinceLook = 0;
         world.control.begin();
         for (const node of world.nodes) node.forgetEvents();
       });
@@ -108,7 +101,7 @@ export class Lifecycle {
   /** The same nodes in a fresh Bullet world. */
   rebuild(between: () => void): void {
     const world = this.#world;
-    this.#endTouches('reset');
+    world.registry.reset('reset');
     this.#unbuild();
     between();
     this.#build();
@@ -127,18 +120,9 @@ export class Lifecycle {
     }
     world.rays.dispose();
     world.engine.solverHook.listen(null);
+    world.engine.stages?.listen(null);
     world.bullet.dispose();
     world.started = false;
-  }
-
-  /** What lasts between bodies, steps and hands is over. */
-  #endTouches(reason: 'reset' | 'removed'): void {
-    const { registry } = this.#world;
-    registry.find(contactReader)?.reset(reason);
-    registry.find(givenContacts)?.reset();
-    registry.find(contactSolve)?.reset();
-    registry.find(impactPropagation)?.reset();
-    registry.find(dragging)?.reset(reason);
   }
 
   destroy(): void {
@@ -146,7 +130,7 @@ export class Lifecycle {
     this.#ended = true;
     world.events.anew(() => {
       if (world.started) {
-        this.#endTouches('removed');
+        world.registry.reset('removed');
         this.#unbuild();
       }
       for (const node of [...world.nodes]) node.remove();

@@ -168,7 +168,7 @@ class Probe {
       new ammo.btRigidBodyConstructionInfo(0, null as never, shape, scratch.vector(0, 0, 0)),
     );
     this.#body = this.#owner.own(new ammo.btRigidBody(info));
-    this.#alone.addBody(this.#body, EVERYTHING, EVERYTHING);
+    this.#alone.addBody(this.#body, 0, EVERYTHING, EVERYTHING);
   }
 
   /** Share of the way to the shape; Infinity where the ray misses it. */

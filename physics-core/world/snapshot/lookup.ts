@@ -7,7 +7,11 @@ export class Lookup {
   readonly states: Map<number, NodeState>;
   readonly #nodes: Map<number, PhysicsNode>;
 
-  constructor(nodes: Iterable<PhysicsNode>, snapshot: Snapshot) {
+  /** Stands for a body that was gone already when the snapshot was taken: its joints hold nothing, and not on to the world. */
+  readonly #gone: (id: number) => PhysicsNode;
+
+  constructor(nodes: Iterable<PhysicsNode>, snapshot: Snapshot, gone: (id: number) => PhysicsNode) {
+    this.#gone = gone;
     this.states = new Map(snapshot.nodes.map((state) => [state.id, state]));
     this.#nodes = new Map([...nodes].map((node) => [node.id, node]));
   }
@@ -15,8 +19,12 @@ export class Lookup {
   /** Nodes for references; a child that went is made again from its data, any other that went is left out. */
   decode(value: unknown): Value {
     if (Array.isArray(value))
-      return value.map((item) => this.decode(item)).filter((item) => item !== null);
-    return isReference(value) ? this.#node(value.nodeId) : (cloned(value) as Value);
+      return value
+        .filter((item) => !isReference(item) || this.states.has(item.nodeId))
+        .map((item) => this.decode(item))
+        .filter((item) => item !== null);
+    if (!isReference(value)) return cloned(value) as Value;
+    return this.states.has(value.nodeId) ? this.#node(value.nodeId) : this.#gone(value.nodeId);
   }
 
   #node(id: number): Value {

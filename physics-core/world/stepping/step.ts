@@ -110,21 +110,30 @@ export class Step {
     const { engine, bullet, timeStep } = this.#world;
     engine.forgetFound(bullet.bullet);
     engine.solverHook.listen(this.#between);
+    engine.stages?.listen(this.#between);
     bullet.step(seconds);
     engine.solverHook.listen(null);
+    engine.stages?.listen(null);
     this.#time.count(timeStep, parts);
   }
 
   /** In the middle of Bullet's step. */
-  readonly #between: SolverListener = {
+  readonly #between: SolverListener & { islands(): void } = {
+    islands: () => this.#world.bullet.order?.nameIslands(),
     found: () => {
-      const { registry: effects, partOfStep } = this.#world;
+      const { bullet, registry: effects, partOfStep } = this.#world;
+      bullet.order?.sortManifolds();
       effects.found();
       effects.run('found', partOfStep);
       effects.seeContacts();
       effects.run('solve', partOfStep);
+      bullet.order?.setAside();
     },
-    solved: () => this.#world.registry.run('solved', this.#world.partOfStep),
+    solved: () => {
+      const { bullet, registry: effects, partOfStep } = this.#world;
+      bullet.order?.putBack();
+      effects.run('solved', partOfStep);
+    },
   };
 
   /** Where its code is not here there are no contacts. */

@@ -116,9 +116,10 @@ export class Stepping {
     this.#time.set(time);
   }
 
-  /** Goes on from a time: what overlaps now is no beginning. */
-  resume(time: number): void {
+  /** Goes on from a time, after so many steps: what overlaps now is no beginning. */
+  resume(time: number, taken: number): void {
     this.setTime(time);
+    this.#time.taken = taken;
     this.#step.begin(false);
   }
 

@@ -51,7 +51,7 @@ fact('boxes that slide are asked nothing, and go the same way where each is aske
     w.flush();
     for (const body of w.bodies) if (body.movable) body.set('linearVelocity', [0, 0, 2]);
     // Whether it pulls one is to be asked from then on.
-    if (w === worlds[1]) w.registry.get(dragging);
+    if (w === worlds[1]) w.registry.get(dragging).need({ host: undefined }, 'it may pull one');
     w.step(20);
     return { asked: asked(w, 20), state: w.snapshot() };
   });

@@ -1,0 +1,113 @@
+import type { Pose } from '../../base/math.js';
+import { POSE } from '../../dynamics/poses.js';
+import { bytesOf, doublesOf, floatsOf, pack, wordsOf } from '../../base/packed.js';
+import { BOX, STATE, saveState } from '../../engine/kept-bodies.js';
+import type { BodyNode } from '../../nodes/body/body.js';
+import type { NodeWorld } from '../../nodes/node/node-world.js';
+import type { BodySlots } from '../bodies/body-slots.js';
+import { ASLEEP, AWAKE, PARKED, type Snapshot } from './snapshot.js';
+
+/** A world of bodies. */
+export interface BodiesWorld extends NodeWorld {
+  readonly bodies: BodySlots;
+}
+
+/** Bits of a flag for how a body is; above them lies the list that it stands in, 3 for none. */
+const HOW = 4;
+const NO_LIST = 3;
+
+const byId = (bodies: Iterable<BodyNode>): BodyNode[] => [...bodies].sort((a, b) => a.id - b.id);
+
+/** By its flag. */
+export const isParked = (flag: number): boolean => flag % HOW === PARKED;
+
+/** How many of them have boxes. */
+export const boxesIn = (flags: Uint8Array): number =>
+  flags.filter((flag) => Math.floor(flag / HOW) !== NO_LIST).length;
+
+/** Bodies and what touches, as they stand in Bullet. */
+export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'contacts'> {
+  const { bullet, engine } = world;
+  const bodies = byId(world.bodies);
+  const states = new Float32Array(bodies.length * STATE);
+  const flags = new Uint8Array(bodies.length);
+  const boxes: number[] = [];
+  const placed: number[] = [];
+  const poses: number[] = [];
+  bodies.forEach((body, i) => {
+    if (engine.heapTrusted) saveState(engine.ammo, body.pointer, states, i * STATE);
+    else states.set(world.bodies.velocityOf(body), (i + 1) * STATE - VELOCITY);
+    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body)) {
+      placed.push(body.id);
+      poses.push(...world.poses.current.subarray(body.slot * POSE, (body.slot + 1) * POSE));
+    }
+    const list = bullet.kept?.listOf(body.pointer) ?? -1;
+    flags[i] = howIs(body) + HOW * (list < 0 ? NO_LIST : list);
+    if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes);
+  });
+  return {
+    bodies: {
+      ids: bodies.map(({ id }) => id),
+      flags: pack(flags),
+      states: pack(states),
+      boxes: pack(Float32Array.from(boxes)),
+      placed,
+      poses: pack(Float64Array.from(poses)),
+      list: bullet.kept?.list ?? 0,
+    },
+    contacts: pack(bullet.kept?.saveContacts() ?? new Int32Array(0)),
+  };
+}
+
+const poseAt = (of: Float64Array, at: number): Pose => ({
+  p: [of[at]!, of[at + 1]!, of[at + 2]!],
+  q: [of[at + 3]!, of[at + 4]!, of[at + 5]!, of[at + 6]!],
+});
+
+/** Numbers of a velocity, the last ones of a state. */
+const VELOCITY = 6;
+
+function howIs(body: BodyNode): number {
+  if (body.presence.parked) return PARKED;
+  return body.sleeping ? ASLEEP : AWAKE;
+}
+
+/** Puts bodies there and has them touch as they did. `slept`: those that were asleep before, and are not said to fall asleep. */
+export function loadBodies(
+  world: BodiesWorld,
+  { bodies: kept, contacts }: Snapshot,
+  slept?: ReadonlySet<BodyNode>,
+): void {
+  const { bullet } = world;
+  const states = floatsOf(kept.states);
+  const flags = bytesOf(kept.flags);
+  const boxes = floatsOf(kept.boxes);
+  const poses = doublesOf(kept.poses);
+  const placed = new Map(kept.placed.map((id, i) => [id, poseAt(poses, i * POSE)]));
+  const found = new Map([...world.bodies].map((body) => [body.id, body]));
+  for (const body of found.values()) if (body.kinematic) body.standStill();
+  const awaited: { body: BodyNode; list: number; box: number }[] = [];
+  let box = 0;
+  kept.ids.forEach((id, i) => {
+    const list = Math.floor(flags[i]! / HOW);
+    const body = found.get(id);
+    if (body) {
+      world.bodies.load(body, states, i * STATE, placed.get(id));
+      if (isParked(flags[i]!)) body.presence.park();
+      else if (list !== NO_LIST && body.active) awaited.push({ body, list, box });
+    }
+    if (list !== NO_LIST) box += BOX;
+  });
+  bullet.kept?.goBack(
+    awaited.map(({ body }) => body),
+    awaited.map(({ list }) => list),
+    { boxes, at: awaited.map((each) => each.box), contacts: wordsOf(contacts), list: kept.list },
+  );
+  kept.ids.forEach((id, i) => {
+    const body = found.get(id);
+    if (!body?.active || !body.movable) return;
+    if (flags[i]! % HOW !== ASLEEP) body.wake();
+    else if (slept?.has(body)) world.bodies.restoreSleep(body);
+    else body.sleep();
+  });
+}

@@ -1,0 +1,40 @@
+import type { Engine } from '../../engine/engine.js';
+import type { PhysicsNode } from '../../nodes/node/node.js';
+import { loadNode, loadState } from './load.js';
+import { Lookup } from './lookup.js';
+import { goneIn, type RestoredWorld } from './restore.js';
+import type { Snapshot } from './snapshot.js';
+
+/**
+ * Makes an empty world as the one a snapshot was taken of, in any engine: what it needs is all plain data. In pieces, so
+ * that nobody need be held up: each `next` goes on by one node. `settings`: fields of its collection that are others here.
+ */
+export function* copyInto(
+  world: RestoredWorld,
+  snapshot: Snapshot,
+  engine: Engine,
+  settings: Record<string, unknown> = {},
+): Generator<void> {
+  const born = new Map<number, PhysicsNode>();
+  for (const { id, type, name, version, collection, start } of snapshot.nodes) {
+    const group = collection === undefined ? undefined : born.get(collection);
+    born.set(id, world.add(type, {}, { id, name, version, collection: group, start }));
+    yield;
+  }
+  const found = new Lookup(world.nodes, snapshot, goneIn(world));
+  const elsewhere = Object.keys(settings).length > 0;
+  for (const { id, heard, collection } of snapshot.nodes) {
+    // It may have been born after those that belong to it.
+    if (collection !== undefined) born.get(id)!.collection = born.get(collection);
+    loadNode(born.get(id)!, found, elsewhere);
+    for (const event of heard ?? []) born.get(id)!.on(event, () => {});
+    yield;
+  }
+  for (const [name, value] of Object.entries(settings)) world.set(name, value);
+  world.control.begin(snapshot.level, snapshot.parts);
+  world.bodies.countFrom(snapshot.origin);
+  yield* world.lifecycle.starting(engine);
+  world.bodies.countFrom(undefined);
+  world.stepping.resume(snapshot.time, snapshot.taken);
+  loadState(world, snapshot);
+}
