@@ -11,7 +11,6 @@ import { isJointed } from '../../physics-core/dynamics/jointed.js';
 import type { Vec3, World } from '../../physics-core/inside.js';
 import { BodyNode } from '../../physics-core/nodes/body/body.js';
 import { axesOf, kineticEnergy } from '../../references/kinetic-energy.js';
-import { spin, velocity } from './scene.js';
 
 /** What moves, at the end of a step. */
 interface Moment {
@@ -24,10 +23,10 @@ interface Moment {
 }
 
 function momentOf(body: BodyNode): Moment {
-  const [at, turning] = [body.centerOfMassWorld(), spin(body)];
-  const arm = subtract(at, body.pose().p);
-  const drift = add(velocity(body), cross(turning, arm));
-  return { body, at, velocity: drift, spin: turning, axes: axesOf(body) };
+  const at = body.centerOfMassWorld();
+  const { linear, angular } = body.velocityAtOrigin();
+  const velocity = add(linear, cross(angular, subtract(at, body.pose().p)));
+  return { body, at, velocity, spin: angular, axes: axesOf(body) };
 }
 
 const momentsIn = (world: World): Moment[] =>

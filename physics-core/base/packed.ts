@@ -1,16 +1,27 @@
 // Numbers as text, for plain data that may have to go through JSON: base64 of their bytes, which keeps every bit.
 
-/** Characters that one call can take as arguments. */
-const PIECE = 0x2000;
-
 type Numbers = Float64Array | Float32Array | Int32Array | Uint8Array;
 
+const LETTERS = Uint8Array.from(
+  'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/',
+  (letter) => letter.charCodeAt(0),
+);
+const PADDING = '='.charCodeAt(0);
+
+/** By itself: `btoa` takes a string, which takes ten times as long to make. */
 export function pack(numbers: Numbers): string {
   const bytes = new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength);
-  let text = '';
-  for (let i = 0; i < bytes.length; i += PIECE)
-    text += String.fromCharCode(...bytes.subarray(i, i + PIECE));
-  return btoa(text);
+  const { length } = bytes;
+  const text = new Uint8Array(4 * Math.ceil(length / 3));
+  let to = 0;
+  for (let i = 0; i < length; i += 3) {
+    const three = (bytes[i]! << 16) | ((bytes[i + 1] ?? 0) << 8) | (bytes[i + 2] ?? 0);
+    text[to++] = LETTERS[three >> 18]!;
+    text[to++] = LETTERS[(three >> 12) & 63]!;
+    text[to++] = i + 1 < length ? LETTERS[(three >> 6) & 63]! : PADDING;
+    text[to++] = i + 2 < length ? LETTERS[three & 63]! : PADDING;
+  }
+  return new TextDecoder().decode(text);
 }
 
 /** Throws where it is no base64 of whole numbers of `size` bytes. */

@@ -5,9 +5,13 @@ import type { SolverHook } from './solver-hook.js';
 import { StepStages } from './step-stages.js';
 import {
   BODY,
+  BROADPHASE,
   DISPATCHER,
+  ISLANDS,
+  LEAF,
   MANIFOLD,
   MANIFOLD_POINT,
+  PROXY,
   SHAPE,
   SHAPE_TYPE,
   SIX_DOF,
@@ -169,8 +173,10 @@ function sunkCubes(ammo: Ammo, owner: Owner) {
   const end = (): void => {
     for (const body of bodies) world.removeRigidBody(body);
   };
-  return { dispatcher, solver, world, bodies, vector, end };
+  return { dispatcher, broadphase, solver, world, shape, bodies, vector, end };
 }
+
+type SunkCubes = ReturnType<typeof sunkCubes>;
 
 /** Where their contact points are, how they live, and whether the hook is called when they are found and when they are solved. */
 export function manifoldOffsetsHold(ammo: Ammo, hook: SolverHook): boolean {
@@ -198,24 +204,64 @@ export function stagesThatHold(ammo: Ammo): StepStages | undefined {
   const owner = new Owner(ammo);
   try {
     const worlds = [sunkCubes(ammo, owner), sunkCubes(ammo, owner)] as const;
+    const tables = worlds.map((world) => () => tablesHold(ammo, world));
     const [theirs, ours] = worlds.map(({ world }) => ammo.getPointer(world)) as [number, number];
     const stages = StepStages.of(ammo, ours);
     stages?.attach(ours);
-    const [expected, found] = worlds.map(({ world, bodies, vector, end }) => {
+    let known = true;
+    const [expected, found] = worlds.map(({ world, bodies, vector, end }, i) => {
       vector.setValue(3, -2, 1);
       bodies[1]!.setAngularVelocity(vector);
-      for (let i = 0; i < 3; i++) world.stepSimulation(1 / 64, 0);
+      for (let step = 0; step < 3; step++) world.stepSimulation(1 / 64, 0);
+      known &&= tables[i]!();
       end();
       return stateOf(ammo, bodies[1]!);
     });
     const holds =
+      known &&
       [WORLD.dispatchInfo, WORLD.solverInfo + SOLVER.timeStep].every(
         (offset) => ammo.HEAPF32[(theirs + offset) >> 2] === 1 / 64,
-      ) && String(expected) === String(found);
+      ) &&
+      String(expected) === String(found);
     return holds ? stages : undefined;
   } finally {
     owner.dispose();
   }
+}
+
+/** Where Bullet's tables are in which `SolveOrder` and `KeptWorld` read and write: of one fixed cube, and one that moves. */
+function tablesHold(
+  ammo: Ammo,
+  { world, broadphase, dispatcher, shape, bodies }: SunkCubes,
+): boolean {
+  const word = (at: number): number => ammo.HEAP32[at >> 2]!;
+  const at = ammo.getPointer(world);
+  const pairs = ammo.getPointer(broadphase);
+  const [first, second] = bodies.map((body) => ammo.getPointer(body)) as [number, number];
+  const proxies = [first, second].map((body) => word(body + BODY.proxy));
+  const islands = word(at + WORLD.islands);
+  const leafHolds = (proxy: number): boolean =>
+    word(word(proxy + PROXY.leaf) + LEAF.proxy) === proxy &&
+    word(word(proxy + PROXY.leaf) + LEAF.parent) === word(pairs + BROADPHASE.moving);
+  return (
+    word(at + WORLD.objectCount) === 2 &&
+    word(word(at + WORLD.objects)) === first &&
+    word(at + WORLD.constraintCount) === 0 &&
+    word(at + WORLD.broadphase) === pairs &&
+    word(first + BODY.shape) === ammo.getPointer(shape) &&
+    proxies.every(leafHolds) &&
+    word(proxies[1]! + PROXY.body) === second &&
+    word(proxies[1]! + PROXY.id) === word(proxies[0]! + PROXY.id) + 1 &&
+    word(proxies[1]! + PROXY.list) < 2 &&
+    word(pairs + BROADPHASE.moving + BROADPHASE.leaves) === 2 &&
+    word(pairs + BROADPHASE.list) < 2 &&
+    word(pairs + BROADPHASE.cleanup) === 10 &&
+    ammo.HEAPU8[pairs + BROADPHASE.deferred] === 0 &&
+    word(islands + ISLANDS.count) === 1 &&
+    // The second of all objects is the one that moves.
+    word(word(islands + ISLANDS.elements) + 4) === 1 &&
+    word(ammo.getPointer(dispatcher.getManifoldByIndexInternal(0)) + MANIFOLD.index) === 0
+  );
 }
 
 function stateOf(ammo: Ammo, body: BtBody): Float64Array {

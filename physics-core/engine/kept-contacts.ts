@@ -153,15 +153,23 @@ export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, kept: Int
   const value = valuesOf(kept);
   const loads = match(ammo, each, kept, value);
   each((manifold) => (ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = 0));
+  const pointers: number[] = [];
+  const numbers: number[] = [];
   for (const { manifold, first, count } of loads) {
     if (manifold === undefined) continue;
-    for (let i = 0; i < count; i++) {
-      const point = pointAt(manifold, i) >> 2;
-      COLUMNS.forEach((word, column) => (ammo.HEAP32[point + word] = value(column, first + i)));
-      placeOnA(ammo.HEAPF32, point);
-    }
     ammo.HEAP32[(manifold + MANIFOLD.pointCount) >> 2] = count;
+    for (let i = 0; i < count; i++) {
+      pointers.push(pointAt(manifold, i) >> 2);
+      numbers.push(first + i);
+    }
   }
+  const { HEAP32, HEAPF32 } = ammo;
+  columnsOf(kept)!.forEach(({ at, same }, column) => {
+    const word = COLUMNS[column]!;
+    for (let i = 0; i < pointers.length; i++)
+      HEAP32[pointers[i]! + word] = kept[same ? at : at + numbers[i]!]!;
+  });
+  for (const point of pointers) placeOnA(HEAPF32, point);
 }
 
 /** Until the next step works it out anew. */

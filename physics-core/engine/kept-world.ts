@@ -1,8 +1,7 @@
 import type { BulletWorld } from './bullet-world.js';
 import type { BtBody } from './heap.js';
-import { BODY, PROXY } from './offsets.js';
+import { BODY } from './offsets.js';
 import { keepAwake } from './body-state.js';
-import { BOX } from './kept-bodies.js';
 import { currentList, layLists, listOf, loadBox, saveBox } from './kept-boxes.js';
 import { areContacts, eachLost, loadContacts, saveContacts } from './kept-contacts.js';
 
@@ -49,10 +48,8 @@ export class KeptWorld {
     return listOf(this.#ammo, body);
   }
 
-  saveBox(body: number, to: number[]): void {
-    const box = new Float32Array(BOX);
-    saveBox(this.#ammo, body, box, 0);
-    to.push(...box);
+  saveBox(body: number, to: Float32Array, at: number): void {
+    saveBox(this.#ammo, body, to, at);
   }
 
   saveContacts(): Int32Array {
@@ -69,9 +66,10 @@ export class KeptWorld {
   /** Bodies stand where they did; those that sleep are woken. */
   goBack(bodies: readonly Standing[], lists: readonly number[], moment: Moment): void {
     const ammo = this.#ammo;
-    for (const each of bodies) this.#comeAnew(each);
     for (const { body, movable } of bodies) if (movable) keepAwake(body);
     this.#bullet.order!.arrange();
+    // Whoever was near whom, all are compared with each other.
+    this.#bullet.order!.expectBody();
     this.#bullet.findPairs();
     if (bodies.some(({ solidParts }) => solidParts.length > 1))
       this.#findParts(bodies, moment.contacts);
@@ -107,13 +105,5 @@ export class KeptWorld {
     const before = HEAPF32.slice(at, at + 3);
     for (let k = 0; k < 3; k++) HEAPF32[at + k]! += NEARER * normal[k]!;
     return () => this.#ammo.HEAPF32.set(before, at);
-  }
-
-  /** Bullet forgets whom it was near. */
-  #comeAnew({ id, body, pointer }: Standing): void {
-    const { HEAP32 } = this.#ammo;
-    const groups = HEAP32[(HEAP32[(pointer + BODY.proxy) >> 2]! + PROXY.groups) >> 2]!;
-    this.#bullet.removeBody(body);
-    this.#bullet.addBody(body, id, (groups << 16) >> 16, groups >> 16);
   }
 }

@@ -81,18 +81,15 @@ export const PROXY = {
 /** Bytes of btDbvtNode: both corners of its box, a number each 4 bytes, what it hangs on, and what it is the leaf of. */
 export const LEAF = { low: 0, high: 16, parent: 32, proxy: 36 } as const;
 
-/** Bytes of btDbvtBroadphase: two trees, of what moved and of what did not; its lists of proxies, the last one that of the latter. */
+/** Bytes of btDbvtBroadphase: the tree of what moved, and its lists of proxies, the last one that of what did not. */
 export const BROADPHASE = {
   moving: 4,
-  resting: 64,
-  /** In a tree: its root, and how many leaves it has. */
-  root: 0,
+  /** In a tree, whose root comes first: how many leaves it has. */
   leaves: 12,
   lists: 124,
   list: 144,
   /** Percent of all pairs that a step looks at, whether they are still near each other. */
   cleanup: 156,
-  restingLeft: 164,
   /** One byte each: who comes is to be compared with all others in the next step; pairs may have gone. */
   deferred: 193,
   stale: 194,

@@ -155,7 +155,6 @@ export const edits: StabilityCase[] = [
     id: 'S29 jointed',
     says: 'a link taken out of a chain lets the rest fall free',
     seconds: 2,
-    // Velocities of jointed bodies belong to the middle of a step: what changes their forces acts half a step early.
     criterion: { what: 'off the fall, of half a step at its end', unit: '', most: 1.1 },
     promisedFrom: 'game',
     work: WORK,

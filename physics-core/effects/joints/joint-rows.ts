@@ -28,6 +28,12 @@ export interface Ahead {
   readDisplacement(body: Body, out: Float64Array): boolean;
 }
 
+/** Six numbers of a velocity, from `at` on. */
+export interface Shown {
+  readonly velocities: Float64Array;
+  readonly at: number;
+}
+
 /**
  * The six rows of one joint in double precision, and what an impulse along one does while the locked ones hold. Made once
  * and filled for one joint after the other: nothing is allocated in a step.
@@ -114,11 +120,17 @@ export class JointRows {
     return this.#geometry.value(row);
   }
 
-  /** Its rate, per second. */
-  rateOf(joint: Joint, row: number): number {
+  /** Its rate, per second. `shown`: the velocity of a body at this moment, from `at` on, where it has another. */
+  rateOf(joint: Joint, row: number, shown: (body: Body) => Shown | undefined): number {
     this.#look(joint);
+    this.#takeShown(joint.body1 && shown(joint.body1), 0);
+    this.#takeShown(joint.body2 && shown(joint.body2), 6);
     this.#fillRow(row);
     return this.rateNow(row);
+  }
+
+  #takeShown(shown: Shown | undefined, at: number): void {
+    if (shown) this.#now.set(shown.velocities.subarray(shown.at, shown.at + 6), at);
   }
 
   // ---- both sides ---------------------------------------------------------------------------------------------------

@@ -163,6 +163,7 @@ export class JointSolve extends Effect {
     this.#alone.clear();
     this.#ways.clear();
     this.#joints = [];
+    this.#numbers.clear();
     this.#stale = true;
   }
 

@@ -1,6 +1,8 @@
 import { compose, identityPose, invert, type Pose } from '../../base/math.js';
+import type { Body } from '../../dynamics/body.js';
 import type { Motor, RowCorrection, Spring, Stop } from '../../dynamics/joint.js';
 import { leverRatio } from '../../effects/joints/joint-frames.js';
+import { jointSolve } from '../../effects/joints/effects.js';
 import { reportBodies, reportMassRatio } from '../../effects/joints/joint-reports.js';
 import { areNear } from '../../effects/joints/near.js';
 import { JointConstraint, type Side } from '../../engine/joint-constraint.js';
@@ -315,7 +317,9 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
 
   /** Its rate, per second. */
   rateOf(row: number): number {
-    return this.placed ? this.jointRows.rateOf(this, row) : 0;
+    const joints = this.world.registry.find(jointSolve);
+    const shown = (body: Body) => joints?.velocityOf(body);
+    return this.placed ? this.jointRows.rateOf(this, row, shown) : 0;
   }
 
   /** What Bullet has for it, as plain data. */

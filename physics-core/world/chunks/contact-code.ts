@@ -12,15 +12,12 @@ import { Obstacles } from '../pairs/obstacles.js';
 import { reportOverlaps } from '../pairs/overlaps.js';
 import { Pairs } from '../pairs/pairs.js';
 import { touchedBy } from '../pairs/touched-by.js';
-import { comparing } from '../snapshot/restore.js';
-import { isSame } from '../snapshot/same.js';
 
 export function provide(): ContactCode {
   provideContactEffects();
   provideCollisionNodes();
   keeping.of = (bullet, broadphase) => new KeptWorld(bullet, broadphase);
   keeping.orderOf = (ammo, world, dispatcher) => new SolveOrder(ammo, world, dispatcher);
-  comparing.isSame = isSame;
   meeting.of = (world, bodies) => {
     const pairs = new Pairs(world, bodies);
     return { pairs, obstacles: new Obstacles(world, pairs) };

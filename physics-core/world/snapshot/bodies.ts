@@ -31,7 +31,8 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
   const bodies = byId(world.bodies);
   const states = new Float32Array(bodies.length * STATE);
   const flags = new Uint8Array(bodies.length);
-  const boxes: number[] = [];
+  const boxes = new Float32Array(bodies.length * BOX);
+  let used = 0;
   const placed: number[] = [];
   const poses: number[] = [];
   bodies.forEach((body, i) => {
@@ -43,14 +44,14 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
     }
     const list = bullet.kept?.listOf(body.pointer) ?? -1;
     flags[i] = howIs(body) + HOW * (list < 0 ? NO_LIST : list);
-    if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes);
+    if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes, BOX * used++);
   });
   return {
     bodies: {
       ids: bodies.map(({ id }) => id),
       flags: pack(flags),
       states: pack(states),
-      boxes: pack(Float32Array.from(boxes)),
+      boxes: pack(boxes.subarray(0, BOX * used)),
       placed,
       poses: pack(Float64Array.from(poses)),
       list: bullet.kept?.list ?? 0,

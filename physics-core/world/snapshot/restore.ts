@@ -9,11 +9,8 @@ import type { BodiesWorld } from './bodies.js';
 import { loadNode, loadState } from './load.js';
 import { Lookup } from './lookup.js';
 import { faultOf } from './check.js';
-import type { SameWorld } from './same.js';
+import { isSame } from './same.js';
 import type { Snapshot } from './snapshot.js';
-
-/** What comes with the code of contacts: without it there is little that would be made anew for nothing. */
-export const comparing: { isSame?: (world: SameWorld, snapshot: Snapshot) => boolean } = {};
 
 /** The world that goes back to a snapshot, or becomes one. */
 export interface RestoredWorld extends BodiesWorld {
@@ -30,7 +27,7 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
   world.flush();
   const tellWoken = world.bodies.sleepers();
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
-  if (comparing.isSame?.(world, snapshot)) begin(world, snapshot);
+  if (isSame(world, snapshot)) begin(world, snapshot);
   else rebuild(world, snapshot);
   world.stepping.resume(snapshot.time, snapshot.taken);
   loadState(world, snapshot, slept);

@@ -6,7 +6,7 @@ import { isParked, type BodiesWorld } from './bodies.js';
 import { authoredIn, isLasting, type NodeState, type Snapshot } from './snapshot.js';
 
 /** The world that goes back. */
-export interface SameWorld extends BodiesWorld {
+interface SameWorld extends BodiesWorld {
   readonly accuracy: string;
   readonly control: { readonly parts: number };
 }

@@ -29,8 +29,8 @@ type Kind = 'BallJoint' | 'SingleAxisHingeJoint';
 function energy(links: readonly Body[], dt: number): number {
   let sum = 0;
   for (const body of links) {
-    const v = velocity(body);
-    const turning = rotate(conjugate(body.pose().q), spin(body));
+    const { linear: v, angular } = body.velocityAtOrigin();
+    const turning = rotate(conjugate(body.pose().q), angular);
     const { mass, moments } = body.mass;
     sum += (mass * dot(v, v)) / 2 + mass * G * (position(body)[1] - (v[1] * dt) / 2);
     for (let i = 0; i < 3; i++) sum += (moments[i]! * turning[i]! ** 2) / 2;
