@@ -8,7 +8,7 @@ import { BIN, runNode } from '../processes.js';
 import { filesOf, packageOf, projectOf } from './entries.js';
 
 /** Most of it is Bullet, three times: as it is, as text for bundlers that copy no file, and in the single script. */
-const BYTES = 1_530_000;
+const BYTES = 1_600_000;
 
 const tarballOf = (application) =>
   join(

@@ -5,6 +5,9 @@ import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js'
 import { contactShapes } from '../manifolds/effects.js';
 import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
+import { dot3 } from '../../base/flat-math.js';
+import { BULLETS_TURN } from '../../engine/turns.js';
+import { fullTurns } from '../flight/full-turns.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { resting } from '../rest/resting.js';
 import { BounceEnergy } from '../../solver/energy/bounce-energy.js';
@@ -403,10 +406,13 @@ export class ContactSolve extends Effect {
     this.#corners.tell(part.contacts);
   }
 
-  override solved(): void {
+  override solved(dt: number): void {
     const { ammo } = this.#simulation.engine;
     for (const part of this.#solved) {
-      for (const body of part.bodies) this.#write(body);
+      for (const body of part.bodies) {
+        this.#write(body);
+        this.#lookAfter(body, dt);
+      }
       for (const i of part.contacts) {
         setSolverDistanceAt(ammo, this.#contacts.pointers[i]!, this.#distances[i]!);
         this.#port.write(i);
@@ -414,6 +420,15 @@ export class ContactSolve extends Effect {
       if (part.jointed) for (const i of part.rows) this.#joints.keep(i);
       else this.#rolling.keep(part);
     }
+  }
+
+  /** Contacts may have spun it up within this step: it is to turn as far as that says. */
+  #lookAfter(body: number, dt: number): void {
+    const v = this.#bodies.velocities;
+    const at = body * SIZE + 3;
+    if (dot3(v, at, v, at) * dt * dt < BULLETS_TURN ** 2) return;
+    const node = this.#simulation.bodyAt(this.#bodies.pointers[body]!);
+    if (node) this.#effects.get(fullTurns).need(node);
   }
 
   #write(body: number): void {

@@ -277,10 +277,12 @@ export class JointSolve extends Effect {
   /** FALSE leaves joints to Bullet's own iterations: for comparing the two. */
   on = true;
 
+  readonly #touched = (body: Body): boolean => this.lastStep(body) > 0 && !this.#alone.has(body);
+
   /** What joints hold turns little in each part. */
   override parts(dt: number): number {
     if (this.#stale) this.#rebuild();
-    return this.#turns.parts(dt);
+    return this.#turns.parts(dt, this.#touched);
   }
 
   override beforeStep(dt: number): void {

@@ -1,5 +1,6 @@
 import { dot3 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
+import { turnsAlike } from '../../dynamics/inertia.js';
 import { levels } from '../../dynamics/levels.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
@@ -7,7 +8,9 @@ import { MOST_PARTS, MOST_TURN } from '../../solver/tolerances.js';
 
 /**
  * How far steps turn what joints hold. Where a body turns on within a step, its joints pull and its axes lie elsewhere at
- * the end of it: steps are split until all turn little in each part.
+ * the end of it: steps are split until all turn little in each part. What turns alike about every axis is spun up by what it
+ * touches, as the knots of a net that falls over something are, and keeps its spin however far it turns: that counts only
+ * where it hangs free.
  */
 export class StepTurns {
   readonly #simulation: Simulation;
@@ -21,8 +24,8 @@ export class StepTurns {
     this.#bodies = bodies;
   }
 
-  /** Into how many parts a step is to be split. */
-  parts(dt: number): number {
+  /** Into how many parts a step is to be split; `touched`: whether contacts acted on it in the last one. */
+  parts(dt: number, touched: (body: Body) => boolean): number {
     const { bodies } = this.#simulation;
     const { velocities } = bodies;
     let most = 0;
@@ -31,6 +34,7 @@ export class StepTurns {
       const at = body.slot * VELOCITY + 3;
       const square = dot3(velocities, at, velocities, at);
       if (!(square > most) || bodies.asleep(body)) continue;
+      if (turnsAlike(body.mass.moments) && touched(body)) continue;
       most = square;
       fastest = body;
     }

@@ -9,8 +9,6 @@ import {
   fact,
   position,
   sphere,
-  spin,
-  velocity,
   world,
   type Body,
   type Vec3,
