@@ -40,20 +40,17 @@ const views = () => globSync('elements/ui/*/view.ts');
 /** What only views need lies in their folder, so that it is whole: Ammo's glue is the only other package inside. */
 const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\//.test(id);
 
-const OF_CORE = /\/physics-core\/(inside|face\/shown)\.ts$/;
-
-const OF_BLOCKS =
-  /\/physics-core\/(base\/(cholesky|exact\/(asin|expm1))|solver\/joints\/blocks)\.ts$/;
+const OF_CORE =
+  /\/physics-core\/(inside|face\/shown|base\/cholesky|solver\/(tolerances|joints\/blocks))\.ts$/;
 
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
- * also runs without one. The little that joints, hands and contacts have in common comes with the first of them. What debug
- * drawing and measurement have in common with contacts stays in the file of these.
+ * also runs without one, with the little that joints, hands and contacts have in common. What debug drawing and measurement have in
+ * common with contacts stays in the file of these.
  */
 const together = (id) => {
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
   if (OF_CORE.test(id)) return 'core';
-  if (OF_BLOCKS.test(id)) return 'blocks';
   return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;
 };
 

@@ -164,7 +164,7 @@ export function loadContacts(ammo: Ammo, each: (visit: Visit) => void, kept: Int
     }
   }
   const { HEAP32, HEAPF32 } = ammo;
-  columnsOf(kept)!.forEach(({ at, same }, column) => {
+  columnsOf(kept)?.forEach(({ at, same }, column) => {
     const word = COLUMNS[column]!;
     for (let i = 0; i < pointers.length; i++)
       HEAP32[pointers[i]! + word] = kept[same ? at : at + numbers[i]!]!;

@@ -58,9 +58,9 @@ export class KeptWorld {
     return saveContacts(this.#ammo, (visit) => this.#bullet.eachManifoldInHeap(visit));
   }
 
-  /** Whether points in touch are such, of so many bodies. */
+  /** Whether points in touch are such, of so many bodies; none at all are those of a world without the code of contacts. */
   areContacts(kept: Int32Array, bodies: number): boolean {
-    return areContacts(kept, bodies);
+    return kept.length === 0 || areContacts(kept, bodies);
   }
 
   /** Bodies stand where they did; those that sleep are woken. */

@@ -14,7 +14,6 @@ const FILES: readonly [name: string, causes: string][] = [
   ['ammo.wasm', 'the first physics element: Bullet'],
   ['chunk-contact-code', `${contacts.causes}; debug lines and measurement look at contacts, too`],
   ['chunk-joint-code', joints.causes],
-  ['chunk-blocks', 'whichever of these two, or of drags, comes first'],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],
   ['chunk-hands', 'a body that may be dragged'],
