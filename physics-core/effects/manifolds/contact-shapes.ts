@@ -81,6 +81,11 @@ export class ContactShapes extends Effect {
     this.#writer = new ManifoldWriter(this.#ammo, this.#old, DEFAULT_FRICTION);
   }
 
+  /** What touches first is seen before `beforeStep` is: nothing of the world that was is to count then. */
+  override reset(): void {
+    this.#busy = false;
+  }
+
   override beforeStep(): void {
     if (!this.#simulation.engine.heapTrusted) return;
     this.#old.clear();
