@@ -223,6 +223,9 @@ export const PAUSE = 8;
 /** Radians that a step turns what joints hold: a wheel on an arm, at its steady precession, then stays level to 4 mm of 1 m. */
 export const MOST_TURN = 0.6;
 
+/** The same of what touches something: less than half a turn (wheels of a car at 60 m/s, `game`, in two parts). */
+export const MOST_TURN_IN_TOUCH = 2.5;
+
 /**
  * The same of what rolls on a ball that is not round its centre of mass: by longer steps a tippe top of 60 rad/s turns over
  * that should not (by parts of 0.19 rad it is right to 1 degree after 7 s).

@@ -38,7 +38,7 @@ export class FullTurns extends Effect {
     if (!(speed * dt > BULLETS_TURN)) return;
     const pose = this.#pose;
     const turn = this.#turn;
-    this.#spin.set(velocity.subarray(3));
+    for (let i = 0; i < 3; i++) this.#spin[i] = velocity[3 + i]!;
     reader.pose(body, pointer, pose, 0);
     writeTurn(turn, this.#spin, dt - turnByBullet(speed * dt) / speed);
     multiply4(turn, turn, 0, pose, 3);

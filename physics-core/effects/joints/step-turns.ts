@@ -1,16 +1,15 @@
 import { dot3 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
-import { turnsAlike } from '../../dynamics/inertia.js';
 import { levels } from '../../dynamics/levels.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
-import { MOST_PARTS, MOST_TURN } from '../../solver/tolerances.js';
+import { MOST_PARTS, MOST_TURN, MOST_TURN_IN_TOUCH } from '../../solver/tolerances.js';
 
 /**
  * How far steps turn what joints hold. Where a body turns on within a step, its joints pull and its axes lie elsewhere at
- * the end of it: steps are split until all turn little in each part. What turns alike about every axis is spun up by what it
- * touches, as the knots of a net that falls over something are, and keeps its spin however far it turns: that counts only
- * where it hangs free.
+ * the end of it: steps are split until all turn little in each part. What touches something is spun up and braked by that
+ * from step to step, and is worth no split world for its axis; it only must not turn by half a turn, which nobody could tell
+ * from one back.
  */
 export class StepTurns {
   readonly #simulation: Simulation;
@@ -28,20 +27,19 @@ export class StepTurns {
   parts(dt: number, touched: (body: Body) => boolean): number {
     const { bodies } = this.#simulation;
     const { velocities } = bodies;
-    let most = 0;
-    let fastest: Body | undefined;
+    // Of slower ones nothing else is asked.
+    const slow = (MOST_TURN / dt) ** 2;
+    let most = 1;
     for (const body of this.#bodies) {
       const at = body.slot * VELOCITY + 3;
       const square = dot3(velocities, at, velocities, at);
-      if (!(square > most) || bodies.asleep(body)) continue;
-      if (turnsAlike(body.mass.moments) && touched(body)) continue;
-      most = square;
-      fastest = body;
+      if (!(square > slow) || bodies.asleep(body)) continue;
+      const turn = Math.sqrt(square) * dt;
+      const parts = turn / (touched(body) ? MOST_TURN_IN_TOUCH : MOST_TURN);
+      if (parts > MOST_PARTS) reportTooFast(body, turn / dt, dt);
+      most = Math.max(most, parts);
     }
-    const spin = Math.sqrt(most);
-    const parts = (spin * dt) / MOST_TURN;
-    if (fastest && parts > MOST_PARTS) reportTooFast(fastest, spin, dt);
-    return parts;
+    return most;
   }
 }
 

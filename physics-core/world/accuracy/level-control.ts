@@ -77,7 +77,9 @@ export class LevelControl {
 
   /** Splits the step that begins: a power of two, so that what depends on its length seldom is another. */
   split(parts: number): number {
-    const now = parts > 1 ? Math.min(MOST_PARTS, 2 ** Math.ceil(Math.log2(parts))) : 1;
+    // Logarithms are as each browser has them.
+    let now = 1;
+    while (now < parts && now < MOST_PARTS) now *= 2;
     if (now === this.parts) return now;
     this.parts = now;
     this.configureSolver();

@@ -9,6 +9,7 @@ import { loadState, STATE } from '../../engine/kept-bodies.js';
 import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
 import { compose7, dot3 } from '../../base/flat-math.js';
+import type { Effect } from '../../effects/effect/effect.js';
 import { fullTurns } from '../../effects/flight/full-turns.js';
 import { FAR_TURN } from '../../engine/turns.js';
 import { invert, type Pose } from '../../base/math.js';
@@ -294,11 +295,16 @@ export class BodySlots implements BodyTable {
   /** Who went or turned far in the step before may do so no more. */
   #judgeFast(): void {
     const { registry: effects } = this.#world;
-    for (const effect of [effects.caused(continuousCollision), effects.caused(fullTurns)])
-      for (const node of effect?.causes ?? []) {
-        const body = node as BodyNode;
-        if (body.active && body.isDynamic && !this.asleep(body)) this.#judge(body, body.slot);
-      }
+    this.#judgeCauses(effects.caused(continuousCollision));
+    this.#judgeCauses(effects.caused(fullTurns));
+  }
+
+  #judgeCauses(effect: Effect | undefined): void {
+    if (!effect) return;
+    for (const node of effect.causes) {
+      const body = node as BodyNode;
+      if (body.active && body.isDynamic && !this.asleep(body)) this.#judge(body, body.slot);
+    }
   }
 
   /** What is carried along may push others. */
