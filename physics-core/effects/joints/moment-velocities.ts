@@ -36,9 +36,9 @@ export class MomentVelocities {
     this.#own = new ComponentSolve(simulation, solver.bodies);
   }
 
-  /** Bodies and joints are numbered anew. */
+  /** Bodies and joints are numbered anew. The list of those who number them gets gaps where joints go; this one keeps them. */
   take(bodies: Body[], joints: readonly Joint[], edges: Edge[], forest: Forest): void {
-    this.#numbering = { bodies, joints, edges, forest };
+    this.#numbering = { bodies, joints: [...joints], edges, forest };
     this.#numbers = undefined;
   }
 
