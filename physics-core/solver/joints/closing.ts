@@ -45,8 +45,9 @@ export class Closing {
     }
     if (this.#loops && !this.better) this.give = Math.max(FIRST_GIVE, this.give * 30);
     else if (this.give > 0) this.give = this.give > FIRST_GIVE ? this.give / 3 : 0;
-    if (this.#loops && worst > CLOSING_PROGRESS * this.#least) this.#slow++;
-    else this.#slow = 0;
+    // A round that is undone and tried again with more give says nothing about what is left to gain.
+    if (worst <= CLOSING_PROGRESS * this.#least) this.#slow = 0;
+    else if (this.#loops && this.better) this.#slow++;
     this.#least = Math.min(this.#least, worst);
     return this.#round++ < CLOSING_ROUNDS && this.#slow < CLOSING_TRIES && this.give < MOST_GIVE;
   }
