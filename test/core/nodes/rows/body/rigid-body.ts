@@ -587,4 +587,18 @@ export const rows: Row[] = [
       assert.deepEqual({ ...counts(w), patched: 0 }, { ...before, patched: 0 });
     },
   })),
+  {
+    effect: 'full turns',
+    fact: 'a ball that turns by most of a turn in a step turns as far as its spin says',
+    run: async () => {
+      const w = await world(WEIGHTLESS);
+      const turn = 1.6 * Math.PI;
+      const ball = addBody(w, { angularVelocity: [0, 0, turn / w.timeStep] });
+      for (let i = 1; i <= 10; i++) {
+        w.step();
+        const [, , z, angle] = ball.get('orientation') as [number, number, number, number];
+        close(Math.cos(z * angle - turn * i), 1, 1e-6, 'cosine of what is missing');
+      }
+    },
+  },
 ];
