@@ -66,6 +66,8 @@ export interface Body extends SimulationNode {
   readonly solidParts: readonly CollidablePart[];
   /** The least extent of anything solid of it, metres; Infinity where it is all triangles. */
   readonly leastExtent: number;
+  /** How far anything solid of it reaches from its centre of mass, metres. */
+  readonly reach: number;
 
   // ---- what acts on it --------------------------------------------------------------------------------------------
 

@@ -12,7 +12,7 @@ import { flight } from './flight/flight.js';
 import { forces } from './flight/forces.js';
 import { fullTurns } from './flight/full-turns.js';
 import { gyroscopic } from './flight/gyroscopic.js';
-import { continuousCollision, impactPropagation } from './hits/effects.js';
+import { continuousCollision, impactPropagation, sweptEnds } from './hits/effects.js';
 import { jointSolve, motors, stops, suspension } from './joints/effects.js';
 import { contactShapes } from './manifolds/effects.js';
 import { inOrder } from './effect/order.js';
@@ -32,6 +32,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   stops,
   impactPropagation,
   continuousCollision,
+  sweptEnds,
   pairFilter,
   jointSolve,
   contactSurface,

@@ -10,8 +10,9 @@ import { PairFilter } from './contacts/pair-filter.js';
 import { Carrying } from './drag/carrying.js';
 import { carrying } from './drag/effects.js';
 import { ContinuousCollision } from './hits/continuous-collision.js';
-import { continuousCollision, impactPropagation } from './hits/effects.js';
+import { continuousCollision, impactPropagation, sweptEnds } from './hits/effects.js';
 import { ImpactPropagation } from './hits/impact-propagation.js';
+import { SweptEnds } from './hits/swept-ends.js';
 import { ContactShapes } from './manifolds/contact-shapes.js';
 import { contactShapes } from './manifolds/effects.js';
 
@@ -22,6 +23,7 @@ export function provideContactEffects(): void {
   contactSolve.found = touching;
   contactSolve.load = (simulation, effects) => new ContactSolve(simulation, effects);
   continuousCollision.load = (simulation) => new ContinuousCollision(simulation);
+  sweptEnds.load = (simulation) => new SweptEnds(simulation);
   impactPropagation.load = (simulation, effects) => new ImpactPropagation(simulation, effects);
   carrying.load = (simulation, effects) => new Carrying(simulation, effects);
   contactReader.load = (simulation, effects) => new ContactReader(simulation, effects);

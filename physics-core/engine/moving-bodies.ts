@@ -17,6 +17,8 @@ export class MovingBodies {
   velocities = new Float64Array(16 * VELOCITY);
   /** Squares of ways, m²: who goes farther in a step is looked at by itself. NaN: so is who sleeps, or is not known yet. */
   limits = new Float64Array(16);
+  /** Squares of turns, rad²: the same of who turns farther. */
+  turnLimits = new Float64Array(16);
 
   /** A slot that is free: nothing is known of it. */
   take(slot: number): void {
@@ -37,6 +39,7 @@ export class MovingBodies {
     this.pointers = grownInt(this.pointers, room);
     this.velocities = grown(this.velocities, room * VELOCITY);
     this.limits = grown(this.limits, room);
+    this.turnLimits = grown(this.turnLimits, room);
     const asleep = new Uint8Array(room);
     asleep.set(this.asleep);
     this.asleep = asleep;

@@ -2,7 +2,6 @@ import type { Ammo } from './ammo.js';
 import { writeOrientation } from './heap.js';
 import { VELOCITY, type MovingBodies } from './moving-bodies.js';
 import { ACTIVATION, BODY } from './offsets.js';
-import { FAR_TURN } from './turns.js';
 
 /** Numbers per pose: x y z, then the quaternion x y z w. */
 const POSE = 7;
@@ -13,8 +12,6 @@ const O = BODY.origin >> 2;
 const B = BODY.basis >> 2;
 const V = BODY.linearVelocity >> 2;
 const W = BODY.angularVelocity >> 2;
-
-const FAR_TURN_SQUARED = FAR_TURN ** 2;
 
 /** The mark of a slot whose body just moved. */
 export const MOVED = 2;
@@ -60,7 +57,7 @@ export class StatePass {
    */
   all(ammo: Ammo, moving: MovingBodies, { current, marks }: Poses, dt: number): void {
     const { HEAP32, HEAPF32 } = ammo;
-    const { slots, pointers, velocities, limits } = moving;
+    const { slots, pointers, velocities, limits, turnLimits } = moving;
     this.#begin(slots);
     const { aside } = this;
     const turned = this.#turned;
@@ -87,7 +84,7 @@ export class StatePass {
       // One NaN or infinity shows in the sum. Bullet makes a rotation of a quaternion: what is in one of it is in all.
       const turn = (wx * wx + wy * wy + wz * wz) * dt * dt;
       const sum = way + (x + y + z) + (wx + wy + wz + trace);
-      if (!(way <= limits[slot]!) || turn > FAR_TURN_SQUARED || sum - sum !== 0) {
+      if (!(way <= limits[slot]!) || turn > turnLimits[slot]! || sum - sum !== 0) {
         aside[asideCount++] = slot;
         continue;
       }

@@ -1,10 +1,8 @@
-import { lengthOf } from '../../base/exact/index.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
-import { conjugate, rotate, subtract, type Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable, CollidablePart } from '../../dynamics/collidable.js';
-import { boxOf } from './part-box.js';
+import { distanceTo, within } from './part-box.js';
 
 /**
  * The number among the solid parts of a body of the one that a contact point lies on; `side` 0 is the manifold's first
@@ -51,13 +49,4 @@ function meshNumberAt(body: Body, position: Vec3): number {
     }
   });
   return nearest;
-}
-
-const within = ({ p, q }: Pose, point: Vec3): Vec3 => rotate(conjugate(q), subtract(point, p));
-
-/** From the box around a part to a point in the body's frame. */
-function distanceTo(part: CollidablePart, point: Vec3): number {
-  const { min, max } = boxOf(part);
-  const local = within(part.pose, point);
-  return lengthOf(local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
 }

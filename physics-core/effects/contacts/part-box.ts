@@ -1,5 +1,8 @@
+import { lengthOf } from '../../base/exact/index.js';
+import { add, conjugate, rotate, subtract, type Pose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
+import type { Vec3 } from '../../fields/types.js';
 import type { Bounds } from '../../shapes/bounds.js';
 import { boxAround } from '../../shapes/meshes.js';
 
@@ -20,4 +23,29 @@ export function thicknessOf(body: Body): number {
     return max.map((value, i) => value - min[i]!);
   });
   return Math.min(Infinity, ...extents);
+}
+
+/** How far anything solid of a body reaches from its centre of mass, metres. */
+export function reachOf(body: Body): number {
+  let most = 0;
+  for (const part of body.solidParts) {
+    const { min, max } = boxOf(part);
+    for (let k = 0; k < 8; k++) {
+      const corner = max.map((value, i) => (k & (1 << i) ? min[i]! : value)) as Vec3;
+      const { p, q } = part.pose;
+      most = Math.max(most, lengthOf(subtract(add(p, rotate(q, corner)), body.centerOfMass.p)));
+    }
+  }
+  return most;
+}
+
+/** A point as it is seen from a pose. */
+export const within = ({ p, q }: Pose, point: Vec3): Vec3 =>
+  rotate(conjugate(q), subtract(point, p));
+
+/** From the box around a part to a point in the body's frame, metres. */
+export function distanceTo(part: CollidablePart, point: Vec3): number {
+  const { min, max } = boxOf(part);
+  const local = within(part.pose, point);
+  return lengthOf(local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
 }

@@ -5,24 +5,17 @@ import { compose7 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { Effect, type Numbered } from '../effect/effect.js';
+import { areJoined, FastBodies } from './fast-bodies.js';
 
 /** Of the greatest ball within a body: a little less does not catch on the floor that it slides along. */
 const BALL = 0.9;
 
-/** Two bodies of one joint don't collide, which a sweep does not know. */
-function areJoined({ joints }: Body, other: Body): boolean {
-  for (const { attached, body1, body2 } of joints)
-    if (attached && (body1 === other || body2 === other)) return true;
-  return false;
-}
-
 /**
  * Looks what lies on the way of bodies that pass more than half their own size in a step. Bullet's own way stops them
  * short and takes much of the speed that they should bounce with; here what they passed is a hit at its own time, as any
- * other. It is a ball within the body that is sent: the ends of a long one that turns may still miss what they should hit.
+ * other. It is a ball within the body that is sent: what its ends strike as it turns is found by `swept ends`.
  */
-export class ContinuousCollision extends Effect {
+export class ContinuousCollision extends FastBodies {
   readonly #simulation: Simulation;
   readonly #from = new Float64Array(POSE);
   readonly #pose = new Float64Array(POSE);
@@ -36,23 +29,6 @@ export class ContinuousCollision extends Effect {
   /** A body will go far in the next step. */
   override need(body: Body, reason = 'passes more than half its size in a step'): void {
     super.need(body, reason);
-  }
-
-  override reset(): void {
-    for (const cause of [...this.causes]) this.release(cause);
-  }
-
-  /** In the order in which they became so fast: it is the one in which they are sent. */
-  override save(): number[] | undefined {
-    return this.active ? [...this.causes].map((cause) => (cause as Body).id) : undefined;
-  }
-
-  override load(kept: readonly number[], nodes: Numbered): void {
-    this.reset();
-    for (const id of kept) {
-      const body = nodes.body(id);
-      if (body) this.need(body);
-    }
   }
 
   /** Calls `visit` with a contact point for each that has passed something in the step, as deep as it came since. */

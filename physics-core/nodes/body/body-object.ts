@@ -1,7 +1,7 @@
 import { hypot } from '../../base/exact/index.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
 import type { NodePart } from '../collision/collidable.js';
-import { thicknessOf } from '../../effects/contacts/part-box.js';
+import { reachOf, thicknessOf } from '../../effects/contacts/part-box.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
 import { setMobility } from '../../engine/body-state.js';
 import type { BtBody } from '../../engine/heap.js';
@@ -27,6 +27,7 @@ export class BodyObject {
   solidParts: NodePart[] = [];
   /** Their least extent, metres, once it was asked for. */
   #leastExtent: number | undefined;
+  #reach: number | undefined;
 
   constructor(node: BodyNode) {
     this.#node = node;
@@ -64,7 +65,7 @@ export class BodyObject {
   #makeShape(): BtShape {
     const { shape, parts } = shapeOf(this.#node, this.#shapeOwner!);
     this.solidParts = parts;
-    this.#leastExtent = undefined;
+    this.#leastExtent = this.#reach = undefined;
     return shape;
   }
 
@@ -128,6 +129,10 @@ export class BodyObject {
   /** Asked for in every step: looked up once for a shape. */
   get leastExtent(): number {
     return (this.#leastExtent ??= thicknessOf(this.#node));
+  }
+
+  get reach(): number {
+    return (this.#reach ??= reachOf(this.#node));
   }
 
   /** Half the diagonal of the box around it, metres. */

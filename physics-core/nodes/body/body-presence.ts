@@ -1,6 +1,6 @@
 import { contactReader } from '../../effects/contacts/effects.js';
 import { dragging } from '../../effects/drag/dragging.js';
-import { continuousCollision } from '../../effects/hits/effects.js';
+import { continuousCollision, sweptEnds } from '../../effects/hits/effects.js';
 import type { BodyNode } from './body.js';
 
 /** Whether a body stands in the world: as its fields say, and as long as its numbers are finite. */
@@ -47,6 +47,7 @@ export class BodyPresence {
     for (const joint of node.joints) joint.bodyGone();
     node.object.leave();
     node.world.registry.find(continuousCollision)?.release(node);
+    node.world.registry.find(sweptEnds)?.release(node);
   }
 
   /** A step left it without finite numbers: back to the last good pose, and out of the world until it is edited. */

@@ -94,6 +94,10 @@ export class BodyNode extends PhysicsNode implements Body {
     return this.object.leastExtent;
   }
 
+  get reach(): number {
+    return this.object.reach;
+  }
+
   // ---- life -------------------------------------------------------------------------------------------------------
 
   protected override create(): boolean {

@@ -1,7 +1,7 @@
 import { carrying } from '../../effects/drag/effects.js';
 import { debugging } from '../../effects/debug/debugging.js';
 import { contacts } from '../../effects/effect/chunks.js';
-import { continuousCollision, FAR } from '../../effects/hits/effects.js';
+import { continuousCollision, FAR, sweptEnds } from '../../effects/hits/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { MovingBodies, VELOCITY } from '../../engine/moving-bodies.js';
@@ -163,6 +163,9 @@ export class BodySlots implements BodyTable {
     const spin = dot3(v, at + 3, v, at + 3) * timeStep * timeStep;
     if (spin > FAR_TURN ** 2) effects.get(fullTurns).need(body);
     else effects.caused(fullTurns)?.release(body);
+    if (spin > 0 && spin > turnOfEnds(body) ** 2 && contacts.here)
+      effects.get(sweptEnds).need(body);
+    else effects.caused(sweptEnds)?.release(body);
   }
 
   // ---- going back -----------------------------------------------------------------------------------------------------
@@ -296,6 +299,7 @@ export class BodySlots implements BodyTable {
   #judgeFast(): void {
     const { registry: effects } = this.#world;
     this.#judgeCauses(effects.caused(continuousCollision));
+    this.#judgeCauses(effects.caused(sweptEnds));
     this.#judgeCauses(effects.caused(fullTurns));
   }
 
@@ -354,6 +358,7 @@ export class BodySlots implements BodyTable {
     const { current } = this.#poses;
     if (isCentred(centerOfMass)) {
       this.moving.limits[slot] = (FAR * body.leastExtent) ** 2;
+      this.moving.turnLimits[slot] = Math.min(FAR_TURN, turnOfEnds(body)) ** 2;
       current.set(centre, slot * POSE);
     } else {
       // From the centre of mass, which Bullet moves, to the body's origin.
@@ -366,4 +371,7 @@ export class BodySlots implements BodyTable {
 }
 
 /** Whether the centre of mass is the body's origin, and its axes are the body's. */
+/** Radians by which a body may turn before its ends go far, if they are as far out as anything of it. */
+const turnOfEnds = ({ leastExtent, reach }: BodyNode): number => (FAR * leastExtent) / reach;
+
 const isCentred = ({ p, q }: Pose): boolean => p[0] === 0 && p[1] === 0 && p[2] === 0 && q[3] === 1;
