@@ -17,6 +17,7 @@ export interface Addition {
 const drifting: Scene = { body: { useGlobalGravity: false, linearVelocity: [0, 1, 0] } };
 const falling: Scene = {};
 const slabs = { geometry: [box(1, 2, 0.5)], angularVelocity: [0.1, 3, 0.1] };
+const rods = { geometry: [box(0.6, 0.02, 0.02)] };
 const standing: Scene = { floor: true };
 const onAxles: Scene = { joint: ['DoubleAxisHingeJoint', { axis1: [0, 1, 0], axis2: [0, 0, 1] }] };
 
@@ -86,6 +87,12 @@ export const additions: readonly Addition[] = [
     by: 'bodies that fly 0.8 m in a step',
     without: drifting,
     with: { body: { useGlobalGravity: false, linearVelocity: [0, 100, 0] } },
+  },
+  {
+    effect: 'swept ends',
+    by: 'thin rods that turn at 20 rad/s, with nothing within reach',
+    without: { body: { ...drifting.body, ...rods, angularVelocity: [0, 0.2, 0] } },
+    with: { body: { ...drifting.body, ...rods, angularVelocity: [0, 20, 0] } },
   },
   {
     effect: 'joint solve',

@@ -13,6 +13,9 @@ import { FAR } from './effects.js';
 import { speedOfEnds } from './ends.js';
 import { areJoined, FastBodies } from './fast-bodies.js';
 
+/** Bullet meets what comes nearer than this share of the smaller one's reach (gContactBreakingThreshold): so far it looks ahead. */
+const AHEAD = 0.02;
+
 /**
  * Ends of rods, blades and spokes go round so fast that they would be before a thing at the beginning of a step and behind it
  * at the end. Where something lies within their reach the step is split, so that in each part they go no farther than both
@@ -65,7 +68,7 @@ export class SweptEnds extends FastBodies {
     return [x!, y!, z!];
   }
 
-  /** The least extent of anything that it may strike in the step, metres; Infinity where there is nothing. */
+  /** Of anything that it may strike in the step the least extent and how far ahead it is met, metres; Infinity where there is nothing. */
   #thinnest(body: Body, dt: number): number {
     const { bodies, poses } = this.#simulation;
     const at = body.slot * VELOCITY;
@@ -75,7 +78,9 @@ export class SweptEnds extends FastBodies {
     let least = Infinity;
     for (const other of bodies) {
       if (other === body || !other.active) continue;
-      const thickness = Number.isFinite(other.leastExtent) ? other.leastExtent : 0;
+      // All of it triangles.
+      const solid = Number.isFinite(other.leastExtent) ? other.leastExtent : 0;
+      const thickness = solid + AHEAD * Math.min(body.reach, other.reach);
       if (thickness >= least || areJoined(body, other)) continue;
       if (this.#isWithin(reach, other)) least = thickness;
     }
@@ -101,6 +106,6 @@ function reportTooFast(body: Body, speed: number, dt: number, parts: number): vo
     attribute: 'angularVelocity',
     value: speed,
     used: `${MOST_PARTS} parts of each step`,
-    message: `${body.label} has ends that go ${Math.round(speed)} m/s and may pass through thin things at this accuracy; ${better ? `accuracy="${better.name}" or better finds what they strike` : 'no accuracy finds what they strike'}`,
+    message: `${body.label} has ends that go ${Number(speed.toPrecision(2))} m/s and may pass through thin things at this accuracy; ${better ? `accuracy="${better.name}" or better finds what they strike` : 'no accuracy finds what they strike'}`,
   });
 }
