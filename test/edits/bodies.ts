@@ -99,7 +99,8 @@ export const offsetEdits: Record<string, Edit> = {
   rotation: shapeEdits.rotation!,
   collidable: {
     values: [use('looseShape'), use('looseBox')],
-    changes: ['pole~parts', 'pole~shape', 'pole~mass', '?pole~groups', '@meeting'],
+    // Its ends are other ones.
+    changes: ['pole~parts', 'pole~shape', 'pole~mass', '?pole~effects', '?pole~groups', '@meeting'],
     stays: ['.collidable', 'pole~parts', 'pole~mass', 'pole~effects', 'pole~groups', '@meeting'],
   },
 };
