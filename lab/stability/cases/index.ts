@@ -2,9 +2,11 @@ import type { StabilityCase } from '../case.js';
 import { chains } from './chains.js';
 import { clocks } from './clocks.js';
 import { edits } from './edits.js';
+import { lettingGo } from './letting-go.js';
 import { heaps } from './heaps.js';
 import { mechanisms } from './mechanisms.js';
 import { speeds } from './speeds.js';
+import { spins } from './spins.js';
 import { loads, structures, towers } from './standing.js';
 import { values } from './values.js';
 
@@ -15,10 +17,12 @@ export const themes: Record<string, readonly StabilityCase[]> = {
   Loads: loads,
   Structures: structures,
   'Fast things': speeds,
+  Spin: spins,
   Heaps: heaps,
   'Hard values': values,
   Clocks: clocks,
   Mechanisms: mechanisms,
+  'Letting go': lettingGo,
   Edits: edits,
 };
 

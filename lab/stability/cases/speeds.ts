@@ -51,11 +51,9 @@ export const speeds: StabilityCase[] = [
   bullet('S9 ball', 'a ball of 2 cm at 300 m/s never passes a wall of 2 cm', sphere(0.01)),
   bullet('S9 box', 'a box of 2 cm at 300 m/s never passes a wall of 2 cm', box(0.02)),
   bullet('S9 arrow', 'an arrow at 300 m/s never passes a wall of 2 cm', box(0.1, 0.01, 0.01)),
-  // Bullets are followed along their way and not as they turn. The post is 9 cm wide for the rod: where a step takes the
-  // tip further, it is hit or missed by chance. At 76 m/s a step of `reference` is 8 cm.
-  blade('S10', 40, 'reference'),
-  // 6 cm in a step of `fine`.
-  blade('S10 slow', 8, 'fine'),
+  // Steps are split while the post lies within reach of its ends.
+  blade('S10', 40, 'game'),
+  blade('S10 slow', 8, 'game'),
   {
     id: 'S15',
     says: 'a needle of 10 m that strikes a floor does not spin up',

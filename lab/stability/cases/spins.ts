@@ -1,0 +1,120 @@
+import { atan2, cos, sin } from '../../../physics-core/base/exact/index.js';
+import type { StabilityCase } from '../case.js';
+import {
+  addBody,
+  addHinge,
+  addJoint,
+  atTheEnd,
+  box,
+  greatest,
+  most,
+  position,
+  spin,
+  type Body,
+} from '../scene.js';
+
+// What spins faster than a step can follow in one piece.
+
+const G = 9.8;
+
+/** A wheel on an arm on a ball joint, set off at its steady precession: its weight by its spin, about the vertical. */
+const gyroscope = (rate: number): StabilityCase => ({
+  id: `gyroscope ${rate}`,
+  says: `a wheel of ${rate} rad/s on an arm of 1 m stays level and goes round as its weight turns it`,
+  load: { of: 'radians in a second', ratio: rate },
+  seconds: 0.5,
+  criterion: { what: 'farthest from level, or from its way round', unit: 'm', most: 5e-3 },
+  promisedFrom: 'game',
+  scene(w) {
+    const [mass, radius] = [2, 0.5];
+    const precession = (mass * G) / (((mass * radius ** 2) / 2) * rate);
+    const wheel = addBody(w, {
+      mass,
+      position: [1, 0, 0],
+      orientation: [0, 0, 1, -Math.PI / 2],
+      angularVelocity: [rate, precession, 0],
+      linearVelocity: [0, 0, -precession],
+      geometry: [{ type: 'Cylinder', radius, height: 0.1 }],
+    });
+    addJoint(w, 'BallJoint', { body1: wheel, anchorPoint: [0, 0, 0] });
+    return greatest(() => {
+      const [x, y, z] = position(wheel);
+      const angle = precession * w.time;
+      return most([Math.abs(y), Math.hypot(x - cos(angle), z + sin(angle))]);
+    });
+  },
+});
+
+const blade = box(1, 0.05, 0.1);
+
+/** Of its spin about y, and of none about the others, as a share. */
+const strays = (body: Body, rate: number): number => {
+  const [x, y, z] = spin(body);
+  return Math.hypot(x, y - rate, z) / rate;
+};
+
+/** The angle about y between where it points and where it would. */
+function behind(body: Body, angle: number): number {
+  const [x, y, z, turned] = body.get('orientation') as [number, number, number, number];
+  // Twice about y: half of it is half of that.
+  const heading = 2 * atan2(y * sin(turned / 2), cos(turned / 2));
+  const off = heading - angle;
+  return Math.hypot(x * sin(turned / 2), z * sin(turned / 2)) + Math.abs(atan2(sin(off), cos(off)));
+}
+
+export const spins: StabilityCase[] = [
+  ...[60, 300, 1000].map(gyroscope),
+  {
+    id: 'free blade',
+    says: 'a blade of 300 rad/s on a free hinge keeps its spin and its axis',
+    load: { of: 'radians in a second', ratio: 300 },
+    seconds: 2,
+    criterion: { what: 'off, of its spin', unit: '', most: 1e-4 },
+    promisedFrom: 'game',
+    scene(w) {
+      const body = addBody(w, { angularVelocity: [0, 300, 0], geometry: [blade] });
+      addHinge(w, { body1: body, axis: [0, 1, 0] });
+      return greatest(() => strays(body, 300));
+    },
+  },
+  {
+    id: 'driven blade',
+    says: 'a blade that a motor drives to 300 rad/s turns about its hinge alone',
+    load: { of: 'radians in a second', ratio: 300 },
+    seconds: 2,
+    criterion: { what: 'off, of its spin', unit: '', most: 2e-3 },
+    promisedFrom: 'game',
+    work: 'a motor drives it',
+    scene(w) {
+      const body = addBody(w, { geometry: [blade] });
+      addHinge(w, { body1: body, axis: [0, 1, 0] });
+      const motor = addJoint(w, 'MotorJoint', {
+        body1: body,
+        motor1Axis: [0, 1, 0],
+        axis1Torque: 0,
+      });
+      return atTheEnd(() => strays(body, 300), {
+        before: () => {
+          // Enough to stop within a frame, but no more.
+          const wanted = 2 * (300 - spin(body)[1]);
+          motor.set('axis1Torque', Math.max(-50, Math.min(50, wanted)));
+        },
+      });
+    },
+  },
+  {
+    id: 'free slab',
+    says: 'a slab and a cube of 300 rad/s turn as far as they spin',
+    load: { of: 'radians in a second', ratio: 300 },
+    seconds: 0.5,
+    criterion: { what: 'farthest from where it would point', unit: 'rad', most: 2e-3 },
+    promisedFrom: 'game',
+    world: { gravity: [0, 0, 0] },
+    scene(w) {
+      const bodies = [box(1, 0.2, 0.5), box(1)].map((geometry, i) =>
+        addBody(w, { position: [3 * i, 0, 0], angularVelocity: [0, 300, 0], geometry: [geometry] }),
+      );
+      return greatest(() => most(bodies.map((body) => behind(body, 300 * w.time))));
+    },
+  },
+];
