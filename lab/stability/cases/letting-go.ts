@@ -6,10 +6,14 @@ import {
   addHinge,
   addJoint,
   box,
+  distance,
+  greatest,
   height,
   most,
+  moved,
   position,
   sphere,
+  velocity,
   type Body,
   type Joint,
 } from '../scene.js';
@@ -91,16 +95,89 @@ const hangs = (id: string, says: string, go: (string: ReturnType<typeof hang>) =
     return { bodies: string.balls, letGo: () => go(string) };
   });
 
+/** Of their middle: the mean, as their masses are equal. */
+const middle = (bodies: Body[], of: (body: Body) => number[]): number[] =>
+  [0, 1, 2].map((axis) => bodies.reduce((sum, body) => sum + of(body)[axis]!, 0) / bodies.length);
+
+/** The middle of what is below the cut goes on as a stone that is thrown. */
+const cutInMidSwing: StabilityCase = {
+  id: 'cut in mid-swing',
+  says: 'a string of balls that swings flies off as it went when its upper joint goes',
+  seconds: HANGING / 60 + FALL,
+  criterion: { what: 'their middle, farthest from the path of a throw', unit: 'm', most: 1e-3 },
+  promisedFrom: 'game',
+  work: WORK,
+  scene(w) {
+    const { balls, joints } = hang(w);
+    let thrown: { at: number[]; by: number[]; begun: number } | undefined;
+    const path = (seconds: number): number[] =>
+      thrown!.at.map(
+        (at, axis) => at + thrown!.by[axis]! * seconds - (axis === 1 ? (G * seconds ** 2) / 2 : 0),
+      );
+    const look = () => {
+      if (!thrown) return 0;
+      return distance(middle(balls, position), path(w.time - thrown.begun));
+    };
+    return greatest(look, {
+      before: (_, frame) => {
+        if (frame === 0) balls[2]!.applyImpulse([3, 0, 1]);
+        if (frame !== HANGING) return;
+        thrown = { at: middle(balls, position), by: middle(balls, velocity), begun: w.time };
+        joints[0]!.remove();
+      },
+    });
+  },
+};
+
+/** What hangs pulls at its joints by another weight, and hangs on. */
+const heavier: StabilityCase = {
+  id: 'mass changes',
+  says: 'a string of balls hangs on where it hung when its lowest ball becomes a hundred times as heavy',
+  load: { of: 'masses', ratio: 100 },
+  seconds: 1,
+  criterion: { what: 'farthest from its place', unit: 'm', most: 1e-3 },
+  promisedFrom: 'game',
+  work: WORK,
+  scene(w) {
+    const { balls } = hang(w);
+    return greatest(moved(balls), {
+      before: (_, frame) => {
+        if (frame === HANGING) balls[2]!.set('mass', 100);
+      },
+    });
+  },
+};
+
+/** The string once it sleeps. */
+const cutAsleep: StabilityCase = {
+  world: { rest: 'auto' },
+  ...falls(
+    'cut asleep',
+    'a string of balls that hangs asleep falls at once when its upper joint goes',
+    ASLEEP,
+    (w) => {
+      const { balls, joints } = hang(w);
+      const ready = (): boolean => balls.every(({ sleeping }) => sleeping);
+      return { bodies: balls, letGo: () => joints[0]!.remove(), ready };
+    },
+  ),
+};
+
 /** Ten boxes on a floor, asleep. */
-const lies = (id: string, says: string, go: (floor: Body) => void): StabilityCase => ({
+const lies = (
+  id: string,
+  says: string,
+  go: (floor: Body, collidable: ReturnType<World['add']>) => void,
+): StabilityCase => ({
   world: { rest: 'auto' },
   ...falls(id, `ten boxes asleep on a floor fall at once when it ${says}`, ASLEEP, (w) => {
-    const floor = addFloor(w);
+    const collidable = w.add('CollidableShape', { shape: [box(60, 1, 60)] });
+    const floor = addFloor(w, 0, { geometry: [collidable] });
     const bodies = Array.from({ length: 10 }, (_, i) =>
       addBody(w, { position: [0, 0.5 + i, 0], geometry: [box(1)] }),
     );
     const ready = (): boolean => bodies.every(({ sleeping }) => sleeping);
-    return { bodies, letGo: () => go(floor), ready };
+    return { bodies, letGo: () => go(floor, collidable), ready };
   }),
 });
 
@@ -148,6 +225,9 @@ export const lettingGo: StabilityCase[] = [
   hangs('anchor loose', 'that body may move, and falls with it', ({ block }) =>
     block.set('fixed', false),
   ),
+  cutAsleep,
+  cutInMidSwing,
+  heavier,
   drifts(
     'gravity begins',
     'two rods on a hinge follow a gravity that begins, from its instant',
@@ -170,4 +250,10 @@ export const lettingGo: StabilityCase[] = [
   lies('floor disabled', 'is disabled', (floor) => floor.set('enabled', false)),
   lies('floor moved', 'is moved away', (floor) => floor.set('position', [0, -50, 0])),
   lies('floor loose', 'is fixed no more', (floor) => floor.set('fixed', false)),
+  lies('floor reshaped', 'is made a small box beside them', (floor) =>
+    floor.set('geometry', [{ ...box(0.1), translation: [40, 0, 0] }]),
+  ),
+  lies('collidable disabled', 'is there but its collidable is disabled', (_, collidable) =>
+    collidable.set('enabled', false),
+  ),
 ];

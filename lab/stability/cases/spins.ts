@@ -1,7 +1,9 @@
 import { atan2, cos, sin } from '../../../physics-core/base/exact/index.js';
+import type { World } from '../../../physics-core/inside.js';
 import type { StabilityCase } from '../case.js';
 import {
   addBody,
+  addFloor,
   addHinge,
   addJoint,
   atTheEnd,
@@ -9,7 +11,9 @@ import {
   greatest,
   most,
   position,
+  sphere,
   spin,
+  velocity,
   type Body,
 } from '../scene.js';
 
@@ -60,6 +64,57 @@ function behind(body: Body, angle: number): number {
   const heading = 2 * atan2(y * sin(turned / 2), cos(turned / 2));
   const off = heading - angle;
   return Math.hypot(x * sin(turned / 2), z * sin(turned / 2)) + Math.abs(atan2(sin(off), cos(off)));
+}
+
+const RADIUS = 0.3;
+
+/** A chassis on four wheels that roll along x as fast as it goes. */
+function addCar(w: World, speed: number) {
+  w.add('CollisionCollection', { collidables: '*', frictionCoefficients: [0.8, 0.8], bounce: 0 });
+  const linearVelocity = [speed, 0, 0];
+  const chassis = addBody(w, {
+    mass: 800,
+    position: [0, 0.5, 0],
+    linearVelocity,
+    geometry: [box(3, 0.4, 1.2)],
+  });
+  const places = [-1.2, 1.2].flatMap((x) => [-0.75, 0.75].map((z) => [x, RADIUS, z]));
+  const wheels = places.map((anchorPoint) => {
+    const wheel = addBody(w, {
+      mass: 20,
+      position: anchorPoint,
+      orientation: [1, 0, 0, Math.PI / 2],
+      linearVelocity,
+      angularVelocity: [0, 0, -speed / RADIUS],
+      geometry: [{ type: 'Cylinder', radius: RADIUS, height: 0.2 }],
+    });
+    addHinge(w, { body1: chassis, body2: wheel, anchorPoint, axis: [0, 0, 1] });
+    return wheel;
+  });
+  return { chassis, wheels };
+}
+
+/** A ball whose mass lies a little below its middle, and that spins about the vertical. */
+function addTippeTop(w: World, rate: number): Body {
+  const [radius, mass] = [0.02, 0.02];
+  const across = (131 / 350) * mass * radius ** 2;
+  const about = 0.4 * mass * radius ** 2;
+  w.add('CollisionCollection', { collidables: '*', frictionCoefficients: [0.3, 0.3], bounce: 0 });
+  return addBody(w, {
+    mass,
+    position: [0, radius, 0],
+    orientation: [0, 0, 1, 0.1],
+    centerOfMass: [0, -0.003, 0],
+    inertia: [across, 0, 0, 0, about, 0, 0, 0, across],
+    angularVelocity: [0, rate, 0],
+    geometry: [sphere(radius)],
+  });
+}
+
+/** Radians between its own axis and the vertical. */
+function leanOf(body: Body): number {
+  const { q } = body.pose();
+  return 2 * atan2(Math.hypot(q[0], q[2]), Math.hypot(q[1], q[3]));
 }
 
 export const spins: StabilityCase[] = [
@@ -115,6 +170,49 @@ export const spins: StabilityCase[] = [
         addBody(w, { position: [3 * i, 0, 0], angularVelocity: [0, 300, 0], geometry: [geometry] }),
       );
       return greatest(() => most(bodies.map((body) => behind(body, 300 * w.time))));
+    },
+  },
+  {
+    id: 'free ball',
+    says: 'a ball of 1000 rad/s turns as far as it spins',
+    load: { of: 'radians in a second', ratio: 1000 },
+    seconds: 0.5,
+    criterion: { what: 'farthest from where it would point', unit: 'rad', most: 2e-3 },
+    promisedFrom: 'game',
+    world: { gravity: [0, 0, 0] },
+    scene(w) {
+      const ball = addBody(w, { angularVelocity: [0, 1000, 0] });
+      return greatest(() => behind(ball, 1000 * w.time));
+    },
+  },
+  {
+    id: 'car',
+    says: 'a car that goes 60 m/s along a floor loses nothing, and its wheels roll on',
+    load: { of: 'radians in a second', ratio: 200 },
+    seconds: 1,
+    criterion: { what: 'speed lost or gained, of its speed', unit: '', most: 1e-3 },
+    promisedFrom: 'game',
+    scene(w) {
+      addFloor(w, 0, { geometry: [box(400, 1, 20)] });
+      const { chassis, wheels } = addCar(w, 60);
+      return greatest(() => {
+        const rims = wheels.map((wheel) => -spin(wheel)[2] * RADIUS);
+        return most([velocity(chassis)[0], ...rims].map((speed) => Math.abs(speed / 60 - 1)));
+      });
+    },
+  },
+  {
+    id: 'tippe top',
+    says: 'a tippe top of 90 rad/s is too slow to stand up',
+    load: { of: 'radians in a second', ratio: 90 },
+    seconds: 3,
+    // It begins at 0.1; a fourth-order Runge-Kutta with Coulomb's friction has up to 9 degrees after seven seconds.
+    criterion: { what: 'greatest lean', unit: 'rad', most: 0.14 },
+    promisedFrom: 'game',
+    scene(w) {
+      addFloor(w);
+      const top = addTippeTop(w, 90);
+      return greatest(() => leanOf(top));
     },
   },
 ];
