@@ -232,5 +232,11 @@ export const MOST_TURN_IN_TOUCH = 2.5;
  */
 export const MOST_TURN_ON_BALL = 0.2;
 
+/**
+ * What comes nearer than this share of the smaller one's reach is met as if it touched: Bullet's gContactBreakingThreshold.
+ * Ends of sheets, which have no thickness, may go so far in a part of a step (sheets that lie on each other split none).
+ */
+export const MET_AHEAD = 0.02;
+
 /** Parts, at most, that a step is split into: 1000 rad/s have 0.52 rad in each at `game`. */
 export const MOST_PARTS = 32;

@@ -1,20 +1,16 @@
-import { compose7 } from '../../base/flat-math.js';
-import { conjugate, rotate, subtract } from '../../base/math.js';
-import { lengthOf } from '../../base/exact/index.js';
+import { compose7, dot3 } from '../../base/flat-math.js';
+import { conjugate, rotate } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import { levels } from '../../dynamics/levels.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
 import type { Vec3 } from '../../fields/types.js';
-import { MOST_PARTS } from '../../solver/tolerances.js';
+import { MET_AHEAD, MOST_PARTS } from '../../solver/tolerances.js';
 import { distanceTo, within } from '../contacts/part-box.js';
 import { FAR } from './effects.js';
 import { speedOfEnds } from './ends.js';
 import { areJoined, FastBodies } from './fast-bodies.js';
-
-/** Bullet meets what comes nearer than this share of the smaller one's reach (gContactBreakingThreshold): so far it looks ahead. */
-const AHEAD = 0.02;
 
 /**
  * Ends of rods, blades and spokes go round so fast that they would be before a thing at the beginning of a step and behind it
@@ -57,43 +53,46 @@ export class SweptEnds extends FastBodies {
   }
 
   #speed(body: Body): number {
-    const [x, y, z] = this.#spin(body);
-    const { q } = body.poseInBullet();
-    return speedOfEnds(body, rotate(conjugate(q), [x, y, z]));
-  }
-
-  #spin({ slot }: Body): Vec3 {
-    const at = slot * VELOCITY + 3;
-    const [x, y, z] = this.#simulation.bodies.velocities.subarray(at, at + 3);
-    return [x!, y!, z!];
+    const { velocities } = this.#simulation.bodies;
+    const at = body.slot * VELOCITY + 3;
+    const spin: Vec3 = [velocities[at]!, velocities[at + 1]!, velocities[at + 2]!];
+    return speedOfEnds(body, rotate(conjugate(body.poseInBullet().q), spin));
   }
 
   /** Of anything that it may strike in the step the least extent and how far ahead it is met, metres; Infinity where there is nothing. */
   #thinnest(body: Body, dt: number): number {
     const { bodies, poses } = this.#simulation;
+    const { moving, velocities } = bodies;
     const at = body.slot * VELOCITY;
-    const [x, y, z] = bodies.velocities.subarray(at, at + 3);
-    const reach = body.reach + dt * lengthOf([x!, y!, z!]);
+    const reach = body.reach + dt * Math.sqrt(dot3(velocities, at, velocities, at));
     compose7(this.#centre, 0, poses.current, body.slot * POSE, body.centerOfMass);
     let least = Infinity;
-    for (const other of bodies) {
-      if (other === body || !other.active) continue;
+    for (let slot = 0; slot < moving.slots; slot++) {
+      const other = bodies.in(slot);
+      if (!other?.active || other === body || !this.#isNear(other, reach)) continue;
       // All of it triangles.
       const solid = Number.isFinite(other.leastExtent) ? other.leastExtent : 0;
-      const thickness = solid + AHEAD * Math.min(body.reach, other.reach);
+      const thickness = solid + MET_AHEAD * Math.min(body.reach, other.reach);
       if (thickness >= least || areJoined(body, other)) continue;
       if (this.#isWithin(reach, other)) least = thickness;
     }
     return least;
   }
 
+  /** Whether balls around both meet: most are far, and cost no more than this. */
+  #isNear(other: Body, reach: number): boolean {
+    const centre = this.#centre;
+    const place = this.#other;
+    compose7(place, 0, this.#simulation.poses.current, other.slot * POSE, other.centerOfMass);
+    let square = 0;
+    for (let i = 0; i < 3; i++) square += (place[i]! - centre[i]!) ** 2;
+    return square <= (reach + other.reach) ** 2;
+  }
+
+  /** Whether a box around any of its parts is met. */
   #isWithin(reach: number, other: Body): boolean {
-    compose7(this.#other, 0, this.#simulation.poses.current, other.slot * POSE, other.centerOfMass);
     const [x, y, z] = this.#centre;
-    const from: Vec3 = [x!, y!, z!];
-    const [a, b, c] = this.#other;
-    if (lengthOf(subtract(from, [a!, b!, c!])) > reach + other.reach) return false;
-    const point = within(other.poseInBullet(), from);
+    const point = within(other.poseInBullet(), [x!, y!, z!]);
     return other.solidParts.some((part) => distanceTo(part, point) <= reach);
   }
 }

@@ -370,8 +370,8 @@ export class BodySlots implements BodyTable {
   }
 }
 
-/** Whether the centre of mass is the body's origin, and its axes are the body's. */
 /** Radians by which a body may turn before its ends go far, if they are as far out as anything of it. */
 const turnOfEnds = ({ leastExtent, reach }: BodyNode): number => (FAR * leastExtent) / reach;
 
+/** Whether the centre of mass is the body's origin, and its axes are the body's. */
 const isCentred = ({ p, q }: Pose): boolean => p[0] === 0 && p[1] === 0 && p[2] === 0 && q[3] === 1;
