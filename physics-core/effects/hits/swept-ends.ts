@@ -12,6 +12,9 @@ import { FAR } from './effects.js';
 import { speedOfEnds } from './ends.js';
 import { areJoined, FastBodies } from './fast-bodies.js';
 
+/** Numbers per ball: its middle and its radius. */
+const BALL = 4;
+
 /**
  * Ends of rods, blades and spokes go round so fast that they would be before a thing at the beginning of a step and behind it
  * at the end. Where something lies within their reach the step is split, so that in each part they go no farther than both
@@ -19,8 +22,9 @@ import { areJoined, FastBodies } from './fast-bodies.js';
  */
 export class SweptEnds extends FastBodies {
   readonly #simulation: Simulation;
-  readonly #centre = new Float64Array(POSE);
-  readonly #other = new Float64Array(POSE);
+  readonly #place = new Float64Array(POSE);
+  /** Balls around all bodies where the step begins, by slot: side by side in memory, since each that is fast asks all. */
+  #balls = new Float64Array(0);
 
   constructor(simulation: Simulation) {
     super();
@@ -36,6 +40,7 @@ export class SweptEnds extends FastBodies {
   }
 
   override parts(dt: number): number {
+    this.#takeBalls();
     let most = 1;
     for (const node of this.causes) {
       const body = node as Body;
@@ -44,10 +49,26 @@ export class SweptEnds extends FastBodies {
     return most;
   }
 
+  #takeBalls(): void {
+    const { bodies, poses } = this.#simulation;
+    const { slots } = bodies.moving;
+    if (this.#balls.length < slots * BALL) this.#balls = new Float64Array(2 * slots * BALL);
+    for (let slot = 0; slot < slots; slot++) {
+      const body = bodies.in(slot);
+      // No distance is less than NaN.
+      this.#balls[slot * BALL + 3] = body?.active ? body.reach : NaN;
+      if (!body?.active) continue;
+      compose7(this.#place, 0, poses.current, slot * POSE, body.centerOfMass);
+      for (let i = 0; i < 3; i++) this.#balls[slot * BALL + i] = this.#place[i]!;
+    }
+  }
+
   #of(body: Body, dt: number): number {
+    const thinnest = this.#thinnest(body, dt);
+    if (thinnest === Infinity) return 1;
     const way = this.#speed(body) * dt;
     if (!(way > FAR * body.leastExtent)) return 1;
-    const parts = way / (FAR * (body.leastExtent + this.#thinnest(body, dt)));
+    const parts = way / (FAR * (body.leastExtent + thinnest));
     if (parts > MOST_PARTS) reportTooFast(body, way / dt, dt, parts);
     return parts;
   }
@@ -61,39 +82,36 @@ export class SweptEnds extends FastBodies {
 
   /** Of anything that it may strike in the step the least extent and how far ahead it is met, metres; Infinity where there is nothing. */
   #thinnest(body: Body, dt: number): number {
-    const { bodies, poses } = this.#simulation;
-    const { moving, velocities } = bodies;
+    const { moving, velocities } = this.#simulation.bodies;
+    const balls = this.#balls;
     const at = body.slot * VELOCITY;
     const reach = body.reach + dt * Math.sqrt(dot3(velocities, at, velocities, at));
-    compose7(this.#centre, 0, poses.current, body.slot * POSE, body.centerOfMass);
+    const own = body.slot * BALL;
+    const x = balls[own]!;
+    const y = balls[own + 1]!;
+    const z = balls[own + 2]!;
     let least = Infinity;
     for (let slot = 0; slot < moving.slots; slot++) {
-      const other = bodies.in(slot);
-      if (!other?.active || other === body || !this.#isNear(other, reach)) continue;
-      // All of it triangles.
-      const solid = Number.isFinite(other.leastExtent) ? other.leastExtent : 0;
-      const thickness = solid + MET_AHEAD * Math.min(body.reach, other.reach);
-      if (thickness >= least || areJoined(body, other)) continue;
-      if (this.#isWithin(reach, other)) least = thickness;
+      const ball = slot * BALL;
+      const dx = balls[ball]! - x;
+      const dy = balls[ball + 1]! - y;
+      const dz = balls[ball + 2]! - z;
+      if (!(dx * dx + dy * dy + dz * dz <= (reach + balls[ball + 3]!) ** 2)) continue;
+      least = Math.min(least, this.#thicknessOf(slot, body, reach));
     }
     return least;
   }
 
-  /** Whether balls around both meet: most are far, and cost no more than this. */
-  #isNear(other: Body, reach: number): boolean {
-    const centre = this.#centre;
-    const place = this.#other;
-    compose7(place, 0, this.#simulation.poses.current, other.slot * POSE, other.centerOfMass);
-    let square = 0;
-    for (let i = 0; i < 3; i++) square += (place[i]! - centre[i]!) ** 2;
-    return square <= (reach + other.reach) ** 2;
-  }
-
-  /** Whether a box around any of its parts is met. */
-  #isWithin(reach: number, other: Body): boolean {
-    const [x, y, z] = this.#centre;
+  /** Infinity where it can't be met. */
+  #thicknessOf(slot: number, body: Body, reach: number): number {
+    const other = this.#simulation.bodies.in(slot)!;
+    if (other === body || areJoined(body, other)) return Infinity;
+    const [x, y, z] = this.#balls.subarray(body.slot * BALL, body.slot * BALL + 3);
     const point = within(other.poseInBullet(), [x!, y!, z!]);
-    return other.solidParts.some((part) => distanceTo(part, point) <= reach);
+    if (!other.solidParts.some((part) => distanceTo(part, point) <= reach)) return Infinity;
+    // All of it may be triangles.
+    const solid = Number.isFinite(other.leastExtent) ? other.leastExtent : 0;
+    return solid + MET_AHEAD * Math.min(body.reach, other.reach);
   }
 }
 
