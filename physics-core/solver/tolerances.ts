@@ -112,7 +112,7 @@ export const FIRM_COMPLIANCE = 1e-9;
 export const LEAST_COMPLIANCE = 1e-12;
 
 /**
- * Products of blocks in one factor: a tenth of a second. A net of 40 × 40 balls has 1.4 million; 230 joints on one body
+ * Products of blocks in one factor: a tenth of a second. A net of 40 × 40 balls has 620,000; 230 joints on one body
  * that close loops, which all act on each other, have as many as this.
  */
 export const MOST_PRODUCTS = 2e6;

@@ -94,6 +94,7 @@ export class SparseCholesky {
     let to = this.#blockAt[target]!;
     let row = this.#blockAt[a]!;
     const first = this.#blockAt[b]!;
+    if (n === POINT && height === POINT && width === POINT) return reducePoint(l, to, row, first);
     if (n === POINT) return reducePoints(l, to, row, row + height * n, first, first + width * n);
     for (let r = 0; r < height; r++, row += n) {
       let column = first;
@@ -189,4 +190,35 @@ function reducePoints(
     const z = l[row + 2]!;
     for (let c = first; c < last; c += POINT) l[to++]! -= x * l[c]! + y * l[c + 1]! + z * l[c + 2]!;
   }
+}
+
+/** A block of three rows and columns -= a bᵀ: nearly all that the factor of a net takes. */
+function reducePoint(l: Float64Array, to: number, row: number, column: number): void {
+  const a = l[column]!;
+  const b = l[column + 1]!;
+  const c = l[column + 2]!;
+  const d = l[column + 3]!;
+  const e = l[column + 4]!;
+  const f = l[column + 5]!;
+  const g = l[column + 6]!;
+  const h = l[column + 7]!;
+  const i = l[column + 8]!;
+  let x = l[row]!;
+  let y = l[row + 1]!;
+  let z = l[row + 2]!;
+  l[to] = l[to]! - (x * a + y * b + z * c);
+  l[to + 1] = l[to + 1]! - (x * d + y * e + z * f);
+  l[to + 2] = l[to + 2]! - (x * g + y * h + z * i);
+  x = l[row + 3]!;
+  y = l[row + 4]!;
+  z = l[row + 5]!;
+  l[to + 3] = l[to + 3]! - (x * a + y * b + z * c);
+  l[to + 4] = l[to + 4]! - (x * d + y * e + z * f);
+  l[to + 5] = l[to + 5]! - (x * g + y * h + z * i);
+  x = l[row + 6]!;
+  y = l[row + 7]!;
+  z = l[row + 8]!;
+  l[to + 6] = l[to + 6]! - (x * a + y * b + z * c);
+  l[to + 7] = l[to + 7]! - (x * d + y * e + z * f);
+  l[to + 8] = l[to + 8]! - (x * g + y * h + z * i);
 }
