@@ -11,7 +11,7 @@ export const SMOKE: Record<string, string> = {
   S4: '7045ab299b964342',
   'S9 box': '66031e45cb47e0b5',
   S20: '0eba00b41f2e8ede',
-  S21: 'b653eed682b2f18c',
+  S21: '3d5aab959c4b5214',
 };
 
 const STEPS = 240;

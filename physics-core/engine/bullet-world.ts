@@ -29,6 +29,8 @@ export interface SolverSettings {
   direct: boolean;
   /** Blocks of matrices that a step may spend on what touches and moves. */
   effort: number;
+  /** Share of its speed that what hangs together and touches may miss by. */
+  miss: number;
 }
 
 const modeOf = ({ givenFrictionDirections, twoFrictionDirections }: SolverSettings): number =>

@@ -289,6 +289,7 @@ export class ContactSolve extends Effect {
       return;
     }
     this.#contacts.count = this.#rows.count = 0;
+    this.#solvers.matrix.loose = this.#simulation.bullet.settings.miss;
     this.#reader.begin(dt);
     this.#rolling.begin();
     const { parts, ways } = this.#ways;

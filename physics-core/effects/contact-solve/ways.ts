@@ -63,7 +63,7 @@ export class Ways {
     let { effort } = this.#simulation.bullet.settings;
     if (effort === Infinity) return false;
     for (let i = 0; i < all.count && effort >= 0; i++)
-      if (this.#moves(all.at(i))) effort -= this.#blocksOf(all.at(i));
+      if (this.#moves(all.at(i))) effort -= this.#movingBlocksOf(all.at(i));
     return effort < 0;
   }
 
@@ -73,6 +73,20 @@ export class Ways {
     if (manifolds.length === 0 || looped) return false;
     if (hangs && this.#blocksOf(part) <= this.#simulation.bullet.settings.effort) return false;
     return this.#fasterOf(bodies, FALL, swiftnessSquared) > 0;
+  }
+
+  /** Of what moves in it, on the diagonal of its matrix: bodies, and points in touch of which one moves. */
+  #movingBlocksOf({ bodies, manifolds }: Part): number {
+    const { ammo } = this.#simulation.engine;
+    let blocks = this.#fasterOf(bodies, FALL, swiftnessSquared);
+    for (const manifold of manifolds)
+      if (this.#isMoving(bodyAAt(ammo, manifold)) || this.#isMoving(bodyBAt(ammo, manifold)))
+        blocks += pointCountAt(ammo, manifold);
+    return blocks;
+  }
+
+  #isMoving(pointer: number): boolean {
+    return swiftnessSquared(this.#simulation.engine.ammo, pointer) > FALL ** 2;
   }
 
   /** Of its matrix, on the diagonal: bodies, and points in touch. */

@@ -19,6 +19,7 @@ import { SIZE } from '../matrix/block-cholesky.js';
 import {
   CREEPING,
   CREEPING_OF_MANY,
+  FALL,
   LINE_FLAT,
   LINE_TRIES,
   MANY,
@@ -52,6 +53,8 @@ export class Newton {
   #miss = MISS;
   #nearly = 0;
   #still = STILL;
+  /** Share of its speed, or of what weight gives in a step, that what hangs together may miss by, besides. */
+  loose = 0;
   /** Matrices that it may factor, and did. */
   #most = Infinity;
   used = 0;
@@ -104,8 +107,10 @@ export class Newton {
     this.#matrix.begin(part);
     const many = part.bodies.length > MANY;
     this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
-    const speed = many ? this.#bodies.fastestOf(part.bodies) : 0;
+    const loose = part.jointed ? this.loose : 0;
+    const speed = many || loose > 0 ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
+    this.#miss += loose * (speed + FALL);
     this.#nearly = many ? NEARLY * this.#miss : 0;
     this.#still = STILL + STILL_SHARE * speed;
     this.#readMisses();

@@ -61,5 +61,6 @@ export function solverSettings(
     // Who says how often Bullet is to iterate wants its iterations.
     direct: !settings.authored('iterations'),
     effort: level.effort,
+    miss: level.miss,
   };
 }

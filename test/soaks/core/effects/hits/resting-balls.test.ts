@@ -65,15 +65,16 @@ function greatestOverlap(balls: Body[]): number {
   return greatest;
 }
 
-fact('a hundred balls that bounce lie no deeper in each other than those that do not', async () => {
-  const depths: number[] = [];
-  for (const bounce of [0, 0.5]) {
-    const w = await world();
-    const balls = heap(w);
-    w.add('CollisionCollection', { collidables: '*', bounce });
-    w.advance(4);
-    depths.push(greatestOverlap(balls));
-  }
-  // It was 0.26 m, without bounce some millimetres. While a heap still moves, depths differ by chance.
-  below(depths[1]!, depths[0]! + 0.01, `m, without bounce ${depths[0]}`);
-});
+fact(
+  'a hundred balls in a shaft lie no deeper in each other than a step goes, bounce or not',
+  async () => {
+    for (const bounce of [0, 0.5]) {
+      const w = await world();
+      const balls = heap(w);
+      w.add('CollisionCollection', { collidables: '*', bounce });
+      w.advance(4);
+      // It was 0.26 m with bounce. What still falls onto others does so at some 3 m/s.
+      below(greatestOverlap(balls), 3 * w.timeStep, `m, bounce ${bounce}`);
+    }
+  },
+);
