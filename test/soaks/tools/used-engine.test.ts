@@ -1,7 +1,15 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { createWorld, type World } from '../../../physics-core/inside.js';
+import fc from 'fast-check';
+import { stabilityCases } from '../../../lab/stability/cases/index.js';
+import { fetchGlue, loadAmmo } from '../../../physics-core/engine/ammo.js';
+import { Engine } from '../../../physics-core/engine/engine.js';
+import { loadEngine, World } from '../../../physics-core/inside.js';
+import { BodyNode } from '../../../physics-core/nodes/body/body.js';
+import { editsPlan } from '../../fuzz/edits-plan.js';
+import { plan, type Plan } from '../../fuzz/plan.js';
+import { Scene } from '../../fuzz/scene.js';
 import { usedGlue } from '../../../tools/engine/used-glue.js';
 import { usedWasm } from '../../../tools/engine/used-wasm.js';
 import { globSync } from '../../../tools/files.js';
@@ -35,21 +43,73 @@ test('it and its wasm are at least a seventh smaller than all of Ammo', () => {
   assert.ok(usedWasm().length < (readFileSync(WASM).length * 6) / 7);
 });
 
-/** Boxes, a mesh and a chain that fall on a floor, for two seconds. */
-async function played(wasmBinary: Uint8Array): Promise<World> {
-  const world = await createWorld({ gravity: [0, -9.8, 0], wasmBinary });
-  world.add('RigidBody', { fixed: true, geometry: [{ type: 'Box', size: [20, 1, 20] }] });
-  const cone = { type: 'Cone', bottomRadius: 0.5, height: 1 };
-  const shapes = [{ type: 'Box' }, { type: 'Sphere' }, cone, { type: 'Cylinder' }];
-  const bodies = shapes.map((geometry, i) =>
-    world.add('RigidBody', { position: [i * 1.7, 3 + i, 0.1 * i], geometry: [geometry] }),
-  );
-  world.add('BallJoint', { body1: bodies[0], body2: bodies[1], anchorPoint: [0.8, 3.5, 0] });
-  world.advance(2);
+/** One with a heap of its own. */
+async function engineOf(wasm: Uint8Array<ArrayBuffer>): Promise<Engine> {
+  const program = await WebAssembly.compile(wasm);
+  return new Engine(await loadAmmo(await fetchGlue(), program), { program });
+}
+
+/** Ammo, and what pages have of it. With the code of all effects. */
+async function engines(): Promise<[Engine, Engine]> {
+  await loadEngine();
+  return Promise.all([engineOf(new Uint8Array(readFileSync(WASM))), engineOf(usedWasm())]);
+}
+
+function started(engine: Engine, fields: Record<string, unknown>): World {
+  const world = new World({ console: false });
+  world.add('RigidBodyCollection', fields);
+  world.start(engine);
   return world;
 }
 
-test('with it everything moves as with all of Ammo, to the last bit', async () => {
-  const [all, used] = await Promise.all([played(readFileSync(WASM)), played(usedWasm())]);
-  assert.deepEqual(used.snapshot(), all.snapshot());
+/** What there is to tell two runs apart by, to the last bit. */
+const stateOf = (world: World): string =>
+  JSON.stringify([...world.nodes].filter((node) => node instanceof BodyNode).map((body) => {
+    const { p, q } = body.pose();
+    return [p, q, [...world.bodies.velocityOf(body)]];
+  }));
+
+/** Plays a plan in each, step by step. */
+function compare(both: readonly Engine[], plan: Plan): void {
+  const { gravity, level: accuracy } = plan;
+  const worlds = both.map((engine) => started(engine, { gravity, accuracy }));
+  const scenes = worlds.map((world) => new Scene(world, plan));
+  for (let step = 0; step < plan.steps; step++) {
+    for (const scene of scenes) scene.step(step, plan.edits);
+    const [all, used] = worlds.map(stateOf);
+    assert.equal(used, all, `step ${step} of ${JSON.stringify(plan)}`);
+  }
+  for (const world of worlds) world.destroy();
+}
+
+test('Bullet has the layout and the stages there that the core knows', async () => {
+  for (const { heapTrusted, stages } of await engines())
+    assert.deepEqual([heapTrusted, stages !== undefined], [true, true]);
+});
+
+// Every node with random fields, every geometry, edits of all kinds while it runs, drags, rays, snapshots and removals.
+test('150 random scenes move there as with all of Ammo, to the last bit', async () => {
+  const both = await engines();
+  const plans = fc.sample(fc.oneof(plan, editsPlan), { seed: 35, numRuns: 150 });
+  for (const each of plans) compare(both, each);
+});
+
+// Those that break engines: stacks, chains, machines, meshes, things that spin, edits of what is in touch.
+test('so does each scene of the stability matrix, for a second', async () => {
+  const both = await engines();
+  for (const { id, scene, world: fields = {} } of stabilityCases) {
+    const worlds = both.map((engine) => started(engine, fields));
+    const plays = worlds.map((world) => scene(world));
+    for (let frame = 0; frame < 60; frame++) {
+      for (const [i, play] of plays.entries()) {
+        play.before?.(frame / 60, frame);
+        if (play.pass) play.pass();
+        else worlds[i]!.advance(1 / 60);
+        play.after?.();
+      }
+    }
+    const [all, used] = worlds.map(stateOf);
+    assert.equal(used, all, id);
+    for (const world of worlds) world.destroy();
+  }
 });
