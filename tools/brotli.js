@@ -1,4 +1,5 @@
 // What is built, packed by Brotli beside it: `ammo.wasm.br` for servers that answer with such files and pack nothing themselves.
+import { Buffer } from 'node:buffer';
 import { writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';

@@ -2,7 +2,7 @@
 import binaryen from 'binaryen';
 
 const { NopId, UnreachableId, ConstId, CallId, CallIndirectId, LoadId, StoreId } = binaryen;
-const { LocalGetId, LocalSetId } = binaryen;
+const { LocalGetId, LocalSetId, BinaryId, SubInt32 } = binaryen;
 
 /** Where an expression has other expressions, whichever it is. */
 const PARTS = [
@@ -23,6 +23,9 @@ const KNOWN = new Set(
 const WORD = 4;
 
 const ANY_SLOT = -1;
+
+/** Bytes from where objects lead to the words before: see `data.js`. */
+const HEADS = [-4, -8];
 
 /** What a function takes and answers: a call by number reaches those of its own type alone. */
 export const typeOf = ({ params, results }) => `${params}>${results}`;
@@ -47,23 +50,30 @@ const partsOf = (info) =>
 class Body {
   /** Names of functions that it calls. */
   calls = new Set();
-  /** Numbers that stand in it, and those that it adds to addresses. */
+  /** Numbers that stand in it. */
   numbers = new Set();
+  /** Those that it adds to addresses. */
+  offsets = new Set();
   /** Types of what it calls by number. */
   types = new Set();
   /** Of these, what it calls by the number that stands in a slot of a table to which an object leads. */
   slots = new Set();
   /** Types of what it may call by the number in any such slot. */
   anySlot = new Set();
+  /** Whether it may read what stands in such a table before its functions: what an object is. */
+  readsHeads = false;
   #parameters;
   /** What each variable is given. */
   #given = new Map();
   #calledByNumber = [];
+  /** Reckoned addresses. */
+  #pointers = [];
 
   constructor({ params, body }) {
     this.#parameters = binaryen.expandType(params).length;
     this.#read(body);
     for (const call of this.#calledByNumber) this.#noteTarget(call);
+    this.readsHeads = this.#pointers.some((pointer) => this.#isHead(pointer));
   }
 
   #read(expression) {
@@ -86,12 +96,24 @@ class Body {
     if (type === binaryen.i32) this.numbers.add(value);
     if (type !== binaryen.i64) return;
     // It may be two words that are written at once.
-    for (const shift of [0n, 32n]) this.numbers.add(Number(BigInt.asIntN(32, BigInt(value) >> shift)));
+    for (const shift of [0n, 32n])
+      this.numbers.add(Number(BigInt.asIntN(32, BigInt(value) >> shift)));
   }
 
   #noteAddress({ offset, ptr }) {
     const { id, value } = infoOf(ptr);
-    this.numbers.add(id === ConstId ? offset + value : offset);
+    if (id === ConstId) this.numbers.add(offset + value);
+    else this.offsets.add(offset);
+    if (id === BinaryId) this.#pointers.push(ptr);
+  }
+
+  /** `load(load(object) - 4)` */
+  #isHead(pointer) {
+    const { op, left, right } = infoOf(pointer);
+    const { id, value } = infoOf(right);
+    const from = infoOf(left);
+    const isRead = from.id === LocalSetId ? infoOf(from.value).id === LoadId : this.#isRead(from);
+    return isRead && id === ConstId && HEADS.includes(op === SubInt32 ? -value : value);
   }
 
   #noteTarget({ target, ...call }) {

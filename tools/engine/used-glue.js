@@ -65,8 +65,7 @@ class Glue {
   }
 
   #class(variable) {
-    if (!this.classes.has(variable))
-      this.classes.set(variable, { methods: [], statements: [] });
+    if (!this.classes.has(variable)) this.classes.set(variable, { methods: [], statements: [] });
     return this.classes.get(variable);
   }
 

@@ -1,9 +1,10 @@
-// ammo.wasm as pages get it: without the functions that only bindings led to which the core does not call, and without those
-// that nothing can reach (reach.js). What stays is as it was, instruction for instruction: so are the bits of every motion.
+// ammo.wasm as pages get it: without the functions that only bindings led to which the core does not call, and without
+// functions and data that nothing can reach then (reach.js). What stays is as it was, instruction for instruction: so are
+// the bits of every motion.
 import { Buffer } from 'node:buffer';
 import { readFileSync } from 'node:fs';
 import binaryen from 'binaryen';
-import { FIRST, listOf } from './data.js';
+import { FIRST, listOf, without } from './data.js';
 import { reached } from './reach.js';
 import { SOURCES, usedGlue } from './used-glue.js';
 
@@ -16,8 +17,8 @@ const CUT = 'cut';
 const made = new Map();
 
 /**
- * The same bytes for all that a build puts them into. `sources`: those that call it by name, where they are more than the core, as
- * in the tests; what is called by number is that of pages then, too, so that a test which comes to what was cut fails.
+ * The same bytes for all that a build puts them into. `sources`: those that call it by name, where they are more than the
+ * core, as in the tests; what is called by number is that of pages then, too, so that a test fails that comes to what was cut.
  */
 export function usedWasm(sources = SOURCES) {
   const key = sources.join();
@@ -26,18 +27,22 @@ export function usedWasm(sources = SOURCES) {
 }
 
 function make(sources) {
-  const names = within(SOURCES, reached);
-  return within(sources, (module) => {
-    cut(module, names);
-    removeUnused(module);
-    return Buffer.from(module.emitBinary());
+  const all = readFileSync(WASM);
+  return within(all, SOURCES, (used) => {
+    const { names, unread } = reached(used);
+    return within(without(all, used, unread), sources, (module) => {
+      cut(module, names);
+      removeUnused(module);
+      return Buffer.from(module.emitBinary());
+    });
   });
 }
 
-/** What `act` makes of ammo.wasm without what no source calls. */
-function within(sources, act) {
-  const module = binaryen.readBinary(readFileSync(WASM));
-  for (const name of usedGlue(readFileSync(GLUE, 'utf8'), sources).unused) module.removeExport(name);
+/** What `act` makes of the wasm without what no source calls. */
+function within(wasm, sources, act) {
+  const module = binaryen.readBinary(wasm);
+  for (const name of usedGlue(readFileSync(GLUE, 'utf8'), sources).unused)
+    module.removeExport(name);
   removeUnused(module);
   const result = act(module);
   module.dispose();

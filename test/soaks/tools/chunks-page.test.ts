@@ -13,8 +13,12 @@ test(
   'docs/chunks.md has the files as they are built: npm run docs:chunks writes it',
   { skip },
   () => {
-    const rows = readFileSync(PAGE, 'utf8').matchAll(/^\| (\S+) \| ([\d.]+) \| ([\d.]+) \| (.*) \|$/gm);
-    const written = new Map([...rows].map(([, name, bytes, brotli, causes]) => [name, { bytes, brotli, causes }]));
+    const rows = readFileSync(PAGE, 'utf8').matchAll(
+      /^\| (\S+) \| ([\d.]+) \| ([\d.]+) \| (.*) \|$/gm,
+    );
+    const written = new Map(
+      [...rows].map(([, name, bytes, brotli, causes]) => [name, { bytes, brotli, causes }]),
+    );
     const built = builtFiles();
     assert.deepEqual(
       [...written.keys()],
