@@ -78,7 +78,9 @@ function textAt(words, address) {
 /** Its second word leads to its name. */
 const nameOf = (words, kind) => textAt(words, words.get(kind + WORD));
 
+/** Its first word alone does not tell: behind another such address the data has 0.02, which contacts are kept by. */
 const isKind = (words, address) =>
+  /^\w+$/.test(nameOf(words, address)) &&
   nameOf(words, words.get(words.get(address) - WORD)).startsWith(RUNTIME);
 
 function hasHead(words, begin) {
