@@ -2,6 +2,7 @@ import { basename, dirname } from 'node:path';
 import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/engine/ammo-module.js';
+import { brotli } from './tools/brotli.js';
 import { chunkBytes } from './tools/chunk-bytes.js';
 import { cssText } from './tools/css-text.js';
 import { banner, thirdParties } from './tools/licenses.js';
@@ -27,6 +28,7 @@ const common = {
     ammoModule(),
     minify(),
     banner(),
+    brotli(),
   ],
   onLog(level, log, handle) {
     // A bundle with an import that nobody can resolve is no bundle.
@@ -92,12 +94,15 @@ const classic = (input, file, ...external) => ({
   },
 });
 
+/** Takes its time. */
+const SLOW = ['minify', 'brotli'];
+
 /** For pages that wait for it: the modules alone, as they are written. */
 function quick(dir) {
   const { output, plugins, ...options } = modules(dir);
   return {
     ...options,
-    plugins: plugins.filter(({ name }) => name !== 'minify'),
+    plugins: plugins.filter(({ name }) => !SLOW.includes(name)),
     output: { ...output, sourcemap: false },
   };
 }

@@ -1,15 +1,20 @@
 // Test files as they run: bundled, so that no page loads its 300 modules one by one and no process compiles TypeScript,
 // and so that files which may run one after the other do so in one page or process.
-import { readFileSync, rmSync } from 'node:fs';
+import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { glueToModule } from './engine/ammo-module.js';
+import { usedWasm } from './engine/used-wasm.js';
 
 /** Not a hidden folder: the test server would not serve it. */
 const BUNDLES = 'test-bundles';
 
-/** Tests look into Bullet by calls that the core has no use for. */
-const CALLERS = ['physics-core/**/*.ts', 'test/**/*.ts'];
+/** Tests and lab look into Bullet by calls that the core has no use for. */
+const CALLERS = ['physics-core/**/*.ts', 'lab/**/*.ts', 'test/**/*.ts'];
+
+/** Ammo for tests: what pages can't reach traps. */
+export const wasmOfTests = () => usedWasm(CALLERS);
 
 const ammoModule = {
   name: 'ammo-module',
@@ -120,5 +125,13 @@ export async function bundleTests(files, { platform, stage, nameOf }) {
     tsconfig: 'tsconfig.json',
     logLevel: 'warning',
   });
-  return Object.keys(groups).map((name) => `${outdir}/${name.replace(/\.ts$/, '.js')}`);
+  const bundles = Object.keys(groups).map((name) => `${outdir}/${name.replace(/\.ts$/, '.js')}`);
+  if (platform === 'node') putWasmBeside(bundles);
+  return bundles;
+}
+
+/** Where the core looks for it. */
+function putWasmBeside(bundles) {
+  for (const folder of new Set(bundles.map(dirname)))
+    writeFileSync(`${folder}/ammo.wasm`, wasmOfTests());
 }

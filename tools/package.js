@@ -20,6 +20,7 @@ const VITES = [
 /** Each is called with the application's folder and a browser, and throws where the package falls short. */
 const CHECKS = [
   ['it is no larger than it must be', tarball.smallEnough],
+  ['what is packed beside a file is that file', tarball.packedFilesAreWhole],
   ['nothing in it is superfluous', tarball.nothingSuperfluous],
   ['it names the licences of what is bundled', tarball.namesLicences],
   ['each build begins with name, version and licence', tarball.saysWhatItIs],

@@ -1,13 +1,11 @@
 // What the three configurations of Web Test Runner share.
 import { defaultReporter } from '@web/test-runner';
-import { sourceOf } from './bundle-tests.js';
+import { sourceOf, wasmOfTests } from './bundle-tests.js';
 import { countReporter } from './count-reporter.js';
 import { freePort } from './ports.js';
 import { CONTENT } from './stages.js';
 import { findFile } from './static-files.js';
 import { touchPlugin } from './touch.js';
-
-const WASM = '/node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
 /** Where a URL's file is taken as it is, unseen by the plugins that rewrite modules and pages. */
 function rawFile(path) {
@@ -17,13 +15,17 @@ function rawFile(path) {
   if (path.startsWith('/dist/') || path.startsWith('/node_modules/x3dom/')) {
     return findFile('.', path);
   }
-  // The code says `new URL('./ammo.wasm', import.meta.url)`, which is right in dist/ only.
-  if (path.endsWith('/ammo.wasm')) return findFile('.', WASM);
   if (/\.(html|xhtml|x3d|wasm)$/.test(path)) return findFile('.', path);
 }
 
 async function rawFiles(context, next) {
   const found = rawFile(context.path);
+  // The code says `new URL('./ammo.wasm', import.meta.url)`: beside a bundle of tests there is none.
+  if (!found && context.path.endsWith('/ammo.wasm')) {
+    context.type = 'application/wasm';
+    context.body = wasmOfTests();
+    return;
+  }
   if (!found) return next();
   const { createReadStream } = await import('node:fs');
   context.set('cache-control', 'no-cache');

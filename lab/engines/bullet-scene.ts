@@ -1,5 +1,4 @@
-import { loadEngine } from '../../physics-core/inside.js';
-import type { Ammo } from '../../physics-core/engine/ammo.js';
+import { fetchGlue, loadAmmo, type Ammo } from '../../physics-core/engine/ammo.js';
 import { Owner } from '../../physics-core/engine/owner.js';
 import { cross, quaternionOfAxes, rotate, type Pose } from '../../physics-core/base/math.js';
 import type { CaseBody, CaseScene, Quaternion, Shape, Vec3 } from '../case.js';
@@ -37,6 +36,12 @@ const KINEMATIC = 2;
 /** Activation state of a body that never sleeps. */
 const ALWAYS_AWAKE = 4;
 
+let loading: Promise<Ammo> | undefined;
+
+/** As its package has it: ours may have no more of it than the core calls. */
+const allOfAmmo = (): Promise<Ammo> =>
+  (loading ??= fetchGlue().then((glue) => loadAmmo(glue, undefined)));
+
 /** A scene in Ammo, as made by hand: Bullet's default settings, motion states, one shape per body. */
 export class BulletScene {
   readonly ammo: Ammo;
@@ -53,8 +58,7 @@ export class BulletScene {
   #steps = 0;
 
   static async make(scene: CaseScene, ways: Ways, plans: Plans): Promise<BulletScene> {
-    const { ammo } = await loadEngine();
-    const made = new BulletScene(ammo, scene, ways);
+    const made = new BulletScene(await allOfAmmo(), scene, ways);
     try {
       for (const joint of plans.joints) made.#addJoint(joint);
       for (const push of plans.pushes) made.#addPush(push);
@@ -80,8 +84,6 @@ export class BulletScene {
         configuration,
       ),
     );
-    // One for all of Bullet's worlds: that of a world of ours would see the contacts of this one.
-    this.world.setContactProcessedCallback(0);
     this.world.setGravity(this.vector(scene.gravity));
     this.#ground = this.#make({ name: 'the world', fixed: true });
     for (const body of scene.bodies) this.#add(body);

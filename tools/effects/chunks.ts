@@ -1,6 +1,6 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
-import { gzipSync } from 'node:zlib';
+import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { contacts, drags, joints, meshes, outlines } from '../../physics-core/inside.js';
 
 export const PAGE = 'docs/chunks.md';
@@ -39,21 +39,23 @@ const OTHERS = /^(elements\/|core\.js|x3d-physics\.single\.js|types\/)/;
 
 const HEAD = `# Files
 
-Written by \`npm run docs:chunks\` from the module build; kilobytes of 1000 bytes, as a server sends them (gzip).
+Written by \`npm run docs:chunks\` from the module build; kilobytes of 1000 bytes, as a server sends
+them by gzip, and by Brotli, which is in the package beside each file (\`.br\`).
 
 A page pays for what stands in it: the first rows come with every page that has physics, the others with the first thing
 that calls for them. Where that stands in the markup its files are fetched together with the engine, and the world starts
 when they are there. Where it comes later, time stands still until they are (\`waiting-for-effect\`). The classic scripts
 have all but the engine and the ui in one file; in Node all of it is there when \`createWorld\` answers.
 
-| file | kB | fetched by |
-| --- | ---: | --- |
+| file | gzip | Brotli | fetched by |
+| --- | ---: | ---: | --- |
 `;
 
 export interface BuiltFile {
   name: string;
   causes: string;
   bytes: number;
+  brotli: number;
 }
 
 /** The files of the module build; throws where one is not known here. */
@@ -65,9 +67,12 @@ export function builtFiles(dist = 'dist'): BuiltFile[] {
   if (strangers.length > 0) throw new Error(`tools/effects/chunks.ts does not know ${strangers}`);
   return FILES.flatMap(([begin, causes]) => {
     const found = names.filter((name) => name.startsWith(begin));
-    const bytes = found.map((name) => gzipSync(readFileSync(`${dist}/${name}`)).length);
+    if (found.length === 0) return [];
+    const files = found.map((name) => readFileSync(`${dist}/${name}`));
+    const sum = (pack: (file: Buffer) => Buffer): number =>
+      files.reduce((bytes, file) => bytes + pack(file).length, 0);
     const name = begin.replace(/-$/, '');
-    return found.length > 0 ? [{ name, causes, bytes: bytes.reduce((a, b) => a + b) }] : [];
+    return [{ name, causes, bytes: sum(gzipSync), brotli: sum(brotliCompressSync) }];
   });
 }
 
@@ -76,5 +81,8 @@ const kilobytes = (bytes: number): string => (bytes / 1000).toFixed(bytes < 10_0
 export const chunksPage = (): string =>
   HEAD +
   builtFiles()
-    .map(({ name, causes, bytes }) => `| ${name} | ${kilobytes(bytes)} | ${causes} |\n`)
+    .map(
+      ({ name, causes, bytes, brotli }) =>
+        `| ${name} | ${kilobytes(bytes)} | ${kilobytes(brotli)} | ${causes} |\n`,
+    )
     .join('');

@@ -6,11 +6,14 @@ import { usedGlue } from './used-glue.js';
  *
  * Without what the core does not call (used-glue.js), and two edits:
  * - the export block at the end becomes `export default`;
- * - the test for Node answers no. Its Node branch calls `require` and `__dirname`, which no ES module has;
- *   our loader hands over the bytes (`wasmBinary`) in Node, so the branch is not needed.
+ * - the tests for Node, a page and a worker answer no. What follows them fetches the wasm, by `require` in Node, which no ES
+ *   module has; our loader hands it over, so none of it is needed.
  */
-const NODE_TEST =
-  '"object"==typeof process&&"object"==typeof process.versions&&"string"==typeof process.versions.node';
+const TESTS = [
+  '"object"==typeof window',
+  '"function"==typeof importScripts',
+  '"object"==typeof process&&"object"==typeof process.versions&&"string"==typeof process.versions.node',
+];
 const EXPORT_BLOCK = /if \(typeof exports === 'object' && typeof module === 'object'\)[\s\S]*$/;
 
 const isGlue = (path) => path.endsWith('/ammojs-typed/ammo/ammo.wasm.js');
@@ -18,12 +21,14 @@ const isGlue = (path) => path.endsWith('/ammojs-typed/ammo/ammo.wasm.js');
 /** `sources`: those that call it, where they are more than the core. */
 export function glueToModule(code, sources) {
   // Another release of the glue may read differently: better no build than a broken one.
-  if (!code.includes(NODE_TEST) || !EXPORT_BLOCK.test(code)) {
+  if (!TESTS.every((test) => code.includes(test)) || !EXPORT_BLOCK.test(code)) {
     throw new Error('tools/engine/ammo-module.js does not know this version of ammojs-typed');
   }
-  return usedGlue(code, sources)
-    .code.replace(NODE_TEST, 'false')
-    .replace(EXPORT_BLOCK, 'export default Ammo;\n');
+  const used = TESTS.reduce(
+    (left, test) => left.replace(test, 'false'),
+    usedGlue(code, sources).code,
+  );
+  return used.replace(EXPORT_BLOCK, 'export default Ammo;\n');
 }
 
 /** For Rollup. */

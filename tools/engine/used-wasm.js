@@ -1,23 +1,62 @@
-// ammo.wasm as pages get it: without the functions that only bindings led to which the core does not call. What stays is
-// as it was, instruction for instruction: so are the bits of every motion.
+// ammo.wasm as pages get it: without the functions that only bindings led to which the core does not call, and without
+// functions and data that nothing can reach then (reach.js). What stays is as it was, instruction for instruction: so are
+// the bits of every motion.
 import { Buffer } from 'node:buffer';
 import { readFileSync } from 'node:fs';
 import binaryen from 'binaryen';
-import { usedGlue } from './used-glue.js';
+import { FIRST, listOf, without } from './data.js';
+import { reached } from './reach.js';
+import { SOURCES, usedGlue } from './used-glue.js';
 
 const GLUE = 'node_modules/ammojs-typed/ammo/ammo.wasm.js';
 const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
-let made;
+/** Who calls by number what was cut comes here and no farther: the step fails, as by any trap, and says so. */
+const CUT = 'cut';
 
-/** The same bytes for all that a build puts them into. */
-export const usedWasm = () => (made ??= make());
+const made = new Map();
 
-function make() {
-  const module = binaryen.readBinary(readFileSync(WASM));
-  for (const name of usedGlue(readFileSync(GLUE, 'utf8')).unused) module.removeExport(name);
-  module.runPasses(['remove-unused-module-elements']);
-  const bytes = Buffer.from(module.emitBinary());
+/**
+ * The same bytes for all that a build puts them into. `sources`: those that call it by name, where they are more than the
+ * core, as in the tests; what is called by number is that of pages then, too, so that a test fails that comes to what was cut.
+ */
+export function usedWasm(sources = SOURCES) {
+  const key = sources.join();
+  if (!made.has(key)) made.set(key, make(sources));
+  return made.get(key);
+}
+
+function make(sources) {
+  const all = readFileSync(WASM);
+  return within(all, SOURCES, (used) => {
+    const { names, unread } = reached(used);
+    return within(without(all, used, unread), sources, (module) => {
+      cut(module, names);
+      removeUnused(module);
+      return Buffer.from(module.emitBinary());
+    });
+  });
+}
+
+/** What `act` makes of the wasm without what no source calls. */
+function within(wasm, sources, act) {
+  const module = binaryen.readBinary(wasm);
+  for (const name of usedGlue(readFileSync(GLUE, 'utf8'), sources).unused)
+    module.removeExport(name);
+  removeUnused(module);
+  const result = act(module);
   module.dispose();
-  return bytes;
+  return result;
+}
+
+const removeUnused = (module) => module.runPasses(['remove-unused-module-elements']);
+
+/** Leaves these alone among what is called by number; all keep their numbers. */
+function cut(module, names) {
+  const { name, data } = listOf(module);
+  const table = binaryen.getTableInfo(module.getTableByIndex(0));
+  module.addFunction(CUT, binaryen.none, binaryen.none, [], module.unreachable());
+  module.removeElementSegment(name);
+  const left = data.map((each) => (names.has(each) ? each : CUT));
+  module.addActiveElementSegment(table.name, name, left, module.i32.const(FIRST));
 }

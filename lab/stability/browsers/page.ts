@@ -1,7 +1,6 @@
-import { readFileSync } from 'node:fs';
 import { build } from 'esbuild';
 // @ts-expect-error plain JavaScript
-import { PLATFORMS } from '../../../tools/bundle-tests.js';
+import { PLATFORMS, wasmOfTests } from '../../../tools/bundle-tests.js';
 import type { LevelName } from '../../../physics-core/inside.js';
 import { AskedBrowser, type Answer } from '../../run/asked-browser.js';
 import type { Cell } from '../case.js';
@@ -21,8 +20,6 @@ const HTML = `<!DOCTYPE html>
 
 /** Milliseconds that one cell may take. */
 const PATIENCE = 5 * 60_000;
-
-const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
 async function bundle(): Promise<string> {
   const { outputFiles } = await build({
@@ -51,7 +48,7 @@ export class CellPage {
     const files: Record<string, Answer> = {
       '/': ['text/html', HTML],
       '/cells.js': ['text/javascript', await bundle()],
-      '/ammo.wasm': ['application/wasm', readFileSync(WASM)],
+      '/ammo.wasm': ['application/wasm', wasmOfTests()],
     };
     return new CellPage(await AskedBrowser.open(name, { answer: (url) => files[url] }));
   }
