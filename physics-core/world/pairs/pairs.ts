@@ -5,7 +5,7 @@ import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection-node.js';
 import type { CollisionSpaceNode } from '../../nodes/collision/collision-space-node.js';
 import { CollisionFilterGroups } from './collision-filter-groups.js';
-import { isOneSided } from './one-sided.js';
+import { isEmpty, isOneSided } from './one-sided.js';
 import type { NodeWorld, PairRules } from '../../nodes/node/node-world.js';
 
 /** Whether contacts act; `where given`: those that set_contacts hands on. */
@@ -240,13 +240,25 @@ export class Pairs implements PairRules {
   #isLeftOut(body: BodyNode, collider: CollisionCollectionNode | null): boolean {
     // Before the collider itself is built nobody can be in it yet.
     if (!collider?.built || body.collidables.length === 0 || body.isObstacle) return false;
-    return !this.#oneSided.has(collider) && !this.collectionsOf(body).includes(collider);
+    if (this.#oneSided.has(collider) || isEmpty(this.#world, collider)) return false;
+    return !this.collectionsOf(body).includes(collider);
+  }
+
+  /** Said once of the collider, and not of each of its bodies. */
+  #reportEmpty(collection: CollisionCollectionNode): void {
+    collection.reportWhile(isEmpty(this.#world, collection), {
+      code: 'not-in-collider',
+      severity: 'info',
+      used: 'no collision',
+      message: `${collection.label} is a collider that lists nothing, so no body of its RigidBodyCollection collides; write collidables="*", or leave it out`,
+    });
   }
 
   /** True where a collider became one-sided or is so no longer. */
   #updateOneSided(): boolean {
     let changed = false;
     for (const collection of this.#collections) {
+      this.#reportEmpty(collection);
       const now = isOneSided(this.#world, collection);
       if (now === this.#oneSided.has(collection)) continue;
       changed = true;
