@@ -27,13 +27,6 @@ export function isOneSided(world: NodeWorld, collection: CollisionCollectionNode
   return !all && owners.size === 1;
 }
 
-/** A collider in which nobody is: no pair collides. */
-export function isEmpty(world: NodeWorld, collection: CollisionCollectionNode): boolean {
-  if (!isCollider(world, collection)) return false;
-  const { all, listed } = new Members(collection.asked<MemberList>('collidables'));
-  return !all && listed.size === 0;
-}
-
 function isCollider(world: NodeWorld, collection: CollisionCollectionNode): boolean {
   for (const node of world.store.collections)
     if (node.asked('collider') === collection) return true;

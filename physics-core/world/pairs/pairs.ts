@@ -5,7 +5,7 @@ import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection-node.js';
 import type { CollisionSpaceNode } from '../../nodes/collision/collision-space-node.js';
 import { CollisionFilterGroups } from './collision-filter-groups.js';
-import { isEmpty, isOneSided } from './one-sided.js';
+import { isOneSided } from './one-sided.js';
 import type { NodeWorld, PairRules } from '../../nodes/node/node-world.js';
 
 /** Whether contacts act; `where given`: those that set_contacts hands on. */
@@ -239,14 +239,15 @@ export class Pairs implements PairRules {
 
   #isLeftOut(body: BodyNode, collider: CollisionCollectionNode | null): boolean {
     // Before the collider itself is built nobody can be in it yet.
-    if (!collider?.built || body.collidables.length === 0 || body.isObstacle) return false;
-    if (this.#oneSided.has(collider) || isEmpty(this.#world, collider)) return false;
+    if (!collider?.built || !isIn(body, collider)) return false;
+    if (this.#oneSided.has(collider) || collider.isEmpty) return false;
     return !this.collectionsOf(body).includes(collider);
   }
 
   /** Said once of the collider, and not of each of its bodies. */
   #reportEmpty(collection: CollisionCollectionNode): void {
-    collection.reportWhile(isEmpty(this.#world, collection), {
+    const left = collection.isEmpty && [...this.#bodies].some((body) => isIn(body, collection));
+    collection.reportWhile(left, {
       code: 'not-in-collider',
       severity: 'info',
       used: 'no collision',
@@ -269,6 +270,10 @@ export class Pairs implements PairRules {
     return changed;
   }
 }
+
+/** Its collection has this collider, which would let it collide. */
+const isIn = (body: BodyNode, collider: CollisionCollectionNode): boolean =>
+  body.settings.asked('collider') === collider && body.collidables.length > 0 && !body.isObstacle;
 
 const isWaiting = (settings: BodyNode['settings']): boolean =>
   settings.asked('collisionRules') === 'strict';
