@@ -116,8 +116,7 @@ export class Observed {
     else this.#touch(element);
     if (isInline(element) && lower === 'shared-world') this.#elements.requeueInline(element);
     // x3dom follows no attribute in a file of its own.
-    if (fileOf(element) !== document && value !== null)
-      nodeOf(element)?.updateField(name, value);
+    if (fileOf(element) !== document && value !== null) nodeOf(element)?.updateField(name, value);
   }
 
   #renamed(element: Element, scope: Scope): void {
