@@ -28,7 +28,10 @@ export class ProblemLog {
   readonly #byElement = new Map<unknown, Map<string, Problem>>();
   /** Who reported it: several nodes may stand for one element. */
   readonly #reporters = new WeakMap<Problem, unknown>();
-  onreport?: (problem: Problem) => void;
+  /** What was known when all was made anew, and has not come again since. */
+  #before = new Map<unknown, Map<string, Problem>>();
+  /** @param again whether it was told before all was made anew */
+  onreport?: (problem: Problem, again: boolean) => void;
 
   get all(): Problem[] {
     return [...this.#byElement.values()].flatMap((problems) => [...problems.values()]);
@@ -42,13 +45,25 @@ export class ProblemLog {
     const key = `${report.attribute ?? ''} ${report.code}`;
     const known = this.#byElement.get(element) ?? new Map<string, Problem>();
     const before = known.get(key);
-    if (before && before.message === report.message && Object.is(before.value, report.value))
-      return;
+    if (isSame(before, report)) return;
     const problem = { ...report, element };
     known.set(key, problem);
     this.#byElement.set(element, known);
     this.#reporters.set(problem, reporter);
-    this.onreport?.(problem);
+    const once = this.#before.get(element);
+    const again = isSame(once?.get(key), report);
+    once?.delete(key);
+    this.onreport?.(problem, again);
+  }
+
+  /** All is made anew: what is reported again, in the same words, was told. */
+  anew(make: () => void): void {
+    const copies = [...this.#byElement].map(([of, known]) => [of, new Map(known)] as const);
+    this.#before = new Map(copies);
+    make();
+    // What never went may go and come again later, and is new then.
+    for (const [of, known] of this.#byElement)
+      for (const key of known.keys()) this.#before.get(of)?.delete(key);
   }
 
   /** What one of those that stand for an element has reported. */
@@ -68,3 +83,6 @@ export class ProblemLog {
     if (known.size === 0) this.#byElement.delete(element);
   }
 }
+
+const isSame = (known: Problem | undefined, report: ProblemReport): boolean =>
+  known?.message === report.message && Object.is(known.value, report.value);

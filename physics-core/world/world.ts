@@ -259,6 +259,11 @@ export class World implements TimedWorld {
     this.#reporting.report(report, about);
   }
 
+  /** Makes all anew, with nothing told twice. */
+  retelling(make: () => void): void {
+    this.#reporting.anew(make);
+  }
+
   settle(about: unknown, attribute?: string, code?: string): void {
     this.#reporting.settle(about, attribute, code);
   }

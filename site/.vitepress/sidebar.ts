@@ -52,6 +52,7 @@ const INSIDE = {
   drawing: 'Drawing many bodies',
   pages: 'In real pages',
   conformance: 'Conformance',
+  content: 'Files of the world',
 };
 
 const REPORT = {

@@ -1,7 +1,7 @@
 import type { Binding } from '../nodes/binding.js';
 import type { Scope } from '../scopes/scope.js';
 import { known } from '../words/attributes.js';
-import { attribute, isCustom, lowerName } from '../words/dom.js';
+import { attribute, isCustom, isPhysics, lowerName } from '../words/dom.js';
 
 /** What may not stand in what: these pairs come from a tag that the author thought closed, or are misplaced. */
 const IMPOSSIBLE: Record<string, RegExp> = {
@@ -25,10 +25,22 @@ export function checkMarkup(binding: Binding): void {
   const child =
     impossible && [...element.children].find((each) => impossible.test(lowerName(each)));
   if (child) binding.fault((faults) => faults.misplacedChild(binding, child));
+  const [disguised, meant] = otherTag(binding);
+  if (meant) binding.fault((faults) => faults.otherTag(binding, disguised!, meant));
   if (isFirstForeign(binding)) binding.fault((faults) => faults.notUpgraded());
   const def = attribute(element, 'DEF');
   if (def && binding.scope!.names.bearers(def).at(-1) !== element)
     binding.fault((faults) => faults.duplicate(binding, def));
+}
+
+/** A child that means a node of ours by USE, and is called otherwise; and what it means. */
+function otherTag({ element, scope }: Binding): [Element, Element] | [] {
+  for (const child of element.children) {
+    const name = isPhysics(child) ? null : attribute(child, 'USE');
+    const meant = name && scope!.find(name);
+    if (meant && isPhysics(meant)) return [child, meant];
+  }
+  return [];
 }
 
 /** By scope: the one that says that hyphenated tags there are no custom elements. */

@@ -2,6 +2,7 @@ import { ownBinding } from '../nodes/binding.js';
 import { fieldsByAttribute } from '../words/fields.js';
 import {
   attribute,
+  fileOf,
   isInline,
   isPhysics,
   isTransform,
@@ -115,8 +116,7 @@ export class Observed {
     else this.#touch(element);
     if (isInline(element) && lower === 'shared-world') this.#elements.requeueInline(element);
     // x3dom follows no attribute in a file of its own.
-    if (element.ownerDocument !== document && value !== null)
-      nodeOf(element)?.updateField(name, value);
+    if (fileOf(element) !== document && value !== null) nodeOf(element)?.updateField(name, value);
   }
 
   #renamed(element: Element, scope: Scope): void {

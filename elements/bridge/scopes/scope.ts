@@ -1,5 +1,5 @@
 import type { Units } from '../../../physics-core/inside.js';
-import { attribute, isInline, lowerName } from '../words/dom.js';
+import { attribute, fileOf, isInline, lowerName } from '../words/dom.js';
 import { Names, type Watcher } from './names.js';
 import type { Scopes } from './scopes.js';
 import { unitsOf } from '../words/units.js';
@@ -32,16 +32,9 @@ export class Scope {
     this.host = host;
     this.parent = parent;
     // A prototype's body has no head; it is written in the units of the file around it.
-    this.units = !parent
-      ? unitsOf(all.x3d)
-      : isInlineRoot(root)
-        ? unitsOf(root.ownerDocument)
-        : parent.units;
-    this.version = !parent
-      ? versionOf(all.x3d)
-      : isInlineRoot(root)
-        ? versionOf(root.ownerDocument.documentElement)
-        : parent.version;
+    const file = !parent ? all.x3d : host && isInline(host) ? fileOf(root) : undefined;
+    this.units = file ? unitsOf(file) : parent!.units;
+    this.version = file ? versionOf(file) : parent!.version;
   }
 
   /** Where events of its nodes fire: the outermost host stands in the page. */
@@ -134,7 +127,7 @@ const localName = (statement: Element): string | null =>
   attribute(statement, 'AS') ?? attribute(statement, 'importedDEF');
 
 /** HTML has no version of X3D, and then the newest holds. */
-const versionOf = (x3d: Element): number => parseFloat(attribute(x3d, 'version') ?? '') || 4;
-
-const isInlineRoot = (root: Element): boolean =>
-  root.ownerDocument !== document && root.isConnected;
+function versionOf(file: Document | Element): number {
+  const x3d = file instanceof Document ? file.documentElement : file;
+  return parseFloat(attribute(x3d, 'version') ?? '') || 4;
+}

@@ -14,6 +14,7 @@ import type { Faults, Labelled } from './faults.js';
 export const provide = (): Faults => ({
   unknownAttribute,
   misplacedChild,
+  otherTag,
   duplicate,
   notUpgraded: () => NOT_UPGRADED,
   circle,
@@ -86,6 +87,19 @@ function misplacedChild({ element, type, label }: Labelled, child: Element): Pro
         used: 'nothing',
         message: `<${child.localName}> can't stand in ${label}${lowerName(child) === 'shape' ? '; put it into a CollidableShape' : ''}`,
       };
+}
+
+/** X3D wants the tag of a USE to be that of its DEF. */
+function otherTag({ label }: Labelled, child: Element, { localName }: Element): ProblemReport {
+  const name = show(attribute(child, 'USE'));
+  return {
+    code: 'misplaced',
+    severity: 'warning',
+    attribute: 'USE',
+    value: child.localName,
+    used: 'nothing',
+    message: `<${child.localName} USE="${name}"> in ${label} has another tag than what it means; write <${localName} USE="${name}">`,
+  };
 }
 
 function circle(use: Element): ProblemReport {

@@ -13,6 +13,7 @@ export interface Labelled {
 export interface Faults {
   unknownAttribute(at: Labelled, name: string): ProblemReport;
   misplacedChild(at: Labelled, child: Element): ProblemReport;
+  otherTag(at: Labelled, child: Element, meant: Element): ProblemReport;
   duplicate(at: Labelled, def: string): ProblemReport;
   notUpgraded(): ProblemReport;
   /** A USE of what it stands in. */

@@ -1,3 +1,4 @@
+import { cross } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Joint } from '../../dynamics/joint.js';
 import { levels } from '../../dynamics/levels.js';
@@ -83,8 +84,17 @@ const idle = (motor: ReportedMotor, is: boolean, attribute: string, why: string)
 
 function reportAxis(motor: ReportedMotor, n: number, driven: boolean): void {
   const axis = `motor${n}Axis`;
+  if (n === 2 && motor.asked<boolean>('autoCalc')) return reportSecond(motor, driven);
   const is = driven && !isDirected(motor.asked<Vec3>(axis));
   idle(motor, is, axis, `${axis}="0 0 0" has no direction, so axis${n}Torque turns nothing`);
+}
+
+/** In Euler mode the second axis stands at right angles to the two others, and motor2Axis says nothing. */
+function reportSecond(motor: ReportedMotor, driven: boolean): void {
+  const second = cross(motor.asked<Vec3>('motor3Axis'), motor.asked<Vec3>('motor1Axis'));
+  const why =
+    'with autoCalc the second axis is at right angles to motor1Axis and motor3Axis; those have no two directions, so axis2Torque turns nothing';
+  idle(motor, driven && !isDirected(second), 'motor2Axis', why);
 }
 
 /** Who wrote enabledAxes means it: that is how motors are switched off. */

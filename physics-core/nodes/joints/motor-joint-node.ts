@@ -40,7 +40,8 @@ export class MotorJointNode extends JointNode {
 
   protected override wantedFrame(): JointFrame {
     const anchor = (this.body1 ?? this.body2)!.pose().p;
-    return { anchor, axes: this.#euler ? [this.#asked(1), this.#across()] : WORLD_AXES };
+    const across = this.#euler ? this.#across() : NOWHERE;
+    return { anchor, axes: this.#euler && this.#turns ? [this.#asked(1), across] : WORLD_AXES };
   }
 
   /** The third axis, made to stand at right angles to the first. */
@@ -79,9 +80,14 @@ export class MotorJointNode extends JointNode {
   /** Where an axis points now, world frame. */
   #axis(n: AxisNumber): Vec3 {
     if (!this.#euler) return rotate(this.worldFrame(1).q, this.#asked(n));
-    if (!this.#turns) return NOWHERE;
+    if (!this.#turns) return this.#alone(n);
     const [first, third] = [this.axisOn(1, 2), this.axisOn(2, 0)];
     return n === 1 ? first : n === 3 ? third : normalize(cross(third, first), NOWHERE);
+  }
+
+  /** Where the first and the third have no second between them, each still turns what it is carried by. */
+  #alone(n: AxisNumber): Vec3 {
+    return n === 2 ? NOWHERE : rotate(this.worldFrame(n === 1 ? 1 : 2).q, this.#asked(n));
   }
 
   // ---- torque -------------------------------------------------------------------------------------------------------

@@ -124,6 +124,7 @@ export const WORDS: Words = byName<Words[string]>({
   lockrotation: NO_LOCK,
   motiontype: kindOf,
   motorspeed: { ...MOTOR, field: 'axis1Torque' },
+  mustoutput: { field: 'forceOutput' },
   omega: SPIN,
   pivot: { field: 'anchorPoint' },
   quaternion: { field: 'orientation' },

@@ -13,6 +13,7 @@ import type { Stepping } from '../stepping/stepping.js';
 
 /** The world that starts and ends. */
 interface LivingWorld extends NodeWorld {
+  retelling(make: () => void): void;
   engine: Engine;
   bullet: BulletWorld;
   started: boolean;
@@ -101,12 +102,14 @@ export class Lifecycle {
   /** The same nodes in a fresh Bullet world. */
   rebuild(between: () => void): void {
     const world = this.#world;
-    world.registry.reset('reset');
-    this.#unbuild();
-    between();
-    this.#build();
-    for (const node of world.nodes) world.store.changed(node);
-    world.flush();
+    world.retelling(() => {
+      world.registry.reset('reset');
+      this.#unbuild();
+      between();
+      this.#build();
+      for (const node of world.nodes) world.store.changed(node);
+      world.flush();
+    });
   }
 
   /** Newest first: joints before the bodies they hold. */

@@ -15,8 +15,8 @@ export class Reporting {
 
   constructor(log: Console) {
     const tell = log === true ? (problem: Problem) => logProblem(problem) : log;
-    this.#problems.onreport = (problem) => {
-      if (tell) tell(problem);
+    this.#problems.onreport = (problem, again) => {
+      if (tell && !again) tell(problem);
       this.emit('problem', problem);
     };
   }
@@ -27,6 +27,11 @@ export class Reporting {
 
   report(report: ProblemReport, about: unknown): void {
     this.#problems.report(hostOf(about), report, about);
+  }
+
+  /** All is made anew: the console is not told again what it was told. */
+  anew(make: () => void): void {
+    this.#problems.anew(make);
   }
 
   settle(about: unknown, attribute?: string, code?: string): void {

@@ -99,6 +99,29 @@ fact('reset undoes what events did, and the author may say the same again', asyn
   assert.equal(ball.asked('linearDampingFactor'), 0.001);
 });
 
+fact(
+  'what the console was told it is not told again after a reset; what is new it is',
+  async () => {
+    const said: string[] = [];
+    const w = await createWorld({ console: ({ code }: { code: string }) => said.push(code) });
+    const weightless = addBody(w, { mass: 0 });
+    addBody(w, { position: [0.5, 0, 0] });
+    w.step();
+    const told = [...said];
+    assert.ok(told.includes('zero-mass') && told.includes('initial-overlap'));
+    w.reset();
+    w.step();
+    assert.deepEqual(said, told);
+    assert.deepEqual(w.problems.map(({ code }) => code).sort(), told.toSorted());
+    weightless.set('mass', 1);
+    w.step();
+    weightless.set('mass', 0);
+    w.step();
+    assert.deepEqual(said, [...told, 'zero-mass']);
+    w.destroy();
+  },
+);
+
 /** A world that has read contacts, ended; nobody has it any more. */
 async function gone(): Promise<WeakRef<World>> {
   const w = await createWorld({ console: false });

@@ -28,6 +28,25 @@ describe('problems of an element', () => {
     });
   }
 
+  for (const [spelling, markup] of bothSpellings(`
+    <x3d-collidable-shape def="shape"><shape><box></box></shape></x3d-collidable-shape>
+    <x3d-rigid-body-collection><x3d-collision-collection><x3d-collidable-shape use="shape"></x3d-collidable-shape></x3d-collision-collection>
+      <x3d-rigid-body id="b"><geometry use="shape" containerfield="geometry"></geometry></x3d-rigid-body>
+    </x3d-rigid-body-collection>`)) {
+    it(`${spelling}: a USE whose tag is another than its DEF's is told, with the one to write`, async () => {
+      claim('<geometry USE="shape"> in RigidBody');
+      const { world, find } = await held(markup);
+      const [problem] = world.problems.filter(({ code }) => code === 'misplaced');
+      expect(problem!.message).to.match(
+        /write <(x3d-collidable-shape|collidableshape) USE="shape">/,
+      );
+      find('#b').replaceChildren();
+      await wait(50);
+      world.step();
+      expect(world.problems.map(({ code }) => code)).to.eql([]);
+    });
+  }
+
   it('without a name bring the element along to the console, with one they name it', async () => {
     const { info, warn, error } = console;
     const said: unknown[][] = [];

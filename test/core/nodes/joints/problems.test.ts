@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { addBody, addJoint, close, fact, height, way, world, codes } from '../../helpers.js';
+import { addBody, addJoint, box, close, codes, fact, height, way, world } from '../../helpers.js';
 import { only } from '../problems.js';
 
 fact('a joint that names nobody is told and holds once it names somebody', async () => {
@@ -99,3 +99,28 @@ fact('an angle of a motor without any torque is told to be no target', async () 
   w.step();
   assert.deepEqual(codes(w), [], 'none');
 });
+
+fact(
+  'a motor with autoCalc whose first axis has no direction still turns about its third',
+  async () => {
+    const w = await world({ gravity: [0, 0, 0] });
+    const post = addBody(w, { fixed: true, position: [3, 0, 0] });
+    const crate = addBody(w, { geometry: [box(1)] });
+    addJoint(w, 'MotorJoint', {
+      body1: post,
+      body2: crate,
+      autoCalc: true,
+      enabledAxes: 3,
+      // As X3D 3 has it by default.
+      motor1Axis: [0, 0, 0],
+      motor3Axis: [0, 1, 0],
+      axis2Torque: 1,
+      axis3Torque: 1,
+    });
+    w.advance(0.5);
+    // 1 N m on a cube of 1 kg and 1 m, whose inertia is 1/6 kg m²: 6 rad/s², the other way round for body2.
+    close(crate.get('angularVelocity') as number[], [0, -3, 0], 1e-3, 'rad/s');
+    // There is no second axis at right angles to both.
+    assert.match(only(w, 'idle-motor').message, /autoCalc/);
+  },
+);

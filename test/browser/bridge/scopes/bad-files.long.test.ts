@@ -1,0 +1,116 @@
+import { expect } from 'chai';
+import { claim } from '../../console.js';
+import { codes, place, position, until } from '../../scene.js';
+import { worldOf, type World } from '../../inside.js';
+
+/** The address of a file that an Inline takes for X3D. */
+const fileOf = (text: string): string => `${URL.createObjectURL(new Blob([text]))}#.x3d`;
+
+const x3d = (scene: string): string => `<X3D version="4.0"><Scene>${scene}</Scene></X3D>`;
+
+const body = (name: string, at: string, inside = ''): string =>
+  `<RigidBody DEF="${name}" position="${at}">${inside}</RigidBody>`;
+
+/** A page with a body of its own, and a file in an Inline beside it; the body's world, when it has started. */
+async function beside(text: string): Promise<{ world: World; inline: Element }> {
+  const page = place(`<inline url="${fileOf(text)}"></inline>
+    <RigidBodyCollection id="own">${body('beside', '0 5 0')}</RigidBodyCollection>`);
+  const world = worldOf(page.querySelector('#own')!)!;
+  await world.ready;
+  world.paused = true;
+  world.reset();
+  return { world, inline: page.querySelector('inline')! };
+}
+
+/** The world of a collection in the Inline's file. */
+async function inside(inline: Element): Promise<World> {
+  const found = (): World | undefined => {
+    const node = (inline as never as { _x3domNode?: { _childNodes: { _xmlNode: Element }[] } })
+      ._x3domNode;
+    const collection = node?._childNodes[0]?._xmlNode.querySelector('RigidBodyCollection');
+    return collection ? worldOf(collection) : undefined;
+  };
+  await until(() => found() !== undefined);
+  const world = await found()!.ready;
+  world.paused = true;
+  return world;
+}
+
+function falls(world: World, name: string): void {
+  const before = position(world, name)[1]!;
+  world.advance(0.5);
+  expect(position(world, name)[1]! - before).to.be.below(-1);
+}
+
+describe('a file that is broken', () => {
+  for (const [how, text] of [
+    ['ends in the middle', x3d(`<RigidBodyCollection>${body('a', '0 1 0')}`).slice(0, 90)],
+    ['is no XML', 'Not found'],
+    ['is empty', ''],
+  ] as const) {
+    it(`and ${how} leaves the rest of the page alone`, async () => {
+      const { world } = await beside(text);
+      expect(codes(world)).to.eql([]);
+      falls(world, 'beside');
+    });
+  }
+});
+
+describe('a circle of USE', () => {
+  it('of a CollidableOffset in itself ends, is told once, and the rest runs', async () => {
+    claim('use-circle');
+    const offset = `<CollidableOffset DEF="o" containerField="geometry"><CollidableOffset USE="o" containerField="collidable"/></CollidableOffset>`;
+    const { world, inline } = await beside(
+      x3d(
+        `<RigidBodyCollection>${body('a', '0 1 0', offset)}${body('b', '3 1 0')}</RigidBodyCollection>`,
+      ),
+    );
+    const file = await inside(inline);
+    falls(file, 'b');
+    falls(world, 'beside');
+    expect(codes(file)).to.eql(['use-circle']);
+  });
+
+  it('of a RigidBody in its own geometry and of a collection in itself ends, and each is told', async () => {
+    claim("RigidBodyCollection> can't stand", "RigidBody> can't stand");
+    const { world, inline } = await beside(
+      x3d(`<RigidBodyCollection DEF="c">${body('a', '0 1 0', '<RigidBody USE="a" containerField="geometry"/>')}
+        <RigidBodyCollection USE="c"/>${body('b', '3 1 0')}</RigidBodyCollection>`),
+    );
+    const file = await inside(inline);
+    falls(file, 'b');
+    falls(world, 'beside');
+  });
+});
+
+describe('a file of ten megabytes', () => {
+  it('of one mesh is ready within half a minute, and carries what falls on it', async () => {
+    const side = 330;
+    const point = Array.from({ length: side * side }, (_, k) => [
+      ((k % side) / side) * 40 - 20,
+      0.01 * Math.sin(k),
+      (Math.floor(k / side) / side) * 40 - 20,
+    ]);
+    const index: string[] = [];
+    for (let row = 0; row + 1 < side; row++)
+      for (let column = 0; column + 1 < side; column++) {
+        const at = row * side + column;
+        index.push(`${at} ${at + side} ${at + 1} -1 ${at + 1} ${at + side} ${at + side + 1} -1`);
+      }
+    const coordinates = point.map((at) => at.map((n) => n.toFixed(16)).join(' ')).join('\n');
+    const mesh = `<CollidableShape containerField="geometry"><Shape containerField="shape">
+      <IndexedFaceSet coordIndex="${index.join('\n')}"><Coordinate point="${coordinates}"/></IndexedFaceSet></Shape></CollidableShape>`;
+    const ball = `<CollidableShape containerField="geometry"><Shape containerField="shape"><Sphere radius="0.5"/></Shape></CollidableShape>`;
+    const text = x3d(`<RigidBodyCollection><RigidBody DEF="ground" fixed="true">${mesh}</RigidBody>
+      ${body('ball', '0.3 2 0.2', ball)}</RigidBodyCollection>`);
+    expect(text.length).to.be.above(9e6);
+    const start = performance.now();
+    const { inline } = await beside(text);
+    const file = await inside(inline);
+    expect(performance.now() - start).to.be.below(30_000);
+    file.reset();
+    file.advance(3);
+    expect(position(file, 'ball')[1]).to.be.closeTo(0.5, 0.05);
+    expect(codes(file)).to.eql([]);
+  });
+});
