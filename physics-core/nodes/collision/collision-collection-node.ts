@@ -25,11 +25,6 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
     return this.#members.has(collidable);
   }
 
-  /** Nobody is in it. */
-  get isEmpty(): boolean {
-    return !this.#members.all && this.#members.listed.size === 0;
-  }
-
   updateMembers(): void {
     this.#readMembers();
     this.world.pairs.refresh();

@@ -239,27 +239,14 @@ export class Pairs implements PairRules {
 
   #isLeftOut(body: BodyNode, collider: CollisionCollectionNode | null): boolean {
     // Before the collider itself is built nobody can be in it yet.
-    if (!collider?.built || !isIn(body, collider)) return false;
-    if (this.#oneSided.has(collider) || collider.isEmpty) return false;
-    return !this.collectionsOf(body).includes(collider);
-  }
-
-  /** Said once of the collider, and not of each of its bodies. */
-  #reportEmpty(collection: CollisionCollectionNode): void {
-    const left = collection.isEmpty && [...this.#bodies].some((body) => isIn(body, collection));
-    collection.reportWhile(left, {
-      code: 'not-in-collider',
-      severity: 'info',
-      used: 'no collision',
-      message: `${collection.label} is a collider that lists nothing, so no body of its RigidBodyCollection collides; write collidables="*", or leave it out`,
-    });
+    if (!collider?.built || body.collidables.length === 0 || body.isObstacle) return false;
+    return !this.#oneSided.has(collider) && !this.collectionsOf(body).includes(collider);
   }
 
   /** True where a collider became one-sided or is so no longer. */
   #updateOneSided(): boolean {
     let changed = false;
     for (const collection of this.#collections) {
-      this.#reportEmpty(collection);
       const now = isOneSided(this.#world, collection);
       if (now === this.#oneSided.has(collection)) continue;
       changed = true;
@@ -270,10 +257,6 @@ export class Pairs implements PairRules {
     return changed;
   }
 }
-
-/** Its collection has this collider, which would let it collide. */
-const isIn = (body: BodyNode, collider: CollisionCollectionNode): boolean =>
-  body.settings.asked('collider') === collider && body.collidables.length > 0 && !body.isObstacle;
 
 const isWaiting = (settings: BodyNode['settings']): boolean =>
   settings.asked('collisionRules') === 'strict';

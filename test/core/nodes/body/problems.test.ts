@@ -111,18 +111,6 @@ fact('a body that is in no list of the collider is told', async () => {
   assert.deepEqual(codes(w), []);
 });
 
-fact('a collider that lists nothing is told once, and not of each body', async () => {
-  const w = await world();
-  for (const x of [0, 2, 4]) addBody(w, { position: [x, 0, 0] });
-  const collider = w.add('CollisionCollection', { bounce: 0.5 });
-  w.set('collider', collider);
-  w.step();
-  assert.equal(only(w, 'not-in-collider').element, collider);
-  collider.set('collidables', '*');
-  w.step();
-  assert.deepEqual(codes(w), []);
-});
-
 fact('a body that lost its numbers goes on from where its author puts it', async () => {
   const w = await world();
   const ball = addBody(w, { mass: 0.1 });
