@@ -5,7 +5,7 @@ import { loadEngine, World } from '../../../physics-core/inside.js';
 import { BodyNode } from '../../../physics-core/nodes/body/body.js';
 import { usedWasm } from '../../../tools/engine/used-wasm.js';
 
-export const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
+const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 
 /** One with a heap of its own. */
 async function engineOf(wasm: Uint8Array<ArrayBuffer>): Promise<Engine> {

@@ -10,7 +10,7 @@ import { Scene } from '../../fuzz/scene.js';
 import { usedGlue } from '../../../tools/engine/used-glue.js';
 import { usedWasm } from '../../../tools/engine/used-wasm.js';
 import { globSync } from '../../../tools/files.js';
-import { engines, started, stateOf, WASM } from './engines.js';
+import { engines, started, stateOf } from './engines.js';
 
 const GLUE = 'node_modules/ammojs-typed/ammo/ammo.wasm.js';
 
