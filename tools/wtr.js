@@ -14,7 +14,7 @@ function rawFile(path) {
   if (path.startsWith('/content/')) {
     return findFile(CONTENT, path.slice('/content'.length));
   }
-  if (path.startsWith('/dist/') || path.startsWith('/node_modules/x3dom/')) {
+  if (/^\/(dist|node_modules\/x3dom|x3dom-full)\//.test(path)) {
     return findFile('.', path);
   }
   // The code says `new URL('./ammo.wasm', import.meta.url)`, which is right in dist/ only.

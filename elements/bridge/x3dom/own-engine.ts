@@ -22,8 +22,9 @@ export function stopOwnEngine(x: X3DOM): OwnTypes | undefined {
   const types = x.components.RigidBodyPhysics;
   if (!types) return undefined;
   // A handler that the page put in its place is the page's.
-  if (window.onload && BEGINS.test(String(window.onload))) window.onload = null;
-  else refuseFrame(window as Frames);
+  const waits = window.onload !== null && BEGINS.test(String(window.onload));
+  if (waits) window.onload = null;
+  if (!waits || document.readyState === 'complete') refuseFrame(window as Frames);
   return new Set(Object.values(types));
 }
 
