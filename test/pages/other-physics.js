@@ -1,3 +1,4 @@
+/* global CreateInteractiveObjects:writable, XMLHttpRequest, defineClass, document, requestAnimFrame, window, x3dom */
 // x3dom with a stand-in for the physics of its own (x3dom-physics.js, and x3dom-full.js up to 1.7), which no package registry
 // has: it hangs on the page by the same names. Each of its frames is counted, and lifts the Transforms of all scenes.
 var request = new XMLHttpRequest();
