@@ -12,7 +12,7 @@ function rawFile(path) {
   if (path.startsWith('/content/')) {
     return findFile(CONTENT, path.slice('/content'.length));
   }
-  if (path.startsWith('/dist/') || path.startsWith('/node_modules/x3dom/')) {
+  if (/^\/(dist|node_modules\/x3dom|x3dom-full)\//.test(path)) {
     return findFile('.', path);
   }
   if (/\.(html|xhtml|x3d|wasm)$/.test(path)) return findFile('.', path);

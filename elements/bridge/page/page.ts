@@ -7,9 +7,9 @@ import { prefetch } from '../scene/code.js';
 import { registerNodeTypes, type Listener } from '../scene/node-types.js';
 import type { Scene } from '../scene/scene.js';
 import { attribute, isInline, isPhysics, isX3D } from '../words/dom.js';
-import { faultsFor } from '../words/faults.js';
 import { setUpDropped, whenThere } from '../x3dom/late.js';
 import { listening } from '../x3dom/listening.js';
+import { makeOurs, stopOwnEngine, type OwnTypes } from '../x3dom/own-engine.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 import { firstCopy, tellTwoCopies } from './copies.js';
 import { explanation, type Explanation } from './explain.js';
@@ -19,7 +19,6 @@ import { Scenes, X3D } from './scenes.js';
 class Page implements Listener {
   readonly #scenes = new Scenes({
     register: () => this.#register(),
-    made: (world, x3d) => world.on('ready', () => this.#reportOtherPhysics(world, x3d)),
   });
   #registered = false;
   begun = false;
@@ -48,8 +47,10 @@ class Page implements Listener {
     const x = x3dom();
     if (!x || this.#registered) return this.#registered;
     this.#registered = true;
-    this.#otherPhysics = x.nodeTypes.RigidBody !== undefined;
+    const types = stopOwnEngine(x);
     registerNodeTypes(x, this);
+    // The last frame of x3dom's engine comes before ours.
+    if (types) requestAnimationFrame(() => this.#takeOver(types));
     for (const x3d of document.querySelectorAll(X3D)) {
       listening.adopt(x3d);
       if (documentOf(x3d)) setUpDropped(x3d);
@@ -62,15 +63,11 @@ class Page implements Listener {
     for (const scene of this.#scenes) scene.readByX3DOM();
   }
 
-  /** x3dom-full.js brings a physics engine of its own; said once. */
-  #otherPhysics = false;
-
-  #reportOtherPhysics(world: PageWorld, x3d: Element): void {
-    if (!this.#otherPhysics) return;
-    const faults = faultsFor(x3d, () => this.#reportOtherPhysics(world, x3d));
-    if (!faults) return;
-    this.#otherPhysics = false;
-    world.report(faults.otherPhysics(), x3d);
+  /** What x3dom made for an engine of its own before we came. */
+  #takeOver(types: OwnTypes): void {
+    for (const x3d of document.querySelectorAll(X3D))
+      if (makeOurs(x3d, types))
+        this.#scenes.of(x3d)?.noteFault(x3d, (faults) => faults.otherPhysics());
   }
 
   /** Of our own nodes their binding tells. */

@@ -1,7 +1,6 @@
 import { prefetch } from '../scene/code.js';
 import { Start } from '../scene/start.js';
 import { Scene } from '../scene/scene.js';
-import type { SceneWorld } from '../scene/scene-world.js';
 import { isScene, isX3D, subtree } from '../words/dom.js';
 import { makeUnread, removeCopies, wasLetGo, wasRead } from '../x3dom/late.js';
 import { x3dom } from '../x3dom/x3dom.js';
@@ -12,8 +11,6 @@ export const X3D = 'x3d, X3D';
 interface Hooks {
   /** x3dom is to know our node types before it reads one. */
   register(): void;
-  /** A world of one was made. */
-  made(world: SceneWorld, x3d: Element): void;
 }
 
 /** Each `<x3d>` of the page as it comes and goes, and its scene. */
@@ -97,7 +94,6 @@ export class Scenes {
     const scene = new Scene(x3d);
     const start = new Start(scene, this.settledInlines);
     this.#all.set(x3d, { scene, start });
-    scene.worlds.onmake((world) => this.#hooks.made(world, x3d));
     return scene;
   }
 

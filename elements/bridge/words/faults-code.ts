@@ -180,9 +180,10 @@ const malformed: Faults['malformed'] = ({ localName: tag }, name, text) => ({
 const OTHER_PHYSICS: ProblemReport = {
   code: 'two-physics-engines',
   severity: 'warning',
-  value: 'x3dom-full.js',
+  value: 'RigidBodyPhysics of x3dom',
   used: 'x3d-physics',
-  message: 'x3dom-full.js has physics of its own; load x3dom.js, or both move the same bodies',
+  message:
+    "x3dom's own physics ran before x3d-physics was loaded, and is stopped: bodies go on from where it left them, and what it lets people drag stays so; load x3d-physics with the page",
 };
 
 const refusedRoute: Faults['refusedRoute'] = ({ label, type }, name, verb) => {

@@ -36,7 +36,7 @@ export interface Faults {
   unused(at: Labelled, isCollidable: boolean): ProblemReport;
   /** A field of a geometry. */
   malformed(geometry: Element, name: string, text: string): ProblemReport;
-  /** x3dom-full.js brings a physics engine of its own. */
+  /** x3dom's own engine ran before we came. */
   otherPhysics(): ProblemReport;
   /** A ROUTE from or to a field that there is not, or where X3D does not allow it. */
   refusedRoute(at: Labelled, name: string, verb: string): ProblemReport;

@@ -75,7 +75,7 @@ export function makeUnread(x3d: Element): void {
   for (const appended of x3d.querySelectorAll(APPENDED)) appended.remove();
 }
 
-function unpatch(element: Element): void {
+export function unpatch(element: Element): void {
   const own = element as Element & Record<string, unknown>;
   for (const name of PATCHED) {
     for (const each of [name, `__${name}`]) if (Object.hasOwn(own, each)) delete own[each];

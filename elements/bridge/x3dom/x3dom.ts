@@ -138,6 +138,8 @@ export interface X3DElement extends Element {
 export interface X3DOM {
   nodeTypes: Record<string, X3DNodeClass>;
   nodeTypesLC: Record<string, X3DNodeClass>;
+  /** Node types of each component. */
+  components: Record<string, Record<string, X3DNodeClass> | undefined>;
   Mesh: X3DMeshClass;
   NodeNameSpace: { prototype: NameSpace };
   X3DDocument: { prototype: X3DDocument };

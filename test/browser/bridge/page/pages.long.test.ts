@@ -218,17 +218,6 @@ describe('pages', () => {
     expect(height(other, 'other')).to.equal(height(world, 'ball'));
   });
 
-  it('other-physics.html: physics in x3dom itself is reported once', async () => {
-    const page = await open('other-physics.html');
-    const world = await worldIn(page);
-    world.paused = true;
-    await until(() => heardIn(page).length > 0);
-    expect(heardIn(page)).to.eql(['two-physics-engines']);
-    world.reset();
-    world.advance(1);
-    expect(height(world, 'ball')).to.be.closeTo(3 - 4.9, 0.05);
-  });
-
   const early = (script: string): string => `<!DOCTYPE html>
     <script src="/node_modules/x3dom/x3dom.js"></script>
     <x3d width="300px" height="200px"><scene>
