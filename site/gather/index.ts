@@ -38,9 +38,16 @@ function copyPages(): void {
   for (const [name, text] of referencePages()) write(`reference/${name}.md`, text);
 }
 
+/** To be copied: its two scripts lie beside it. */
+function copyFirstPage(): void {
+  const page = readFileSync('examples/falling-box.html', 'utf8');
+  write('falling-box.html', page.replaceAll(/"[^"]*\/([\w.-]+\.js)"/g, '"$1"'));
+}
+
 for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, force: true });
 copyScripts();
 copyPages();
+copyFirstPage();
 
 /** When all pages are there. */
 function writeTexts(): void {

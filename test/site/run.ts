@@ -1,11 +1,12 @@
-// The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, and each scene
-// in it runs, the stories of its reference pages among them.
+// The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, what it says to
+// copy runs, and each scene in it, the stories of its reference pages among them.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/browsers.js';
 import { buildDocs, serveDocs } from '../../tools/site.js';
 import { inaccessible } from './checks/accessible.js';
+import { miscopied } from './checks/copied.js';
 import { deadLinks } from './checks/links.js';
 import { pages, type Page } from './checks/pages.js';
 import { notFound } from './checks/search.js';
@@ -32,6 +33,7 @@ async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const examples = [...scenes(), ...stories()];
   const results = [
     result(1, await notFound(browser, address)),
+    result(1, await miscopied(browser, address)),
     result(all.length, await inaccessible(browser, address, all)),
     result(examples.length, await broken(browser, address, examples)),
   ];
