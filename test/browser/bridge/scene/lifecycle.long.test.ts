@@ -3,6 +3,24 @@ import { drawn, drawnAt, nextFrame, place, show, until, wait } from '../../scene
 import { worldOf } from '../../inside.js';
 import { ball } from './lifecycle.js';
 
+/** Until its `end`, which answers the seconds that the longest frame took: on a busy machine some take several. */
+function longestFrame(): { end(): number } {
+  let [longest, last] = [0, performance.now()];
+  const look = (): void => {
+    const now = performance.now();
+    longest = Math.max(longest, (now - last) / 1000);
+    last = now;
+    request = requestAnimationFrame(look);
+  };
+  let request = requestAnimationFrame(look);
+  return {
+    end() {
+      cancelAnimationFrame(request);
+      return longest;
+    },
+  };
+}
+
 describe('an x3d', () => {
   it('may be removed and put back again and again', async () => {
     const { x3d } = await show(ball, '#ball');
@@ -69,14 +87,15 @@ describe('an x3d', () => {
     world!.on('lag', (lag) => (dropped += (lag as { dropped: number }).dropped));
     await until(() => world!.time > 0.1);
     const [time, from] = [world!.time, performance.now()];
+    const frames = longestFrame();
     for (let i = 0; i < 20; i++) {
       x1!.style.cssText = i % 2 ? '' : 'position: absolute; left: -5000px';
       await wait(70);
     }
     await nextFrame();
     const passed = (performance.now() - from) / 1000;
-    // A frame and a step at either end; each return used to cost a frame, 0.17 s of these.
-    expect(world!.time + dropped - time).to.be.closeTo(passed, 0.06);
+    // A frame and a step at either end; each of ten returns used to cost a frame.
+    expect(world!.time + dropped - time).to.be.closeTo(passed, 0.03 + 2 * frames.end());
   });
 
   it('in a hidden page stands still, unless run-hidden', async () => {
