@@ -2,8 +2,11 @@
 // functions and data that nothing can reach then (reach.js). What stays is as it was, instruction for instruction: so are
 // the bits of every motion.
 import { Buffer } from 'node:buffer';
-import { readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import binaryen from 'binaryen';
+import { CACHE } from '../current.js';
+import { globSync } from '../files.js';
 import { FIRST, listOf, without } from './data.js';
 import { reached } from './reach.js';
 import { SOURCES, usedGlue } from './used-glue.js';
@@ -22,8 +25,30 @@ const made = new Map();
  */
 export function usedWasm(sources = SOURCES) {
   const key = sources.join();
-  if (!made.has(key)) made.set(key, make(sources));
+  if (!made.has(key)) made.set(key, kept(sources));
   return made.get(key);
+}
+
+/** It takes seconds to make, and each stage of the tests is a process of its own. */
+function kept(sources) {
+  const file = `${CACHE}/engine-${keyOf(sources)}.wasm`;
+  if (existsSync(file)) return readFileSync(file);
+  const bytes = make(sources);
+  mkdirSync(CACHE, { recursive: true });
+  // Whole at once: another stage may look for it now.
+  writeFileSync(`${file}.${process.pid}`, bytes);
+  renameSync(`${file}.${process.pid}`, file);
+  return bytes;
+}
+
+/** Of all that it is made from. */
+function keyOf(sources) {
+  const hash = createHash('sha256');
+  const glue = readFileSync(GLUE, 'utf8');
+  for (const callers of [SOURCES, sources]) hash.update(usedGlue(glue, callers).unused.join());
+  for (const file of [WASM, 'package-lock.json', ...globSync('tools/engine/*.js')])
+    hash.update(readFileSync(file));
+  return hash.digest('hex').slice(0, 16);
 }
 
 function make(sources) {

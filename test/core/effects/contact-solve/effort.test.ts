@@ -73,7 +73,7 @@ fact(
 );
 
 fact(
-  'thirty boxes that tumble are left to Bullet at `standard`, and solved at `precise`',
+  'thirty boxes that tumble are left to Bullet at `standard`, and solved at `fine`',
   async () => {
     const { effort } = levelNamed('standard');
     const most = async (level: LevelName): Promise<number> => {
@@ -83,7 +83,7 @@ fact(
       return Math.max(...blocksOfSteps(w, Math.round(0.16 / w.timeStep)));
     };
     below(await most('standard'), effort + 1);
-    above(await most('precise'), 2 * effort);
+    above(await most('fine'), 2 * effort);
   },
 );
 
