@@ -66,15 +66,18 @@ function greatestOverlap(balls: Body[]): number {
 }
 
 fact(
-  'a hundred balls in a shaft lie no deeper in each other than a step goes, bounce or not',
+  'a hundred balls in a shaft lie in each other by millimetres, and with bounce by the way of a step',
   async () => {
-    for (const bounce of [0, 0.5]) {
+    // Without bounce they lie after 4 s. With it, where it was 0.26 m, some still fall onto others at 3 m/s.
+    for (const [bounce, most] of [
+      [0, 0.005],
+      [0.5, 3 / 120],
+    ] as const) {
       const w = await world();
       const balls = heap(w);
       w.add('CollisionCollection', { collidables: '*', bounce });
       w.advance(4);
-      // It was 0.26 m with bounce. What still falls onto others does so at some 3 m/s.
-      below(greatestOverlap(balls), 3 * w.timeStep, `m, bounce ${bounce}`);
+      below(greatestOverlap(balls), most, `m, bounce ${bounce}`);
     }
   },
 );
