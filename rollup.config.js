@@ -1,12 +1,12 @@
 import { basename, dirname } from 'node:path';
 import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
-import { ammoModule } from './tools/engine/ammo-module.js';
-import { brotli } from './tools/brotli.js';
-import { chunkBytes } from './tools/chunk-bytes.js';
-import { cssText } from './tools/css-text.js';
-import { banner, thirdParties } from './tools/licenses.js';
-import { plainPairs } from './tools/plain-pairs.js';
+import { ammoModule } from './tools/build/engine/ammo-module.js';
+import { brotli } from './tools/build/brotli.js';
+import { chunkBytes } from './tools/build/chunk-bytes.js';
+import { cssText } from './tools/build/css-text.js';
+import { banner, thirdParties } from './tools/build/licenses.js';
+import { plainPairs } from './tools/build/plain-pairs.js';
 import {
   copyWasm,
   minify,
@@ -14,7 +14,7 @@ import {
   WASM_MODULE,
   wasmAsText,
   withoutDocs,
-} from './tools/rollup-plugins.js';
+} from './tools/build/rollup-plugins.js';
 
 const common = {
   // No module of Node either: bundlers for pages could not resolve it.

@@ -1,7 +1,7 @@
 import { playwrightLauncher } from '@web/test-runner-playwright';
-import { CHROMIUM_ARGUMENTS, findChromium } from './tools/browsers.js';
-import { devtoolsCommand } from './tools/devtools-command.js';
-import { config } from './tools/wtr.js';
+import { CHROMIUM_ARGUMENTS, findChromium } from './tools/test/browsers.js';
+import { devtoolsCommand } from './tools/test/devtools-command.js';
+import { config } from './tools/test/wtr.js';
 
 export default config(
   playwrightLauncher({

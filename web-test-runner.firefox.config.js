@@ -1,7 +1,7 @@
 import { puppeteerLauncher } from '@web/test-runner-puppeteer';
-import { findFirefox } from './tools/browsers.js';
-import { ensureDisplay } from './tools/display.js';
-import { config } from './tools/wtr.js';
+import { findFirefox } from './tools/test/browsers.js';
+import { ensureDisplay } from './tools/test/display.js';
+import { config } from './tools/test/wtr.js';
 
 await ensureDisplay();
 

@@ -1,8 +1,8 @@
 import { webdriverLauncher } from '@web/test-runner-webdriver';
-import { findWebKit } from './tools/browsers.js';
-import { ensureDisplay } from './tools/display.js';
-import { startWebKitDriver } from './tools/webkit.js';
-import { config } from './tools/wtr.js';
+import { findWebKit } from './tools/test/browsers.js';
+import { ensureDisplay } from './tools/test/display.js';
+import { startWebKitDriver } from './tools/test/webkit.js';
+import { config } from './tools/test/wtr.js';
 
 const { driver, browser } = findWebKit();
 await ensureDisplay();

@@ -1,10 +1,10 @@
 import { existsSync } from 'node:fs';
-import { wasmAsText } from '../tools/rollup-plugins.js';
+import { wasmAsText } from '../tools/build/rollup-plugins.js';
 
 /**
  * Served as they are, at the addresses they have in the repository. The stories show the built library, the file
  * that a page would load; they show the pages of stories/pages, which name their files from there; and they lead on to
- * the report of the accuracy lab, whose pages tools/stories.js draws.
+ * the report of the accuracy lab, whose pages tools/docs/stories.js draws.
  */
 const FOLDERS = [
   'node_modules/x3dom',

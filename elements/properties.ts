@@ -1,4 +1,4 @@
-// Written by `npm run types` from the tables in physics-core/nodes.
+// Written by `npm run write -- types` from the tables in physics-core/nodes.
 
 /** Properties of `<x3d-rigid-body-collection>`: read live, set to the text of the attribute, too; null takes script's word back. */
 export interface RigidBodyCollectionProperties {

@@ -5,7 +5,7 @@
 //   --seconds <s>   simulated seconds per run (2)
 //   --scene <name>  only scenes whose name has this in it
 //   --json <file>   also write the result there
-// It ends with what each effect adds (lab:effects), which needs dist/.
+// It ends with what each effect adds (`npm run lab -- effects`), which needs dist/.
 import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { columnsOf } from './draw/table.js';

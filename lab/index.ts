@@ -1,7 +1,23 @@
-// npm run lab: the accuracy lab; npm run lab -- stability: the matrix of hard cases; npm run lab -- price: what steps cost.
-// Options: see there.
+// npm run lab: the accuracy lab. npm run lab -- <name>: what else is measured, by the options that stand there; --list names all.
 const LABS: Record<string, string> = {
-  stability: './stability/index.js',
+  contacts: './contacts/index.js',
+  content: './content/index.js',
+  drawing: './drawing/index.js',
+  edits: './edits/index.js',
+  effects: './effects/index.js',
+  joints: './joints/index.js',
+  page: './page/index.js',
+  predict: './predict.js',
   price: './price/index.js',
+  stability: './stability/index.js',
 };
-void import(LABS[process.argv[2] ?? ''] ?? './run.js');
+const [asked = ''] = process.argv.slice(2);
+if (asked === '--list') console.log(Object.keys(LABS).join('\n'));
+else if (asked in LABS) {
+  // It reads its options alone.
+  process.argv.splice(2, 1);
+  void import(LABS[asked]!);
+} else if (/^\w/.test(asked)) {
+  console.error(`There is no lab "${asked}": ${Object.keys(LABS).join(', ')}.`);
+  process.exitCode = 1;
+} else void import('./run.js');

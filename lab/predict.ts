@@ -1,4 +1,4 @@
-// npm run lab:predict: does a level cost what measureAccuracy says it will? Each scene runs at each level in turn, right
+// npm run lab -- predict: does a level cost what measureAccuracy says it will? Each scene runs at each level in turn, right
 // after it was measured, several times over; what counts is the ratio.
 //   --rounds <n>   rounds of every scene (5)
 //   --scene <word> only those with it in their names

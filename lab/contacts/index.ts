@@ -1,4 +1,4 @@
-// npm run lab:contacts: what the direct solve of contacts costs. Writes lab/report/contacts.json, draws the page of the
+// npm run lab -- contacts: what the direct solve of contacts costs. Writes lab/report/contacts.json, draws the page of the
 // report beside it and puts both tables into docs/contacts.md. The errors are those of the report's cases.
 //   --draw   measure nothing: page and tables of the numbers of last time
 import { readFileSync, writeFileSync } from 'node:fs';

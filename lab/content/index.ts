@@ -1,13 +1,13 @@
 import { readdirSync, writeFileSync } from 'node:fs';
 import { chromium, type Browser } from 'playwright';
 // @ts-expect-error plain JavaScript
-import { CHROMIUM_ARGUMENTS, findChromium } from '../../tools/browsers.js';
+import { CHROMIUM_ARGUMENTS, findChromium } from '../../tools/test/browsers.js';
 import { inPageBundle } from '../in-page-bundle.js';
 import type { Found } from './in-page/measure.js';
 import { addressOf, FORMS, servePages, type Form } from './pages.js';
 
 /**
- * Opens each X3D file of a folder in Chromium and prints what its bodies do: `npm run lab:content -- <folder>`, with
+ * Opens each X3D file of a folder in Chromium and prints what its bodies do: `npm run lab -- content -- <folder>`, with
  * `--only <words>` those whose name has these words in it, `--live <seconds>` at the page's own pace first, so that what
  * a TimeSensor drives goes on, `--json <file>` all that was found.
  */
@@ -76,7 +76,7 @@ function print(row: Row): void {
 }
 
 const folder = process.argv[2];
-if (!folder) throw new Error('Which folder? npm run lab:content -- <folder>');
+if (!folder) throw new Error('Which folder? npm run lab -- content -- <folder>');
 const only = option('only') ?? '';
 const forms = (option('forms')?.split(',') ?? FORMS) as Form[];
 const files = readdirSync(folder).filter(

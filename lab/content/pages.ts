@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 // @ts-expect-error plain JavaScript
-import { findFile } from '../../tools/static-files.js';
+import { findFile } from '../../tools/docs/static-files.js';
 
 /** How a file comes into a page: named by an Inline (XML or JSON), or its XML pasted into an XHTML document. */
 export const FORMS = ['inline', 'xhtml'] as const;

@@ -1,4 +1,4 @@
-// npm run lab:drawing: what it costs to draw many bodies, one by one, in one call and by three.js, in turns on one page;
+// npm run lab -- drawing: what it costs to draw many bodies, one by one, in one call and by three.js, in turns on one page;
 // what one change costs; and scene 3 of the paper. It needs dist/ and Chromium, and no network. Numbers go into
 // lab/report/drawing.json, tables and pictures into docs/drawing.md.
 //   --part rows        only this part anew: rows, edits or room

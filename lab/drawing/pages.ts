@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { chromium, type Browser, type Page } from 'playwright';
 // @ts-expect-error plain JavaScript
-import { CHROMIUM_ARGUMENTS, findChromium } from '../../tools/browsers.js';
+import { CHROMIUM_ARGUMENTS, findChromium } from '../../tools/test/browsers.js';
 // @ts-expect-error plain JavaScript
-import { findFile } from '../../tools/static-files.js';
+import { findFile } from '../../tools/docs/static-files.js';
 import type { Measure } from './in-page/index.js';
 import { inPageBundle } from '../in-page-bundle.js';
 

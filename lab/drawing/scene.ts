@@ -33,6 +33,6 @@ export function pageOf(count: number): string {
     </scene></x3d>`;
 }
 
-/** Scene 3 of the paper, as `npm run bench:page` has it: boxes fall into a room, where a ball stirs them. */
+/** Scene 3 of the paper, as `npm run lab -- page` has it: boxes fall into a room, where a ball stirs them. */
 export const roomOf = (count: number): string =>
   ours.page(boxes(count), '').replace(HOOKS('ours'), '');

@@ -1,4 +1,4 @@
-// npm run lab:edits: whether one edit costs the same in a scene of 1000 bodies as in one of 10, interleaved in one run.
+// npm run lab -- edits: whether one edit costs the same in a scene of 1000 bodies as in one of 10, interleaved in one run.
 //   --rounds <n>   edits of each kind in each scene (400)
 import { parseArgs } from 'node:util';
 import { median } from '../run/median.js';

@@ -1,5 +1,5 @@
 import { existsSync } from 'node:fs';
-import { builtFiles } from '../../tools/effects/chunks.js';
+import { builtFiles } from '../../tools/docs/effects/chunks.js';
 
 const CORE = new URL('../../dist/core.js', import.meta.url);
 

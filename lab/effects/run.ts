@@ -49,6 +49,6 @@ export function showEffects(): void {
   );
   console.log(columnsOf([head, ...rows], 1));
   console.log(
-    'again: npm run build && npm run lab:effects && npm run docs:effects; numbers: lab/report/effects.json',
+    'again: npm run build && npm run lab -- effects && npm run write -- effects; numbers: lab/report/effects.json',
   );
 }

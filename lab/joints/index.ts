@@ -1,4 +1,4 @@
-// npm run lab:joints: what the direct solve of joints gains and costs. Writes lab/report/joints.json, draws the page of
+// npm run lab -- joints: what the direct solve of joints gains and costs. Writes lab/report/joints.json, draws the page of
 // the report beside it and puts the table of errors into docs/joints.md. Chains with the solve are cases of the report.
 //   --draw   measure nothing: page and table of the numbers of last time
 import { readFileSync, writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-// npm run bench:page: the paper's scenes in real pages, beside other libraries. Writes lab/report/pages.json cell by cell,
+// npm run lab -- page: the paper's scenes in real pages, beside other libraries. Writes lab/report/pages.json cell by cell,
 // and the pictures and tables of docs/pages.md. dist/ must be built; no network is needed.
 //   --browser <name>   only in this one: chromium, firefox or webkit
 //   --quick            few sizes, printed and not kept
@@ -6,7 +6,7 @@
 //   --draw             measure nothing: pictures and tables of the numbers of last time
 import { parseArgs } from 'node:util';
 // @ts-expect-error plain JavaScript
-import { BROWSERS } from '../../tools/open-browser.js';
+import { BROWSERS } from '../../tools/docs/open-browser.js';
 import type { AskedPages } from '../run/asked-browser.js';
 import { drawPages } from './draw.js';
 import { emptyPages, FRAMES, measureCell, measureStart, TURNS, WARM_UP } from './measure.js';

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 // @ts-expect-error plain JavaScript
-import { findFile } from '../../tools/static-files.js';
+import { findFile } from '../../tools/docs/static-files.js';
 import { AskedBrowser, type Answer, type AskedPages } from '../run/asked-browser.js';
 import type { Asked, Found } from './asked.js';
 import { libraryOf } from './libraries/index.js';

@@ -1,4 +1,4 @@
-// npm run lab:price, or npm run lab -- price: what a step costs, beside other engines with the same step, and what it leaves.
+// npm run lab -- price: what a step costs, beside other engines with the same step, and what it leaves.
 //   --scene <id>     only this scene (poured stands for all of poured-*)
 //   --level <name>   only this level
 //   --turns <n>      turns of each engine, each a tenth of a second of the scene (20)
@@ -25,8 +25,6 @@ const { values: options } = parseArgs({
     keep: { type: 'boolean', default: false },
     draw: { type: 'boolean', default: false },
   },
-  // `price` itself, where the lab hands on what it was asked for.
-  allowPositionals: true,
 });
 
 /** Below, an interval says little. */

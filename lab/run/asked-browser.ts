@@ -2,7 +2,7 @@ import { createServer, type IncomingMessage, type ServerResponse } from 'node:ht
 import type { AddressInfo } from 'node:net';
 import { setTimeout as wait } from 'node:timers/promises';
 // @ts-expect-error plain JavaScript
-import { openBrowser } from '../../tools/open-browser.js';
+import { openBrowser } from '../../tools/docs/open-browser.js';
 
 /** A media type, and what is sent with it. */
 export type Answer = readonly [type: string, content: string | Buffer];

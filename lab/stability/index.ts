@@ -1,4 +1,4 @@
-// npm run lab:stability, or npm run lab -- stability: every hard case at every level. Writes lab/report/stability.json cell
+// npm run lab -- stability: every hard case at every level. Writes lab/report/stability.json cell
 // by cell, draws the matrix among the report's pages and puts its tables into docs/stability.md.
 //   --case <id>        only this case (S2 stands for all of S2 …), and print it
 //   --level <name>     only this level
@@ -11,7 +11,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 // @ts-expect-error plain JavaScript
-import { BROWSERS } from '../../tools/open-browser.js';
+import { BROWSERS } from '../../tools/docs/open-browser.js';
 import { drawPages, readBeside } from '../draw/report.js';
 import { matrixPicture } from '../draw/stability-picture.js';
 import { readReport } from '../run/report.js';
@@ -36,8 +36,6 @@ const { values: options } = parseArgs({
     fresh: { type: 'boolean', default: false },
     draw: { type: 'boolean', default: false },
   },
-  // `stability` itself, where the lab hands on what it was asked for.
-  allowPositionals: true,
 });
 
 const chosen = stabilityCases.filter(

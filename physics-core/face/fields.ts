@@ -1,4 +1,4 @@
-// Written by `npm run types` from the tables in physics-core/nodes.
+// Written by `npm run write -- types` from the tables in physics-core/nodes.
 import type { Rotation, Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
 import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';

@@ -2,9 +2,9 @@
 import { createReadStream } from 'node:fs';
 import type { UserConfig } from 'vitepress';
 // @ts-expect-error plain JavaScript
-import { findFile } from '../../tools/static-files.js';
+import { findFile } from '../../tools/docs/static-files.js';
 // @ts-expect-error plain JavaScript
-import { STORIES } from '../../tools/stories.js';
+import { STORIES } from '../../tools/docs/stories.js';
 
 /** Of the Vite that VitePress brings. */
 type Plugins = NonNullable<NonNullable<UserConfig['vite']>['plugins']>;

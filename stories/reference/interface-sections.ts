@@ -4,7 +4,7 @@ import { eventsAt, eventTypes } from '../../elements/bridge/words/event-types.js
 import type { X3DNodeElement } from '../../elements/node-element.js';
 import type { NodeType } from '../../physics-core/inside.js';
 import type { World } from '../../physics-core/world/world.js';
-import { additionsOf } from '../../tools/manifest-fields.js';
+import { additionsOf } from '../../tools/build/manifest-fields.js';
 
 /** Names and what each does. */
 type Sentences = [string, string][];

@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import './console.js';
 import { openText, type PageWindow } from './page.js';
 import { nextFrame, until } from './scene.js';
-import { nodeTypes } from '../../physics-core/inside.js';
+import { nodeTypes, type Problem } from '../../physics-core/inside.js';
 import type { World } from './inside.js';
 
 const FALLING = `<transform translation="0 5 0">
@@ -18,7 +18,7 @@ const EGG = `<transform scale="1 2 1">
 const COLLECTION = '<x3d-collision-collection collidables="*"></x3d-collision-collection>';
 
 type Shown = Element & { world: World };
-type Kicked = { applyImpulse(impulse: number[]): void };
+type Kicked = { applyImpulse(impulse: number[]): unknown };
 
 /** A page with the module build, and its body's world, started. */
 async function show(scene: string) {
@@ -151,14 +151,17 @@ describe('what a page fetches', () => {
       (floor) =>
         (floor.ownerDocument.getElementById('b') as unknown as Kicked).applyImpulse([0, 300, 0]),
     ],
-  ] as [string, (floor: Element) => void][])
+  ] as [string, (floor: Element) => unknown][])
     it(`the code of impacts with ${what}, for which the world waits`, async () => {
       const { page, world } = await show(FALLING + FLOOR);
       world.paused = true;
       world.step(1);
       expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([CONTACTS]);
       const told: unknown[] = [];
-      world.on('problem', ({ code, value }) => told.push([code, value]));
+      world.on('problem', (problem) => {
+        const { code, value } = problem as Problem;
+        told.push([code, value]);
+      });
       act(page.document.getElementById('floor')!.parentElement!);
       await until(() => world.step(1) > 0 && has(page, IMPACTS));
       expect(told).to.eql([['waiting-for-effect', 'impacts']]);

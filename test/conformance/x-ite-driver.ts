@@ -1,8 +1,8 @@
 import { chromium, type Browser, type Page } from 'playwright';
 // @ts-expect-error plain JavaScript
-import { findChromium } from '../../tools/browsers.js';
+import { findChromium } from '../../tools/test/browsers.js';
 // @ts-expect-error plain JavaScript
-import { serve } from '../../tools/static-files.js';
+import { serve } from '../../tools/docs/static-files.js';
 import { FRAME } from './checks.js';
 import type { Fact, NodeData, Stage } from './fact.js';
 import { definedFirst, markup, typesByName } from './markup.js';

@@ -5,7 +5,7 @@ import { place } from '../browser/scene.js';
 import { worldOf } from '../browser/inside.js';
 
 /**
- * Scenes that were written for other X3D browsers. They lie beside the project and not in it: tools/stages.js leaves
+ * Scenes that were written for other X3D browsers. They lie beside the project and not in it: tools/test/stages.js leaves
  * these tests out where they are missing, and says so.
  */
 interface Content {

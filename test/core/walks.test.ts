@@ -1,13 +1,20 @@
 import assert from 'node:assert/strict';
 import { allEffects } from '../../physics-core/effects/all.js';
 import { Effect } from '../../physics-core/effects/effect/effect.js';
-import { instrumentedCore } from '../../tools/walks/core.js';
-import { walked, walks, type Walk } from '../../tools/walks/scenes.js';
-import { before, crossings, describe, doneTwice, named, roomOf } from '../../tools/walks/walk.js';
-import type { Call } from '../../tools/walks/recorder.js';
+import { instrumentedCore } from '../../tools/test/walks/core.js';
+import { walked, walks, type Walk } from '../../tools/test/walks/scenes.js';
+import {
+  before,
+  crossings,
+  describe,
+  doneTwice,
+  named,
+  roomOf,
+} from '../../tools/test/walks/walk.js';
+import type { Call } from '../../tools/test/walks/recorder.js';
 import { fact, world } from './helpers.js';
 
-// How far an edit, a step and a question walk through the core, counted while they run (npm run walks shows all of it).
+// How far an edit, a step and a question walk through the core, counted while they run (node --import tsx tools/test/walks.ts shows all of it).
 
 let core: ReturnType<typeof instrumentedCore> | undefined;
 

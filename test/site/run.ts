@@ -3,8 +3,8 @@
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
-import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/browsers.js';
-import { buildDocs, serveDocs } from '../../tools/site.js';
+import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
+import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { miscopied } from './checks/copied.js';
 import { deadLinks } from './checks/links.js';

@@ -11,7 +11,7 @@ import { runCell } from '../../lab/stability/run.js';
 import { wordsOf } from '../../lab/stability/table.js';
 import type { LevelName } from '../../physics-core/inside.js';
 // @ts-expect-error plain JavaScript
-import { BROWSERS } from '../../tools/open-browser.js';
+import { BROWSERS } from '../../tools/docs/open-browser.js';
 
 const { values, positionals: ids } = parseArgs({
   options: { browsers: { type: 'string' }, alone: { type: 'boolean', default: false } },

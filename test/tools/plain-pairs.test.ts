@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { parseAst } from 'rollup/parseAst';
-import { plain } from '../../tools/plain-pairs.js';
+import { plain } from '../../tools/build/plain-pairs.js';
 
 const of = (code: string): string => plain(code, parseAst(code));
 

@@ -3,7 +3,7 @@ import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { build } from 'esbuild';
 // @ts-expect-error plain JavaScript
-import { inSources } from '../../tools/source-positions.js';
+import { inSources } from '../../tools/test/source-positions.js';
 
 const FOLDER = 'test-bundles/positions';
 

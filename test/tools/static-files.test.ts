@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 // @ts-expect-error plain JavaScript
-import { findFile, serve } from '../../tools/static-files.js';
+import { findFile, serve } from '../../tools/docs/static-files.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'x3d-physics-static-'));
 after(() => rmSync(folder, { recursive: true }));

@@ -1,6 +1,6 @@
 import { build } from 'esbuild';
 // @ts-expect-error plain JavaScript
-import { PLATFORMS, wasmOfTests } from '../../../tools/bundle-tests.js';
+import { PLATFORMS, wasmOfTests } from '../../../tools/test/bundle-tests.js';
 import type { LevelName } from '../../../physics-core/inside.js';
 import { AskedBrowser, type Answer } from '../../run/asked-browser.js';
 import type { Cell } from '../case.js';

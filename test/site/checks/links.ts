@@ -1,6 +1,6 @@
 // Links within the site that lead nowhere.
 import { existsSync, readFileSync, statSync } from 'node:fs';
-import { FOLDER } from '../../../tools/site.js';
+import { FOLDER } from '../../../tools/docs/site.js';
 import type { Page } from './pages.js';
 
 const LINK = /<(?:a|img|link|script|iframe)\b[^>]*?\s(?:href|src)="([^"]+)"/g;

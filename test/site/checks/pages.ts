@@ -1,6 +1,6 @@
 // The pages of the built site, as files.
 import { readdirSync, readFileSync } from 'node:fs';
-import { FOLDER } from '../../../tools/site.js';
+import { FOLDER } from '../../../tools/docs/site.js';
 
 /** Of others, which have tests of their own. */
 const ELSEWHERE = /^(stories|x3d-physics)\//;

@@ -3,8 +3,8 @@
 //   --only <text>  facts with this in their names
 import { parseArgs } from 'node:util';
 import { chromium, type Browser } from 'playwright';
-import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../../tools/browsers.js';
-import { buildSite, serveDocs } from '../../../tools/site.js';
+import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../../tools/test/browsers.js';
+import { buildSite, serveDocs } from '../../../tools/docs/site.js';
 import { editing } from './facts/editing.js';
 import { examples } from './facts/examples.js';
 import { harmless } from './facts/harmless.js';

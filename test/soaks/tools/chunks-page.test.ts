@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { builtFiles, PAGE } from '../../../tools/effects/chunks.js';
+import { builtFiles, PAGE } from '../../../tools/docs/effects/chunks.js';
 
 /** Of a size that may differ from the page's before that is to be written anew: a kilobyte, and 3 %. */
 const ROUNDING = { bytes: 1000, share: 0.03 };
@@ -10,7 +10,7 @@ const LIBRARY = 'dist/x3d-physics.js';
 const skip = !existsSync(LIBRARY) && `${LIBRARY} is not built`;
 
 test(
-  'docs/chunks.md has the files as they are built: npm run docs:chunks writes it',
+  'docs/chunks.md has the files as they are built: npm run write -- chunks writes it',
   { skip },
   () => {
     const rows = readFileSync(PAGE, 'utf8').matchAll(

@@ -3,7 +3,7 @@ import { fetchGlue, loadAmmo } from '../../../physics-core/engine/ammo.js';
 import { Engine } from '../../../physics-core/engine/engine.js';
 import { loadEngine, World } from '../../../physics-core/inside.js';
 import { BodyNode } from '../../../physics-core/nodes/body/body.js';
-import { usedWasm } from '../../../tools/engine/used-wasm.js';
+import { usedWasm } from '../../../tools/build/engine/used-wasm.js';
 
 const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 

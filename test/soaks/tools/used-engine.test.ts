@@ -7,8 +7,8 @@ import type { Engine } from '../../../physics-core/engine/engine.js';
 import { editsPlan } from '../../fuzz/edits-plan.js';
 import { plan, type Plan } from '../../fuzz/plan.js';
 import { Scene } from '../../fuzz/scene.js';
-import { usedGlue } from '../../../tools/engine/used-glue.js';
-import { usedWasm } from '../../../tools/engine/used-wasm.js';
+import { usedGlue } from '../../../tools/build/engine/used-glue.js';
+import { usedWasm } from '../../../tools/build/engine/used-wasm.js';
 import { globSync } from '../../../tools/files.js';
 import { engines, started, stateOf } from './engines.js';
 

@@ -8,7 +8,7 @@ type Page = PageWindow & { ownEngine?: { begun: number; frames: number }; loaded
 
 const X3DOM = '<script src="/node_modules/x3dom/x3dom.js"></script>';
 const STAND_IN = '<script src="/test/pages/other-physics.js"></script>';
-/** Made by `npm run x3dom-full`, where x3dom's source can be had. */
+/** Made by `node tools/test/x3dom-full.js`, where x3dom's source can be had. */
 const FULL = '/x3dom-full/x3dom-physics.js';
 
 const OURS: Record<string, string> = {

@@ -1,5 +1,0 @@
-// npm run docs:effects: writes docs/effects.md anew.
-import { writeFileSync } from 'node:fs';
-import { effectsPage, PAGE } from './effects/page.js';
-
-writeFileSync(PAGE, await effectsPage());
