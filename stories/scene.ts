@@ -7,7 +7,7 @@ const COLORS = {
   red: '0.6 0.06 0.04',
   brass: '0.75 0.42 0.1',
   blue: '0.03 0.3 0.42',
-  iron: '0.1 0.13 0.17',
+  iron: '0.17 0.21 0.26',
 };
 
 /** A Shape of one colour. */

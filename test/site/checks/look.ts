@@ -1,20 +1,19 @@
 // How a scene looks when it begins, light and dark: no face is black, no body is cut off, each stands out from what is behind it.
-import type { Browser, Page as Tab } from 'playwright';
-import { decoder, distance, type Picture } from './picture.js';
+import type { Browser, BrowserContext, Page as Tab } from 'playwright';
+import { colorAt, decoder, distance, shareBelow, type Picture } from './picture.js';
 import type { Scene } from './sources.js';
 
-/** Pixels of a page's column of text, and of a frame whose scene does not say how high. */
+/** Pixels: as wide as a page's text. */
 const WIDTH = 688;
-const HEIGHT = 340;
 
-/** Of 255: what no channel exceeds is black. */
-const BLACK = 20;
+/** Of 255: what is no brighter is black. */
+const BLACK = 24;
 /** Share of a picture that may be. */
-const BLACK_SHARE = 0.005;
+const BLACK_SHARE = 0.002;
 
-/** How far a body's colour is from that behind it: of the 441 between black and white. */
+/** How far a body's colour is from the one behind it: black and white are 441 from each other. */
 const CONTRAST = 40;
-/** Of the bodies' shapes, those that may be hidden by something, or be cut off where a crowd comes in from above. */
+/** Share of the bodies' shapes that may be behind something else, or come into the picture while it begins. */
 const EXCEPTIONS = 0.1;
 
 /** Where a shape is in the picture: from -1 to 1, rightwards and upwards. */
@@ -26,12 +25,12 @@ interface Place {
   top: number;
 }
 
-/** Runs in the page: the worlds stand where they began, and what of bodies that move is drawn where. */
-const START = (library: string): string => `(async () => {
+/** Runs in the page: its worlds stand where they began. Keeps the shapes of bodies that can move. */
+const begin = (library: string): string => `(async () => {
   const { explain, worldOf } = globalThis.X3DPhysics ?? await import('${library}');
   const all = [...document.querySelectorAll('x3d *')];
-  const worlds = new Set(all.map(worldOf).filter(Boolean));
-  await Promise.all([...worlds].map(({ ready }) => ready));
+  const worlds = [...new Set(all.map(worldOf).filter(Boolean))];
+  await Promise.all(worlds.map(({ ready }) => ready));
   for (const world of worlds) {
     world.paused = true;
     world.reset();
@@ -40,11 +39,11 @@ const START = (library: string): string => `(async () => {
     const { type, fields } = explain(element);
     return /^(RigidBody|CollidableShape)$/.test(type) && !fields.fixed;
   };
-  globalThis.moving = all.filter((element) => element._x3domNode?._cf?.geometry && moves(element));
+  globalThis.shapes = all.filter((element) => element._x3domNode?._cf?.geometry && moves(element));
 })()`;
 
-/** Two frames: x3dom draws in one what is asked for before it. */
-const DRAWN = `(async () => {
+/** Runs in the page: x3dom draws in the next frame what is asked for in this one. */
+const DRAW = `(async () => {
   const { doc } = document.querySelector('x3d').runtime.canvas;
   for (let i = 0; i < 3; i++) {
     doc.needRender = 1;
@@ -52,17 +51,125 @@ const DRAWN = `(async () => {
   }
 })()`;
 
+/** Runs in the page. */
 const PLACES = `(() => {
   const view = document.querySelector('x3d').runtime.canvas.doc._viewarea.getWCtoCCMatrix();
   const { SFVec3f } = x3dom.fields;
-  return moving.map((element) => {
+  return shapes.map((element) => {
     const node = element._x3domNode;
     const { min, max } = node.getVolume();
     const matrix = view.mult(node.getCurrentTransform());
     const corners = Array.from({ length: 8 }, (_, i) =>
       matrix.multFullMatrixPnt(new SFVec3f(...['x', 'y', 'z'].map((axis, k) => (i >> k & 1 ? max : min)[axis]))));
     const [xs, ys] = ['x', 'y'].map((axis) => corners.map((corner) => corner[axis]));
-    const name = element.closest('[title]')?.title || element.querySelector('box, sphere, cylinder, cone')?.localName || 'shape';
-    return { name, left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys) };
+    return {
+      name: 'a ' + node._cf.geometry.node.typeName().toLowerCase(),
+      left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys),
+    };
   });
 })()`;
+
+const hide = (hidden: boolean): string =>
+  `for (const shape of shapes) shape.setAttribute('render', '${!hidden}')`;
+
+const inside = (a: number, b: number): boolean => Math.max(Math.abs(a), Math.abs(b)) <= 1;
+
+const whole = ({ left, right, bottom, top }: Place): boolean =>
+  inside(left, right) && inside(bottom, top);
+
+const unseen = ({ left, right, bottom, top }: Place): boolean =>
+  left > 1 || right < -1 || bottom > 1 || top < -1;
+
+function cropped(places: Place[]): string[] {
+  const cut = places.filter((place) => !whole(place) && !unseen(place));
+  const faults = cut.map(({ name }) => `${name} is cut off by the edge of the picture`);
+  if (places.length > 0 && places.every(unseen)) return ['no body is in the picture'];
+  return cut.length > EXCEPTIONS * places.length ? faults : [];
+}
+
+/** From the middle of a shape, as shares of its width and height: a line may be drawn across the one or the other. */
+const LOOKED_AT = [
+  [0, 0],
+  [0.2, 0.1],
+  [-0.2, 0.1],
+  [0.1, -0.2],
+  [-0.1, -0.2],
+] as const;
+
+/** How far what is seen about the middle of a shape is from what is seen there without any. */
+function contrast({ left, right, bottom, top }: Place, shown: Picture, hidden: Picture): number {
+  const far = LOOKED_AT.map(([aside, up]) => {
+    const x = (left + right) / 2 + aside * (right - left);
+    const y = (bottom + top) / 2 + up * (top - bottom);
+    const at = [((x + 1) / 2) * (shown.width - 1), ((1 - y) / 2) * (shown.height - 1)] as const;
+    return distance(colorAt(shown, ...at), colorAt(hidden, ...at));
+  });
+  return Math.max(...far);
+}
+
+function lost(places: Place[], shown: Picture, hidden: Picture): string[] {
+  const seen = places.filter(whole);
+  const faults = seen.flatMap((place) => {
+    const far = contrast(place, shown, hidden);
+    return far < CONTRAST ? [`${place.name} is ${far.toFixed()} from what is behind it`] : [];
+  });
+  return faults.length > EXCEPTIONS * seen.length ? faults : [];
+}
+
+async function opened(
+  context: BrowserContext,
+  address: string,
+  { path, html, height }: Scene,
+): Promise<Tab> {
+  const tab = await context.newPage();
+  await tab.setViewportSize({ width: WIDTH, height });
+  if (html !== undefined)
+    await tab.route(`**${path}`, (route) =>
+      route.fulfill({ contentType: 'text/html', body: html }),
+    );
+  await tab.goto(address + path);
+  return tab;
+}
+
+async function faultsOf(
+  tab: Tab,
+  { library }: Scene,
+  read: (png: Buffer) => Promise<Picture>,
+): Promise<string[]> {
+  const canvas = tab.locator('x3d canvas').first();
+  await canvas.waitFor();
+  await tab.evaluate(begin(library));
+  await tab.evaluate(DRAW);
+  const places = (await tab.evaluate(PLACES)) as Place[];
+  const faults = cropped(places);
+  const look = async (colorScheme: 'light' | 'dark'): Promise<Picture> => {
+    await tab.emulateMedia({ colorScheme });
+    return read(await canvas.screenshot());
+  };
+  const schemes = ['light', 'dark'] as const;
+  const shown = [await look('light'), await look('dark')];
+  await tab.evaluate(hide(true));
+  await tab.evaluate(DRAW);
+  const hidden = [await look('dark'), await look('light')].reverse();
+  for (const [i, scheme] of schemes.entries()) {
+    const black = shareBelow(shown[i]!, BLACK);
+    if (black > BLACK_SHARE) faults.push(`${scheme}: ${(100 * black).toFixed(1)} % is black`);
+    faults.push(...lost(places, shown[i]!, hidden[i]!).map((fault) => `${scheme}: ${fault}`));
+  }
+  return faults;
+}
+
+/** One at a time: each draws, and is looked at four times. */
+export async function ugly(browser: Browser, address: string, scenes: Scene[]): Promise<string[]> {
+  const context = await browser.newContext();
+  const read = await decoder(context);
+  const found: string[] = [];
+  for (const scene of scenes) {
+    const tab = await opened(context, address, scene);
+    const faults = await faultsOf(tab, scene, read).catch((error: Error) => [error.message]);
+    found.push(...faults.map((fault) => `${scene.name}: ${fault}`));
+    await tab.close();
+  }
+  await context.close();
+  return found;
+}
