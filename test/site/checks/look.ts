@@ -3,8 +3,9 @@ import type { Browser, BrowserContext, Page as Tab } from 'playwright';
 import { colorAt, decoder, distance, shareBelow, type Picture } from './picture.js';
 import type { Scene } from './sources.js';
 
-/** Pixels: as wide as a page's text. */
+/** Pixels: as wide as a page's text, and that of a phone. */
 const WIDTH = 688;
+const NARROW = 342;
 
 /** Of 255: what is no brighter is black. */
 const BLACK = 24;
@@ -69,6 +70,11 @@ const PLACES = `(() => {
   });
 })()`;
 
+async function places(tab: Tab): Promise<Place[]> {
+  await tab.evaluate(DRAW);
+  return (await tab.evaluate(PLACES)) as Place[];
+}
+
 const hide = (hidden: boolean): string =>
   `for (const shape of shapes) shape.setAttribute('render', '${!hidden}')`;
 
@@ -80,11 +86,11 @@ const whole = ({ left, right, bottom, top }: Place): boolean =>
 const unseen = ({ left, right, bottom, top }: Place): boolean =>
   left > 1 || right < -1 || bottom > 1 || top < -1;
 
-function cropped(places: Place[]): string[] {
-  const cut = places.filter((place) => !whole(place) && !unseen(place));
+function cropped(all: Place[]): string[] {
+  const cut = all.filter((place) => !whole(place) && !unseen(place));
   const faults = cut.map(({ name }) => `${name} is cut off by the edge of the picture`);
-  if (places.length > 0 && places.every(unseen)) return ['no body is in the picture'];
-  return cut.length > EXCEPTIONS * places.length ? faults : [];
+  if (all.length > 0 && all.every(unseen)) return ['no body is in the picture'];
+  return cut.length > EXCEPTIONS * all.length ? faults : [];
 }
 
 /** From the middle of a shape, as shares of its width and height: a line may be drawn across the one or the other. */
@@ -107,8 +113,8 @@ function contrast({ left, right, bottom, top }: Place, shown: Picture, hidden: P
   return Math.max(...far);
 }
 
-function lost(places: Place[], shown: Picture, hidden: Picture): string[] {
-  const seen = places.filter(whole);
+function lost(all: Place[], shown: Picture, hidden: Picture): string[] {
+  const seen = all.filter(whole);
   const faults = seen.flatMap((place) => {
     const far = contrast(place, shown, hidden);
     return far < CONTRAST ? [`${place.name} is ${far.toFixed()} from what is behind it`] : [];
@@ -122,7 +128,7 @@ async function opened(
   { path, html, height }: Scene,
 ): Promise<Tab> {
   const tab = await context.newPage();
-  await tab.setViewportSize({ width: WIDTH, height });
+  await tab.setViewportSize({ width: NARROW, height });
   if (html !== undefined)
     await tab.route(`**${path}`, (route) =>
       route.fulfill({ contentType: 'text/html', body: html }),
@@ -133,15 +139,16 @@ async function opened(
 
 async function faultsOf(
   tab: Tab,
-  { library }: Scene,
+  { library, height }: Scene,
   read: (png: Buffer) => Promise<Picture>,
 ): Promise<string[]> {
   const canvas = tab.locator('x3d canvas').first();
   await canvas.waitFor();
   await tab.evaluate(begin(library));
-  await tab.evaluate(DRAW);
-  const places = (await tab.evaluate(PLACES)) as Place[];
-  const faults = cropped(places);
+  const narrow = await places(tab);
+  await tab.setViewportSize({ width: WIDTH, height });
+  const wide = await places(tab);
+  const faults = [...cropped(narrow).map((fault) => `on a phone: ${fault}`), ...cropped(wide)];
   const look = async (colorScheme: 'light' | 'dark'): Promise<Picture> => {
     await tab.emulateMedia({ colorScheme });
     return read(await canvas.screenshot());
@@ -154,7 +161,7 @@ async function faultsOf(
   for (const [i, scheme] of schemes.entries()) {
     const black = shareBelow(shown[i]!, BLACK);
     if (black > BLACK_SHARE) faults.push(`${scheme}: ${(100 * black).toFixed(1)} % is black`);
-    faults.push(...lost(places, shown[i]!, hidden[i]!).map((fault) => `${scheme}: ${fault}`));
+    faults.push(...lost(wide, shown[i]!, hidden[i]!).map((fault) => `${scheme}: ${fault}`));
   }
   return faults;
 }
