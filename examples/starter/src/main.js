@@ -6,8 +6,8 @@ import 'x3d-physics';
 const [world, ball, count] = ['world', 'ball', 'count'].map((id) => document.getElementById(id));
 
 document.getElementById('throw').addEventListener('click', () => {
-  const motion = { linearVelocity: [9, 3.5, 0], angularVelocity: [0, 0, 0] };
-  ball.teleport([-4, 1, 0], undefined, motion);
+  const motion = { linearVelocity: [9, 2.5, 0], angularVelocity: [0, 0, 0] };
+  ball.teleport([-2.2, 1, 0], undefined, motion);
 });
 
 let hits = 0;
