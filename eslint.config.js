@@ -176,7 +176,7 @@ export default tseslint.config(
   },
 
   {
-    files: ['examples/plain/*.js'],
+    files: ['examples/plain/*.js', 'examples/starter/src/*.js'],
     languageOptions: { globals: { document: 'readonly' } },
   },
 

@@ -1,5 +1,5 @@
 // npm run lab: every case of the accuracy lab through every engine; writes lab/report/rows.json, draws the report's pages
-// beside it and the picture of the README.
+// beside it and the picture of the page on accuracy.
 //   --quick           under two minutes: runs what is cheap, once, and compares it with the report to the last bit
 //   --case <id>       only this case (bounce stands for all of bounce-*), and print it; no report
 //   --keep            with --case: and put it into the report

@@ -58,7 +58,7 @@ export function drawPages(results: Results, beside: Beside): void {
   for (const [name, text] of pagesOf(results, beside)) writeFileSync(new URL(name, FOLDER), text);
 }
 
-/** For the README. */
+/** For the page on accuracy. */
 export const pictureOf = (results: Results): string =>
   `${standalone(summaryChart(measuredCases(results), results.rows, 'wide'))}\n`;
 

@@ -25,39 +25,47 @@ export function wordsOf({ criterion }: StabilityCase, { holds, measured, why }: 
     : `breaks: ${why ?? (Number.isFinite(measured) ? number : 'no number')}`;
 }
 
+/** The same in a narrow column. */
+export function signOf({ criterion }: StabilityCase, cell: Cell | undefined): string {
+  if (!cell) return '–';
+  const { holds, measured, why } = cell;
+  const number = Number.isFinite(measured)
+    ? quantity(measured, criterion.unit).trim()
+    : 'no number';
+  return holds ? `✓ ${number}` : `✗ ${why ?? number}`;
+}
+
 /** In a table: what is promised stands in bold. */
 function cellOf(which: StabilityCase, row: CellRow | undefined, level: LevelName): string {
   const cell = row?.[level];
-  if (!cell) return '–';
-  const words = wordsOf(which, cell);
-  return promises(which, level) ? `**${words}**` : words;
+  const sign = signOf(which, cell);
+  return cell && promises(which, level) ? `**${sign}**` : sign;
+}
+
+/** Case, criterion and load in one column, so that the numbers beside it have room. */
+function wholeCase(which: StabilityCase): string {
+  const load = which.load ? `; ${loadOf(which)}` : '';
+  return `**${which.id}** ${which.says}<br>*${criterionOf(which)}${load}*`;
 }
 
 /** A theme's rows: levels across, cases down. */
 const matrixOf = (theme: string, { cells }: StabilityNumbers): Table => ({
-  head: ['id', 'case', ...levelNames, 'criterion', 'load'],
+  head: ['case', ...levelNames],
   rows: themes[theme]!.map((which) => [
-    which.id,
-    which.says,
+    wholeCase(which),
     ...levelNames.map((level) => cellOf(which, cells[which.id], level)),
-    criterionOf(which),
-    loadOf(which),
   ]),
 });
 
 /** The cases that other engines can be told, with steps of 1/120 s in all of them. */
 export const besideOthers = ({ cells, others }: StabilityNumbers): Table => ({
-  head: ['id', 'case', 'ours', ...OTHERS.map(({ name }) => name)],
+  head: ['case', 'ours', ...OTHERS.map(({ name }) => name)],
   rows: stabilityCases
     .filter(({ id }) => others[id])
     .map((which) => [
-      which.id,
-      which.says,
-      cells[which.id]?.standard ? wordsOf(which, cells[which.id]!.standard!) : '–',
-      ...OTHERS.map(({ engine }) => {
-        const cell = others[which.id]?.[engine.id];
-        return cell ? wordsOf(which, cell) : '–';
-      }),
+      `${which.says}; ${criterionOf(which)}`,
+      signOf(which, cells[which.id]?.standard),
+      ...OTHERS.map(({ engine }) => signOf(which, others[which.id]?.[engine.id])),
     ]),
 });
 

@@ -3,7 +3,7 @@ import { defineConfig, type DefaultTheme } from 'vitepress';
 import { charts } from '../markdown/charts.js';
 import { liveExamples } from '../markdown/fence.js';
 import { storiesBeside } from '../markdown/stories.js';
-import { emptyHeads } from '../markdown/tables.js';
+import { emptyHeads, proseTables } from '../markdown/tables.js';
 import { sidebar } from './sidebar.js';
 
 /** Another one where the site does not lie at its server's root: `SITE_BASE=/x3d-physics/`. */
@@ -55,7 +55,7 @@ export default defineConfig({
   markdown: {
     // The contrast that small text needs.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
-    config: (md) => md.use(liveExamples, base).use(charts, base).use(emptyHeads),
+    config: (md) => md.use(liveExamples, base).use(charts, base).use(emptyHeads).use(proseTables),
   },
   themeConfig: {
     nav,

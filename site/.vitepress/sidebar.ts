@@ -7,8 +7,10 @@ const pages = (folder: string, entries: Record<string, string>): Item[] =>
   Object.entries(entries).map(([name, text]) => ({ text, link: `/${folder}/${name}` }));
 
 const START = {
+  why: 'Why this, and when not',
   'which-file': 'Which file do I take?',
   markup: 'First steps in markup',
+  'cheat-sheet': 'All of it on one page',
   script: 'From a script',
   frameworks: 'Frameworks',
   devtools: 'Live editing in devtools',
@@ -29,16 +31,25 @@ const TROUBLE = {
 
 const RECIPES = {
   door: 'A motorised door',
+  motor: 'A motor of constant speed',
+  lift: 'A lift, a moving platform',
   car: 'A car, and its suspension',
+  driving: 'Driving, a camera that follows',
   ragdoll: 'A ragdoll',
   friction: 'Friction and bounce',
+  rolling: 'Rolling resistance',
+  terrain: 'Terrain',
+  gltf: 'A glTF model with a body',
   'jointed-bodies': 'Do bodies on one joint collide?',
   reset: 'Reset and kick',
   throwing: 'Throwing',
   many: 'Many bodies',
   sensors: 'Sensors and triggers',
+  counting: 'Counting each marble once',
   tipped: 'Is it tipped over?',
   saving: 'Saving and loading',
+  recording: 'Recording and scrubbing',
+  vr: 'In VR',
   undo: 'Undo and duplicate in devtools',
 };
 

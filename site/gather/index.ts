@@ -5,7 +5,6 @@ import { dirname } from 'node:path';
 import { examples } from './examples.js';
 import { forSite } from './links.js';
 import { llmsTexts } from './llms.js';
-import { readmePages } from './readme.js';
 import { referencePages } from './reference.js';
 
 const [library = 'dist'] = process.argv.slice(2);
@@ -31,11 +30,14 @@ function copyScripts(): void {
   cpSync('site/kit/shadows.js', `${PUBLIC}/kit/shadows.js`);
 }
 
+/** A chart takes the room of the outline beside it. */
+const roomFor = (text: string): string =>
+  text.includes('.svg)') ? `---\naside: false\n---\n\n${text}` : text;
+
 function copyPages(): void {
   for (const name of readdirSync('docs').filter((file) => file.endsWith('.md')))
-    write(`docs/${name}`, forSite(readFileSync(`docs/${name}`, 'utf8')));
+    write(`docs/${name}`, roomFor(forSite(readFileSync(`docs/${name}`, 'utf8'))));
   write('changelog.md', forSite(readFileSync('CHANGELOG.md', 'utf8')));
-  for (const [file, text] of readmePages()) write(file, text);
   for (const [name, text] of referencePages()) write(`reference/${name}.md`, text);
 }
 

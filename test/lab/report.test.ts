@@ -44,7 +44,7 @@ test('what one machine measures on one day is one run', () => {
   ]);
 });
 
-test("the README's picture is drawn from the numbers", () => {
+test('the picture of the page on accuracy is drawn from the numbers', () => {
   assert.equal(readFileSync('docs/pictures/accuracy.svg', 'utf8'), pictureOf(readReport()));
 });
 

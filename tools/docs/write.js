@@ -10,6 +10,8 @@ const WRITERS = {
   effects: 'tools/docs/effects-page.ts',
   /** dist/custom-elements.json and its like. */
   manifest: 'tools/build/manifest.ts',
+  /** The README's moving picture. */
+  picture: 'tools/docs/moving-picture.ts',
   /** TypeScript's side of the field tables. */
   types: 'tools/build/types.ts',
 };

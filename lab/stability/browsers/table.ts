@@ -1,10 +1,10 @@
-import { levels } from '../../../physics-core/inside.js';
+import { levels, type LevelName } from '../../../physics-core/inside.js';
 import type { Table } from '../../draw/table.js';
 import type { StabilityCase } from '../case.js';
 import { stabilityCases } from '../cases/index.js';
 import { promises } from '../levels.js';
 import type { BrowserNumbers, StabilityNumbers } from '../numbers.js';
-import { wordsOf } from '../table.js';
+import { signOf } from '../table.js';
 
 /** What a browser found in the promised cells of a case that it was asked for. */
 interface Found {
@@ -45,16 +45,39 @@ export const inBrowsers = (numbers: StabilityNumbers): Table => ({
   }),
 });
 
-/** The promised cells that a browser brings to other bits than Node, or that break there. */
-export const besidesNode = (numbers: StabilityNumbers): string[] =>
-  Object.entries(numbers.browsers).flatMap(([name, inIt]) =>
-    stabilityCases.flatMap((which) =>
-      levels.flatMap(({ name: level }) => {
-        const cell = inIt.cells[which.id]?.[level];
-        const inNode = numbers.cells[which.id]?.[level];
-        if (!cell || !promises(which, level) || (cell.holds && cell.bits === inNode?.bits))
-          return [];
-        return `${which.id} at ${level} in ${NAMES[name]}: ${wordsOf(which, cell)}`;
-      }),
+/** What one of them comes to, and in which of them. */
+interface Elsewhere {
+  words: string;
+  browsers: string[];
+}
+
+/** By what they come to: where all agree, that is one. */
+function elsewhereOf(which: StabilityCase, level: LevelName, numbers: StabilityNumbers) {
+  const found = new Map<string, Elsewhere>();
+  for (const [name, { cells }] of Object.entries(numbers.browsers)) {
+    const cell = cells[which.id]?.[level];
+    if (!cell || !promises(which, level)) continue;
+    if (cell.holds && cell.bits === numbers.cells[which.id]?.[level]?.bits) continue;
+    const words = signOf(which, cell);
+    const there = found.get(words) ?? { words, browsers: [] };
+    there.browsers.push(name);
+    found.set(words, there);
+  }
+  return [...found.values()];
+}
+
+/** The promised cells that browsers bring to other bits than Node, or that break there. */
+export const besidesNode = (numbers: StabilityNumbers): Table => ({
+  head: ['case', 'level', 'in Node', 'in browsers', 'which'],
+  rows: stabilityCases.flatMap((which) =>
+    levels.flatMap(({ name: level }) =>
+      elsewhereOf(which, level, numbers).map(({ words, browsers }) => [
+        which.id,
+        level,
+        signOf(which, numbers.cells[which.id]?.[level]),
+        words,
+        browsers.length === Object.keys(numbers.browsers).length ? 'all' : browsers.join(', '),
+      ]),
     ),
-  );
+  ),
+});

@@ -47,13 +47,13 @@ const OTHERS = /^(elements\/|core\.js|x3d-physics\.single\.js|types\/)/;
 
 const HEAD = `# Files
 
-Written by \`npm run write -- chunks\` from the module build; kilobytes of 1000 bytes, as a server sends
-them by gzip, and by Brotli, which is in the package beside each file (\`.br\`).
-
 A page pays for what stands in it: the first rows come with every page that has physics, the others with the first thing
 that calls for them. Where that stands in the markup its files are fetched together with the engine, and the world starts
 when they are there. Where it comes later, time stands still until they are (\`waiting-for-effect\`). The classic scripts
 have all but the engine and the ui in one file; in Node all of it is there when \`createWorld\` answers.
+
+Kilobytes of 1000 bytes, as a server sends them by gzip, and by Brotli, which is in the package beside each file (\`.br\`).
+Written anew by \`npm run write -- chunks\` after a build.
 
 | file | gzip | Brotli | fetched by |
 | --- | ---: | ---: | --- |

@@ -32,21 +32,21 @@ const numbers = JSON.parse(readFileSync('lab/report/effects.json', 'utf8')) as N
 
 const HEAD = `# Effects
 
-Written by \`npm run write -- effects\` from \`physics-core/effects/all.ts\`.
+Bullet moves bodies that fall, touch and hang together. Whatever else a scene may ask for is an effect: switched on by
+the first node that needs it, off with the last, and not called at all in between. What each costs:
 
 ![Effect by effect: milliseconds that it adds to a step, and kilobytes of the file that its code comes in](pictures/effects.svg)
 
 A scene pays for the effects that it calls for, and for nothing else. Each row is one scene of ${numbers.bodies} bodies twice, without
 the effect and with it: what that adds to a step, as a median of ${numbers.pairs} interleaved pairs of ${numbers.turn} steps with its 95 %
 interval (bootstrap), at \`standard\` with all bodies awake; hollow is what can't be told from nothing. Bars are the files
-([docs/chunks.md](chunks.md)) with their code, which come once for all effects in them, as a server sends them (gzip); 0
+([all files](chunks.md)) with their code, which come once for all effects in them, as a server sends them (gzip); 0
 comes with every page. Impact propagation comes with contact surface and continuous collision, and is in theirs.
 ${numbers.date}, ${numbers.machine}. Again: \`npm run build\`, \`npm run lab -- effects\` (\`npm run bench\` ends with it) and \`npm run write -- effects\`;
 the numbers are in
 [lab/report/effects.json](../lab/report/effects.json).
 
-Bullet moves bodies that fall, touch and hang together. Whatever else a scene may ask for is an effect: switched on by
-the first node that needs it, off with the last, and not called at all in between. \`world.effects\` tells for each
+\`world.effects\` tells for each
 whether it is on, because of which elements, its milliseconds and calls per step (measured in one step of 17), and the
 bytes of the file that its code came in; \`<x3d-physics-monitor>\` shows them.
 

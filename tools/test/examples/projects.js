@@ -6,6 +6,7 @@ import { ROUTES } from './facts.js';
 import { withSnippets } from './guide.js';
 import { hotFacts } from './hot.js';
 import { SERVED } from './served.js';
+import { STARTER } from './starter.js';
 import { serve } from '../../docs/static-files.js';
 
 const PORT = 8500;
@@ -116,6 +117,10 @@ export const RUNS = {
   solid: {
     built: { served: files('solid', 'dist') },
     'in its dev server': hot('solid', VITE, 'src', 'Scene.tsx'),
+  },
+  starter: {
+    built: { served: files('starter', 'dist'), facts: STARTER },
+    'in its dev server': { served: server('starter', ...VITE), facts: STARTER },
   },
   svelte: {
     built: { served: files('svelte', 'dist') },

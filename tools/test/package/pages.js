@@ -154,7 +154,7 @@ export async function singleElements(application, browser) {
   await served(browser, folder);
 }
 
-/** With what the README says must lie beside it, and nothing else. */
+/** With what the guide says must lie beside it, and nothing else. */
 export async function classicScript(application, browser) {
   const page = html('', VIEWS).replace(
     '</head>',

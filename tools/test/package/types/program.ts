@@ -11,7 +11,7 @@ export const fields: unknown = explain(new X3DRigidBodyElement());
 export const joint: Element = new X3DBallJointElement();
 export const attributes: PhysicsElements['x3d-rigid-body'] = { mass: 2 };
 
-/** The page, as the README has it. */
+/** The page, as the guide has it. */
 export async function page(): Promise<void> {
   const body = document.querySelector('x3d-rigid-body')!;
   const world: World = worldOf(body)!;
@@ -64,7 +64,7 @@ export function events(): void {
   body.addEventListener('sleep', ({ detail }) => detail.other);
 }
 
-/** The core, as the README has it, with handles and events. */
+/** The core, as the guide has it, with handles and events. */
 export async function core(): Promise<void> {
   const world: CoreWorld = await createWorld({ gravity: [0, -9.8, 0], wasmUrl: '/ammo.wasm' });
   const ball: Body = world.add('RigidBody', {
