@@ -7,6 +7,7 @@ import { forSite } from './links.js';
 import { llmsTexts } from './llms.js';
 import { readmePages } from './readme.js';
 import { referencePages } from './reference.js';
+import { copyThumbnails } from './thumbnails.js';
 
 const [library = 'dist'] = process.argv.slice(2);
 
@@ -48,6 +49,7 @@ for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, forc
 copyScripts();
 copyPages();
 copyFirstPage();
+copyThumbnails();
 
 /** When all pages are there. */
 function writeTexts(): void {
