@@ -14,6 +14,7 @@ const START = {
   frameworks: 'Frameworks',
   devtools: 'Live editing in devtools',
   dragging: 'Dragging',
+  look: 'The look of these scenes',
   bundlers: 'Bundlers',
   servers: 'Servers and security',
 };

@@ -29,6 +29,7 @@ function copyScripts(): void {
   // What scenes of the playground bring in by <Inline>.
   cpSync('stories/assets/motor.x3d', `${PUBLIC}/scenes/motor.x3d`);
   cpSync('site/markdown/frame.css', `${PUBLIC}/frame.css`);
+  cpSync('site/kit/shadows.js', `${PUBLIC}/kit/shadows.js`);
 }
 
 function copyPages(): void {

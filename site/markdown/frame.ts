@@ -4,12 +4,26 @@
 const scripts = (base: string): string => `
 <script src="${base}x3dom/x3dom.js"></script>
 <script type="importmap">{ "imports": { "x3d-physics": "${base}x3d-physics/x3d-physics.js" } }</script>
-<script type="module" src="${base}x3d-physics/x3d-physics.js"></script>`;
+<script type="module" src="${base}x3d-physics/x3d-physics.js"></script>
+<script type="module" src="${base}kit/shadows.js"></script>`;
+
+/** In a page of the site a frame is light or dark as that is, whatever the system says. */
+const FOLLOW = `
+<script>
+  if (parent !== window) {
+    const site = parent.document.documentElement;
+    const follow = () => {
+      document.documentElement.style.colorScheme = site.classList.contains('dark') ? 'dark' : 'light';
+    };
+    follow();
+    new MutationObserver(follow).observe(site, { attributeFilter: ['class'] });
+  }
+</script>`;
 
 export const frame = (markup: string, base: string): string => `<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <title>Example</title>
 <link rel="stylesheet" href="${base}x3dom/x3dom.css">
-<link rel="stylesheet" href="${base}frame.css">${scripts(base)}
+<link rel="stylesheet" href="${base}frame.css">${FOLLOW}${scripts(base)}
 ${markup}`;
