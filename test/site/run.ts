@@ -1,12 +1,14 @@
 // The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, what it says to
-// copy runs, and each scene in it, the stories of its reference pages among them.
+// copy runs, the gallery's scenes come to what they should, and each scene in it, the stories of its reference pages among them.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/browsers.js';
+import { GALLERY } from '../../site/.vitepress/gallery.js';
 import { buildDocs, serveDocs } from '../../tools/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { miscopied } from './checks/copied.js';
+import { untrue } from './checks/gallery.js';
 import { deadLinks } from './checks/links.js';
 import { pages, type Page } from './checks/pages.js';
 import { notFound } from './checks/search.js';
@@ -34,6 +36,7 @@ async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const results = [
     result(1, await notFound(browser, address)),
     result(1, await miscopied(browser, address)),
+    result(Object.keys(GALLERY).length, await untrue(browser, address)),
     result(all.length, await inaccessible(browser, address, all)),
     result(examples.length, await broken(browser, address, examples)),
   ];
