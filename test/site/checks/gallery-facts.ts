@@ -97,7 +97,7 @@ export const FACTS: Record<string, Fact> = {
   },
   bridge: {
     says: 'carts cross it, and none falls in',
-    seconds: 9,
+    seconds: 12,
     each: `all('.cart').map(({ position }) => position)`,
     holds: `seen.flat().every(([, y]) => y > -0.6) && seen.flat().some(([x]) => x > 5)`,
   },
@@ -115,7 +115,7 @@ export const FACTS: Record<string, Fact> = {
   crane: {
     says: 'the magnet takes a crate, and the hook lifts it',
     seconds: 13,
-    first: `text('magnet'), document.getElementById('magnet').click(), document.getElementById('to-lift').value = -3.3`,
+    first: `text('magnet'), document.getElementById('magnet').click(), document.getElementById('to-lift').value = 3.4`,
     each: `world.time > 7 ? (document.getElementById('to-lift').value = 0) : 0`,
     holds: `all('.crate').filter(({ position }) => position[1] > 2).length === 1`,
   },
