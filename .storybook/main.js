@@ -12,6 +12,7 @@ const FOLDERS = [
   'stories/assets',
   'styles',
   'stories/pages',
+  'site/kit',
   'lab/report',
 ];
 

@@ -4,10 +4,10 @@ import { html, nothing, type TemplateResult } from 'lit';
 type Content = TemplateResult | typeof nothing;
 
 const COLORS = {
-  red: '0.8 0.2 0.15',
-  brass: '0.85 0.62 0.25',
-  blue: '0.1 0.5 0.65',
-  iron: '0.28 0.32 0.38',
+  red: '0.6 0.06 0.04',
+  brass: '0.75 0.42 0.1',
+  blue: '0.03 0.3 0.42',
+  iron: '0.17 0.21 0.26',
 };
 
 /** A Shape of one colour. */
@@ -16,7 +16,7 @@ export const shape = (color: keyof typeof COLORS, geometry: Content, id?: string
     <appearance>
       <material
         diffuseColor=${COLORS[color]}
-        specularColor="0.5 0.5 0.5"
+        specularColor="0.2 0.2 0.2"
         shininess="0.5"
       ></material>
     </appearance>
@@ -28,7 +28,8 @@ export const shape = (color: keyof typeof COLORS, geometry: Content, id?: string
 export const slab = html`
   <shape>
     <appearance>
-      <pixeltexture image="2 2 3 0x8A95A1 0x96A1AD 0x96A1AD 0x8A95A1">
+      <material></material>
+      <pixeltexture image="2 2 3 0xC4CAD1 0xB7BEC7 0xB7BEC7 0xC4CAD1">
         <textureproperties magnificationFilter="NEAREST_PIXEL"></textureproperties>
       </pixeltexture>
       <texturetransform scale="6 6"></texturetransform>
@@ -81,11 +82,13 @@ export const stage = (view: keyof typeof VIEWS, content: Content) => html`
       <background transparency="1"></background>
       <navigationinfo headlight="false"></navigationinfo>
       <directionallight
-        direction="-0.4 -1 -0.6"
+        direction="-0.5 -1 -0.4"
         intensity="0.8"
-        ambientIntensity="0.3"
+        ambientIntensity="0.35"
+        shadowIntensity="0.45"
+        shadowFilterSize="4"
       ></directionallight>
-      <directionallight direction="0.7 -0.2 -0.6" intensity="0.4"></directionallight>
+      <directionallight direction="0.6 -0.3 -0.7" intensity="0.3"></directionallight>
       ${content}
     </scene>
   </x3d>

@@ -1,9 +1,14 @@
 // Shadows where a graphics card draws them. Without one X3DOM takes several times as long for a picture with them, and the
 // motion would stutter: there no light casts any.
-const { document } = globalThis;
+const { document, MutationObserver } = globalThis;
+
+/** In XHTML a name keeps its capitals. */
+const CASTS = '[shadowintensity], [shadowIntensity]';
 
 /** Names of what draws WebGL on the processor. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+let bySoftware;
 
 function drawnBySoftware() {
   const gl = document.createElement('canvas').getContext('webgl');
@@ -13,12 +18,15 @@ function drawnBySoftware() {
   return SOFTWARE.test(name);
 }
 
-/** Of markup that stands in the page, or that a script is about to put there. */
-export function spareShadows(root) {
-  // In XHTML a name keeps its capitals.
-  const lights = root.querySelectorAll('[shadowintensity], [shadowIntensity]');
-  if (lights.length === 0 || !drawnBySoftware()) return;
+function spare(node) {
+  const lights = [...(node.querySelectorAll?.(CASTS) ?? [])];
+  if (node.matches?.(CASTS)) lights.push(node);
+  if (lights.length === 0 || !(bySoftware ??= drawnBySoftware())) return;
   for (const light of lights) light.setAttribute('shadowIntensity', '0');
 }
 
-spareShadows(document);
+spare(document);
+// What comes later: X3DOM's own observer, which is younger, reads it after this one.
+new MutationObserver((records) => {
+  for (const { addedNodes } of records) addedNodes.forEach(spare);
+}).observe(document, { childList: true, subtree: true });

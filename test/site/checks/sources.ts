@@ -13,7 +13,14 @@ export interface Scene {
   library: string;
   /** Whether something in it is to move: a piece of markup may be all rest. */
   moves: boolean;
+  /** Whether a page shows it running, and not only its markup. */
+  live: boolean;
+  /** Pixels, of its frame. */
+  height: number;
 }
+
+/** Pixels, of a frame that does not say. */
+const HEIGHT = 340;
 
 const FENCE = /^```html([^\n]*)\n([^]*?)\n```$/gm;
 
@@ -56,15 +63,24 @@ export const scenes = (): Scene[] =>
         html: page(markup),
         library: '/x3d-physics/x3d-physics.js',
         moves: /^ live/.test(info) || /<x3d[\s>]/.test(markup),
+        live: /^ live/.test(info),
+        height: Number(/\d+/.exec(info)?.[0] ?? HEIGHT),
       })),
   );
 
-const STORY = /<iframe class="live story"[^>]* title="([^"]+)" src="([^"]+)"/;
+const STORY = /<iframe class="live story"[^>]* height="(\d+)" title="([^"]+)" src="([^"]+)"/;
 
 /** The story that the page of each node shows. */
 export const stories = (): Scene[] =>
   globSync('site/generated/reference/*.md').map((file) => {
-    const [, title, path] = STORY.exec(readFileSync(file, 'utf8'))!;
+    const [, height, title, path] = STORY.exec(readFileSync(file, 'utf8'))!;
     const name = `${file}: ${title}`;
-    return { name, path: path!, library: '/stories/dist/x3d-physics.js', moves: true };
+    return {
+      name,
+      path: path!,
+      library: '/stories/dist/x3d-physics.js',
+      moves: true,
+      live: true,
+      height: Number(height),
+    };
   });
