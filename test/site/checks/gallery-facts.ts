@@ -37,7 +37,7 @@ export const FACTS: Record<string, Fact> = {
   dominoes: {
     says: 'all of them fall',
     seconds: 26,
-    holds: `all('.stone').length === 90 && all('.stone').every(({ position }) => position[1] < 0.37)`,
+    holds: `all('.stone').length === 90 && all('.stone').every(({ position }) => position[1] < 0.27)`,
   },
   gears: {
     says: 'speeds go as the numbers of teeth, to and fro',

@@ -32,7 +32,8 @@ const played = ({ seconds, first = '0', each = '0', holds }: Fact): string => `(
     await new Promise((done) => setTimeout(done));
   }
   const places = all('x3d-rigid-body').map(({ position }) => position);
-  const wrong = world.problems.map(({ code, message }) => code + ': ' + message);
+  // How busy this machine was before we paused is nothing of the scene.
+  const wrong = world.problems.filter(({ code }) => code !== 'lag').map(({ code, message }) => code + ': ' + message);
   if (!places.flat().every((value) => Math.abs(value) < ${FAR})) wrong.push('a body is out of the world');
   if (!(${holds})) wrong.push('it is not so');
   return wrong;
