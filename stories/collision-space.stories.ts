@@ -62,6 +62,7 @@ const meta: Meta<Args> = {
         ${slope('lower1', 'brass', '-1.4 1.8 0', -0.2)}
         ${slope('lower2', 'brass', '1.4 0.9 0', 0.2)}
       `,
+      { view: 'high' },
     ),
 };
 export default meta;

@@ -53,13 +53,17 @@ function startAgain({ currentTarget }: Event): void {
   for (const world of new Set(bodies.map((body) => body.world))) world?.reset();
 }
 
-/** Where a scene is seen from: the front, further back for a pendulum, further off and from above, or from far off. */
+/** Where a scene is seen from: the front, further back for what begins high or swings, from above, or from far off. */
 const VIEWS = {
   front: { position: '0 3.4 9', orientation: '1 0 0 -0.2', centerOfRotation: '0 1.5 0' },
+  high: { position: '0 3.8 11.5', orientation: '1 0 0 -0.1', centerOfRotation: '0 2.5 0' },
   pendulum: { position: '0 5.4 12.6', orientation: '1 0 0 -0.1', centerOfRotation: '0 4 0' },
   above: { position: '0 6.6 9.6', orientation: '1 0 0 -0.58', centerOfRotation: '0 0.5 0' },
   wide: { position: '0 12 31', orientation: '1 0 0 -0.26', centerOfRotation: '0 3 0' },
 };
+
+/** Thousands of bodies are drawn in the time that one picture has. */
+const SHADOWS = { front: 0.45, high: 0.45, pendulum: 0.45, above: 0.45, wide: 0 };
 
 interface Page {
   view?: keyof typeof VIEWS;
@@ -85,7 +89,7 @@ export const stage = (view: keyof typeof VIEWS, content: Content) => html`
         direction="-0.5 -1 -0.4"
         intensity="0.8"
         ambientIntensity="0.35"
-        shadowIntensity="0.45"
+        shadowIntensity=${SHADOWS[view]}
         shadowFilterSize="4"
       ></directionallight>
       <directionallight direction="0.6 -0.3 -0.7" intensity="0.3"></directionallight>

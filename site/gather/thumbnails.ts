@@ -5,6 +5,7 @@ import { createHash } from 'node:crypto';
 import { cpSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { chromium, type Browser } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/browsers.js';
+// @ts-expect-error plain JavaScript
 import { serve } from '../../tools/static-files.js';
 import { GALLERY } from '../.vitepress/gallery.js';
 import { frame } from '../markdown/frame.js';
@@ -18,6 +19,9 @@ const SIZE = { width: 640, height: 400 };
 
 /** Seconds that a scene runs before its picture, where its page says nothing else. */
 const AFTER = 2;
+
+/** Milliseconds that a page may take to load, on a machine that is busy with other things. */
+const LONGEST = 120_000;
 
 interface Scene {
   name: string;
@@ -61,6 +65,7 @@ const RUN = async (after: number): Promise<void> => {
 
 async function take(browser: Browser, address: string, scene: Scene): Promise<void> {
   const tab = await browser.newPage({ viewport: SIZE, colorScheme: 'light' });
+  tab.setDefaultTimeout(LONGEST);
   await tab.route('**/scene', (route) =>
     route.fulfill({ contentType: 'text/html', body: scene.html }),
   );
@@ -80,7 +85,9 @@ async function takeAll(scenes: Scene[]): Promise<void> {
   const left = [...scenes];
   const worker = async (): Promise<void> => {
     for (let scene = left.shift(); scene; scene = left.shift())
-      await take(browser, `http://localhost:${port}`, scene);
+      await take(browser, `http://localhost:${port}`, scene).catch((error: Error) =>
+        console.log(`The gallery has a plain tile for ${scene.name}: ${error.message}`),
+      );
   };
   try {
     await Promise.all([worker(), worker()]);

@@ -32,8 +32,12 @@ export const scene = (blocks: Block[], lamp: boolean, hit: (id: number) => void)
     <scene>
       <viewpoint position="0 4 14" orientation="1 0 0 -0.15"></viewpoint>
       <navigationinfo headlight="false"></navigationinfo>
-      <directionallight direction="-0.5 -1 -0.8" ambientIntensity="0.4"></directionallight>
-      <background skyColor="0.87 0.9 0.93"></background>
+      <directionallight
+        direction="-0.5 -1 -0.4"
+        intensity="0.8"
+        ambientIntensity="0.35"
+      ></directionallight>
+      <directionallight direction="0.6 -0.3 -0.7" intensity="0.3"></directionallight>
       <transform translation="0 -0.5 0">
         <shape>
           <appearance><material diffuseColor="0.55 0.62 0.7"></material></appearance>

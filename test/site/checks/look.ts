@@ -8,9 +8,9 @@ const WIDTH = 688;
 const NARROW = 342;
 
 /** Of 255: what is no brighter is black. */
-const BLACK = 24;
+const BLACK = 40;
 /** Share of a picture that may be. */
-const BLACK_SHARE = 0.002;
+const BLACK_SHARE = 0.0005;
 
 /** How far a body's colour is from the one behind it: black and white are 441 from each other. */
 const CONTRAST = 40;
@@ -64,7 +64,7 @@ const PLACES = `(() => {
       matrix.multFullMatrixPnt(new SFVec3f(...['x', 'y', 'z'].map((axis, k) => (i >> k & 1 ? max : min)[axis]))));
     const [xs, ys] = ['x', 'y'].map((axis) => corners.map((corner) => corner[axis]));
     return {
-      name: 'a ' + node._cf.geometry.node.typeName().toLowerCase(),
+      name: node._cf.geometry.node.typeName().toLowerCase(),
       left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys),
     };
   });
@@ -75,8 +75,8 @@ async function places(tab: Tab): Promise<Place[]> {
   return (await tab.evaluate(PLACES)) as Place[];
 }
 
-const hide = (hidden: boolean): string =>
-  `for (const shape of shapes) shape.setAttribute('render', '${!hidden}')`;
+/** Runs in the page. */
+const HIDE = `for (const shape of shapes) shape.setAttribute('render', 'false')`;
 
 const inside = (a: number, b: number): boolean => Math.max(Math.abs(a), Math.abs(b)) <= 1;
 
@@ -88,9 +88,11 @@ const unseen = ({ left, right, bottom, top }: Place): boolean =>
 
 function cropped(all: Place[]): string[] {
   const cut = all.filter((place) => !whole(place) && !unseen(place));
-  const faults = cut.map(({ name }) => `${name} is cut off by the edge of the picture`);
-  if (all.length > 0 && all.every(unseen)) return ['no body is in the picture'];
-  return cut.length > EXCEPTIONS * all.length ? faults : [];
+  if (all.every(unseen)) return ['no body is in the picture'];
+  const names = cut.map(({ name }) => name).join(', ');
+  return cut.length > EXCEPTIONS * all.length
+    ? [`cut off by the edge of the picture: ${names}`]
+    : [];
 }
 
 /** From the middle of a shape, as shares of its width and height: a line may be drawn across the one or the other. */
@@ -103,7 +105,7 @@ const LOOKED_AT = [
 ] as const;
 
 /** How far what is seen about the middle of a shape is from what is seen there without any. */
-function contrast({ left, right, bottom, top }: Place, shown: Picture, hidden: Picture): number {
+function contrast({ left, right, bottom, top }: Place, { shown, hidden }: Look): number {
   const far = LOOKED_AT.map(([aside, up]) => {
     const x = (left + right) / 2 + aside * (right - left);
     const y = (bottom + top) / 2 + up * (top - bottom);
@@ -113,13 +115,15 @@ function contrast({ left, right, bottom, top }: Place, shown: Picture, hidden: P
   return Math.max(...far);
 }
 
-function lost(all: Place[], shown: Picture, hidden: Picture): string[] {
+function lost(all: Place[], look: Look): string[] {
   const seen = all.filter(whole);
-  const faults = seen.flatMap((place) => {
-    const far = contrast(place, shown, hidden);
-    return far < CONTRAST ? [`${place.name} is ${far.toFixed()} from what is behind it`] : [];
-  });
-  return faults.length > EXCEPTIONS * seen.length ? faults : [];
+  const faint = seen
+    .map((place) => ({ name: place.name, far: contrast(place, look) }))
+    .filter(({ far }) => far < CONTRAST);
+  const names = faint.map(({ name, far }) => `${name} (${far.toFixed()})`).join(', ');
+  return faint.length > EXCEPTIONS * seen.length
+    ? [`hardly seen before what is behind: ${names}`]
+    : [];
 }
 
 async function opened(
@@ -137,33 +141,51 @@ async function opened(
   return tab;
 }
 
+/** With its bodies and without. */
+interface Look {
+  scheme: 'light' | 'dark';
+  shown: Picture;
+  hidden: Picture;
+}
+
+async function looks(tab: Tab, read: (png: Buffer) => Promise<Picture>): Promise<Look[]> {
+  const picture = async (colorScheme: Look['scheme']): Promise<Picture> => {
+    await tab.emulateMedia({ colorScheme });
+    return read(await tab.locator('x3d canvas').first().screenshot());
+  };
+  const shown = { light: await picture('light'), dark: await picture('dark') };
+  await tab.evaluate(HIDE);
+  await tab.evaluate(DRAW);
+  return [
+    { scheme: 'dark', shown: shown.dark, hidden: await picture('dark') },
+    { scheme: 'light', shown: shown.light, hidden: await picture('light') },
+  ];
+}
+
+/** By night the sky is as dark as a black face; the faces are those of the day. */
+function blackened({ scheme, shown }: Look): string[] {
+  const share = scheme === 'light' ? shareBelow(shown, BLACK) : 0;
+  return share > BLACK_SHARE ? [`${(100 * share).toFixed(2)} % of the picture is black`] : [];
+}
+
 async function faultsOf(
   tab: Tab,
   { library, height }: Scene,
   read: (png: Buffer) => Promise<Picture>,
 ): Promise<string[]> {
-  const canvas = tab.locator('x3d canvas').first();
-  await canvas.waitFor();
+  await tab.locator('x3d canvas').first().waitFor();
   await tab.evaluate(begin(library));
   const narrow = await places(tab);
   await tab.setViewportSize({ width: WIDTH, height });
   const wide = await places(tab);
-  const faults = [...cropped(narrow).map((fault) => `on a phone: ${fault}`), ...cropped(wide)];
-  const look = async (colorScheme: 'light' | 'dark'): Promise<Picture> => {
-    await tab.emulateMedia({ colorScheme });
-    return read(await canvas.screenshot());
-  };
-  const schemes = ['light', 'dark'] as const;
-  const shown = [await look('light'), await look('dark')];
-  await tab.evaluate(hide(true));
-  await tab.evaluate(DRAW);
-  const hidden = [await look('dark'), await look('light')].reverse();
-  for (const [i, scheme] of schemes.entries()) {
-    const black = shareBelow(shown[i]!, BLACK);
-    if (black > BLACK_SHARE) faults.push(`${scheme}: ${(100 * black).toFixed(1)} % is black`);
-    faults.push(...lost(wide, shown[i]!, hidden[i]!).map((fault) => `${scheme}: ${fault}`));
-  }
-  return faults;
+  if (wide.length === 0) return ['no body that moves is drawn'];
+  return [
+    ...cropped(narrow).map((fault) => `on a phone, ${fault}`),
+    ...cropped(wide),
+    ...(await looks(tab, read)).flatMap((look) =>
+      [...blackened(look), ...lost(wide, look)].map((fault) => `${look.scheme}: ${fault}`),
+    ),
+  ];
 }
 
 /** One at a time: each draws, and is looked at four times. */

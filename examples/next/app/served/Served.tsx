@@ -16,7 +16,9 @@ export function Served() {
           <x3d>
             <scene>
               <viewpoint position="0 4 14" orientation="1 0 0 -0.15" />
-              <background skycolor="0.87 0.9 0.93" />
+              <navigationinfo headlight="false" />
+              <directionallight direction="-0.5 -1 -0.4" intensity="0.8" ambientintensity="0.35" />
+              <directionallight direction="0.6 -0.3 -0.7" intensity="0.3" />
               <transform translation="0 -0.5 0" scale="7 0.5 3">
                 <shape>
                   <appearance>
