@@ -22,6 +22,7 @@ const nodes = readdirSync(here('generated'), { recursive: true })
 const nav: DefaultTheme.NavItem[] = [
   { text: 'Guide', link: '/guide/which-file', activeMatch: '/guide/' },
   { text: 'Recipes', link: '/recipes/door', activeMatch: '/recipes/' },
+  { text: 'Gallery', link: '/gallery/', activeMatch: '/gallery/' },
   { text: 'Reference', link: '/reference/RigidBody', activeMatch: '/reference/' },
   ...(hasPlayground ? [{ text: 'Playground', link: '/playground' }] : []),
   { text: 'Stories', link: '/stories/index.html', target: '_self' },
@@ -51,6 +52,11 @@ export default defineConfig({
       }),
     ],
   ],
+  // The scene is what these pages are for: it gets all the room.
+  transformPageData({ relativePath, frontmatter }) {
+    if (!relativePath.startsWith('gallery/')) return;
+    Object.assign(frontmatter, { aside: false, pageClass: 'gallery' });
+  },
   vite: { plugins: [storiesBeside(base)] },
   markdown: {
     // The contrast that small text needs.

@@ -1,5 +1,6 @@
 // What stands where in the site's menu.
 import type { DefaultTheme } from 'vitepress';
+import { GALLERY } from './gallery.js';
 
 type Item = DefaultTheme.SidebarItem;
 
@@ -76,6 +77,11 @@ const REPORT = {
 export const sidebar = (nodes: string[]): Item[] => [
   { text: 'Start', items: pages('guide', START) },
   { text: 'Recipes', items: pages('recipes', RECIPES) },
+  {
+    text: 'Gallery',
+    collapsed: true,
+    items: [{ text: 'All scenes', link: '/gallery/' }, ...pages('gallery', GALLERY)],
+  },
   { text: 'Trouble', items: pages('guide', TROUBLE) },
   {
     text: 'Reference',

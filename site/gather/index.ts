@@ -6,6 +6,7 @@ import { examples } from './examples.js';
 import { forSite } from './links.js';
 import { llmsTexts } from './llms.js';
 import { referencePages } from './reference.js';
+import { copyThumbnails } from './thumbnails.js';
 
 const [library = 'dist'] = process.argv.slice(2);
 
@@ -51,6 +52,7 @@ for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, forc
 copyScripts();
 copyPages();
 copyFirstPage();
+copyThumbnails();
 
 /** When all pages are there. */
 function writeTexts(): void {

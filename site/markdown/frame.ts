@@ -7,16 +7,20 @@ const scripts = (base: string): string => `
 <script type="module" src="${base}x3d-physics/x3d-physics.js"></script>
 <script type="module" src="${base}kit/shadows.js"></script>`;
 
-/** In a page of the site a frame is light or dark as that is, whatever the system says. */
-const FOLLOW = `
+/** In a page of the site: light or dark as that is, whatever the system says; on a phone no higher than what is in it. */
+const WITHIN = `
 <script>
   if (parent !== window) {
-    const site = parent.document.documentElement;
+    const [site, own] = [parent.document.documentElement, document.documentElement];
     const follow = () => {
-      document.documentElement.style.colorScheme = site.classList.contains('dark') ? 'dark' : 'light';
+      own.style.colorScheme = site.classList.contains('dark') ? 'dark' : 'light';
     };
     follow();
     new MutationObserver(follow).observe(site, { attributeFilter: ['class'] });
+    const given = frameElement.height;
+    new ResizeObserver(() => {
+      frameElement.height = innerWidth < 500 ? Math.min(given, own.offsetHeight + 2) : given;
+    }).observe(own);
   }
 </script>`;
 
@@ -25,5 +29,5 @@ export const frame = (markup: string, base: string): string => `<!doctype html>
 <meta charset="utf-8">
 <title>Example</title>
 <link rel="stylesheet" href="${base}x3dom/x3dom.css">
-<link rel="stylesheet" href="${base}frame.css">${FOLLOW}${scripts(base)}
+<link rel="stylesheet" href="${base}frame.css">${WITHIN}${scripts(base)}
 ${markup}`;

@@ -1,12 +1,15 @@
 // The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, what it says to
-// copy runs, and each scene in it, the stories of its reference pages among them; each that is live is fit to be seen.
+// copy runs, the gallery's scenes come to what they should, and each scene in it, the stories of its reference pages among
+// them; each that is live is fit to be seen.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
+import { GALLERY } from '../../site/.vitepress/gallery.js';
 import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { miscopied } from './checks/copied.js';
+import { untrue } from './checks/gallery.js';
 import { deadLinks } from './checks/links.js';
 import { ugly } from './checks/look.js';
 import { pages, type Page } from './checks/pages.js';
@@ -36,6 +39,7 @@ async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const results = [
     result(1, await notFound(browser, address)),
     result(1, await miscopied(browser, address)),
+    result(Object.keys(GALLERY).length, await untrue(browser, address)),
     result(all.length, await inaccessible(browser, address, all)),
     result(examples.length, await broken(browser, address, examples)),
     result(shown.length, await ugly(browser, address, shown)),

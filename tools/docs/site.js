@@ -20,6 +20,7 @@ export const gather = (library = 'dist') =>
 /** The site by itself: what its test looks at. */
 export async function buildSite() {
   await gather();
+  await must('Pictures of the gallery', ['--import', 'tsx', 'site/gather/thumbnails.ts'], {});
   await must('The site', [BIN.vitepress, 'build', 'site']);
 }
 

@@ -1,6 +1,7 @@
 import DefaultTheme from 'vitepress/theme';
-import { h } from 'vue';
+import { h, type App } from 'vue';
 import { withBase } from 'vitepress';
+import { galleryTiles } from './tiles.js';
 import './site.css';
 
 const notFound = () =>
@@ -12,4 +13,5 @@ const notFound = () =>
 export default {
   extends: DefaultTheme,
   Layout: () => h(DefaultTheme.Layout, null, { 'not-found': notFound }),
+  enhanceApp: ({ app }: { app: App }) => void app.component('GalleryTiles', galleryTiles),
 };

@@ -64,7 +64,7 @@ const PLACES = `(() => {
       matrix.multFullMatrixPnt(new SFVec3f(...['x', 'y', 'z'].map((axis, k) => (i >> k & 1 ? max : min)[axis]))));
     const [xs, ys] = ['x', 'y'].map((axis) => corners.map((corner) => corner[axis]));
     return {
-      name: 'a ' + node._cf.geometry.node.typeName().toLowerCase(),
+      name: node._cf.geometry.node.typeName().toLowerCase(),
       left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys),
     };
   });
@@ -88,9 +88,11 @@ const unseen = ({ left, right, bottom, top }: Place): boolean =>
 
 function cropped(all: Place[]): string[] {
   const cut = all.filter((place) => !whole(place) && !unseen(place));
-  const faults = cut.map(({ name }) => `${name} is cut off by the edge of the picture`);
   if (all.every(unseen)) return ['no body is in the picture'];
-  return cut.length > EXCEPTIONS * all.length ? faults : [];
+  const names = cut.map(({ name }) => name).join(', ');
+  return cut.length > EXCEPTIONS * all.length
+    ? [`cut off by the edge of the picture: ${names}`]
+    : [];
 }
 
 /** From the middle of a shape, as shares of its width and height: a line may be drawn across the one or the other. */
@@ -115,11 +117,13 @@ function contrast({ left, right, bottom, top }: Place, { shown, hidden }: Look):
 
 function lost(all: Place[], look: Look): string[] {
   const seen = all.filter(whole);
-  const faults = seen.flatMap((place) => {
-    const far = contrast(place, look);
-    return far < CONTRAST ? [`${place.name} is ${far.toFixed()} from what is behind it`] : [];
-  });
-  return faults.length > EXCEPTIONS * seen.length ? faults : [];
+  const faint = seen
+    .map((place) => ({ name: place.name, far: contrast(place, look) }))
+    .filter(({ far }) => far < CONTRAST);
+  const names = faint.map(({ name, far }) => `${name} (${far.toFixed()})`).join(', ');
+  return faint.length > EXCEPTIONS * seen.length
+    ? [`hardly seen before what is behind: ${names}`]
+    : [];
 }
 
 async function opened(

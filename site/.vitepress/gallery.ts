@@ -1,0 +1,22 @@
+// The scenes of the gallery, in their order: each is a page in site/gallery.
+export const GALLERY = {
+  trebuchet: 'Trebuchet',
+  'car-on-hills': 'Car on hills',
+  clock: 'Clock escapement',
+  cards: 'House of cards',
+  'marble-run': 'Marble run',
+  crane: 'Crane',
+  'wrecking-ball': 'Wrecking ball',
+  dominoes: 'Dominoes',
+  'ragdoll-stairs': 'Ragdoll on stairs',
+  gears: 'Gears',
+  cradle: 'Newton’s cradle',
+  conveyor: 'Conveyor with sorter',
+  drum: 'Washing drum',
+  bridge: 'Bridge with traffic',
+  tops: 'Gyroscope and tops',
+  pendulum: 'Pendulum of eight balls',
+  rotor: 'Rotor and plates',
+  room: 'A room of boxes',
+  'growing-chain': 'A growing chain',
+};

@@ -1,0 +1,146 @@
+// What each scene of the gallery comes to: facts of physics, in words of its own page. `body(id)`, `all(selector)`, `text(id)`
+// and `seen`, what `each` answered every twentieth of a second, are there; so are `start` (places of all bodies by id or order)
+// and `moved(bodies)`, how far each is from its start. A fact answers whether it holds.
+export interface Fact {
+  says: string;
+  /** Seconds of the world until it is asked. */
+  seconds: number;
+  /** Done before the first step. */
+  first?: string;
+  /** Looked at in between. */
+  each?: string;
+  holds: string;
+}
+
+/** Metres by which the joints of a page gape at most. */
+const GAP = `Math.max(...all('x3d-ball-joint, x3d-single-axis-hinge-joint').map((joint) =>
+  Math.hypot(...joint.body1AnchorPoint.map((value, i) => value - joint.body2AnchorPoint[i]))))`;
+
+export const FACTS: Record<string, Fact> = {
+  trebuchet: {
+    says: 'the sling lets go, and the stone strikes bricks out of the wall',
+    seconds: 5,
+    holds: `!document.getElementById('hook') && moved(all('.brick')).filter((way) => way > 0.3).length >= 5`,
+  },
+  cards: {
+    says: 'for ten seconds no card moves by a millimetre',
+    seconds: 10,
+    holds: `all('.card').length === 26 && Math.max(...moved(all('.card'))) < 0.001`,
+  },
+  drum: {
+    says: 'it turns as fast as it is told, lifts its load and loses none of it',
+    seconds: 6,
+    each: `Math.max(...all('.piece').map((piece) => piece.position[1]))`,
+    holds: `Math.abs(body('body').angularVelocity[2] + 3.67) < 0.1 && Math.max(...seen.slice(40)) > 0.7 &&
+      all('.piece').every(({ position: [x, y, z] }) => Math.hypot(x, y) < 1.4 && Math.abs(z) < 0.6)`,
+  },
+  dominoes: {
+    says: 'all of them fall',
+    seconds: 26,
+    holds: `all('.stone').length === 90 && all('.stone').every(({ position }) => position[1] < 0.27)`,
+  },
+  gears: {
+    says: 'speeds go as the numbers of teeth, to and fro',
+    seconds: 8,
+    each: `[0, 1, 2].map((i) => body('gear' + i).angularVelocity[2])`,
+    holds: `(([one, two, three]) => Math.abs(two / one + 10 / 20) < 0.01 && Math.abs(three / one - 10 / 14) < 0.01)(
+      [0, 1, 2].map((i) => seen.slice(60).reduce((sum, rates) => sum + rates[i], 0)))`,
+  },
+  cradle: {
+    says: 'the last ball swings out as far as the first came in, and those between stay',
+    seconds: 1.4,
+    each: `all('#balls x3d-rigid-body').map(({ position }, i) => position[0] - (i - 2) * 0.401)`,
+    holds: `((after) => Math.max(...after.map((x) => x[4])) > 0.97 * 1.9 * Math.sin(0.7) &&
+      Math.max(...after.flatMap((x) => x.slice(0, 4).map(Math.abs))) < 0.03)(seen.slice(16))`,
+  },
+  'wrecking-ball': {
+    says: 'the ball goes through the house, and the chain holds',
+    seconds: 5,
+    holds: `moved(all('.block')).filter((way) => way > 0.3).length >= 20 && ${GAP} < 0.001`,
+  },
+  tops: {
+    says: 'the wheel keeps its height and goes round in 6.2 s; tops stand',
+    seconds: 6.16,
+    each: `body('gyroscope').position`,
+    holds: `seen.every(([, y]) => Math.abs(y - 1.25) < 0.02) && Math.min(...seen.map(([x]) => x)) < -1.78 &&
+      Math.hypot(...moved([body('gyroscope')])) < 0.15 && all('#tops x3d-rigid-body').every(({ position }) => position[1] > 0.25)`,
+  },
+  clock: {
+    says: 'it ticks once a second, evenly, and each tick lets half a tooth pass',
+    seconds: 24,
+    each: `[world.time, body('anchor').orientation, body('wheel').orientation].map((value) =>
+      Array.isArray(value) ? value[3] * Math.sign(value[2]) : value)`,
+    holds: `(() => {
+      const crossings = [];
+      for (let i = 1; i < seen.length; i++) {
+        const [[t0, a0], [t1, a1]] = [seen[i - 1], seen[i]];
+        if (a0 * a1 < 0) crossings.push(t0 + ((t1 - t0) * a0) / (a0 - a1));
+      }
+      const ticks = crossings.slice(1).map((time, i) => time - crossings[i]).slice(8);
+      const turned = seen.slice(1).reduce((sum, [, , angle], i) => {
+        const way = seen[i][2] - angle;
+        return sum + (way < -3 ? way + 2 * Math.PI : way);
+      }, 0);
+      return ticks.length >= 12 && ticks.every((tick) => Math.abs(tick - 1) < 0.05) &&
+        Math.max(...ticks) - Math.min(...ticks) < 0.02 && Math.abs(turned / crossings.length - Math.PI / 30) < 0.01;
+    })()`,
+  },
+  'marble-run': {
+    says: 'marbles arrive and are counted, each time once',
+    seconds: 22,
+    holds: `Number(text('count')) >= 10 && Number(text('count')) <= 40`,
+  },
+  conveyor: {
+    says: 'all that is red goes aside, all else to the end',
+    seconds: 16,
+    holds: `Number(text('wrong')) === 0 && Number(text('red')) >= 4 && Number(text('others')) >= 4`,
+  },
+  bridge: {
+    says: 'carts cross it, and none falls in',
+    seconds: 12,
+    each: `all('.cart').map(({ position }) => position)`,
+    holds: `seen.flat().every(([, y]) => y > -0.6) && seen.flat().some(([x]) => x > 5)`,
+  },
+  'car-on-hills': {
+    says: 'it drives up the hills, on its wheels',
+    seconds: 9,
+    holds: `body('car').position[0] > 15 && body('car').position[1] > 0.5`,
+  },
+  'ragdoll-stairs': {
+    says: 'it comes down, and no joint opens',
+    seconds: 8,
+    each: GAP,
+    holds: `body('chest').position[1] < 1.5 && Math.max(...seen) < 0.005`,
+  },
+  crane: {
+    says: 'the magnet takes a crate, and the hook lifts it',
+    seconds: 13,
+    first: `text('magnet'), document.getElementById('magnet').click(), document.getElementById('to-lift').value = 3.4`,
+    each: `world.time > 7 ? (document.getElementById('to-lift').value = 0) : 0`,
+    holds: `all('.crate').filter(({ position }) => position[1] > 2).length === 1`,
+  },
+  pendulum: {
+    says: 'it swings to the other side, and joints open by less than 10 µm',
+    seconds: 6,
+    each: `[body('link7').position[0], ${GAP}]`,
+    holds: `Math.min(...seen.map(([x]) => x)) < -2 && Math.max(...seen.map(([, gap]) => gap)) < 1e-5`,
+  },
+  rotor: {
+    says: 'the rotor turns on, whatever it strikes',
+    seconds: 8,
+    each: `body('rotor').angularVelocity[2]`,
+    holds: `Number(text('hits')) > 15 && seen.slice(40).every((rate) => rate > 0)`,
+  },
+  room: {
+    says: 'boxes come one by one, and stay in the room',
+    seconds: 9,
+    holds: `all('#boxes x3d-rigid-body').length > 60 &&
+      all('#boxes x3d-rigid-body').every(({ position: [x, y, z] }) => Math.abs(x) < 3 && Math.abs(z) < 3 && y > 0)`,
+  },
+  'growing-chain': {
+    says: 'it grows by thirty links, and no hinge opens',
+    seconds: 10,
+    each: GAP,
+    holds: `all('#chain x3d-rigid-body').length >= 30 && Math.max(...seen) < 0.001`,
+  },
+};
