@@ -1,5 +1,5 @@
 // The scenes that the playground opens: those of the stories and of the site's own pages, from where they are written.
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { TemplateResult } from 'lit';
 import { createServer, type ViteDevServer } from 'vite';
@@ -7,10 +7,16 @@ import { sceneOf } from '../../stories/reference/markup.js';
 import { grown } from './grown.js';
 
 export interface Example {
+  /** In addresses: it stays as it is. */
+  id: string;
   group: string;
   name: string;
   markup: string;
+  /** Where the site has one, when it is built with pictures. */
+  picture?: string;
 }
+
+type Found = Omit<Example, 'id'>;
 
 interface Story {
   name?: string;
@@ -23,8 +29,41 @@ interface Stories extends Record<string, Story> {
 }
 
 /** Stories that are pages, or show them: stories/pages has these as files. */
-const PAGES = /^(Scenes|In XHTML)/;
-const SHOWS_PAGES = 'Monitor';
+const PAGES = /^(Scenes|In XHTML|Start here)/;
+/** What shows other scenes, and what no one reads as text. */
+const NOT_HERE = new Set(['Monitor', 'TwoThousandBodies']);
+
+/** In the menu by another name than in the stories, where the group's name stands above it. */
+const NAMES: Record<string, string> = {
+  'Accuracy/Beside reference': 'A level beside the reference',
+  'Accuracy/Chart': 'What each level costs',
+  'Accuracy/Auto': 'A level that fits the time',
+  'Dragging/Pendulum': 'Drag a pendulum',
+  'Dragging/Heap': 'Drag out of a heap',
+  'Dragging/Modes': 'Three ways to drag',
+  'Dragging/Keyboard': 'Drag by the keyboard',
+  'Looking in/Events': 'Collisions as events',
+  'Looking in/Raycast': 'What a ray meets',
+  'Looking in/Snapshot': 'A snapshot, and back to it',
+  'Looking in/Debug drawing': 'What Bullet has, drawn',
+  'Shortcuts/for="ID"': 'A body that names what it moves',
+  'Guide/Two bodies that name their Transforms': 'Two bodies that name what they move',
+};
+
+const GROUPS: Record<string, string> = {
+  Guide: 'First steps',
+  Shortcuts: 'First steps',
+  Dragging: 'By hand',
+  'Looking in': 'Looking inside',
+};
+
+const GALLERY = 'site/gallery';
+
+/** As they stand in the menu; what is in none of them comes last. */
+const ORDER = [
+  ...['Gallery', 'First steps', 'Recipes', 'Scenes', 'By hand'],
+  ...['Accuracy', 'Looking inside'],
+];
 
 const isTemplate = (value: unknown): value is TemplateResult =>
   typeof value === 'object' && value !== null && 'strings' in value;
@@ -40,10 +79,10 @@ function nameOf(name: string, node: string | undefined): string {
   return node ? `${node}: ${words}` : words;
 }
 
-function examplesIn({ default: meta, ...stories }: Stories): Example[] {
+function examplesIn({ default: meta, ...stories }: Stories): Found[] {
   if (PAGES.test(meta.title!)) return [];
   return Object.entries(stories)
-    .filter(([name]) => name !== SHOWS_PAGES)
+    .filter(([name]) => !NOT_HERE.has(name))
     .flatMap(([name, story]) => {
       const shown = (story.render ?? meta.render)!({ ...meta.args, ...story.args });
       const markup = isTemplate(shown) ? sceneOf(shown) : undefined;
@@ -52,7 +91,7 @@ function examplesIn({ default: meta, ...stories }: Stories): Example[] {
     });
 }
 
-async function ofStories(server: ViteDevServer): Promise<Example[]> {
+async function ofStories(server: ViteDevServer): Promise<Found[]> {
   const files = readdirSync('stories').filter((file) => file.endsWith('.stories.ts'));
   const modules = await Promise.all(files.map((file) => server.ssrLoadModule(`/stories/${file}`)));
   return modules.flatMap((module) => examplesIn(module as Stories));
@@ -63,7 +102,7 @@ const X3D = /^( *)<x3d[^]*?<\/x3d>/im;
 /** Files beside the pages, at the address that the site has them at. */
 const ASSETS = '../../stories/assets/';
 
-function ofFile(group: string, file: string): Example {
+function ofFile(group: string, file: string): Found {
   const text = grown(basename(file), readFileSync(file, 'utf8'));
   const [markup, indent] = X3D.exec(text)!;
   const title = /<title>(.*)<\/title>/.exec(text)?.[1];
@@ -75,24 +114,65 @@ function ofFile(group: string, file: string): Example {
   };
 }
 
-const ofFolder = (group: string, folder: string, type = '.html'): Example[] =>
+const ofFolder = (group: string, folder: string): Found[] =>
   readdirSync(folder)
-    .filter((file) => file.endsWith(type))
+    .filter((file) => file.endsWith('.html'))
     .map((file) => ofFile(group, `${folder}/${file}`));
 
-/** Fences of `html live` that show a scene without a script of its own. */
+/** Fences of `html live`. */
 const LIVE = /^```html live[^\n"]*(?:"([^"]+)")?[^\n]*\n([^]*?)^```/gm;
+const LIVE_FIRST = new RegExp(LIVE.source, 'm');
 
-function ofPages(group: string, folder: string): Example[] {
+function ofPages(group: string, folder: string): Found[] {
   return readdirSync(folder)
     .filter((file) => file.endsWith('.md'))
     .flatMap((file) => {
       const text = readFileSync(`${folder}/${file}`, 'utf8');
       const heading = /^# (.*)$/m.exec(text)?.[1] ?? file;
-      return [...text.matchAll(LIVE)]
-        .filter(([, , markup]) => !markup!.includes('<script'))
-        .map(([, title, markup]) => ({ group, name: title ?? heading, markup: markup! }));
+      return [...text.matchAll(LIVE)].map(([, title, markup]) => ({
+        group,
+        name: title ?? heading,
+        markup: markup!,
+      }));
     });
+}
+
+/** A page for each: it is named as its page is. */
+const ofGallery = (): Found[] =>
+  readdirSync(GALLERY)
+    .filter((file) => file.endsWith('.md'))
+    .flatMap((file) => {
+      const text = readFileSync(`${GALLERY}/${file}`, 'utf8');
+      const [, name] = /^# (.*)$/m.exec(text) ?? [];
+      const [, , markup] = LIVE_FIRST.exec(text) ?? [];
+      const picture = `gallery/${basename(file, '.md')}.jpg`;
+      return name && markup ? [{ group: 'Gallery', name, markup, picture }] : [];
+    });
+
+const idOf = (name: string): string =>
+  name
+    .toLowerCase()
+    .replaceAll(/[^a-z0-9]+/g, '-')
+    .replaceAll(/^-|-$/g, '');
+
+const rankOf = ({ group }: Found): number =>
+  ORDER.includes(group) ? ORDER.indexOf(group) : ORDER.length;
+
+/** By names and groups of the menu. No name stands for two scenes, and no scene stands there twice. */
+export function menuOf(found: readonly Found[]): Example[] {
+  const named = found.map(({ group, name, ...rest }) => {
+    const own = NAMES[`${group}/${name}`] ?? name;
+    return { id: idOf(own), group: GROUPS[group] ?? group, name: own, ...rest };
+  });
+  for (const key of ['id', 'markup'] as const) {
+    const seen = new Map<string, Example>();
+    for (const each of named) {
+      const twin = seen.get(each[key]);
+      if (twin) throw new Error(`"${twin.name}" and "${each.name}" have the same ${key}.`);
+      seen.set(each[key], each);
+    }
+  }
+  return named.sort((a, b) => rankOf(a) - rankOf(b));
 }
 
 export async function examples(): Promise<Example[]> {
@@ -104,14 +184,19 @@ export async function examples(): Promise<Example[]> {
     optimizeDeps: { noDiscovery: true },
   });
   try {
-    return [
-      ...ofFolder('First', 'examples'),
-      ...ofFolder('Scenes', 'stories/pages'),
-      ...ofFolder('Scenes as X3D', 'stories/pages', '.xhtml'),
-      ...(await ofStories(server)),
+    return menuOf([
+      ...(existsSync(GALLERY) ? ofGallery() : ofFolder('Scenes', 'stories/pages')),
+      ofFile('First steps', 'site/playground/first.html'),
+      ...ofFolder('First steps', 'examples'),
       ...ofPages('Guide', 'site/guide'),
       ...ofPages('Recipes', 'site/recipes'),
-    ];
+      // One in X3D's own tags, with a part from a file of its own.
+      {
+        ...ofFile('First steps', 'stories/pages/pendulum-and-motor.xhtml'),
+        name: "A pendulum and a motor in X3D's own tags",
+      },
+      ...(await ofStories(server)),
+    ]);
   } finally {
     await server.close();
   }

@@ -19,11 +19,8 @@ const running = (markup: string, base: string, height = HEIGHT, title = 'The exa
 const folded = (code: string): string =>
   `<details class="markup"><summary>Its markup</summary>${code}</details>\n`;
 
-/** The playground runs no scripts: what needs one stays where it is. */
 const toPlayground = (markup: string, base: string): string =>
-  markup.includes('<script')
-    ? ''
-    : `<p class="to-playground"><a href="${playgroundAddress(markup, base)}">Open in the playground</a></p>\n`;
+  `<p class="to-playground"><a href="${playgroundAddress(markup, base)}">Open in the playground</a></p>\n`;
 
 export function liveExamples(md: MarkdownRenderer, base: string): void {
   const fence = md.renderer.rules.fence!;

@@ -1,58 +1,70 @@
-// Markup in an address: `#markup=…` as it is, `#shared=…` compressed. Nothing of it is sent to a server.
+// Markup in an address. `#example=…` names an example of the menu, and `#edits=…` what was changed of it, so that it stays
+// short; `#shared=…` is a whole text compressed, `#markup=…` as it is. Nothing of it is sent to a server.
+import { deflated, inflated, fromBase64, textOf, toBase64 } from './packed.js';
+import { editsBetween, withEdits } from './text/edits.js';
 
-const NOTE = 'The address holds no markup that can be read: it may have been cut short.';
+/** What the menu opens, by its name in addresses. */
+export interface Named {
+  id: string;
+  markup: string;
+}
+
+const UNREADABLE = 'The address holds no markup that can be read: it may have been cut short.';
+const UNKNOWN = 'The address names an example that is not here any more.';
+const CHANGED =
+  'The example that this address starts from has changed since: the edits of the address no longer fit it.';
 
 /** For links into the playground, made at once. `base` is where the site lies. */
 export const playgroundAddress = (markup: string, base = '/'): string =>
   `${base}playground.html#markup=${toBase64(new TextEncoder().encode(markup))}`;
 
-/** For addresses that people send to each other: shorter. */
-export async function sharedHash(markup: string): Promise<string> {
-  const text = new Blob([markup]).stream();
-  return `#shared=${toBase64(await bytesOf(text.pipeThrough(new CompressionStream('deflate-raw'))))}`;
+/** Of an example as it is. */
+export const exampleHash = ({ id }: Named): string => `#example=${id}`;
+
+/** For addresses that people send to each other: the shortest that holds the text. */
+export async function sharedHash(markup: string, example?: Named): Promise<string> {
+  if (markup === example?.markup) return exampleHash(example);
+  const whole = `#shared=${await deflated(markup)}`;
+  if (!example) return whole;
+  const edits = [signOf(example.markup), ...editsBetween(example.markup, markup)];
+  const edited = `#example=${example.id}&edits=${await deflated(JSON.stringify(edits))}`;
+  return edited.length < whole.length ? edited : whole;
 }
 
-/** The markup that an address has behind its #; undefined where there is none. */
-export async function markupIn(hash: string): Promise<string | undefined> {
+/** The markup that an address has behind its #, and the example it is of; undefined where there is none. */
+export async function markupIn(
+  hash: string,
+  examples: readonly Named[] = [],
+): Promise<{ markup: string; example?: Named } | undefined> {
+  const [, id, packed] = /^#example=([^&]*)(?:&edits=(.*))?$/s.exec(hash) ?? [];
+  if (id !== undefined) return ofExample(id, packed, examples);
   const [, kind, value] = /^#(markup|shared)=(.*)$/s.exec(hash) ?? [];
   if (!kind) return undefined;
+  const unpack = async () => (kind === 'shared' ? inflated(value!) : textOf(fromBase64(value!)));
+  return { markup: await orUnreadable(unpack) };
+}
+
+async function ofExample(id: string, packed: string | undefined, examples: readonly Named[]) {
+  const example = examples.find((each) => each.id === id);
+  if (!example) throw new Error(UNKNOWN);
+  if (packed === undefined) return { markup: example.markup, example };
+  const read = async () => JSON.parse(await inflated(packed)) as [string, ...never[]];
+  const [sign, ...edits] = await orUnreadable(read);
+  if (sign !== signOf(example.markup)) throw new Error(CHANGED);
+  return { markup: await orUnreadable(async () => withEdits(example.markup, edits)), example };
+}
+
+async function orUnreadable<T>(read: () => Promise<T>): Promise<T> {
   try {
-    const bytes = fromBase64(value!);
-    return textOf(kind === 'shared' ? await decompressed(bytes) : bytes);
+    return await read();
   } catch {
-    throw new Error(NOTE);
+    throw new Error(UNREADABLE);
   }
 }
 
-/** More than any scene: a few bytes can be made to unfold into gigabytes. */
-const LIMIT = 4e6;
-
-async function decompressed(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
-  return bytesOf(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw')));
-}
-
-async function bytesOf(stream: ReadableStream<Uint8Array>): Promise<Uint8Array<ArrayBuffer>> {
-  const parts: BlobPart[] = [];
-  let size = 0;
-  const reader = stream.getReader();
-  for (let part = await reader.read(); !part.done; part = await reader.read()) {
-    size += part.value.length;
-    if (size > LIMIT) throw new RangeError('too long');
-    parts.push(part.value.slice());
-  }
-  return new Uint8Array(await new Blob(parts).arrayBuffer());
-}
-
-const textOf = (bytes: Uint8Array): string =>
-  new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-
-/** In the letters that addresses take. */
-function toBase64(bytes: Uint8Array): string {
-  const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
-  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-}
-
-function fromBase64(text: string): Uint8Array<ArrayBuffer> {
-  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
-  return Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
+/** Tells another text of the same name: 32 bits by FNV-1a, in letters. */
+function signOf(text: string): string {
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  return (hash >>> 0).toString(36);
 }

@@ -1,8 +1,10 @@
 // What is to be said about a text, at its places.
 import type { Diagnostic } from '@codemirror/lint';
-import type { Told } from './scene/stage.js';
+import type { Problem, ScriptFault } from './scene/frame.js';
+import type { Said } from './scene/stage.js';
 import type { LeftOut } from './text/left-out.js';
 import type { Fault } from './text/parse.js';
+import type { Place } from './text/tree.js';
 
 export const ofFault = ({ from, to, message }: Fault): Diagnostic => ({
   ...{ from, to, message },
@@ -16,13 +18,29 @@ export const ofLeftOut = ({ from, to, message }: LeftOut): Diagnostic => ({
 });
 
 /** A slow machine is no matter of the text, nor is what is only said of a file brought in. */
-export const isOfText = ({ problem, source }: Told): boolean =>
-  !!source || problem.severity === 'error';
+export const isOfText = ({ said, source }: Said<Problem>): boolean =>
+  !!source || said.severity === 'error';
+
+const START: Place = { from: 0, to: 0 };
 
 /** At the attribute concerned, else at the opening tag, else at the text's first character. */
-export function ofProblem({ problem, source }: Told): Diagnostic {
-  const { attribute, severity, message, code } = problem;
-  const key = attribute?.toLowerCase() ?? '';
-  const { from, to } = source?.attributes.get(key) ?? source ?? { from: 0, to: 0 };
+export function ofProblem({ said, source }: Said<Problem>): Diagnostic {
+  const { attribute, severity, message, code } = said;
+  const { from, to } = source?.attributes.get(attribute?.toLowerCase() ?? '') ?? source ?? START;
   return { from, to, severity, message, source: code };
+}
+
+/** At the line of the script; `text` is what the script's tree is of. */
+export function ofScript({ said, source }: Said<ScriptFault>, text: string): Diagnostic {
+  const { from, to } = source ? lineIn(text, source, said.line) : START;
+  return { from, to, severity: 'error', message: said.message, source: 'The script' };
+}
+
+/** A script's first line is the one of its tag. */
+function lineIn(text: string, { from, to }: Place, line: number): Place {
+  if (line < 1) return { from, to };
+  let start = to;
+  for (let i = 1; i < line; i++) start = text.indexOf('\n', start) + 1 || start;
+  const end = text.indexOf('\n', start);
+  return { from: start, to: end < 0 ? text.length : end };
 }

@@ -1,6 +1,5 @@
 /// <reference types="vite/client" />
 // The playground: markup on one side, its scene on the other. What one types is done to the running scene.
-import { markupIn } from './address.js';
 import { fetchJson, type Example } from './examples.js';
 import { Playground } from './playground.js';
 import './playground.css';
@@ -9,15 +8,18 @@ import type { Manifest } from './editor/vocabulary.js';
 
 export { playgroundAddress } from './address.js';
 
+/** What one sees who comes for the first time: first.html. */
+const FIRST = 'a-pile-to-knock-over';
+
 /** Where the site lies, as a whole address. */
 const site = (): string => new URL(import.meta.env.BASE_URL, location.href).href;
 
-/** Shows the playground in `element`; answers what takes it away again. */
-export function mount(element: HTMLElement): () => void {
+/** Shows the playground in `element`; answers what takes it away again. `pictures`: those that the site has. */
+export function mount(element: HTMLElement, pictures: readonly string[] = []): () => void {
   const ended = new AbortController();
   const view = createView(element);
   const tell = (text: string) => (view.word.textContent = text);
-  start(element, view, ended.signal).catch((error: Error) => tell(error.message));
+  start(element, view, pictures, ended.signal).catch((error: Error) => tell(error.message));
   return () => {
     ended.abort();
     element.classList.remove('x3d-playground');
@@ -30,6 +32,7 @@ export function mount(element: HTMLElement): () => void {
 async function start(
   element: HTMLElement,
   view: ReturnType<typeof createView>,
+  pictures: readonly string[],
   ended: AbortSignal,
 ): Promise<void> {
   const [manifest, examples] = await Promise.all([
@@ -37,22 +40,12 @@ async function start(
     fetchJson<Example[]>(`${site()}scenes/examples.json`),
   ]);
   if (ended.aborted) return;
-  const playground = new Playground(view, manifest, examples);
+  for (const each of examples) if (!pictures.includes(each.picture!)) delete each.picture;
+  const playground = new Playground(view, site(), manifest, examples);
   ended.addEventListener('abort', () => playground.end());
-  await playground.openScene(site());
+  await playground.openScene();
   if (ended.aborted) return;
-  await openAddress(playground, examples[0]!.markup);
-  addEventListener('hashchange', () => void openAddress(playground), { signal: ended });
+  await playground.openAddress(examples.find(({ id }) => id === FIRST) ?? examples[0]);
+  addEventListener('hashchange', () => void playground.openAddress(), { signal: ended });
   element.dataset.ready = '';
-}
-
-/** What the address holds; where it holds nothing, `otherwise`. */
-async function openAddress(playground: Playground, otherwise?: string): Promise<void> {
-  try {
-    const markup = (await markupIn(location.hash)) ?? otherwise;
-    if (markup !== undefined) playground.open(markup);
-  } catch (error) {
-    if (otherwise !== undefined) playground.open(otherwise);
-    playground.tell((error as Error).message);
-  }
 }

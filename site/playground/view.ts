@@ -1,18 +1,23 @@
-// What one sees: buttons, the text, the scene, a line that says what happened.
+// What one sees: buttons, the text and what is said of it, the scene, a line that says what happened.
 
 const PAGE = `
 <h1>Playground</h1>
 <div class="bar" role="toolbar" aria-label="The scene">
-  <select data-part="menu" aria-label="Open an example"><option value="">Examples</option></select>
+  <select data-part="menu" aria-label="Open an example"><option value="">Your own</option></select>
   <button type="button" data-part="pause" aria-pressed="false">Pause</button>
   <button type="button" data-part="step" title="One step of the simulation; pauses first">Step</button>
   <button type="button" data-part="reset" title="Begin anew from the text">Reset</button>
-  <button type="button" data-part="share" title="Copies an address that holds the whole text">Share</button>
-  <button type="button" data-part="download" title="A page that runs from disk">Download</button>
+  <button type="button" data-part="panel" aria-pressed="false" title="Cost, accuracy, and which effects run because of what">Look inside</button>
+  <button type="button" data-part="share" title="Copies an address that holds the text">Share</button>
+  <button type="button" data-part="download" title="One page, which runs by double click and without a network">Download</button>
   <output data-part="time" aria-live="off"></output>
 </div>
 <div class="panes">
-  <div class="text" data-part="text"></div>
+  <div class="left">
+    <div class="text" data-part="text"></div>
+    <ul class="told" data-part="told" aria-label="What is said of the text" aria-live="polite"></ul>
+    <p class="scripts" data-part="scripts"></p>
+  </div>
   <div class="scene" data-part="scene"></div>
 </div>
 <div class="foot">
@@ -25,10 +30,13 @@ const PARTS = [
   'pause',
   'step',
   'reset',
+  'panel',
   'share',
   'download',
   'time',
   'text',
+  'told',
+  'scripts',
   'scene',
   'word',
 ] as const;

@@ -35,7 +35,7 @@ export const serveDocs = (port) => serve(FOLDER, port);
 /** Serves the gathered pages from their sources on `port`, or on the next one that is free; answers the address. */
 export async function serveLive(port) {
   const { createServer } = await import('vitepress');
-  const server = await createServer('site', { port, host: true });
+  const server = await createServer('site', { port, host: true, cors: true });
   await server.listen();
   return server.resolvedUrls.local[0];
 }

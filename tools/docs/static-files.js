@@ -48,7 +48,8 @@ export async function serve(folder, port) {
     // What is not there is answered by 404, and not by the folder's index.html.
     appType: 'mpa',
     build: { outDir: resolve(folder) },
-    preview: { port, host: true },
+    // Scenes of the playground stand in a sandbox, which is another origin: what they bring in by name is asked for so.
+    preview: { port, host: true, cors: true },
   });
   return { port: server.httpServer.address().port, close: () => server.close() };
 }

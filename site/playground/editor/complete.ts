@@ -9,6 +9,7 @@ import {
 import type { Extension } from '@codemirror/state';
 import { hoverTooltip, type EditorView, type Tooltip } from '@codemirror/view';
 import { isXml } from '../text/parse.js';
+import { VOID } from '../text/well-formed.js';
 import { placeAt, type MarkupPlace } from './place.js';
 import type { AttributeWord, TagWord, Vocabulary } from './vocabulary.js';
 
@@ -33,6 +34,24 @@ function applyAttribute(view: EditorView, { label }: Completion, from: number, t
   if (!hasValue) startCompletion(view);
 }
 
+/** What may follow a tag's name where the tag is not finished. */
+const UNFINISHED = /^[ \t]*($|\n|<)/;
+
+/** Closes the tag behind the cursor, which stands where attributes come. */
+const applyTag =
+  (xml: boolean) =>
+  (view: EditorView, { label }: Completion, from: number, to: number): void => {
+    const isUnfinished = UNFINISHED.test(view.state.sliceDoc(to, to + 200));
+    const end = xml ? '/>' : endOf(label);
+    view.dispatch({
+      changes: { from, to, insert: isUnfinished ? label + end : label },
+      selection: { anchor: from + label.length },
+      userEvent: 'input.complete',
+    });
+  };
+
+const endOf = (tag: string): string => (VOID.test(tag) ? '>' : `></${tag}>`);
+
 const docOf = ({ type, default: value, doc }: AttributeWord): string =>
   value ? `${doc} Default ${value}.` : doc || type;
 
@@ -43,6 +62,7 @@ function optionsAt(place: MarkupPlace, vocabulary: Vocabulary, xml: boolean): Co
       type: 'type',
       info: tag.doc,
       boost: tag.doc.includes('X3DOM') ? 0 : 1,
+      apply: applyTag(xml),
     }));
   }
   if (place.at === 'value') {

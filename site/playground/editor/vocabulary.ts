@@ -1,6 +1,5 @@
 // The words of the markup: the library's from the data that editors get with the package, x3dom's from x3dom itself.
-import type { ScenePage } from '../scene/frame.js';
-import { x3domFields, x3domNodes } from '../scene/x3dom-nodes.js';
+import type { X3domWords } from '../scene/frame.js';
 
 export interface AttributeWord {
   name: string;
@@ -85,9 +84,9 @@ export class Vocabulary {
   }
 
   /** What x3dom knows, once its page is there. */
-  addX3dom(page: ScenePage): void {
-    for (const name of [...x3domNodes(page), 'X3D']) {
-      if (!this.tags.has(name.toLowerCase())) this.add(x3domTag(page, name));
+  addX3dom({ nodes }: X3domWords): void {
+    for (const [name, fields] of [...nodes, ['X3D', []] as X3domWords['nodes'][number]]) {
+      if (!this.tags.has(name.toLowerCase())) this.add(x3domTag(name, fields));
     }
   }
 
@@ -114,20 +113,15 @@ export class Vocabulary {
   }
 }
 
-/** Fields are looked up when somebody asks for them: x3dom has some two hundred nodes. */
-function x3domTag(page: ScenePage, name: string): TagWord {
-  let attributes: AttributeWord[] | undefined;
-  const read = () =>
-    [...x3domFields(page, name)].map(([field, value]) => ({
-      ...named(field, value ? `Of X3DOM; ${value} by default.` : 'Of X3DOM.'),
+const x3domTag = (name: string, fields: X3domWords['nodes'][number][1]): TagWord => ({
+  name,
+  doc: `${name}, a node of X3DOM.`,
+  attributes: [
+    ...fields.map(([field, value]) => ({
+      ...named(field, 'Of X3DOM.'),
       default: value,
       values: /^(true|false)$/.test(value) ? ['true', 'false'] : [],
-    }));
-  return {
-    name,
-    doc: `${name}, a node of X3DOM.`,
-    get attributes() {
-      return (attributes ??= [...read(), ...NAMES]);
-    },
-  };
-}
+    })),
+    ...NAMES,
+  ],
+});

@@ -1,83 +1,97 @@
-// The elements of the page that stand for a tree's, and what brings them to the next tree.
+// A tree as the scene's page has it, by numbers, and the edits that bring the page to the next tree.
 import { changesBetween, type Change } from '../text/changes.js';
 import { isElement, type ElementNode, type TreeNode } from '../text/tree.js';
 
+/** A node as the page is to make it. */
+export type Made =
+  | { id: number; text: string }
+  | { id: number; tag: string; attributes: [name: string, value: string][]; children: Made[] };
+
+/** `null` is the page's body, as parent, or the end, as the sibling before which a node comes. */
+export type Edit =
+  | { do: 'set'; id: number; name: string; value: string | null }
+  | { do: 'write'; id: number; text: string }
+  | { do: 'remove'; id: number }
+  | { do: 'replace'; id: number; made: Made }
+  | { do: 'place'; id: number; parent: number | null; before: number | null; made?: Made };
+
 export class LiveTree {
-  private readonly body: HTMLElement;
-  private readonly isOwn: (element: Element) => boolean;
-  private readonly defaultOf: (element: Element, attribute: string) => string | undefined;
+  private readonly isOwn: (tag: string) => boolean;
   private roots: readonly TreeNode[] = [];
-  private nodes = new Map<TreeNode, ChildNode>();
+  private ids = new Map<TreeNode, number>();
+  private elements = new Map<number, ElementNode>();
+  private last = 0;
 
-  /** `isOwn`: is it an element of the library? `defaultOf`: of x3dom's, what an attribute is that is not there. */
-  constructor(
-    body: HTMLElement,
-    isOwn: (element: Element) => boolean,
-    defaultOf: (element: Element, attribute: string) => string | undefined,
-  ) {
-    this.body = body;
+  /** `isOwn`: is it a tag of the library? */
+  constructor(isOwn: (tag: string) => boolean) {
     this.isOwn = isOwn;
-    this.defaultOf = defaultOf;
   }
 
-  bringTo(roots: readonly TreeNode[]): void {
-    const { changes, kept } = changesBetween(this.roots, roots);
-    const removed = this.nodes;
-    this.nodes = new Map();
-    for (const [node, old] of kept) this.nodes.set(node, removed.get(old)!);
-    for (const change of changes) this.apply(change, removed);
+  /** Another page, with this tree. */
+  begin(roots: readonly TreeNode[]): Made[] {
+    this.ids = new Map();
+    this.elements = new Map();
     this.roots = roots;
+    return roots.map((node) => this.make(node));
   }
 
-  clear(): void {
-    this.bringTo([]);
-    this.body.replaceChildren();
+  bringTo(roots: readonly TreeNode[]): Edit[] {
+    const { changes, kept } = changesBetween(this.roots, roots);
+    const removed = this.ids;
+    this.ids = new Map();
+    this.elements = new Map();
+    for (const [node, old] of kept) this.name(node, removed.get(old)!);
+    this.roots = roots;
+    return changes.map((change) => this.edit(change, removed));
   }
 
-  /** Of an element in the page, what says it in the text: itself or what it stands in. */
-  sourceOf(element: Element | null): ElementNode | undefined {
-    for (let at: Element | null = element; at; at = at.parentElement) {
-      for (const [node, live] of this.nodes) if (live === at && isElement(node)) return node;
+  /** What the text has of a number. */
+  sourceOf(id: number | null): ElementNode | undefined {
+    return id === null ? undefined : this.elements.get(id);
+  }
+
+  private name(node: TreeNode, id: number): number {
+    this.ids.set(node, id);
+    if (isElement(node)) this.elements.set(id, node);
+    return id;
+  }
+
+  private edit(change: Change, removed: ReadonlyMap<TreeNode, number>): Edit {
+    if (change.do === 'remove') return { do: 'remove', id: removed.get(change.node)! };
+    if (change.do === 'write') {
+      return { do: 'write', id: this.ids.get(change.node)!, text: change.text };
     }
-    return undefined;
+    if (change.do === 'set') return this.set(change.element, change.name, change.value);
+    return this.place(change);
   }
 
-  private apply(change: Change, removed: ReadonlyMap<TreeNode, ChildNode>): void {
-    if (change.do === 'remove') removed.get(change.node)!.remove();
-    else if (change.do === 'write') this.nodes.get(change.node)!.textContent = change.text;
-    else if (change.do === 'set') this.set(change.element, change.name, change.value);
-    else this.place(change);
+  /** x3dom does not see that a USE changes. */
+  private set(element: ElementNode, name: string, value: string | null): Edit {
+    const id = this.ids.get(element)!;
+    if (name.toLowerCase() === 'use' && !this.isOwn(element.tag.toLowerCase()))
+      return { do: 'replace', id, made: this.make(element) };
+    return { do: 'set', id, name, value };
   }
 
-  private set(element: ElementNode, name: string, value: string | null): void {
-    const live = this.nodes.get(element) as Element;
-    // The library's own elements follow every edit; x3dom sees neither of these two.
-    if (!this.isOwn(live)) {
-      if (name.toLowerCase() === 'use') return live.replaceWith(this.make(element));
-      value ??= this.defaultOf(live, name) ?? null;
-    }
-    if (value === null) live.removeAttribute(name);
-    else live.setAttribute(name, value);
+  private place({ node, parent, before }: Change & { do: 'place' }): Edit {
+    const at = {
+      parent: parent && this.ids.get(parent)!,
+      before: before && this.ids.get(before)!,
+    };
+    const id = this.ids.get(node);
+    if (id !== undefined) return { do: 'place', id, ...at };
+    const made = this.make(node);
+    return { do: 'place', id: made.id, ...at, made };
   }
 
-  private place({ node, parent, before }: Change & { do: 'place' }): void {
-    const container = parent ? this.nodes.get(parent)! : this.body;
-    const next = before && this.nodes.get(before)!;
-    container.insertBefore(this.nodes.get(node) ?? this.make(node), next);
-  }
-
-  /** The whole of it before it comes into the page. */
-  private make(node: TreeNode): ChildNode {
-    const { ownerDocument } = this.body;
-    if (!isElement(node)) {
-      const words = ownerDocument.createTextNode(node.text);
-      this.nodes.set(node, words);
-      return words;
-    }
-    const element = ownerDocument.createElement(node.tag);
-    for (const { name, value } of node.attributes.values()) element.setAttribute(name, value);
-    element.append(...node.children.map((child) => this.make(child)));
-    this.nodes.set(node, element);
-    return element;
+  private make(node: TreeNode): Made {
+    const id = this.name(node, ++this.last);
+    if (!isElement(node)) return { id, text: node.text };
+    const { tag, children } = node;
+    const attributes = [...node.attributes.values()].map(({ name, value }): [string, string] => [
+      name,
+      value,
+    ]);
+    return { id, tag, attributes, children: children.map((child) => this.make(child)) };
   }
 }

@@ -1,73 +1,131 @@
 // The scene beside the text: it begins anew from a text, or is brought to one while it runs.
 import { clean, type LeftOut } from '../text/left-out.js';
+import { scriptsIn } from '../text/scripts.js';
 import type { ElementNode, TreeNode } from '../text/tree.js';
 import { whole } from '../text/whole.js';
-import { openScenePage, type ScenePage, type World } from './frame.js';
+import {
+  ScenePage,
+  type Problem,
+  type Scheme,
+  type ScriptFault,
+  type Told,
+  type X3domWords,
+} from './frame.js';
 import { LiveTree } from './live.js';
-import { x3domDefault, x3domTags } from './x3dom-nodes.js';
 
-type Problem = World['problems'][number];
-
-export interface Told {
-  problem: Problem;
-  /** What the text has of it. */
+/** What is said of the scene, and what the text has of it. */
+export interface Said<T> {
+  said: T;
   source: ElementNode | undefined;
 }
 
-/** What leads to every world: its collections, and what may stand outside any. */
-const IN_WORLDS =
-  'x3d, inline, x3d-rigid-body-collection, rigidbodycollection, x3d-rigid-body, rigidbody';
+/** Milliseconds without an edit after which scripts that changed begin anew. */
+const PATIENCE = 700;
+
+/** Words of one page about its scripts: one that fails in every frame may say each time something else. */
+const MOST = 20;
+
+const isSame =
+  ({ message, id, line }: ScriptFault) =>
+  (other: ScriptFault): boolean =>
+    message === other.message && id === other.id && line === other.line;
+
+/** What makes scripts other ones. */
+const signOf = (scripts: readonly ElementNode[]): string =>
+  JSON.stringify(
+    scripts.map(({ attributes, children }) => [
+      [...attributes].map(([key, { value }]) => [key, value]),
+      children,
+    ]),
+  );
+
+/** The site's switch, where there is one, or the system's. */
+function schemeOf(place: Element): Scheme {
+  const { colorScheme } = getComputedStyle(place);
+  return colorScheme === 'normal' ? 'light' : (colorScheme as Scheme);
+}
 
 export class Stage {
-  readonly page: ScenePage;
+  private readonly parent: HTMLElement;
+  private readonly site: string;
+  private readonly ownTags: readonly string[];
+  private readonly told: () => void;
   private readonly live: LiveTree;
-  private readonly tags: ReadonlySet<string>;
-  /** Of elements that no world has, for instance outside any scene. */
-  private readonly strays = new Set<Problem>();
+  private page: ScenePage;
+  private tags: ReadonlySet<string> = new Set();
+  private wordsCame: (words: X3domWords) => void = () => {};
+  private roots: TreeNode[] = [];
+  private running = '[]';
+  private restart: ReturnType<typeof setTimeout> | undefined;
   private isPaused = false;
+  private hasPanel = false;
+  private faults: ScriptFault[] = [];
+  private all: Problem[] = [];
+  private readonly switched = new MutationObserver(() => {
+    this.page.ask('scheme', schemeOf(this.parent));
+    this.markBusy();
+  });
+  /** Seconds. */
+  time = 0;
 
-  constructor(page: ScenePage, ownTags: readonly string[]) {
-    this.page = page;
+  /** `told`: the scene told something. */
+  constructor(
+    parent: HTMLElement,
+    site: string,
+    ownTags: readonly string[],
+    told: () => void = () => {},
+  ) {
+    this.parent = parent;
+    this.site = site;
+    this.ownTags = ownTags;
+    this.told = told;
     const own = new Set(ownTags);
-    this.live = new LiveTree(
-      page.document.body,
-      ({ localName }) => own.has(localName),
-      (element, attribute) => x3domDefault(page, element, attribute),
-    );
-    this.tags = new Set([...x3domTags(page), ...ownTags]);
-    // A world that comes later waits as the others do.
-    page.document.addEventListener('physicsready', () => (this.paused = this.isPaused));
-    page.document.addEventListener('physicsproblem', (event: Event) =>
-      this.strays.add((event as CustomEvent<Problem>).detail),
-    );
+    this.live = new LiveTree((tag) => own.has(tag));
+    this.page = this.open([]);
+    this.switched.observe(document.documentElement, { attributeFilter: ['class'] });
   }
 
-  static async open(parent: HTMLElement, site: string, ownTags: readonly string[]): Promise<Stage> {
-    return new Stage(await openScenePage(parent, site), ownTags);
+  /** What x3dom knows; until then nothing of a text is shown. */
+  async words(): Promise<X3domWords> {
+    await this.page.ready;
+    const words = await new Promise<X3domWords>((resolve) => {
+      this.wordsCame = resolve;
+      this.page.ask('words');
+    });
+    this.tags = new Set([...words.tags, ...this.ownTags]);
+    return words;
   }
 
   /** Answers what of it is not shown. */
   bringTo(roots: readonly TreeNode[]): LeftOut[] {
-    const cleaned = clean(roots, this.tags);
-    this.live.bringTo(whole(cleaned.roots));
-    this.paused = this.isPaused;
-    return cleaned.leftOut;
+    const leftOut = this.take(roots);
+    clearTimeout(this.restart);
+    this.restart = undefined;
+    if (signOf(this.scripts) === this.running) this.patch();
+    else this.restart = setTimeout(() => this.restartNow(), PATIENCE);
+    this.markBusy();
+    return leftOut;
   }
 
+  /** Scripts run from their beginning; a scene without any begins anew in the page that is there. */
   beginAnew(roots: readonly TreeNode[]): LeftOut[] {
-    this.live.clear();
-    return this.bringTo(roots);
+    const leftOut = this.take(roots);
+    const hadScripts = this.running !== '[]';
+    clearTimeout(this.restart);
+    this.restart = undefined;
+    if (hadScripts || this.scripts.length > 0) this.restartNow();
+    else {
+      this.page.ask('clear');
+      this.live.begin([]);
+      this.patch();
+    }
+    this.markBusy();
+    return leftOut;
   }
 
   /** What is shown of a text, by itself. */
   shownOf(roots: readonly TreeNode[]): TreeNode[] {
     return whole(clean(roots, this.tags).roots);
-  }
-
-  get worlds(): World[] {
-    const elements = this.page.document.body.querySelectorAll(IN_WORLDS);
-    const worlds = [...elements].map((element) => this.page.worldOf!(element));
-    return [...new Set(worlds)].filter((world) => !!world);
   }
 
   get paused(): boolean {
@@ -76,34 +134,91 @@ export class Stage {
 
   set paused(paused: boolean) {
     this.isPaused = paused;
-    for (const world of this.worlds) world.paused = paused;
+    this.page.ask('pause', paused);
+    this.markBusy();
+  }
+
+  get panel(): boolean {
+    return this.hasPanel;
+  }
+
+  set panel(open: boolean) {
+    this.hasPanel = open;
+    this.page.ask('panel', open);
   }
 
   step(): void {
-    this.paused = true;
-    for (const world of this.worlds) world.step(1);
+    this.isPaused = true;
+    this.page.ask('step');
+    this.markBusy();
   }
 
-  get problems(): Told[] {
-    const inWorlds = this.worlds.flatMap(({ problems }) => problems);
-    return [...inWorlds, ...this.standingStrays(inWorlds)].map((problem) => ({
-      problem,
-      source: this.live.sourceOf(elementOf(problem)),
-    }));
+  /** Those of the text that was given last. */
+  get scripts(): ElementNode[] {
+    return scriptsIn(this.roots);
   }
 
-  /** The element's state says whether it is still so. */
-  private standingStrays(inWorlds: readonly Problem[]): Problem[] {
-    for (const stray of this.strays) {
-      const element = elementOf(stray);
-      const isInWorld = inWorlds.some((other) => other.message === stray.message);
-      const stands = element?.isConnected && element.matches(':state(problem)');
-      if (isInWorld || !stands) this.strays.delete(stray);
-    }
-    return [...this.strays];
+  get problems(): Said<Problem>[] {
+    return this.all.map((said) => ({ said, source: this.live.sourceOf(said.source) }));
+  }
+
+  get scriptFaults(): Said<ScriptFault>[] {
+    return this.faults.map((said) => ({ said, source: this.live.sourceOf(said.id) }));
+  }
+
+  end(): void {
+    clearTimeout(this.restart);
+    this.switched.disconnect();
+    this.page.close();
+  }
+
+  private take(roots: readonly TreeNode[]): LeftOut[] {
+    const cleaned = clean(roots, this.tags);
+    this.roots = whole(cleaned.roots);
+    return cleaned.leftOut;
+  }
+
+  private patch(): void {
+    const edits = this.live.bringTo(this.roots);
+    if (edits.length > 0) this.page.ask('edit', edits);
+  }
+
+  private restartNow(): void {
+    this.restart = undefined;
+    this.page.close();
+    this.page = this.open(this.roots);
+    this.markBusy();
+  }
+
+  private open(roots: readonly TreeNode[]): ScenePage {
+    this.running = signOf(scriptsIn(roots));
+    this.faults = [];
+    this.time = 0;
+    this.all = [];
+    const begin = {
+      roots: this.live.begin(roots),
+      ownTags: this.ownTags,
+      paused: this.isPaused,
+      panel: this.hasPanel,
+      scheme: schemeOf(this.parent),
+    };
+    const page = new ScenePage(this.parent, this.site, begin, (told) => {
+      if (page === this.page) this.hear(told);
+    });
+    void page.ready.then(() => this.markBusy()).catch(() => {});
+    return page;
+  }
+
+  private hear({ state, words, fault }: Told): void {
+    if (state) [this.time, this.all] = [state.time, state.problems];
+    if (fault && this.faults.length < MOST && !this.faults.some(isSame(fault)))
+      this.faults.push(fault);
+    if (words) this.wordsCame(words);
+    this.markBusy();
+    this.told();
+  }
+
+  private markBusy(): void {
+    this.parent.setAttribute('aria-busy', String(this.page.busy || this.restart !== undefined));
   }
 }
-
-/** A problem names its element, or the name of a node that has none. */
-const elementOf = ({ element }: Problem): Element | null =>
-  typeof element === 'object' ? (element as Element | null) : null;

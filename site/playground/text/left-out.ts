@@ -1,15 +1,15 @@
-// What of a text is not shown. A text may come from a shared address, so it must not be able to run code: only tags and
-// attributes that draw and move a scene, or say a word beside it, get into the page. The page around the scene forbids
-// scripts once more (scene/frame.ts).
+// What of a text is not shown: only tags and attributes that draw and move a scene, say a word beside it, ask for one, or
+// are a script get into the page. That page is in a sandbox (scene/frame.ts), since a text may come from a shared address.
+import { isScript } from './scripts.js';
 import { isElement, type Attribute, type ElementNode, type Place, type TreeNode } from './tree.js';
 
 export interface LeftOut extends Place {
   message: string;
 }
 
-/** Words beside a scene. */
+/** Words beside a scene, what one presses and chooses there, and what these do. */
 const PROSE =
-  'a b br code dd div dl dt em figcaption figure footer h1 h2 h3 h4 h5 h6 header hr i kbd li main nav ol p pre s section small span strong sub sup table tbody td th thead tr u ul';
+  'a b br button code dd div dl dt em fieldset figcaption figure footer h1 h2 h3 h4 h5 h6 header hr i input kbd label legend li main meter nav ol optgroup option output p pre progress s script section select small span strong style sub sup table tbody td template textarea th thead tr u ul';
 
 /** Statements of X3D, which are no nodes; and what stands around a scene. */
 const X3D =
@@ -23,9 +23,17 @@ const WORDS = new Set(PROSE.split(' '));
 const ALWAYS = new Set(`${PROSE} ${X3D}`.split(' '));
 
 /** Tags whose places mean nothing in a scene's page: what stands in them counts. */
-const AROUND = /^(html|body)$/i;
+const AROUND = /^(html|head|body)$/i;
 /** What a page says about itself. */
-const ABOUT = /^(head|meta|title|link|template)$/i;
+const ABOUT = /^(meta|title|link)$/i;
+/** Scripts that every page has, and this one: x3dom, the library, and where modules find it. */
+const OF_PAGE = /(^|\/)(x3dom|x3d-physics)[\w.-]*\.js$/;
+
+function isOfPage(node: ElementNode): boolean {
+  if (!isScript(node)) return ABOUT.test(node.tag);
+  const valueOf = (key: string): string => node.attributes.get(key)?.value ?? '';
+  return OF_PAGE.test(valueOf('src')) || valueOf('type') === 'importmap';
+}
 
 export function clean(
   roots: readonly TreeNode[],
@@ -38,8 +46,8 @@ export function clean(
   function cleanNode(node: TreeNode): TreeNode[] {
     if (!isElement(node)) return [node];
     if (AROUND.test(node.tag)) return cleanAll(node.children);
-    if (ABOUT.test(node.tag)) return [];
-    const message = reasonAgainst(node.tag.toLowerCase(), tags);
+    if (isOfPage(node)) return [];
+    const message = reasonAgainst(node, tags);
     if (!message)
       return [{ ...node, attributes: cleanAttributes(node), children: cleanAll(node.children) }];
     leftOut.push({ from: node.from, to: node.to, message });
@@ -64,9 +72,10 @@ export function clean(
 const isSize = (tag: string, key: string): boolean =>
   tag.toLowerCase() === 'x3d' && /^(width|height)$/.test(key);
 
-function reasonAgainst(tag: string, tags: ReadonlySet<string>): string | undefined {
-  if (tag === 'script') return 'Scripts do not run in the playground: left out.';
-  if (tag === 'style') return 'Style sheets are left out in the playground.';
+function reasonAgainst(node: ElementNode, tags: ReadonlySet<string>): string | undefined {
+  const tag = node.tag.toLowerCase();
+  if (isScript(node) && node.attributes.has('url'))
+    return 'X3DOM runs no Script nodes of X3D: left out. A <script> of HTML beside the scene does run.';
   if (ALWAYS.has(tag) || tags.has(tag)) return undefined;
   return `<${tag}> is no tag that the playground knows: left out with all that stands in it.`;
 }
@@ -77,14 +86,18 @@ const WITH_SCHEME = /^[\s"'\0-\x20]*(?:javascript|vbscript|data|blob|file)\s*:/i
 
 function reasonAgainstAttribute(key: string, { name, value }: Attribute): string | undefined {
   if (!NAME.test(key)) return `${name} is no attribute's name: left out.`;
-  if (/^on|:on/.test(key)) return `${name} would run a script: left out in the playground.`;
-  if (/^(style|srcdoc)$/.test(key)) return `${name} is left out in the playground.`;
+  if (/^on|:on/.test(key))
+    return `${name} is left out in the playground: listen by addEventListener in a <script>.`;
+  if (key === 'srcdoc') return `${name} is left out in the playground.`;
   const isAddress = ADDRESS.test(key) || WITH_SCHEME.test(value);
-  if (isAddress && !addressesIn(value).every(isHarmless)) {
-    return `${name}="${value}" is left out: the playground takes addresses of http, https and of its own site.`;
+  if (isAddress && !addressesIn(value).every((address) => isHarmless(key, address))) {
+    return `${name}="${shortened(value)}" is left out: the playground takes addresses of http, https and of its own site, and pictures as data.`;
   }
   return undefined;
 }
+
+const shortened = (value: string): string =>
+  value.length > 60 ? `${value.slice(0, 60)} …` : value;
 
 /** X3D has lists of addresses, in quotes. */
 const addressesIn = (value: string): string[] => value.split(/["'\s,]+/).filter(Boolean);
@@ -92,7 +105,10 @@ const addressesIn = (value: string): string[] => value.split(/["'\s,]+/).filter(
 /** Only an address of its own says what a relative one is. */
 const SOMEWHERE = 'https://somewhere.invalid/';
 
-function isHarmless(address: string): boolean {
+const PICTURE = /^data:image\//i;
+
+function isHarmless(key: string, address: string): boolean {
+  if (PICTURE.test(address)) return /url|src/.test(key);
   try {
     return /^https?:$/.test(new URL(address, SOMEWHERE).protocol) && !address.includes('\\');
   } catch {

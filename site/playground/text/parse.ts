@@ -13,10 +13,13 @@ export interface Fault extends Place {
 
 export type Parsed = { roots: TreeNode[]; fault?: undefined } | { roots?: undefined; fault: Fault };
 
+/** Comments and scripts may have anything in them. */
+const NO_MARKUP = /<!--[^]*?-->|<script\b[^]*?<\/script>/gi;
+
 /** It begins as XML does, or has a tag in X3D's own case that closes itself. */
 export const isXml = (text: string): boolean =>
   /^\s*(?:<\?xml|<!DOCTYPE X3D\b|<X3D\b)/.test(text) ||
-  /<[A-Z]\w*(?:\s[^<>]*)?\/>/.test(text.replaceAll(/<!--[^]*?-->/g, ''));
+  /<[A-Z]\w*(?:\s[^<>]*)?\/>/.test(text.replaceAll(NO_MARKUP, ''));
 
 export function parse(text: string): Parsed {
   const xml = isXml(text);
@@ -25,11 +28,16 @@ export function parse(text: string): Parsed {
   return fault ? { fault } : { roots: childrenOf(topNode, text) };
 }
 
-function childrenOf(parent: SyntaxNode, text: string): TreeNode[] {
+/** Words stand in them, and spaces count between two elements. */
+const OF_WORDS =
+  /^(a|b|button|code|dd|dt|em|fieldset|figcaption|h[1-6]|i|label|legend|li|p|s|small|span|strong|td|th|u)$/i;
+
+function childrenOf(parent: SyntaxNode, text: string, tag = ''): TreeNode[] {
   const nodes: TreeNode[] = [];
   let words = '';
   const endText = () => {
     if (words.trim()) nodes.push({ text: words });
+    else if (words && nodes.length > 0 && OF_WORDS.test(tag)) nodes.push({ text: ' ' });
     words = '';
   };
   for (let child = parent.firstChild; child; child = child.nextSibling) {
@@ -66,7 +74,7 @@ function elementOf(node: SyntaxNode, text: string): ElementNode {
     to: open.to,
     tag: text.slice(tag.from, tag.to),
     attributes,
-    children: childrenOf(node, text),
+    children: childrenOf(node, text, text.slice(tag.from, tag.to)),
   };
 }
 

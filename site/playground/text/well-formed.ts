@@ -3,7 +3,7 @@ import type { SyntaxNode } from '@lezer/common';
 import type { Fault } from './parse.js';
 
 /** Elements that have no content and no closing tag in HTML. */
-const VOID = /^(area|base|br|col|embed|hr|img|input|link|meta|param|source|track|wbr)$/i;
+export const VOID = /^(area|base|br|col|embed|hr|img|input|link|meta|param|source|track|wbr)$/i;
 
 export function firstFault(top: SyntaxNode, text: string, xml: boolean): Fault | undefined {
   let found: Fault | undefined;

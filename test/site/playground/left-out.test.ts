@@ -1,4 +1,4 @@
-// A shared address must not be able to run code: the usual attacks.
+// A script of a text runs in a sandbox; nothing but a script is to run, nor bring in what runs: the usual attacks.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { clean } from '../../../site/playground/text/left-out.js';
@@ -17,8 +17,6 @@ function cleaned(text: string) {
 }
 
 const ATTACKS = [
-  '<script>alert(1)</script>',
-  '<SCRIPT SRC="https://evil.example/x.js"></SCRIPT>',
   '<scene><Script url="ecmascript: alert(1)"/></scene>',
   '<transform onclick="alert(1)"></transform>',
   '<transform ONMOUSEOVER=alert(1)></transform>',
@@ -36,8 +34,6 @@ const ATTACKS = [
   '<meta http-equiv="refresh" content="0;url=javascript:alert(1)">',
   '<base href="https://evil.example/">',
   '<form action="javascript:alert(1)"><button>x</button></form>',
-  '<style>@import "https://evil.example/x.css";</style>',
-  '<p style="background:url(javascript:alert(1))">x</p>',
   '<a href="javascript:alert(1)">x</a>',
   '<a href="JaVaScRiPt:alert(1)">x</a>',
   '<a href=" &#1; javascript:alert(1)">x</a>',
@@ -51,9 +47,7 @@ const ATTACKS = [
   '<imagetexture url="blob:https://site/1"></imagetexture>',
   '<imagetexture url="vbscript:x"></imagetexture>',
   '<field name="url" value="javascript:alert(1)"></field>',
-  '<!--><script>alert(1)</script>-->',
   '<noscript><p title="</noscript><img src=x onerror=alert(1)>"></p></noscript>',
-  '<template><script>alert(1)</script></template>',
   '<a xlink:href="javascript:alert(1)">x</a>',
   '<custom-thing></custom-thing>',
   '<portal src="https://evil.example"></portal>',
@@ -61,7 +55,7 @@ const ATTACKS = [
 
 /** What would run, or bring something in: a tag or attribute that only the attack needs. */
 const RUNS =
-  /<(script|img|svg|math|iframe|object|embed|link|meta|base|form|style|noscript|template|custom|portal)|\son\w+=|:on\w+=|script&?:|script:|data:|blob:|file:|style=|srcdoc/i;
+  /<(script|img|svg|math|iframe|object|embed|link|meta|base|form|noscript|custom|portal)|\son\w+=|:on\w+=|script&?:|script:|data:|blob:|file:|srcdoc/i;
 
 for (const attack of ATTACKS) {
   test(`nothing runs of ${attack}`, () => {
@@ -70,14 +64,10 @@ for (const attack of ATTACKS) {
 }
 
 test('what is left out is told', () => {
-  assert.deepEqual(
-    cleaned('<transform onclick="x"><script>1</script><blink></blink></transform>').messages,
-    [
-      '<transform>: onclick would run a script: left out in the playground.',
-      'Scripts do not run in the playground: left out.',
-      '<blink> is no tag that the playground knows: left out with all that stands in it.',
-    ],
-  );
+  assert.deepEqual(cleaned('<transform onclick="x"><blink></blink></transform>').messages, [
+    '<transform>: onclick is left out in the playground: listen by addEventListener in a <script>.',
+    '<blink> is no tag that the playground knows: left out with all that stands in it.',
+  ]);
 });
 
 test('addresses of http, https and of the same site stay', () => {
@@ -87,10 +77,23 @@ test('addresses of http, https and of the same site stay', () => {
     '../b.png',
     'b.x3d#c',
     '"a.png" "b.png"',
+    'data:image/png;base64,iVBORw0KGgo=',
   ]) {
     const { messages } = cleaned(`<inline url='${url}'></inline>`);
     assert.deepEqual(messages, []);
   }
+});
+
+test('scripts and styles stay, but for those that every page has', () => {
+  const own = '<script type="module">\n  run();\n</script>\n<style>p { color: red }</style>';
+  const ofPage = [
+    '<script src="../node_modules/x3dom/x3dom.js"></script>',
+    '<script type="module" src="https://a.example/x3d-physics.js"></script>',
+    '<script type="importmap">{ "imports": {} }</script>',
+  ];
+  const { printed, messages } = cleaned([...ofPage, own].join('\n'));
+  assert.equal(printed, own);
+  assert.deepEqual(messages, []);
 });
 
 test('the page around a scene is no part of it', () => {

@@ -9,6 +9,8 @@ import { editing } from './facts/editing.js';
 import { examples } from './facts/examples.js';
 import { harmless } from './facts/harmless.js';
 import { looks } from './facts/looks.js';
+import { panel } from './facts/panel.js';
+import { scripts } from './facts/scripts.js';
 import { telling } from './facts/telling.js';
 import { wholePages } from './facts/whole-pages.js';
 
@@ -22,7 +24,10 @@ const { values: options } = parseArgs({
   options: { built: { type: 'boolean' }, only: { type: 'string', default: '' } },
 });
 
-const all: Facts = { ...editing, ...telling, ...wholePages, ...harmless, ...looks, ...examples };
+const all: Facts = {
+  ...{ ...editing, ...telling, ...scripts, ...panel },
+  ...{ ...wholePages, ...harmless, ...looks, ...examples },
+};
 
 async function look(facts: [string, Fact][], address: string): Promise<number> {
   const executablePath = await ensureChromium();

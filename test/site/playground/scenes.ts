@@ -31,3 +31,21 @@ export const PLAIN = `<X3D><Scene>
     <RigidBody DEF="a" mass="2"/>
   </Transform>
 </Scene></X3D>`;
+
+/** Two scripts: one counts steps, one is a module that knows the package by its name. */
+export const COUNTING = `<x3d>
+${BOXES}
+</x3d>
+<p>Steps: <output></output> <button>Kick</button></p>
+<script>
+  let count = 0;
+  window.begun = Math.random();
+  const a = document.getElementById('a');
+  document.addEventListener('afterstep', () => (document.querySelector('output').textContent = ++count));
+  document.querySelector('button').onclick = () => a.applyImpulse([0, 20, 0]);
+</script>
+<script type="module">
+  import { worldOf } from 'x3d-physics';
+  const world = worldOf(document.getElementById('a'));
+  setInterval(() => (window.fromModule = world.time), 50);
+</script>`;

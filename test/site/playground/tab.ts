@@ -48,8 +48,32 @@ export class Tab {
     return this.page.frames().find((frame) => frame !== this.page.mainFrame())!;
   }
 
-  press(button: string): Promise<void> {
-    return this.page.getByRole('button', { name: button, exact: true }).click();
+  /** What was asked of the scene's page is done. */
+  async settled(): Promise<void> {
+    await this.page.waitForSelector('.scene[aria-busy="false"]', { timeout: PATIENCE });
+  }
+
+  async press(button: string): Promise<void> {
+    await this.page.getByRole('button', { name: button, exact: true }).click();
+    await this.settled();
+  }
+
+  async choose(example: string): Promise<void> {
+    await this.page.getByLabel('Open an example').selectOption({ label: example });
+    await this.settled();
+  }
+
+  /** What is said under the editor, line by line. */
+  told(): Promise<string[]> {
+    return this.page.locator('.told li').allInnerTexts();
+  }
+
+  async waitForTold(count: number): Promise<string[]> {
+    const items = this.page.locator('.told li');
+    await items.nth(count - 1).waitFor({ timeout: PATIENCE });
+    const told = await this.told();
+    assert.equal(told.length, count, told.join('\n'));
+    return told;
   }
 
   /** The whole text, be it in sight or not. */
@@ -81,10 +105,12 @@ export class Tab {
     await this.select(text);
     if (by) await this.page.keyboard.insertText(by);
     else await this.page.keyboard.press('Delete');
+    await this.settled();
   }
 
   /** Waits until the worlds of the scene have started. */
   async started(): Promise<void> {
+    await this.settled();
     await this.scene.waitForFunction(
       () => (window as any).worldOf(document.querySelector('x3d'))?.stats.bodies > 0,
       undefined,
@@ -96,7 +122,8 @@ export class Tab {
     });
   }
 
-  counts(): Promise<Counts> {
+  async counts(): Promise<Counts> {
+    await this.settled();
     return this.scene.evaluate(() => {
       const world = (window as any).worldOf(document.querySelector('x3d'));
       world.step(0);
@@ -119,7 +146,8 @@ export class Tab {
   }
 
   /** Of every body with an id. */
-  motions(): Promise<Record<string, Motion>> {
+  async motions(): Promise<Record<string, Motion>> {
+    await this.settled();
     return this.scene.evaluate(() =>
       Object.fromEntries(
         [...document.querySelectorAll<HTMLElement & Motion>('x3d-rigid-body[id]')].map((body) => {

@@ -125,6 +125,7 @@ test('text is XML where it begins as XML or has a tag in the case of X3D that cl
   assert.ok(isXml('<Transform><RigidBody mass="2"/></Transform>'));
   assert.ok(!isXml('<transform><RigidBody mass="2"></RigidBody></transform>'));
   assert.ok(!isXml('<transform><!-- not <Box/> --></transform>'));
+  assert.ok(!isXml('<transform></transform><script>const text = "<Box/>";</script>'));
 });
 
 test('both spellings make the same elements', () => {
@@ -140,6 +141,18 @@ test('a part knows where it stands', () => {
   assert.ok(isElement(scene!) && isElement(scene.children[0]!));
   const { from, to } = scene.children[0].attributes.get('size')!;
   assert.equal(text.slice(from, to), 'size="1 1 1"');
+});
+
+test('a space between two elements counts among words, and nowhere else', () => {
+  const [p, scene] = tree('<p> <b>1</b> <b>2</b> </p><scene> <box></box> <box></box> </scene>');
+  const texts = (node: TreeNode) => isElement(node) && node.children.map(named);
+  assert.deepEqual(texts(p!), ['b', ' ', 'b', ' ']);
+  assert.deepEqual(texts(scene!), ['box', 'box']);
+});
+
+test('a script is printed as it is', () => {
+  const text = '<script>\n  if (1 < 2 && "a") run();\n</script>';
+  assert.equal(print(tree(text)), text);
 });
 
 test('what is missing around a scene is put there', () => {
@@ -163,10 +176,40 @@ const TEXTS = ['<scene></scene>', '', '<!-- Ä 漢 🙂 -->\n'.repeat(500)];
 test('an address holds the whole text, as it is and compressed', async () => {
   for (const text of TEXTS) {
     const { hash } = new URL(playgroundAddress(text), 'http://site.invalid');
-    assert.equal(await markupIn(hash), text);
-    assert.equal(await markupIn(await sharedHash(text)), text);
+    assert.equal((await markupIn(hash))?.markup, text);
+    assert.equal((await markupIn(await sharedHash(text)))?.markup, text);
   }
   assert.ok((await sharedHash(TEXTS[2]!)).length < 300);
+});
+
+const EXAMPLES = [
+  { id: 'a', markup: '<scene></scene>' },
+  { id: 'b', markup: Array.from({ length: 200 }, (_, i) => plain(i)).join('\n') },
+];
+
+test('an address of an example is its name, and its edits', async () => {
+  const [, b] = EXAMPLES as [(typeof EXAMPLES)[0], (typeof EXAMPLES)[0]];
+  assert.equal(await sharedHash(b.markup, b), '#example=b');
+  const lines = b.markup.split('\n');
+  for (const edited of [
+    ['first', ...lines],
+    [...lines.slice(0, 5), 'ü', ...lines.slice(6, 150), ...lines.slice(160)],
+    [...lines.slice(1, 100), lines[0], ...lines.slice(100)],
+  ].map((each) => each.join('\n'))) {
+    const hash = await sharedHash(edited, b);
+    assert.match(hash, /^#example=b&edits=/);
+    assert.ok(hash.length < 150, `${hash.length} letters`);
+    assert.deepEqual(await markupIn(hash, EXAMPLES), { markup: edited, example: b });
+  }
+  assert.match(await sharedHash('<box></box>', b), /^#shared=/);
+});
+
+test('edits of an example that has changed since, or that is not there, are refused in words', async () => {
+  const [a, b] = EXAMPLES as [(typeof EXAMPLES)[0], (typeof EXAMPLES)[0]];
+  const hash = await sharedHash(`${b.markup}\n<box></box>`, b);
+  await assert.rejects(markupIn(hash, [a]), /names an example that is not here/);
+  await assert.rejects(markupIn(hash, [{ ...b, markup: 'other' }]), /has changed since/);
+  await assert.rejects(markupIn(hash.slice(0, -9), EXAMPLES), /cut short/);
 });
 
 test('an address without markup holds none; one that was cut short says so', async () => {

@@ -25,6 +25,30 @@ async function falling(browser: Parameters<Facts[string]>[0], address: string, m
 }
 
 export const editing: Facts = {
+  'undo in a text that was just opened takes nothing away': async (browser, address) => {
+    const tab = await Tab.open(browser, address, BOXES);
+    await tab.started();
+    await tab.select('<scene>');
+    for (const key of ['Control+z', 'Control+z']) await tab.page.keyboard.press(key);
+    assert.equal(await tab.text(), BOXES);
+    assert.equal((await tab.counts()).bodies, 4);
+  },
+
+  'undo after another example leads back to the text before, and its scene': async (
+    browser,
+    address,
+  ) => {
+    const tab = await Tab.open(browser, address, BOXES);
+    await tab.choose('Falling box');
+    await tab.select('<scene>');
+    await tab.page.keyboard.press('Control+z');
+    assert.equal(await tab.text(), BOXES);
+    await tab.started();
+    assert.equal((await tab.counts()).bodies, 4);
+    await tab.page.keyboard.press('Control+z');
+    assert.equal(await tab.text(), BOXES);
+  },
+
   'mass typed from 2 to 3 is one edit, and everything keeps its pose and velocity': async (
     browser,
     address,

@@ -6,10 +6,10 @@ import { Tab } from '../tab.js';
 export const examples: Facts = {
   'every example of the menu opens and runs without a problem': async (browser, address) => {
     const tab = await Tab.open(browser, address);
-    const names = await tab.page.locator('.bar option').allInnerTexts();
+    const [, ...names] = await tab.page.locator('.bar option').allTextContents();
     assert.ok(names.length > 30, `${names.length} examples`);
-    for (let i = 0; i < names.length - 1; i++) {
-      await tab.page.locator('.bar select').selectOption(String(i));
+    for (const name of names) {
+      await tab.choose(name);
       await tab.started();
       await tab.page.waitForTimeout(300);
       const told: { severity: string; message: string }[] = await tab.scene.evaluate(() =>
@@ -21,11 +21,42 @@ export const examples: Facts = {
       assert.deepEqual(
         told.filter((each) => !isRemark(each)),
         [],
-        names[i + 1],
+        name,
       );
-      const marks = await tab.page.locator('.cm-lint-marker').count();
-      assert.ok(marks <= told.filter(isRemark).length, `${names[i + 1]}: something is left out`);
+      const said = await tab.told();
+      const isNew = (line: string) => !told.some(({ message }) => line.endsWith(message));
+      assert.deepEqual(said.filter(isNew), [], `${name}: something is left out, or fails`);
     }
     assert.deepEqual(tab.errors, []);
+  },
+
+  'no two examples have one name; the chosen one stays shown, and is in the address': async (
+    browser,
+    address,
+  ) => {
+    const tab = await Tab.open(browser, address);
+    const names = await tab.page.locator('.bar option').allTextContents();
+    assert.equal(new Set(names).size, names.length);
+    const groups = await tab.page.locator('.bar optgroup').count();
+    assert.ok(groups > 4, `${groups} groups`);
+    await tab.choose('Falling box');
+    const shown = () =>
+      tab.page.locator('.bar select').evaluate((menu: any) => menu.selectedOptions[0].textContent);
+    assert.equal(await shown(), 'Falling box');
+    assert.match(tab.page.url(), /#example=falling-box$/);
+    await tab.replace('mass="2"', 'mass="3"');
+    assert.equal(await shown(), 'Falling box');
+    await tab.page.reload();
+    await tab.page.waitForSelector('[data-ready]');
+    assert.equal(await shown(), 'Falling box');
+  },
+
+  'who comes for the first time finds many bodies that move': async (browser, address) => {
+    const tab = await Tab.open(browser, address);
+    await tab.started();
+    assert.ok((await tab.counts()).bodies > 8);
+    const { ball } = await tab.motions();
+    await tab.scene.waitForTimeout(1500);
+    assert.notDeepEqual((await tab.motions()).ball, ball);
   },
 };

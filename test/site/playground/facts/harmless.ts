@@ -1,4 +1,4 @@
-// A shared text runs no code in the page, whatever its scene brings in.
+// A shared text runs no code in the site's page, whatever its scene brings in.
 import assert from 'node:assert/strict';
 import type { Facts } from '../run.js';
 import { BOXES } from '../scenes.js';
@@ -48,7 +48,10 @@ export const harmless: Facts = {
     const tab = await Tab.open(
       browser,
       address,
-      BOXES.replace('<!-- a word -->', `<script>${MARK}</script><!--><script>${MARK}</script>-->`),
+      BOXES.replace(
+        '<!-- a word -->',
+        `<iframe srcdoc="${MARK}"></iframe><group onclick="${MARK}"></group>`,
+      ),
     );
     await tab.started();
     const [saved] = await Promise.all([tab.page.waitForEvent('download'), tab.press('Download')]);

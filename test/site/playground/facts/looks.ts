@@ -76,13 +76,32 @@ export const looks: Facts = {
       assert.ok(wide <= 390, `${wide} pixels wide`);
     },
 
+  'the scene is light or dark as the site is': async (browser, address) => {
+    const tab = await Tab.open(browser, address, BOXES);
+    const scheme = () =>
+      tab.scene.evaluate(() => getComputedStyle(document.documentElement).colorScheme);
+    for (const wanted of ['dark', 'light']) {
+      const isDark = wanted === 'dark';
+      await tab.page.evaluate(
+        (on) => document.documentElement.classList.toggle('dark', on),
+        isDark,
+      );
+      await tab.settled();
+      assert.equal(await scheme(), wanted);
+    }
+  },
+
   'a page that is left leaves no world, no frame and no error behind': async (browser, address) => {
     const tab = await Tab.open(browser, address, BOXES);
     await tab.started();
-    await tab.scene.evaluate(() => {
-      (window.top as any).beats = 0;
-      document.addEventListener('afterstep', () => (window.top as any).beats++);
+    await tab.page.evaluate(() => {
+      (window as any).beats = 0;
+      addEventListener('message', ({ data }) => data === 'beat' && (window as any).beats++);
     });
+    await tab.scene.evaluate(() =>
+      document.addEventListener('afterstep', () => parent.postMessage('beat', '*')),
+    );
+    await tab.page.waitForFunction('window.beats > 0');
     await tab.page.getByRole('link', { name: 'x3d-physics', exact: true }).first().click();
     await tab.page.waitForFunction(() => !document.querySelector('.x3d-playground'));
     const beats = () => tab.page.evaluate('window.beats');

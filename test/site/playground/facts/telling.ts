@@ -30,6 +30,42 @@ export const telling: Facts = {
     await tab.waitForMarks(0);
   },
 
+  'what is wrong stands in words under the editor, is announced, and leads to its place': async (
+    browser,
+    address,
+  ) => {
+    const tab = await Tab.open(browser, address, BOXES);
+    await tab.started();
+    await tab.replace('mass="2"', 'mass="heavy"');
+    const [line] = await tab.waitForTold(1);
+    assert.match(
+      line!,
+      new RegExp(`^(Error|Warning) in line ${lineOf(BOXES, 'mass="2"')}: .*mass`),
+    );
+    const list = tab.page.getByRole('list', { name: 'What is said of the text' });
+    assert.equal(await list.getAttribute('aria-live'), 'polite');
+    assert.ok(await list.isVisible());
+    await tab.page.locator('.told button').press('Enter');
+    const selected = await tab.page.evaluate(() => String(getSelection()));
+    assert.equal(selected, 'mass="heavy"');
+    await tab.replace('mass="heavy"', 'mass="3"');
+    await tab.waitForMarks(0);
+    assert.deepEqual(await tab.told(), []);
+  },
+
+  'a tag that is not finished hides no other word, and each stays at its line': async (
+    browser,
+    address,
+  ) => {
+    const wrong = BOXES.replace('mass="2"', 'mass="heavy"');
+    const tab = await Tab.open(browser, address, wrong);
+    await tab.waitForTold(1);
+    await tab.replace('<scene>', '<scene>\n\n<transform');
+    const told = await tab.waitForTold(2);
+    assert.match(told[0]!, /^Error in line 3: This tag is not finished/);
+    assert.match(told[1]!, new RegExp(`in line ${lineOf(wrong, 'heavy') + 2}: .*mass`));
+  },
+
   'a body outside a scene is marked where it stands': async (browser, address) => {
     const tab = await Tab.open(
       browser,
@@ -80,6 +116,48 @@ export const telling: Facts = {
       await tab.text(),
       /<x3d-rigid-body-collection accuracy="precise"><\/x3d-rigid-body-collection>/,
     );
+  },
+
+  'a tag that is accepted is closed; its end is typed over': async (browser, address) => {
+    const tab = await Tab.open(browser, address, '<scene>\n\n</scene>');
+    const accept = async (typed: string, word: string) => {
+      await tab.page.keyboard.type(typed);
+      await tab.page.locator('.cm-tooltip-autocomplete').getByText(word, { exact: true }).waitFor();
+      await tab.page.waitForTimeout(200);
+      await tab.page.keyboard.press('Enter');
+    };
+    await tab.select('\n\n');
+    await tab.page.keyboard.press('ArrowLeft');
+    await tab.page.keyboard.press('ArrowDown');
+    await accept('<transfo', 'transform');
+    await tab.page.keyboard.type('>');
+    await accept('<x3d-rigid-bo', 'x3d-rigid-body');
+    await tab.page.keyboard.type(' fixed');
+    await tab.page.keyboard.press('Escape');
+    assert.equal(
+      await tab.text(),
+      '<scene>\n<transform><x3d-rigid-body fixed></x3d-rigid-body></transform>\n</scene>',
+    );
+  },
+
+  'a line that is wrapped goes on below its own beginning': async (browser, address) => {
+    const long = `    <shape class="${'word '.repeat(60)}"></shape>`;
+    const tab = await Tab.open(browser, address, `<scene>\n${long}\n</scene>`);
+    const lefts = await tab.page
+      .locator('.cm-line')
+      .nth(1)
+      .evaluate((line) => {
+        const range = document.createRange();
+        range.selectNodeContents(line);
+        const rects = [...range.getClientRects()].filter(({ width }) => width > 1);
+        const rows = new Map<number, number>();
+        for (const { top, left } of rows.size ? [] : rects)
+          rows.set(Math.round(top), Math.min(left, rows.get(Math.round(top)) ?? Infinity));
+        return { rows: [...rows.values()], edge: line.getBoundingClientRect().left };
+      });
+    const [, ...wrapped] = lefts.rows;
+    assert.ok(wrapped.length > 1, 'it is wrapped');
+    for (const left of wrapped) assert.ok(left - lefts.edge > 40, `${left - lefts.edge} pixels in`);
   },
 
   'the nodes of x3dom and their fields are completed, too': async (browser, address) => {
