@@ -40,7 +40,9 @@ const begin = (library: string): string => `(async () => {
     const { type, fields } = explain(element);
     return /^(RigidBody|CollidableShape)$/.test(type) && !fields.fixed;
   };
-  globalThis.shapes = all.filter((element) => element._x3domNode?._cf?.geometry && moves(element));
+  // What is not drawn only collides, for a model beside it.
+  const drawn = (element) => element._x3domNode?._cf?.geometry && element.getAttribute('render') !== 'false';
+  globalThis.shapes = all.filter((element) => drawn(element) && moves(element));
 })()`;
 
 /** Runs in the page: x3dom draws in the next frame what is asked for in this one. */

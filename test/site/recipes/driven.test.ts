@@ -21,7 +21,7 @@ test('what stands on a platform or in a lift of the recipe goes along, and at it
   const world = await createWorld();
   const platform = world.add('RigidBody', { fixed: true, geometry: box(2, 0.2, 2) });
   const cargo = world.add('RigidBody', { position: [0, 0.6, 0], geometry: box(1, 1, 1) });
-  const place = (): Vec3 => [4 * way(world.time, 8), 2.5 * way(world.time, 10), 0];
+  const place = (): Vec3 => [3 * way(world.time, 8), 2.5 * way(world.time, 10), 0];
   world.on('beforestep', () => platform.set('position', place()));
   for (const seconds of [2, 2, 2, 2]) {
     world.advance(seconds);
