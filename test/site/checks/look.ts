@@ -40,7 +40,8 @@ const begin = (library: string): string => `(async () => {
     const { type, fields } = explain(element);
     return /^(RigidBody|CollidableShape)$/.test(type) && !fields.fixed;
   };
-  globalThis.shapes = all.filter((element) => element._x3domNode?._cf?.geometry && moves(element));
+  const drawn = (node) => node?._cf?.geometry && node._vf.render;
+  globalThis.shapes = all.filter((element) => drawn(element._x3domNode) && moves(element));
 })()`;
 
 /** Runs in the page: x3dom draws in the next frame what is asked for in this one. */
