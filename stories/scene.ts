@@ -56,7 +56,7 @@ function startAgain({ currentTarget }: Event): void {
 /** Where a scene is seen from: the front, further back for what begins high or swings, from above, or from far off. */
 const VIEWS = {
   front: { position: '0 3.4 9', orientation: '1 0 0 -0.2', centerOfRotation: '0 1.5 0' },
-  high: { position: '0 3.8 11.5', orientation: '1 0 0 -0.1', centerOfRotation: '0 2.5 0' },
+  high: { position: '0 4.4 13.5', orientation: '1 0 0 -0.1', centerOfRotation: '0 2.5 0' },
   pendulum: { position: '0 5.4 12.6', orientation: '1 0 0 -0.1', centerOfRotation: '0 4 0' },
   above: { position: '0 6.6 9.6', orientation: '1 0 0 -0.58', centerOfRotation: '0 0.5 0' },
   wide: { position: '0 12 31', orientation: '1 0 0 -0.26', centerOfRotation: '0 3 0' },

@@ -40,9 +40,8 @@ const begin = (library: string): string => `(async () => {
     const { type, fields } = explain(element);
     return /^(RigidBody|CollidableShape)$/.test(type) && !fields.fixed;
   };
-  // What is not drawn only collides, for a model beside it.
-  const drawn = (element) => element._x3domNode?._cf?.geometry && element.getAttribute('render') !== 'false';
-  globalThis.shapes = all.filter((element) => drawn(element) && moves(element));
+  const drawn = (node) => node?._cf?.geometry && node._vf.render;
+  globalThis.shapes = all.filter((element) => drawn(element._x3domNode) && moves(element));
 })()`;
 
 /** Runs in the page: x3dom draws in the next frame what is asked for in this one. */
