@@ -79,7 +79,6 @@ export const sidebar = (nodes: string[]): Item[] => [
   { text: 'Recipes', items: pages('recipes', RECIPES) },
   {
     text: 'Gallery',
-    collapsed: true,
     items: [{ text: 'All scenes', link: '/gallery/' }, ...pages('gallery', GALLERY)],
   },
   { text: 'Trouble', items: pages('guide', TROUBLE) },
