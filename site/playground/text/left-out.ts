@@ -15,12 +15,16 @@ const PROSE =
 const X3D =
   'x3d scene route unit import export component field fieldvalue is connect protodeclare protointerface protobody protoinstance externprotodeclare';
 
+/** What x3dom may lack and the library draws. */
+const DRAWN =
+  'elevationgrid extrusion trianglefanset trianglestripset quadset indexedtrianglefanset indexedtrianglestripset indexedquadset rectangle2d disk2d';
+
 /** A word beside a scene, and no part of it. */
 export const isProse = (node: TreeNode): boolean =>
   !isElement(node) || WORDS.has(node.tag.toLowerCase());
 
 const WORDS = new Set(PROSE.split(' '));
-const ALWAYS = new Set(`${PROSE} ${X3D}`.split(' '));
+const ALWAYS = new Set(`${PROSE} ${X3D} ${DRAWN}`.split(' '));
 
 /** Tags whose places mean nothing in a scene's page: what stands in them counts. */
 const AROUND = /^(html|head|body)$/i;
@@ -91,7 +95,7 @@ function reasonAgainstAttribute(key: string, { name, value }: Attribute): string
   if (key === 'srcdoc') return `${name} is left out in the playground.`;
   const isAddress = ADDRESS.test(key) || WITH_SCHEME.test(value);
   if (isAddress && !addressesIn(value).every((address) => isHarmless(key, address))) {
-    return `${name}="${shortened(value)}" is left out: the playground takes addresses of http, https and of its own site, and pictures as data.`;
+    return `${name}="${shortened(value)}" is left out: the playground takes addresses of http, https and of its own site, and pictures and glTF models as data.`;
   }
   return undefined;
 }
@@ -105,10 +109,11 @@ const addressesIn = (value: string): string[] => value.split(/["'\s,]+/).filter(
 /** Only an address of its own says what a relative one is. */
 const SOMEWHERE = 'https://somewhere.invalid/';
 
-const PICTURE = /^data:image\//i;
+/** Nothing in it runs. */
+const DATA = /^data:(?:image\/|model\/gltf)/i;
 
 function isHarmless(key: string, address: string): boolean {
-  if (PICTURE.test(address)) return /url|src/.test(key);
+  if (DATA.test(address)) return /url|src/.test(key);
   try {
     return /^https?:$/.test(new URL(address, SOMEWHERE).protocol) && !address.includes('\\');
   } catch {

@@ -78,10 +78,16 @@ test('addresses of http, https and of the same site stay', () => {
     'b.x3d#c',
     '"a.png" "b.png"',
     'data:image/png;base64,iVBORw0KGgo=',
+    'data:model/gltf-binary;base64,Z2xURgIAAAA=',
   ]) {
     const { messages } = cleaned(`<inline url='${url}'></inline>`);
     assert.deepEqual(messages, []);
   }
+});
+
+test('geometry that the library draws where x3dom has none stays', () => {
+  const scene = '<shape><elevationgrid xdimension="2" zdimension="2"></elevationgrid></shape>';
+  assert.deepEqual(cleaned(scene).messages, []);
 });
 
 test('scripts and styles stay, but for those that every page has', () => {

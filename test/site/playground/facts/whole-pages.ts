@@ -107,6 +107,7 @@ export const wholePages: Facts = {
     await tab.page.keyboard.press('Control+End');
     await tab.page.keyboard.insertText('\n<p>The end</p>');
     await tab.press('Share');
+    await tab.page.waitForFunction(() => location.hash.includes('&edits='));
     const { href, hash } = new URL(tab.page.url());
     assert.match(hash, /^#example=a-car-drives-over-two-bumps&edits=/);
     assert.ok(href.length < 300, `${href.length} letters`);
