@@ -43,12 +43,12 @@ const views = () => globSync('elements/ui/*/view.ts');
 const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\//.test(id);
 
 const OF_CORE =
-  /\/physics-core\/(inside|face\/shown|base\/cholesky|solver\/(tolerances|joints\/blocks))\.ts$/;
+  /\/physics-core\/(inside|face\/shown|base\/cholesky|solver\/(tolerances|joints\/blocks)|shapes\/(forms\/form|surface\/layout))\.ts$/;
 
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
- * also runs without one, with the little that joints, hands and contacts have in common. What debug drawing and measurement have in
- * common with contacts stays in the file of these.
+ * also runs without one, with the little that joints, hands, contacts and meshes have in common. What debug drawing and measurement have
+ * in common with contacts stays in the file of these.
  */
 const together = (id) => {
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';

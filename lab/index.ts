@@ -13,7 +13,7 @@ const LABS: Record<string, string> = {
 };
 const [asked = ''] = process.argv.slice(2);
 if (asked === '--list') console.log(Object.keys(LABS).join('\n'));
-else if (asked in LABS) {
+else if (Object.hasOwn(LABS, asked)) {
   // It reads its options alone.
   process.argv.splice(2, 1);
   void import(LABS[asked]!);

@@ -13,7 +13,7 @@ import { World } from './world/world.js';
 export { loadEngine as loadBullet } from './engine/engine.js';
 export { Chunk } from './base/chunk.js';
 export { chunks } from './world/chunks/all.js';
-export { contacts, impacts, joints } from './effects/effect/chunks.js';
+export { contacts, joints } from './effects/effect/chunks.js';
 export { meshes } from './shapes/meshes.js';
 export { configure, type EngineSource } from './engine/wasm.js';
 export type { Engine } from './engine/engine.js';

@@ -1,7 +1,7 @@
 import type { ContactGiver } from '../dynamics/contact.js';
 import { givenContacts } from '../effects/contacts/effects.js';
 import { debugging } from '../effects/debug/debugging.js';
-import { impacts } from '../effects/effect/chunks.js';
+import { contacts } from '../effects/effect/chunks.js';
 import { BodyNode } from './body/body.js';
 import { show, showUsed } from '../base/show.js';
 import type { ContactNode } from './collision/contact-node.js';
@@ -53,7 +53,7 @@ export class CollectionNode extends PhysicsNode implements ContactGiver {
     const list = this.asked<ContactNode[]>('set_contacts');
     if (!this.authored('set_contacts') || list === this.#taken) return;
     this.#taken = list;
-    impacts.code.reportGiven(this, list);
+    contacts.code.reportGiven(this, list);
     this.world.registry.get(givenContacts).give(this, list);
   }
 

@@ -1,14 +1,10 @@
 import { DRAG_MODES } from '../dynamics/body.js';
 import { AUTO, DEFAULT_LEVEL, levelNames } from '../dynamics/levels.js';
-import { contacts, impacts } from '../effects/effect/chunks.js';
 import { CollectionNode } from './collection-node.js';
 import { defineNode } from './node/define.js';
 
 const configure = (collection: CollectionNode): void => collection.configureWorld();
 const restOfBodies = (collection: CollectionNode): void => collection.eachBody('autoDisable');
-
-const saysOfContacts = (collection: CollectionNode): boolean =>
-  collection.authored('set_contacts') || collection.asked<number>('maxCorrectionSpeed') >= 0;
 
 /** Per step: with a thousand contacts these take a twentieth of a second. */
 const MOST_ITERATIONS = 1000;
@@ -21,7 +17,6 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
   rank: 0,
   bounded: true,
   make: (context) => new CollectionNode(context),
-  needs: (collection) => (saysOfContacts(collection) ? [contacts, impacts] : []),
   fields: {
     bodies: {
       type: 'MFNode',

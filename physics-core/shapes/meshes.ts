@@ -1,6 +1,10 @@
 import type { Geometry, Mesh } from './geometry.js';
 import type { Shaped, Workshop } from './build.js';
+import type { Faces } from './forms/polytope.js';
+import type { TriangleForm } from './forms/triangle.js';
+import type { Hull } from './hull.js';
 import type { Solid } from './mass.js';
+import type { Surface } from './surface/surface.js';
 import { Chunk } from '../base/chunk.js';
 import type { Vec3 } from '../fields/types.js';
 import { boundsOf, type Bounds } from './bounds.js';
@@ -14,6 +18,12 @@ export interface MeshCode {
   solidOf(geometry: Geometry): Solid;
   /** The Bullet shape of anything by its triangles. */
   shapeOf(geometry: Geometry, exact: boolean, workshop: Workshop): Shaped | undefined;
+  /** What bounds a hull; `hull` undefined: its points are flat. */
+  facesOf(points: readonly number[], hull: Hull | undefined): Faces;
+  /** Triangles as something that touches. */
+  surfaceOf(mesh: Mesh): Surface;
+  /** The form of one of its triangles, which is told. */
+  triangle(): TriangleForm;
 }
 
 export const meshes = new Chunk<MeshCode>({

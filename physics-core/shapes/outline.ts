@@ -1,12 +1,12 @@
 import type { Vec3 } from '../fields/types.js';
 import type { Mesh } from './geometry.js';
-import { flatForm } from './forms/flat-form.js';
-import { hullForm } from './forms/hull-form.js';
 import type { Hull } from './hull.js';
 import { BallForm } from './forms/ball.js';
 import { BoxForm } from './forms/box.js';
 import type { Form } from './forms/form.js';
 import { FrustumForm } from './forms/frustum.js';
+import { PolytopeForm } from './forms/polytope.js';
+import { meshes } from './meshes.js';
 
 /** What a shape of Bullet's stands for, exactly: without the margins that Bullet keeps inside or outside of it. */
 export type Outline =
@@ -26,9 +26,7 @@ export function formOf(outline: Outline): Form | undefined {
     case 'frustum':
       return new FrustumForm(outline.bottom, outline.top, outline.half);
     case 'hull':
-      return outline.hull
-        ? hullForm(outline.points, outline.hull.triangles)
-        : flatForm(outline.points);
+      return new PolytopeForm(meshes.code.facesOf(outline.points, outline.hull));
     default:
       return undefined;
   }

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { eventTypes } from '../../elements/bridge/words/event-types.js';
 import { createWorld } from '../../physics-core/index.js';
 
-const files = ['site', 'site/guide', 'site/recipes'].flatMap((folder) =>
+const files = ['site', 'site/gallery', 'site/guide', 'site/recipes'].flatMap((folder) =>
   readdirSync(folder)
     .filter((name) => name.endsWith('.md'))
     .map((name) => `${folder}/${name}`),

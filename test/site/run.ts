@@ -31,18 +31,28 @@ const result = (count: number, faults: string[]): Result => {
   return { passed: Math.max(0, count - faults.length), faults };
 };
 
+/** Says how long it took: all of them together take minutes. */
+async function checked(what: string, count: number, faults: Promise<string[]>): Promise<Result> {
+  const start = performance.now();
+  const all = result(count, await faults);
+  console.log(
+    `${what}: ${all.passed} of ${count}, ${((performance.now() - start) / 1000).toFixed(0)} s`,
+  );
+  return all;
+}
+
 async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
   const examples = [...scenes(), ...stories()];
   const shown = examples.filter(({ live }) => live);
   const results = [
-    result(1, await notFound(browser, address)),
-    result(1, await miscopied(browser, address)),
-    result(Object.keys(GALLERY).length, await untrue(browser, address)),
-    result(all.length, await inaccessible(browser, address, all)),
-    result(examples.length, await broken(browser, address, examples)),
-    result(shown.length, await ugly(browser, address, shown)),
+    await checked('the search', 1, notFound(browser, address)),
+    await checked('what is copied', 1, miscopied(browser, address)),
+    await checked('facts of the gallery', Object.keys(GALLERY).length, untrue(browser, address)),
+    await checked('axe', all.length, inaccessible(browser, address, all)),
+    await checked('scenes that run', examples.length, broken(browser, address, examples)),
+    await checked('looks', shown.length, ugly(browser, address, shown)),
   ];
   await browser.close();
   return results;

@@ -103,7 +103,7 @@ export function minify() {
       return terser(code, {
         module: format === 'es',
         ecma: Number(TARGET.slice(2)),
-        compress: { passes: 3, pure_getters: true },
+        compress: { passes: 3 },
         format: { comments: 'some' },
         sourceMap: { content: map },
       });

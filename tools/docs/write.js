@@ -17,7 +17,7 @@ const WRITERS = {
 };
 
 const [name = '', ...args] = process.argv.slice(2);
-if (name in WRITERS) {
+if (Object.hasOwn(WRITERS, name)) {
   const { ok } = await runNode(['--import', 'tsx', WRITERS[name], ...args]);
   if (!ok) process.exitCode = 1;
 } else {

@@ -1,4 +1,4 @@
-import { contacts, impacts } from '../effect/chunks.js';
+import { contacts } from '../effect/chunks.js';
 import type { EffectDescriptor } from '../effect/effect.js';
 import type { ContactReader } from './contact-reader.js';
 import type { ContactSurface } from './contact-surface.js';
@@ -7,7 +7,7 @@ import type { PairFilter } from './pair-filter.js';
 
 export const contactSurface: EffectDescriptor<ContactSurface> = {
   name: 'contact surface',
-  chunk: impacts,
+  chunk: contacts,
   causes:
     'a CollisionCollection that says more than the default, maxCorrectionSpeed, or set_contacts',
   after: { 'joint solve': 'it notes velocities as Bullet gets them' },
@@ -15,7 +15,7 @@ export const contactSurface: EffectDescriptor<ContactSurface> = {
 
 export const givenContacts: EffectDescriptor<GivenContacts> = {
   name: 'given contacts',
-  chunk: impacts,
+  chunk: contacts,
   causes: 'set_contacts of a RigidBodyCollection',
   after: {
     'joint solve': 'what page code adds acts on the velocities that joints leave',

@@ -2,7 +2,7 @@ import { Chunk } from '../../base/chunk.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { impacts } from '../effect/chunks.js';
+import { contacts } from '../effect/chunks.js';
 import type { EffectDescriptor } from '../effect/effect.js';
 import type { Carrying } from './carrying.js';
 import type { DragSpring } from './drag-spring.js';
@@ -24,6 +24,6 @@ export const drags = new Chunk<DragCode>({
 /** What is moved along pushes and takes along what it touches. */
 export const carrying: EffectDescriptor<Carrying> = {
   name: 'carrying',
-  chunk: impacts,
+  chunk: contacts,
   causes: 'a fixed body that a ROUTE, a Transform above it or a hand moves along',
 };

@@ -34,10 +34,6 @@ export interface ContactCode {
   reportOverlaps(simulation: Simulation): void;
   /** What a body touches now. */
   touchedBy(simulation: Simulation, body: Body): Set<Body>;
-}
-
-/** What is asked about contacts that somebody says something of. */
-export interface ImpactCode {
   /** Tells of words in contacts' appliedParameters that no parameter has. */
   reportGiven(giver: Reported, contacts: readonly ParameterNode[]): void;
   reportOneSided(collection: Reported, is: boolean): void;
@@ -49,11 +45,4 @@ export const contacts = new Chunk<ContactCode>({
   name: 'contacts',
   causes:
     'a second RigidBody in the same world, or a fixed one, a CollisionCollection, a CollisionSpace, a CollisionSensor or a Contact',
-});
-
-/** What falls on a floor and stays there does without. */
-export const impacts = new Chunk<ImpactCode>({
-  name: 'impacts',
-  causes:
-    'a CollisionCollection, a CollisionSpace, a CollisionSensor or a Contact, maxCorrectionSpeed or set_contacts; among other bodies one that passes half its least extent in a step, or a fixed one that is moved along',
 });

@@ -1,5 +1,5 @@
 import { contactSurface } from '../contacts/effects.js';
-import { impacts } from '../effect/chunks.js';
+import { contacts } from '../effect/chunks.js';
 import type { EffectDescriptor } from '../effect/effect.js';
 import type { ContinuousCollision } from './continuous-collision.js';
 import type { ImpactPropagation } from './impact-propagation.js';
@@ -10,19 +10,19 @@ export const FAR = 0.5;
 
 export const continuousCollision: EffectDescriptor<ContinuousCollision> = {
   name: 'continuous collision',
-  chunk: impacts,
+  chunk: contacts,
   causes: 'a body that passes more than half its least extent in a step',
 };
 
 export const sweptEnds: EffectDescriptor<SweptEnds> = {
   name: 'swept ends',
-  chunk: impacts,
+  chunk: contacts,
   causes: 'a body whose ends go round more than half its least extent in a step',
 };
 
 export const impactPropagation: EffectDescriptor<ImpactPropagation> = {
   name: 'impact propagation',
-  chunk: impacts,
+  chunk: contacts,
   causes: 'contacts that say more than the default, or something fast',
   after: { 'free flight': 'what hits is put right from where its free flight would end' },
   with: [contactSurface, continuousCollision],

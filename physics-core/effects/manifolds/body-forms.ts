@@ -3,7 +3,8 @@ import { MATRIX, writeMatrix } from '../../base/matrix.js';
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Form } from '../../shapes/forms/form.js';
-import { Surface } from '../../shapes/surface/surface.js';
+import { meshes } from '../../shapes/meshes.js';
+import type { Surface } from '../../shapes/surface/surface.js';
 import { wanted } from './effects.js';
 import { PlacedForm } from './placed-form.js';
 import { formOf } from '../../shapes/outline.js';
@@ -40,7 +41,7 @@ export function formsOf(body: Body): BodyForms {
     const turn = new Float64Array(MATRIX);
     writeMatrix(turn, 0, q, 0);
     const form = outline && formOf(outline);
-    const surface = outline?.kind === 'triangles' ? new Surface(outline.mesh) : undefined;
+    const surface = outline?.kind === 'triangles' ? meshes.code.surfaceOf(outline.mesh) : undefined;
     const placed = new PlacedForm();
     if (form) placed.form = form;
     return { form, surface, turn, origin: Float64Array.from(p), placed, search: 0 };

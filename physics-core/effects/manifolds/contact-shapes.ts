@@ -65,7 +65,8 @@ export class ContactShapes extends Effect {
   readonly #axes = new SeparatingAxes();
   /** Undefined: pairs of boxes have no points of their own. */
   solver: BoxSolver | undefined;
-  readonly #mesh = new MeshContact();
+  /** Made for the first surface: its code comes with that. */
+  #mesh: MeshContact | undefined;
   readonly #point: ContactPoint;
   readonly #normal = new Float64Array(3);
   readonly #rows = new Float64Array(MATRIX);
@@ -183,6 +184,10 @@ export class ContactShapes extends Effect {
     this.#writer.write(manifold, a, b, this.#points, partA, partB, ofA.surface ? 0 : 1);
   };
 
+  get #meshContact(): MeshContact {
+    return (this.#mesh ??= new MeshContact());
+  }
+
   /** False: Bullet's points are to stay. */
   #find(manifold: number, ofA: PartForm, ofB: PartForm, theirs: number, limit: number): boolean {
     const points = this.#points;
@@ -191,10 +196,10 @@ export class ContactShapes extends Effect {
     const b = ofB.placed;
     const known = theirs < Infinity;
     points.clear();
-    if (ofB.surface) return this.#mesh.find(a, b, ofB.surface, normal, known, limit, points);
+    if (ofB.surface) return this.#meshContact.find(a, b, ofB.surface, normal, known, limit, points);
     if (ofA.surface) {
       for (let k = 0; k < 3; k++) normal[k] = -normal[k]!;
-      const sure = this.#mesh.find(b, a, ofA.surface, normal, known, limit, points);
+      const sure = this.#meshContact.find(b, a, ofA.surface, normal, known, limit, points);
       points.swap();
       return sure;
     }

@@ -1,7 +1,7 @@
 import type { Flat } from '../../shapes/forms/form.js';
-import { TriangleForm } from '../../shapes/forms/triangle.js';
-import { BOX } from '../../shapes/surface/box-tree.js';
-import { SEAM, type Seams } from '../../shapes/surface/seams.js';
+import { meshes } from '../../shapes/meshes.js';
+import { BOX, SEAM } from '../../shapes/surface/layout.js';
+import type { Seams } from '../../shapes/surface/seams.js';
 import type { Surface } from '../../shapes/surface/surface.js';
 import { ConvexContact, FLUSH } from './convex-contact.js';
 import { clip, MOST_CLIPPED } from './clip.js';
@@ -23,7 +23,7 @@ const DEEPER = 1e-5;
  */
 export class MeshContact {
   readonly #triangle = new PlacedForm();
-  readonly #form = new TriangleForm();
+  readonly #form = meshes.code.triangle();
   readonly #convex = new ConvexContact();
   readonly #near = new Int32Array(MOST_TRIANGLES);
   readonly #box = new Float64Array(BOX);

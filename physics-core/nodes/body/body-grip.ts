@@ -3,7 +3,7 @@ import { DRAG_MODES, type DragMode } from '../../dynamics/body.js';
 import type { Drag, DragEnd } from '../../effects/drag/drag.js';
 import { dragging } from '../../effects/drag/dragging.js';
 import { drags } from '../../effects/drag/effects.js';
-import { contacts, impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from './body.js';
 
@@ -79,22 +79,8 @@ export class BodyGrip {
   get needs(): (Chunk<unknown> | undefined)[] {
     const node = this.#node;
     const taken = node.world.registry.find(dragging)?.isNeededBy(node);
-    const held = this.mode === 'kinematic';
-    return [
-      taken || this.draggable ? drags : undefined,
-      held || !node.mayMove ? contacts : undefined,
-      held || this.#goesAlong ? impacts : undefined,
-    ];
-  }
-
-  /** Fixed, and about to be moved. */
-  get #goesAlong(): boolean {
-    const node = this.#node;
-    return (
-      node.built &&
-      !node.mayMove &&
-      ['position', 'orientation'].some((name) => node.isTouched(name))
-    );
+    const carried = !node.mayMove || this.mode === 'kinematic';
+    return [taken || this.draggable ? drags : undefined, carried ? contacts : undefined];
   }
 
   take(point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined {
@@ -103,7 +89,7 @@ export class BodyGrip {
     const at = node.argument<Vec3>('drag', 'SFVec3f', point);
     const drag = at && node.world.registry.get(dragging).grab(node, at, onend);
     // Now it needs that.
-    if (drag && node.needs.some(({ here }) => !here)) node.touch('draggableBody');
+    if (drag && !drags.here) node.touch('draggableBody');
     return drag;
   }
 

@@ -15,7 +15,7 @@ import { show } from '../../base/show.js';
 import type { Velocity } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import { carrying } from '../../effects/drag/effects.js';
-import { impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { gyroscopic } from '../../effects/flight/gyroscopic.js';
 import { jointSolve } from '../../effects/joints/effects.js';
 import { wakeTouching } from '../../effects/rest/touching.js';
@@ -127,7 +127,7 @@ export class BodyMotion {
     const node = this.#node;
     const distance = length(subtract(pose.p, this.pose().p));
     // Without that code it is the only body: there is nothing that it could push.
-    const jumps = distance > LONGEST_CARRY || !impacts.here;
+    const jumps = distance > LONGEST_CARRY || !contacts.here;
     if (node.fresh || node.movable || !node.active || jumps) {
       this.moveTo(pose);
       return;

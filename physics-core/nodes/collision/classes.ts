@@ -1,4 +1,4 @@
-// What nodes of contacts are made of: the chunk `impacts` brings it.
+// What nodes of contacts are made of: the chunk `contacts` brings it.
 import { collisionCollection } from './collision-collection.js';
 import { CollisionCollectionNode } from './collision-collection-node.js';
 import { collisionSensor } from './collision-sensor.js';

@@ -1,5 +1,5 @@
 import { description } from '../node/common-fields.js';
-import { contacts, impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { defineNode } from '../node/define.js';
 import type { CollisionCollectionNode } from './collision-collection-node.js';
 
@@ -11,8 +11,7 @@ export const collisionCollection = defineNode<CollisionCollectionNode>({
   clause: '37.4.4',
   doc: 'Collidables tested against each other, with the parameters of their contacts.',
   rank: 4,
-  chunk: impacts,
-  needs: () => [contacts],
+  chunk: contacts,
   bounded: true,
   fields: {
     ...description,

@@ -1,5 +1,5 @@
 import { description } from '../node/common-fields.js';
-import { contacts, impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { defineNode } from '../node/define.js';
 import type { CollisionSensorNode } from './collision-sensor-node.js';
 
@@ -11,8 +11,7 @@ export const collisionSensor = defineNode<CollisionSensorNode>({
   clause: '37.4.5',
   doc: 'Tells whether members of a CollisionCollection touch.',
   rank: 5,
-  chunk: impacts,
-  needs: () => [contacts],
+  chunk: contacts,
   fields: {
     ...description,
     collider: {

@@ -1,4 +1,4 @@
-import { contacts, impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { defineNode } from '../node/define.js';
 import type { CollisionSpaceNode } from './collision-space-node.js';
 
@@ -10,8 +10,7 @@ export const collisionSpace = defineNode<CollisionSpaceNode>({
   clause: '37.4.6',
   doc: 'Collidables of a CollisionCollection that are switched on and off together.',
   rank: 1,
-  chunk: impacts,
-  needs: () => [contacts],
+  chunk: contacts,
   bounded: true,
   fields: {
     enabled: {

@@ -1,4 +1,4 @@
-import { contacts, impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { defineNode } from '../node/define.js';
 import type { ContactNode } from './contact-node.js';
 
@@ -8,8 +8,7 @@ export const contact = defineNode<ContactNode>({
   clause: '37.4.7',
   doc: 'A point where two collidables touch, for one step; page code may change it and hand it to set_contacts.',
   rank: 5,
-  chunk: impacts,
-  needs: () => [contacts],
+  chunk: contacts,
   fields: {
     appliedParameters: {
       type: 'MFString',

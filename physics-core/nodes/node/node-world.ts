@@ -1,4 +1,3 @@
-import type { Chunk } from '../../base/chunk.js';
 import type { EventQueue } from '../../base/event-queue.js';
 import type { ProblemReport } from '../../base/problems.js';
 import type { Bodies } from '../../dynamics/bodies.js';
@@ -43,8 +42,6 @@ export interface BodyTable extends Bodies {
   /** Whether Bullet has it among what moves may be another, and so may its size, mass, centre of mass and gravity. */
   review(body: Body): void;
   release(body: Body): void;
-  /** Code has come that it may cause effects of. */
-  codeCame(body: Body): void;
   wake(body: Body): void;
   sleep(body: Body): void;
   /** Falls asleep without a word, if it was asleep before the world was restored. */
@@ -88,11 +85,6 @@ export interface NodeWorld extends Simulation {
   readonly counts: { created: number; patched: number; destroyed: number };
   /** Whether there is a Bullet world. */
   readonly started: boolean;
-
-  readonly awaiting: {
-    /** What goes on in the world needs code that is not here. */
-    need(node: PhysicsNode, chunk: Chunk<unknown>): void;
-  };
 
   /** Applies pending edits. */
   flush(): void;

@@ -151,11 +151,6 @@ export class PhysicsNode implements SimulationNode, EditedNode {
     this.world.store.changed(this);
   }
 
-  /** Whether a change of it is still to be applied. */
-  isTouched(name: string): boolean {
-    return this.#changed.has(name);
-  }
-
   /** Applies what changed: creates the object, makes it again, or patches it. */
   apply(): void {
     const changed = this.#changed;

@@ -18,7 +18,7 @@ const NEIGHBOURS = neighboursOf(8, FACES);
 /** The most common of all: signs say what others must look for among their corners. */
 export class BoxForm extends PolytopeForm {
   constructor(half: Vec3) {
-    super(cornersOf(half), FACES, NORMALS, NEIGHBOURS);
+    super({ points: cornersOf(half), faces: FACES, normals: NORMALS }, NEIGHBOURS);
   }
 
   protected override farthest(x: number, y: number, z: number): number {

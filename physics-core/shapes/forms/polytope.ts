@@ -5,15 +5,23 @@ import type { Flat, Form } from './form.js';
 /** Within this angle from it, in radians, an edge lies along a plane. */
 const ALONG = 0.02;
 
+/** Flat faces that bound something convex. */
+export interface Faces {
+  /** Corners. */
+  readonly points: Flat;
+  /** The corners of each face in order, against the clock as seen from outside. */
+  readonly faces: readonly (readonly number[])[];
+  /** Their outward normals. */
+  readonly normals: Flat;
+}
+
 /** What is bounded by flat faces: a convex hull, a triangle. */
 export class PolytopeForm implements Form {
   readonly round = 0;
   readonly cornered = true;
   readonly reach: number;
   readonly points: Flat;
-  /** Corners of each face in order, against the clock as seen from outside. */
-  readonly #faces: readonly (readonly number[])[];
-  /** Their outward normals. */
+  readonly #faces: Faces['faces'];
   readonly #normals: Flat;
   /** From when they are asked for first. */
   #farthestCorner: Farthest | undefined;
@@ -22,9 +30,7 @@ export class PolytopeForm implements Form {
   readonly #neighbours: readonly (readonly number[])[];
 
   constructor(
-    points: Flat,
-    faces: readonly (readonly number[])[],
-    normals: Flat,
+    { points, faces, normals }: Faces,
     neighbours = neighboursOf(points.length / 3, faces),
   ) {
     this.points = points;

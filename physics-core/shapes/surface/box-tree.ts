@@ -1,8 +1,7 @@
+import { BOX } from './layout.js';
+
 /** Triangles in a leaf. */
 const LEAF = 4;
-
-/** Numbers of a box: least x, y, z, greatest x, y, z. */
-export const BOX = 6;
 
 /** A tree of boxes around triangles, as flat arrays: node `i` has its children at `2 i + 1` and `2 i + 2`. */
 export class BoxTree {

@@ -1,8 +1,7 @@
+import { SEAM } from './layout.js';
+
 /** A neighbour that rises or falls less, by the sine of the angle, goes on in the same plane. */
 const FLAT = 1e-5;
-
-/** What is beyond a side of a triangle, as seen from where its normal points. */
-export const SEAM = { rises: 1, flat: 0, falls: -1, nothing: -2 } as const;
 
 /** A corner may stand so far out, by the sine of the angle, and another still bears what touches them. */
 const STANDS_OUT = 1e-3;

@@ -1,6 +1,7 @@
 import { hypot } from '../../base/exact/index.js';
 import type { Mesh } from '../geometry.js';
-import { BOX, BoxTree } from './box-tree.js';
+import { BoxTree } from './box-tree.js';
+import { BOX } from './layout.js';
 import { Seams } from './seams.js';
 
 /** A surface of triangles: where each lies, which are near, and how they hang together. */

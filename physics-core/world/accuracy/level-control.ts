@@ -3,7 +3,7 @@ import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../../dyn
 import { isJoint } from '../../nodes/joints/is-joint.js';
 import { jointSettings, levelOf, solverSettings } from './solver-settings.js';
 import { contactSurface } from '../../effects/contacts/effects.js';
-import { impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { NO_DEMANDS } from '../../effects/contacts/solver-demands.js';
 import type { JointSettings, NodeWorld } from '../../nodes/node/node-world.js';
 import { MOST_PARTS } from '../../solver/tolerances.js';
@@ -57,7 +57,7 @@ export class LevelControl {
   /** How fast overlaps may be pushed apart, m/s. */
   #limit(speed: number): void {
     const { registry: effects, settings } = this.#world;
-    const limited = speed < Infinity && impacts.here;
+    const limited = speed < Infinity && contacts.here;
     const surface = limited ? effects.get(contactSurface) : effects.find(contactSurface);
     surface?.limit(settings, speed);
   }

@@ -1,6 +1,6 @@
 import { carrying } from '../../effects/drag/effects.js';
 import { debugging } from '../../effects/debug/debugging.js';
-import { contacts, impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import { continuousCollision, FAR, sweptEnds } from '../../effects/hits/effects.js';
 import { resting } from '../../effects/rest/resting.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
@@ -158,25 +158,14 @@ export class BodySlots implements BodyTable {
     const at = slot * VELOCITY;
     const square = dot3(v, at, v, at) * timeStep * timeStep;
     const far = square > 0 && square > (FAR * body.leastExtent) ** 2;
-    if (far && this.#mayHit(body)) effects.get(continuousCollision).need(body);
+    if (far && contacts.here) effects.get(continuousCollision).need(body);
     else effects.caused(continuousCollision)?.release(body);
     const spin = dot3(v, at + 3, v, at + 3) * timeStep * timeStep;
     if (spin > FAR_TURN ** 2) effects.get(fullTurns).need(body);
     else effects.caused(fullTurns)?.release(body);
-    if (spin > 0 && spin > turnOfEnds(body) ** 2 && this.#mayHit(body))
+    if (spin > 0 && spin > turnOfEnds(body) ** 2 && contacts.here)
       effects.get(sweptEnds).need(body);
     else effects.caused(sweptEnds)?.release(body);
-  }
-
-  /** Whether something is there that it could hit. Code for that may still have to come: time stands still until then. */
-  #mayHit(body: BodyNode): boolean {
-    if (contacts.here && !impacts.here) this.#world.awaiting.need(body, impacts);
-    return contacts.here && impacts.here;
-  }
-
-  /** Code has come since its speed was read. */
-  codeCame(body: BodyNode): void {
-    if (body.active && body.isDynamic) this.#judge(body, body.slot);
   }
 
   // ---- going back -----------------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 import type { Chunk } from '../../base/chunk.js';
 import { outlines } from '../../effects/debug/debugging.js';
 import { drags } from '../../effects/drag/effects.js';
-import { contacts, impacts, joints } from '../../effects/effect/chunks.js';
+import { contacts, joints } from '../../effects/effect/chunks.js';
 import { advice } from '../../nodes/node/advice.js';
 import { meshes } from '../../shapes/meshes.js';
 
@@ -9,7 +9,6 @@ import { meshes } from '../../shapes/meshes.js';
 export const chunks: readonly Chunk<unknown>[] = [
   joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
-  impacts.comesFrom(() => import('./impact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),
 ];

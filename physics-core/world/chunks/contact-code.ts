@@ -1,9 +1,11 @@
 // The chunk `contacts`.
 import { provideContactEffects } from '../../effects/contact-code.js';
+import { reportGiven, reportOneSided } from '../../effects/contacts/collection-reports.js';
 import type { ContactCode } from '../../effects/effect/chunks.js';
 import { keeping } from '../../engine/keeping.js';
 import { KeptWorld } from '../../engine/kept-world.js';
 import { SolveOrder } from '../../engine/solve-order.js';
+import { provideCollisionNodes } from '../../nodes/collision/classes.js';
 import { meeting } from '../pairs/alone.js';
 import { HardContacts } from '../pairs/hard-contacts.js';
 import { Obstacles } from '../pairs/obstacles.js';
@@ -13,6 +15,7 @@ import { touchedBy } from '../pairs/touched-by.js';
 
 export function provide(): ContactCode {
   provideContactEffects();
+  provideCollisionNodes();
   keeping.of = (bullet, broadphase) => new KeptWorld(bullet, broadphase);
   keeping.orderOf = (ammo, world, dispatcher) => new SolveOrder(ammo, world, dispatcher);
   meeting.of = (world, bodies) => {
@@ -23,5 +26,7 @@ export function provide(): ContactCode {
     hardContacts: (world) => new HardContacts(world),
     reportOverlaps,
     touchedBy,
+    reportGiven,
+    reportOneSided,
   };
 }

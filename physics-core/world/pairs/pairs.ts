@@ -1,5 +1,5 @@
 import { contactReader, contactSurface } from '../../effects/contacts/effects.js';
-import { impacts } from '../../effects/effect/chunks.js';
+import { contacts } from '../../effects/effect/chunks.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { CollidableNode } from '../../nodes/collision/collidable.js';
 import type { CollisionCollectionNode } from '../../nodes/collision/collision-collection-node.js';
@@ -252,7 +252,7 @@ export class Pairs implements PairRules {
       changed = true;
       if (now) this.#oneSided.add(collection);
       else this.#oneSided.delete(collection);
-      impacts.code.reportOneSided(collection, now);
+      contacts.code.reportOneSided(collection, now);
     }
     return changed;
   }

@@ -68,13 +68,6 @@ export class Awaiting {
     return true;
   }
 
-  /** What goes on in the world needs code that is not here. */
-  need(node: PhysicsNode, chunk: Chunk<unknown>): void {
-    if (this.#waits) return;
-    this.#waits = true;
-    void this.#fetch([{ node, chunk }], undefined);
-  }
-
   *#missing(nodes: Iterable<PhysicsNode>): Generator<Missing> {
     for (const node of nodes) {
       for (const chunk of node.needs) if (!chunk.here) yield { node, chunk };
@@ -110,9 +103,7 @@ export class Awaiting {
     this.#world.codeCame();
     for (const node of this.#world.nodes) {
       node.codeCame();
-      if (!(node instanceof BodyNode && node.built)) continue;
-      this.#world.registry.codeCame(node);
-      this.#world.bodies.codeCame(node);
+      if (node instanceof BodyNode && node.built) this.#world.registry.codeCame(node);
     }
     // The one setting that contacts alone heed.
     if (this.#world.settings.asked<number>('maxCorrectionSpeed') >= 0) this.#world.configure();

@@ -1,4 +1,5 @@
-import { flatForm } from '../../../physics-core/shapes/forms/flat-form.js';
+import { flatFaces } from '../../../physics-core/shapes/forms/flat-faces.js';
+import { PolytopeForm } from '../../../physics-core/shapes/forms/polytope.js';
 import { addBody, addFloor, below, box, close, fact, height, sphere, world } from '../helpers.js';
 
 const triangle = (coord: number[]) => ({ type: 'IndexedTriangleSet', coord, index: [0, 1, 2] });
@@ -51,7 +52,7 @@ fact('a line and a point have forms, too, and where they stand nothing throws', 
 
 fact('the form of a sheet is its outline, once from each side', () => {
   const out = new Float64Array(30);
-  const form = flatForm([0, 0, 2, 1, 0, 2, 1, 1, 2, 0, 1, 2, 0.5, 0.5, 2]);
+  const form = new PolytopeForm(flatFaces([0, 0, 2, 1, 0, 2, 1, 1, 2, 0, 1, 2, 0.5, 0.5, 2]));
   for (const up of [1, -1]) {
     const face = form.facing(0, 0, up, out);
     close([out[0]!, out[1]!, out[2]!], [0, 0, up], 1e-12);

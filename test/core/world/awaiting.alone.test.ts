@@ -1,14 +1,7 @@
 // The one file in which code comes late in Node: no world is made by `createWorld`, which has it all come first.
 import assert from 'node:assert/strict';
 import { describe, mock } from 'node:test';
-import {
-  chunks,
-  contacts,
-  impacts,
-  joints,
-  loadBullet,
-  World,
-} from '../../../physics-core/inside.js';
+import { chunks, contacts, joints, loadBullet, World } from '../../../physics-core/inside.js';
 import { fact } from '../helpers.js';
 
 const JOINT_CODE = () => import('../../../physics-core/world/chunks/joint-code.js');
@@ -73,45 +66,4 @@ describe('code of effects that is not here', () => {
     assert.deepEqual([codes(world), world.stats.bodies], [[], 2]);
     world.destroy();
   });
-
-  const floor = { fixed: true, geometry: [{ type: 'Box', size: [20, 1, 20] }] };
-  /** Through a floor of a metre within a step, if nobody looked. */
-  const shot = { ...ball, linearVelocity: [0, -200, 0] };
-
-  fact('of impacts is no concern of what falls on a floor and lies there', async () => {
-    const world = new World();
-    world.add('RigidBody', floor);
-    const first = world.add('RigidBody', { ...ball, position: [0, 2, 0] });
-    world.start(await loadBullet());
-    world.advance(3);
-    assert.ok(Math.abs((first.get('position') as number[])[1]! - 1) < 1e-3);
-    assert.equal(impacts.here, false);
-    world.destroy();
-  });
-
-  fact(
-    'of impacts holds a world in which something is fast; it goes on as if the code had been here',
-    async () => {
-      const engine = await loadBullet();
-      const shots = () => {
-        const world = new World();
-        world.add('RigidBody', floor);
-        const body = world.add('RigidBody', shot);
-        world.start(engine);
-        return { world, body };
-      };
-      const late = shots();
-      assert.equal(late.world.step(10), 0);
-      assert.deepEqual(codes(late.world), ['waiting-for-effect']);
-      await impacts.load();
-      await turns();
-      const early = shots();
-      for (const { world } of [late, early]) assert.equal(world.step(60), 0.5);
-      assert.ok((late.body.get('position') as number[])[1]! > 0.9);
-      for (const field of ['position', 'linearVelocity', 'angularVelocity'])
-        assert.deepEqual(late.body.get(field), early.body.get(field));
-      assert.deepEqual(codes(late.world), []);
-      for (const { world } of [late, early]) world.destroy();
-    },
-  );
 });

@@ -1,14 +1,7 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
-import {
-  contacts,
-  drags,
-  impacts,
-  joints,
-  meshes,
-  outlines,
-} from '../../../physics-core/inside.js';
+import { contacts, drags, joints, meshes, outlines } from '../../../physics-core/inside.js';
 
 export const PAGE = 'docs/chunks.md';
 
@@ -20,7 +13,6 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-ammo.wasm', 'the first physics element: Bullet’s glue'],
   ['ammo.wasm', 'the first physics element: Bullet'],
   ['chunk-contact-code', `${contacts.causes}; debug lines and measurement look at contacts, too`],
-  ['chunk-impact-code', impacts.causes],
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],

@@ -1,10 +1,10 @@
 import { cross, length, normalize, perpendicular, subtract } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
-import { compact, outlineOf } from './hull-form.js';
-import type { PolytopeForm } from './polytope.js';
+import { compact, outlineOf } from './hull-faces.js';
+import type { Faces } from './polytope.js';
 
-/** The form of points in one plane, on one line or at one place: a sheet with two faces. `points` are flat. */
-export function flatForm(points: readonly number[]): PolytopeForm {
+/** What bounds points in one plane, on one line or at one place: a sheet with two faces. `points` are flat. */
+export function flatFaces(points: readonly number[]): Faces {
   const all = [...Array(Math.floor(points.length / 3)).keys()];
   const at = (i: number): Vec3 => [points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!];
   const farthest = (measure: (at: Vec3) => number): number =>

@@ -1,6 +1,6 @@
 import { hypot } from '../../base/exact/index.js';
-import { PolytopeForm } from './polytope.js';
 import { MOST_CORNERS } from './form.js';
+import type { Faces } from './polytope.js';
 
 /** Share of its size by which a corner may stand out of a face that it belongs to: what single precision leaves of a plane. */
 const FLAT = 1e-5;
@@ -8,10 +8,10 @@ const FLAT = 1e-5;
 type Triangle = readonly [number, number, number];
 
 /**
- * The form of a convex hull: triangles in one plane become one face. Triangles go against the clock as seen from outside;
+ * The faces of a convex hull: triangles in one plane become one face. Triangles go against the clock as seen from outside;
  * `points` are flat, three numbers each.
  */
-export function hullForm(points: ArrayLike<number>, triangles: readonly Triangle[]): PolytopeForm {
+export function hullFaces(points: ArrayLike<number>, triangles: readonly Triangle[]): Faces {
   const size = sizeOf(points, triangles);
   const planes = triangles.map((triangle) => planeOf(points, triangle));
   const faces: number[][] = [];
@@ -128,12 +128,12 @@ function turnsLeft(a: Flat2, b: Flat2, c: Flat2): boolean {
   return ux * vy - uy * vx > 1e-7 * hypot(ux, uy) * hypot(vx, vy);
 }
 
-/** A form of only the corners that faces have. */
+/** With only the corners that faces have. */
 export function compact(
   points: ArrayLike<number>,
   faces: number[][],
   normals: Float64Array,
-): PolytopeForm {
+): Faces {
   /** By their old numbers: the new ones, in the same order. */
   const numbers = new Int32Array(Math.floor(points.length / 3)).fill(-1);
   for (const face of faces) for (const corner of face) numbers[corner] = 0;
@@ -143,9 +143,9 @@ export function compact(
     numbers[corner] = kept.length / 3;
     for (let i = 3 * corner; i < 3 * corner + 3; i++) kept.push(points[i]!);
   }
-  return new PolytopeForm(
-    Float64Array.from(kept),
-    faces.map((face) => face.map((corner) => numbers[corner]!)),
+  return {
+    points: Float64Array.from(kept),
+    faces: faces.map((face) => face.map((corner) => numbers[corner]!)),
     normals,
-  );
+  };
 }
