@@ -13,6 +13,6 @@ export const provide = (): MeshCode => ({
   solidOf: meshSolidOf,
   shapeOf: meshShapeOf,
   facesOf: (points, hull) => (hull ? hullFaces(points, hull.triangles) : flatFaces(points)),
-  surfaceOf: (mesh) => new Surface(mesh),
+  surfaceOf: ({ points, index }) => new Surface(points, index),
   triangle: () => new TriangleForm(),
 });

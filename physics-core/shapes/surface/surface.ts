@@ -1,5 +1,4 @@
 import { hypot } from '../../base/exact/index.js';
-import type { Mesh } from '../geometry.js';
 import { BoxTree } from './box-tree.js';
 import { BOX } from './layout.js';
 import { Seams } from './seams.js';
@@ -13,7 +12,8 @@ export class Surface {
   readonly seams: Seams;
   readonly #tree: BoxTree;
 
-  constructor({ points, index }: Mesh) {
+  /** `points`: x, y, z of each corner; `index`: three corners of each triangle. */
+  constructor(points: readonly number[], index: readonly number[]) {
     this.points = Float64Array.from(points);
     this.index = Int32Array.from(index);
     this.normals = normalsOf(this.points, this.index);
