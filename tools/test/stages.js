@@ -24,6 +24,8 @@ const inNode = (nameOf) => async (files, temporary, stage) => {
   const args = [
     // Three reporters listen to one stream.
     ...['--disable-warning=MaxListenersExceededWarning', '--test', '--test-concurrency=2'],
+    // MB. What a fact makes dies young, and is copied seldom where there is room: a tenth of the time.
+    '--max-semi-space-size=64',
     ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
     ...['--test-reporter=./tools/test/progress-reporter.js', '--test-reporter-destination=stderr'],
     ...['--test-reporter=tap', `--test-reporter-destination=${report}`],

@@ -13,17 +13,6 @@ import {
 import { authoredIn } from '../../../physics-core/world/snapshot/snapshot.js';
 import { busy, pendulum } from './scenes.js';
 
-fact('the deepest overlap of a ball at rest is the depth at which contacts bear', async () => {
-  const w = await world();
-  addFloor(w);
-  addBody(w, { position: [0, 0.5, 0] });
-  w.advance(1);
-  for (const { error, contacts } of await w.measureAccuracy({ seconds: 0.5 })) {
-    close(error.penetration, 6e-6, 2e-6, 'm');
-    above(contacts, 0);
-  }
-});
-
 fact('what is torn and what cannot hold shows in the joint error', async () => {
   const w = await world({ constantForceMix: 0.01, errorCorrection: 0.2 });
   const ball = addBody(w, { mass: 2 });
@@ -69,32 +58,6 @@ fact('what acts from outside is named', async () => {
   );
   assert.equal(row!.leftOut[1]!.element, body);
   assert.equal(row!.inWorker, false);
-});
-
-fact('it tells how far it is, and stops when it is told to', async () => {
-  const w = await pendulum();
-  const shares: number[] = [];
-  const stop = new AbortController();
-  const { now } = performance;
-  let time = 0;
-  // A slice ends after 4 ms.
-  performance.now = () => (time += 0.01);
-  const onprogress = (share: number): void => {
-    shares.push(share);
-    if (share > 0.3) stop.abort();
-  };
-  await assert.rejects(
-    w.measureAccuracy({ seconds: 1, onprogress, signal: stop.signal }),
-    (error: Error) => error.name === 'AbortError',
-  );
-  performance.now = now;
-  above(shares.length, 3);
-  assert.deepEqual(
-    shares,
-    [...shares].sort((a, b) => a - b),
-  );
-  below(shares.at(-1)!, 0.5);
-  await assert.rejects(w.measureAccuracy({ signal: AbortSignal.abort() }));
 });
 
 fact('what cannot be measured is reported, and what can is used', async () => {

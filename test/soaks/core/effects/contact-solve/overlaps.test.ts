@@ -1,5 +1,5 @@
-import { applyInertia } from '../../../../physics-core/dynamics/inertia.js';
-import { dot } from '../../../../physics-core/base/math.js';
+import { applyInertia } from '../../../../../physics-core/dynamics/inertia.js';
+import { dot } from '../../../../../physics-core/base/math.js';
 import {
   addBody,
   addFloor,
@@ -14,7 +14,7 @@ import {
   WEIGHTLESS,
   world,
   type Body,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 // What begins inside another comes out of it, and that is no motion.
 

@@ -1,5 +1,5 @@
-import { dominoSpeed, type DominoRow } from '../../references/domino-wave.js';
-import { below, fact } from '../core/helpers.js';
+import { dominoSpeed, type DominoRow } from '../../../references/domino-wave.js';
+import { below, fact } from '../../core/helpers.js';
 
 const row: DominoRow = { height: 0.24, thickness: 0.03, gap: 0.07, friction: 0.5, gravity: 9.8 };
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
-import { World } from '../../../../physics-core/inside.js';
-import { copyInto } from '../../../../physics-core/world/snapshot/copy.js';
-import type { Snapshot } from '../../../../physics-core/index.js';
+import { World } from '../../../../../physics-core/inside.js';
+import { copyInto } from '../../../../../physics-core/world/snapshot/copy.js';
+import type { Snapshot } from '../../../../../physics-core/index.js';
 import {
   addBody,
   addFloor,
@@ -14,7 +14,7 @@ import {
   sphere,
   world,
   type Body,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 // The run after a restore is the run that was seen, to the last bit: here, and in a world made of the snapshot.
 

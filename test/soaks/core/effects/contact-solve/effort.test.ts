@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { Newton } from '../../../../physics-core/solver/methods/newton.js';
-import type { Part } from '../../../../physics-core/solver/part.js';
-import { levelNamed, type LevelName } from '../../../../physics-core/dynamics/levels.js';
-import type { World } from '../../../../physics-core/inside.js';
+import { Newton } from '../../../../../physics-core/solver/methods/newton.js';
+import type { Part } from '../../../../../physics-core/solver/part.js';
+import { levelNamed, type LevelName } from '../../../../../physics-core/dynamics/levels.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -15,7 +15,7 @@ import {
   velocity,
   world,
   type Body,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 // What a step of a level spends on what touches and moves.
 

@@ -1,4 +1,4 @@
-import { levels } from '../../physics-core/inside.js';
+import { levels } from '../../../physics-core/inside.js';
 import {
   above,
   addBody,
@@ -14,7 +14,7 @@ import {
   velocity,
   world,
   type Body,
-} from './helpers.js';
+} from '../../core/helpers.js';
 
 // The paper's scenes, as long as continuous integration bears.
 

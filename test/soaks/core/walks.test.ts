@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { allEffects } from '../../physics-core/effects/all.js';
-import { Effect } from '../../physics-core/effects/effect/effect.js';
-import { instrumentedCore } from '../../tools/test/walks/core.js';
-import { walked, walks, type Walk } from '../../tools/test/walks/scenes.js';
+import { allEffects } from '../../../physics-core/effects/all.js';
+import { Effect } from '../../../physics-core/effects/effect/effect.js';
+import { instrumentedCore } from '../../../tools/test/walks/core.js';
+import { walked, walks, type Walk } from '../../../tools/test/walks/scenes.js';
 import {
   before,
   crossings,
@@ -10,9 +10,9 @@ import {
   doneTwice,
   named,
   roomOf,
-} from '../../tools/test/walks/walk.js';
-import type { Call } from '../../tools/test/walks/recorder.js';
-import { fact, world } from './helpers.js';
+} from '../../../tools/test/walks/walk.js';
+import type { Call } from '../../../tools/test/walks/recorder.js';
+import { fact, world } from '../../core/helpers.js';
 
 // How far an edit, a step and a question walk through the core, counted while they run (node --import tsx tools/test/walks.ts shows all of it).
 

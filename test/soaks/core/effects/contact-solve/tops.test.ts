@@ -1,6 +1,6 @@
-import { cross, dot, length, normalize, scale } from '../../../../physics-core/base/math.js';
-import { axesOf, kineticEnergy } from '../../../../references/kinetic-energy.js';
-import { steadyTop } from '../../../../references/steady-top.js';
+import { cross, dot, length, normalize, scale } from '../../../../../physics-core/base/math.js';
+import { axesOf, kineticEnergy } from '../../../../../references/kinetic-energy.js';
+import { steadyTop } from '../../../../../references/steady-top.js';
 import {
   addBody,
   addFloor,
@@ -17,8 +17,8 @@ import {
   type Body,
   type Vec3,
   WEIGHTLESS,
-} from '../../helpers.js';
-import { G } from './scenes.js';
+} from '../../../../core/helpers.js';
+import { G } from '../../../../core/effects/contact-solve/scenes.js';
 
 // What turns about a point of the floor in all directions: its spin, and its momentum, point elsewhere in each step.
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { addBody, addFloor, box, fact, world } from '../helpers.js';
+import { addBody, addFloor, box, fact, world } from '../../../core/helpers.js';
 
 fact('who rested on a fixed body that jumps wakes, and nobody else is asked', async () => {
   for (const count of [10, 100]) {

@@ -1,5 +1,5 @@
-import { PartMatrix } from '../../../../physics-core/solver/methods/part-matrix.js';
-import type { CreateOptions, World } from '../../../../physics-core/inside.js';
+import { PartMatrix } from '../../../../../physics-core/solver/methods/part-matrix.js';
+import type { CreateOptions, World } from '../../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -14,7 +14,7 @@ import {
   velocity,
   world,
   type Body,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 // What stands begins with the impulses that its weight asks for.
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { above, below, codes, fact, height, type Joint } from '../../helpers.js';
-import { addNet, addRow } from './loaded.js';
+import { above, below, codes, fact, height, type Joint } from '../../../../core/helpers.js';
+import { addNet, addRow } from '../../../../core/effects/joints/loaded.js';
 
 /** Metres that a joint may gape. */
 const GAP = 1e-3;

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { labelsOf, type Label } from '../../../elements/ui/chart/labels.js';
-import { random } from '../../core/helpers.js';
+import { labelsOf, type Label } from '../../../../elements/ui/chart/labels.js';
+import { random } from '../../../core/helpers.js';
 
 const LEVELS = ['game', 'standard', 'fine', 'precise', 'reference'];
 
