@@ -85,7 +85,7 @@ function grouped(files, nameOf) {
 export const APART = (file) => file;
 export const TOGETHER = () => 'test/all.test.ts';
 export const BY_FOLDER = (file) => file.replace(/\/[^/]+$/, '.test.ts');
-const PARTS = 4;
+const PARTS = 3;
 export const IN_PARTS = (_, at) => `test/part-${1 + Math.floor(PARTS * at)}-of-${PARTS}.test.ts`;
 
 /** Modules that import the files of a bundle, after what goes `before` them. */

@@ -1,5 +1,5 @@
-import { levels } from '../../../../physics-core/inside.js';
-import { chain } from './scenes.js';
+import { levels } from '../../../../../physics-core/inside.js';
+import { chain } from '../../../../core/effects/drag/scenes.js';
 import {
   above,
   addBody,
@@ -13,7 +13,7 @@ import {
   velocity,
   world,
   WEIGHTLESS,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 /** rad/s of the spring, m/s of the hand, m/s² that it gives a body on its own. */
 const SWIFTNESS = 30;

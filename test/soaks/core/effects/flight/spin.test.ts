@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
-import { add, cross, dot, scale } from '../../../../physics-core/base/math.js';
-import { applyInertia } from '../../../../physics-core/dynamics/inertia.js';
-import { levelNames } from '../../../../physics-core/dynamics/levels.js';
-import { MOST_PARTS } from '../../../../physics-core/solver/tolerances.js';
-import type { World } from '../../../../physics-core/inside.js';
+import { add, cross, dot, scale } from '../../../../../physics-core/base/math.js';
+import { applyInertia } from '../../../../../physics-core/dynamics/inertia.js';
+import { levelNames } from '../../../../../physics-core/dynamics/levels.js';
+import { MOST_PARTS } from '../../../../../physics-core/solver/tolerances.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -20,7 +20,7 @@ import {
   world,
   type Body,
   type Vec3,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 // What spins fast: steps are split where joints or an uneven ball make that matter, and turn no body short.
 
