@@ -1,4 +1,5 @@
 // The chunk `meshes`.
+import { ellipsoidForm } from './ellipsoid.js';
 import { flatFaces } from './forms/flat-faces.js';
 import { hullFaces } from './forms/hull-faces.js';
 import { TriangleForm } from './forms/triangle.js';
@@ -13,6 +14,7 @@ export const provide = (): MeshCode => ({
   solidOf: meshSolidOf,
   shapeOf: meshShapeOf,
   facesOf: (points, hull) => (hull ? hullFaces(points, hull.triangles) : flatFaces(points)),
+  ellipsoid: ellipsoidForm,
   surfaceOf: ({ points, index }) => new Surface(points, index),
   triangle: () => new TriangleForm(),
 });

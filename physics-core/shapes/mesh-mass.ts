@@ -1,11 +1,14 @@
 import type { Vec3 } from '../fields/types.js';
 import { boundsOf } from './bounds.js';
+import { ellipsoidSolid, squaresOf } from './ellipsoid.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { boxSolid, diagonal, principal, type Solid, type Tensor } from './mass.js';
 import { tessellate } from './tessellate.js';
 
-/** The solid that the triangles of a geometry enclose. */
+/** The solid that the triangles of a geometry enclose; of a ball that is scaled, the ellipsoid. */
 export function meshSolidOf(g: Geometry): Solid {
+  const squares = squaresOf(g);
+  if (squares) return ellipsoidSolid(squares);
   const mesh = tessellate(g);
   return meshSolid(mesh) ?? boundsSolid(mesh.points);
 }

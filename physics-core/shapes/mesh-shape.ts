@@ -1,6 +1,7 @@
 import type { Ammo } from '../engine/ammo.js';
 import { hullMarginFor, THINNEST, type Shaped, type Workshop } from './build.js';
 import { isConvex } from './convex.js';
+import { squaresOf } from './ellipsoid.js';
 import type { Geometry, Mesh } from './geometry.js';
 import { hullOf, type Hull } from './hull.js';
 import { boundsOf } from './bounds.js';
@@ -71,6 +72,12 @@ export function meshShapeOf(g: Geometry, exact: boolean, workshop: Workshop): Sh
     return undefined;
   }
   workshop.note('mesh');
+  const squares = squaresOf(g);
+  if (squares)
+    return {
+      ...hull(mesh, hullOf(mesh.points), workshop),
+      outline: { kind: 'ellipsoid', squares },
+    };
   if (!workshop.moving) return triangles(mesh, workshop);
   const outline = hullOf(mesh.points);
   if (isConvex(mesh, outline)) return hull(mesh, outline, workshop);

@@ -1,9 +1,10 @@
 import type { Geometry, Mesh } from './geometry.js';
 import type { Shaped, Workshop } from './build.js';
+import type { Form } from './forms/form.js';
 import type { Faces } from './forms/polytope.js';
 import type { TriangleForm } from './forms/triangle.js';
 import type { Hull } from './hull.js';
-import type { Solid } from './mass.js';
+import type { Solid, Tensor } from './mass.js';
 import type { Surface } from './surface/surface.js';
 import { Chunk } from '../base/chunk.js';
 import type { Vec3 } from '../fields/types.js';
@@ -20,6 +21,8 @@ export interface MeshCode {
   shapeOf(geometry: Geometry, exact: boolean, workshop: Workshop): Shaped | undefined;
   /** What bounds a hull; `hull` undefined: its points are flat. */
   facesOf(points: readonly number[], hull: Hull | undefined): Faces;
+  /** The form of what a linear map makes of a ball. */
+  ellipsoid(squares: Tensor): Form;
   /** Triangles as something that touches. */
   surfaceOf(mesh: Mesh): Surface;
   /** The form of one of its triangles, which is told. */

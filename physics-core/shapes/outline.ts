@@ -6,6 +6,7 @@ import { BoxForm } from './forms/box.js';
 import type { Form } from './forms/form.js';
 import { FrustumForm } from './forms/frustum.js';
 import { PolytopeForm } from './forms/polytope.js';
+import type { Tensor } from './mass.js';
 import { meshes } from './meshes.js';
 
 /** What a shape of Bullet's stands for, exactly: without the margins that Bullet keeps inside or outside of it. */
@@ -13,6 +14,7 @@ export type Outline =
   | { kind: 'box'; half: Vec3 }
   | { kind: 'ball'; radius: number }
   | { kind: 'frustum'; bottom: number; top: number; half: number }
+  | { kind: 'ellipsoid'; squares: Tensor }
   | { kind: 'hull'; points: number[]; hull: Hull | undefined }
   | { kind: 'triangles'; mesh: Mesh };
 
@@ -25,6 +27,8 @@ export function formOf(outline: Outline): Form | undefined {
       return new BallForm(outline.radius);
     case 'frustum':
       return new FrustumForm(outline.bottom, outline.top, outline.half);
+    case 'ellipsoid':
+      return meshes.code.ellipsoid(outline.squares);
     case 'hull':
       return new PolytopeForm(meshes.code.facesOf(outline.points, outline.hull));
     default:

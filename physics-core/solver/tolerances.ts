@@ -227,10 +227,10 @@ export const MOST_TURN = 0.6;
 export const MOST_TURN_IN_TOUCH = 2.5;
 
 /**
- * The same of what rolls on a ball that is not round its centre of mass: by longer steps a tippe top of 60 rad/s turns over
+ * The same of what rolls on something round that does not go about its centre of mass, a ball beside it or an egg: by longer steps a tippe top of 60 rad/s turns over
  * that should not (by parts of 0.19 rad it is right to 1 degree after 7 s).
  */
-export const MOST_TURN_ON_BALL = 0.2;
+export const MOST_TURN_ROLLING = 0.2;
 
 /**
  * What comes nearer than this share of the smaller one's reach is met as if it touched: Bullet's gContactBreakingThreshold.

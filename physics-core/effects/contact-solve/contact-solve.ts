@@ -30,7 +30,7 @@ import { Sweeps } from '../../solver/methods/sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 import { TurningCorners } from './turning-corners.js';
 import { Ways, type Way } from './ways.js';
-import { MOST_TURN_ON_BALL, PAUSE } from '../../solver/tolerances.js';
+import { MOST_TURN_ROLLING, PAUSE } from '../../solver/tolerances.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
@@ -264,9 +264,9 @@ export class ContactSolve extends Effect {
 
   // ---- a step -------------------------------------------------------------------------------------------------------
 
-  /** What rolls on a ball that is not round its centre of mass turns little in each part. */
+  /** What rolls elsewhere than about its centre of mass turns little in each part. */
   override parts(dt: number): number {
-    return this.#corners.turnOnBalls(dt) / MOST_TURN_ON_BALL;
+    return this.#corners.turnRolling(dt) / MOST_TURN_ROLLING;
   }
 
   override solve(dt: number): void {

@@ -1,6 +1,7 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import type { Vec3 } from '../../fields/types.js';
 import { ContactPoint, CORNER } from '../../engine/contact-point.js';
 import { isCarried } from '../../engine/solver-body.js';
 import type { Numbered } from '../effect/effect.js';
@@ -9,9 +10,10 @@ import { VELOCITY } from '../../engine/moving-bodies.js';
 import { flight, type Turning } from '../flight/flight.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js';
-import { eccentricBallAt, isFlatAt } from './eccentric-ball.js';
+
 import { turnedEvenly } from './even-push.js';
 import type { TouchingBodies } from './touching-bodies.js';
+import { isFlatAt, wanderingAt } from './wandering.js';
 import { SIZE } from '../../solver/matrix/block-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s (boxes that slide do so by 0.0014); what turns farther in a step goes no way that is known beforehand, radians. */
@@ -36,8 +38,8 @@ export class TurningCorners {
   readonly #swing = new Float64Array(3);
   readonly #turned = new Float64Array(3);
   readonly #met = new Set<number>();
-  /** What rolls on a ball that is not round its centre of mass. */
-  readonly #balls = new Set<Body>();
+  /** What is round, and rolls elsewhere than about its centre of mass. */
+  readonly #rolling = new Set<Body>();
 
   constructor(
     simulation: Simulation,
@@ -52,28 +54,28 @@ export class TurningCorners {
     this.#point = new ContactPoint(simulation.engine.ammo);
   }
 
-  /** For a snapshot: ids of what rolled on balls of its own. */
+  /** For a snapshot: ids of what rolled. */
   save(): number[] {
-    return [...this.#balls].map(({ id }) => id);
+    return [...this.#rolling].map(({ id }) => id);
   }
 
   load(ids: readonly number[], nodes: Numbered): void {
-    this.#balls.clear();
+    this.#rolling.clear();
     for (const id of ids) {
       const body = nodes.body(id);
-      if (body) this.#balls.add(body);
+      if (body) this.#rolling.add(body);
     }
   }
 
   /** A step begins. */
   begin(): void {
-    this.#balls.clear();
+    this.#rolling.clear();
   }
 
-  /** Radians that what rolled on balls of its own in the last step turns in this one, at most. */
-  turnOnBalls(dt: number): number {
+  /** Radians that what rolled in the last step turns in this one, at most. */
+  turnRolling(dt: number): number {
     let most = 0;
-    for (const body of this.#balls) {
+    for (const body of this.#rolling) {
       const { velocities } = this.#simulation.bodies;
       const at = body.slot * VELOCITY + 3;
       if (body.active && !body.sleeping)
@@ -90,7 +92,7 @@ export class TurningCorners {
       touched ||= c[contacts[i]! * C.size + C.impulse]! > 0;
     for (let i = first; i < contacts.length; i++) {
       const at = contacts[i]! * C.size;
-      c[at + C.rounding] = 0;
+      c.fill(0, at + C.wandering, at + C.wandering + 3);
       if (c[at + C.corner] === CORNER.ofNone) this.#round(contacts[i]!, a, b);
       c[at + C.meets] = !touched && this.#approaches(contacts[i]!) ? 1 : 0;
       if (c[at + C.corner] !== CORNER.ofNone) this.#lead(contacts[i]!, a, b, dt);
@@ -107,20 +109,30 @@ export class TurningCorners {
     }
   }
 
-  /** A ball that goes round with its body is a corner, too. */
+  /** What is round and touched elsewhere in each moment is a corner, too, that wanders over its body. */
   #round(contact: number, pointerA: number, pointerB: number): void {
-    const { values: c, pointers } = this.#contacts;
+    const { values: c, pointers, a, b } = this.#contacts;
     const at = contact * C.size;
     const point = this.#point.at(pointers[contact]!, pointerA, pointerB);
-    const a = this.#bodyAt(pointerA);
-    const b = this.#bodyAt(pointerB);
-    const ofA = eccentricBallAt(point, a, 0);
-    const ofB = eccentricBallAt(point, b, 1);
-    if (ofA > 0 && isFlatAt(point, b, 1)) c[at + C.corner] = CORNER.ofA;
-    else if (ofB > 0 && isFlatAt(point, a, 0)) c[at + C.corner] = CORNER.ofB;
-    else return;
-    c[at + C.rounding] = ofA || ofB;
-    this.#balls.add(ofA > 0 ? a : b);
+    const bodyA = this.#bodyAt(pointerA);
+    const bodyB = this.#bodyAt(pointerB);
+    const ofA = isFlatAt(point, bodyB, 1) && this.#wandering(point, at, bodyA, a[contact]!, 0);
+    const ofB =
+      !ofA && isFlatAt(point, bodyA, 0) && this.#wandering(point, at, bodyB, b[contact]!, 1);
+    if (!ofA && !ofB) return;
+    c[at + C.corner] = ofA ? CORNER.ofA : CORNER.ofB;
+    c.set((ofA || ofB) as Vec3, at + C.wandering);
+    this.#rolling.add(ofA ? bodyA : bodyB);
+  }
+
+  /** Over the body with the number `body`, which is on this side. */
+  #wandering(point: ContactPoint, at: number, node: Body, body: number, side: 0 | 1) {
+    const { values: c } = this.#contacts;
+    const { velocities: v } = this.#bodies;
+    const sign = side === 0 ? -1 : 1;
+    const outwards = [0, 1, 2].map((k) => sign * c[at + C.normal + k]!) as Vec3;
+    const spin = [3, 4, 5].map((k) => (body < 0 ? 0 : v[SIZE * body + k]!)) as Vec3;
+    return wanderingAt(point, node, side, outwards, spin);
   }
 
   #approaches(contact: number): boolean {
@@ -158,15 +170,12 @@ export class TurningCorners {
       c[at + C.target + k]! -= (dt / 2) * dot3(c, at + 3 * k, this.#swing, 0);
   }
 
-  /** How fast the corner goes, or the middle of what is rounded. */
+  /** How fast the corner goes. */
   #readSpeed(at: number, owner: number, isA: boolean): void {
     const { values: c } = this.#contacts;
     const { velocities: v } = this.#bodies;
-    const inwards = (isA ? 1 : -1) * c[at + C.rounding]!;
-    for (let k = 0; k < 3; k++)
-      this.#turned[k] = c[at + (isA ? C.armA : C.armB) + k]! + inwards * c[at + C.normal + k]!;
-    cross3(this.#speed, 0, v, SIZE * owner + 3, this.#turned, 0);
-    for (let k = 0; k < 3; k++) this.#speed[k]! += v[SIZE * owner + k]!;
+    cross3(this.#speed, 0, v, SIZE * owner + 3, c, at + (isA ? C.armA : C.armB));
+    for (let k = 0; k < 3; k++) this.#speed[k]! += v[SIZE * owner + k]! + c[at + C.wandering + k]!;
   }
 
   /** rad/s */

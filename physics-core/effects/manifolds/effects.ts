@@ -5,7 +5,7 @@ import { contacts } from '../effect/chunks.js';
 import type { EffectDescriptor } from '../effect/effect.js';
 import type { ContactShapes } from './contact-shapes.js';
 
-const WANTED: readonly Outline['kind'][] = ['frustum', 'hull', 'triangles'];
+const WANTED: readonly Outline['kind'][] = ['frustum', 'ellipsoid', 'hull', 'triangles'];
 
 /** A part whose contact points Bullet's own search does not find as they are. */
 export const wanted = ({ solidParts }: Body): CollidablePart | undefined =>

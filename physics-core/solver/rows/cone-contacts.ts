@@ -32,16 +32,16 @@ export const C = {
   overlap: 37,
   /** Whose corner it is that turns on the other (`CORNER`), where that is reckoned with. */
   corner: 38,
-  /** How far its middle lies within that body, metres: a ball that goes round is a corner that is rounded. */
-  rounding: 39,
+  /** How fast it wanders over that body, m/s: the place where something round is touched. */
+  wandering: 39,
   /** 1: the pair comes near each other and was not in touch before. */
-  meets: 40,
+  meets: 42,
   /** Where it bounces: its normal speed before forces act, below 0, and how fast it is to let go, m/s. */
-  approach: 41,
-  back: 42,
+  approach: 43,
+  back: 44,
   /** Speeds of surfaces that move and of what is carried, along the three directions, m/s. */
-  driven: 43,
-  size: 46,
+  driven: 45,
+  size: 48,
 } as const;
 
 export const OPEN = 0;

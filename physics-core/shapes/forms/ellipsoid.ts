@@ -1,0 +1,53 @@
+import type { Flat, Form } from './form.js';
+
+/** What a linear map makes of a ball: an egg, a lens, turned any way. */
+export class EllipsoidForm implements Form {
+  readonly round = 0;
+  readonly cornered = false;
+  readonly reach: number;
+  /** M of nᵀ M n, the square of how far it reaches along n: xx, yy, zz, xy, xz, yz. */
+  readonly #squares: readonly number[];
+
+  /** `reach`: the longest of its half axes. */
+  constructor(squares: readonly number[], reach: number) {
+    this.#squares = squares;
+    this.reach = reach;
+  }
+
+  support(x: number, y: number, z: number, out: Flat): void {
+    const [xx, yy, zz, xy, xz, yz] = this.#squares as [
+      number,
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    const u = xx * x + xy * y + xz * z;
+    const v = xy * x + yy * y + yz * z;
+    const w = xz * x + yz * y + zz * z;
+    const square = x * u + y * v + z * w;
+    const size = square > 0 ? 1 / Math.sqrt(square) : 0;
+    out[0] = u * size;
+    out[1] = v * size;
+    out[2] = w * size;
+  }
+
+  facing(): number {
+    return -1;
+  }
+
+  face(): number {
+    return 0;
+  }
+
+  lying(x: number, y: number, z: number, _u: number, _v: number, _w: number, out: Flat): number {
+    this.support(x, y, z, out);
+    return 1;
+  }
+
+  line(x: number, y: number, z: number, out: Flat): number {
+    this.support(x, y, z, out);
+    return 1;
+  }
+}
