@@ -1,4 +1,6 @@
+import { distanceBetween } from '../../engine/body-heap.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
+import { breakingAt } from '../../engine/manifold.js';
 import { pairTestOf } from '../../engine/pair-test.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
@@ -23,6 +25,9 @@ type KeptLink = [id: number, carried: boolean, borne: boolean];
 
 /** Of places a few metres from the origin, metres: nearer than this, bodies touch. */
 const ROUNDING = 1e-6;
+
+/** By how much two shapes of Bullet reach beyond what they stand for at most, metres (`hullMarginFor`). */
+const GROWN = 0.01;
 
 /**
  * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
@@ -222,12 +227,12 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   /** What was turned back in the round before may lie against something. */
-  readonly #lookBehind = (_: number, a: number, b: number): void => {
+  readonly #lookBehind = (manifold: number, a: number, b: number): void => {
     if (this.#struckIn(a, this.#steps - 1) || this.#struckIn(b, this.#steps - 1))
-      this.#lookAt(_, a, b);
+      this.#lookAt(manifold, a, b);
   };
 
-  readonly #lookAt = (_: number, a: number, b: number): void => {
+  readonly #lookAt = (manifold: number, a: number, b: number): void => {
     const { engine, bullet } = this.#simulation;
     const first = this.#simulation.bodyAt(a);
     const second = this.#simulation.bodyAt(b);
@@ -235,6 +240,8 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
     this.#seen.add(key);
+    const nearest = distanceBetween(engine.ammo, a, b) - first.reach - second.reach;
+    if (nearest > GROWN + breakingAt(engine.ammo, manifold)) return;
     const pairTest = pairTestOf(engine);
     const from = pairTest.count;
     pairTest.touch(first.body, second.body);
