@@ -1,15 +1,12 @@
 // The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, what it says to
-// copy runs, the gallery's scenes come to what they should, and each scene in it, the stories of its reference pages among
-// them; each that is live is fit to be seen.
+// copy runs, and so does each scene in it, the stories of its reference pages among them; each that is live is fit to be seen.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
-import { GALLERY } from '../../site/.vitepress/gallery.js';
 import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { miscopied } from './checks/copied.js';
-import { untrue } from './checks/gallery.js';
 import { deadLinks } from './checks/links.js';
 import { ugly } from './checks/look.js';
 import { pages, type Page } from './checks/pages.js';
@@ -49,7 +46,6 @@ async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const results = [
     await checked('the search', 1, notFound(browser, address)),
     await checked('what is copied', 1, miscopied(browser, address)),
-    await checked('facts of the gallery', Object.keys(GALLERY).length, untrue(browser, address)),
     await checked('axe', all.length, inaccessible(browser, address, all)),
     await checked('scenes that run', examples.length, broken(browser, address, examples)),
     await checked('looks', shown.length, ugly(browser, address, shown)),
