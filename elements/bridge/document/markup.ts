@@ -11,6 +11,8 @@ const IMPOSSIBLE: Record<string, RegExp> = {
   CollisionCollection: /rigid-?body|joint|collision-?(collection|sensor)/,
   RigidBodyCollection: /rigid-?body-?collection|collidable|^scene$/,
 };
+/** What x3dom draws, or sees by, and not in a collection. */
+const DRAWN = /^(transform|group|shape|viewpoint|navigationinfo|background|.*light)$/;
 const JOINT_CHILD = /joint|collision|rigid-?body-?collection|^shape$|^transform$/;
 
 /** Looks at the markup of one element, as the author wrote it. */
@@ -25,12 +27,18 @@ export function checkMarkup(binding: Binding): void {
   const child =
     impossible && [...element.children].find((each) => impossible.test(lowerName(each)));
   if (child) binding.fault((faults) => faults.misplacedChild(binding, child));
+  if (type.name === 'RigidBodyCollection') checkDrawn(binding);
   const [disguised, meant] = otherTag(binding);
   if (meant) binding.fault((faults) => faults.otherTag(binding, disguised!, meant));
   if (isFirstForeign(binding)) binding.fault((faults) => faults.notUpgraded());
   const def = attribute(element, 'DEF');
   if (def && binding.scope!.names.bearers(def).at(-1) !== element)
     binding.fault((faults) => faults.duplicate(binding, def));
+}
+
+function checkDrawn(binding: Binding): void {
+  const child = [...binding.element.children].find((each) => DRAWN.test(lowerName(each)));
+  if (child) binding.fault((faults) => faults.undrawn(binding, child));
 }
 
 /** A child that means a node of ours by USE, and is called otherwise; and what it means. */

@@ -20,7 +20,14 @@ export function tellPage(report: ProblemReport, element: Element): void {
   );
 }
 
-/** A physics element that no scene will ever see: outside any `<x3d>`, or in a shadow root, where x3dom does not look. */
+/** Nodes of x3dom's that hold none: they stand around one of ours where the author thought them closed. Metadata may. */
+const LEAVES =
+  'viewpoint, navigationinfo, background, directionallight, pointlight, spotlight, box, sphere, cylinder, cone';
+
+/**
+ * A physics element that no scene will ever see: outside any `<x3d>`, in a shadow root, where x3dom does not look, or
+ * swallowed.
+ */
 export function checkPlace(element: Element): void {
   if (!element.isConnected) return;
   if (misplaced.delete(element)) {
@@ -29,8 +36,11 @@ export function checkPlace(element: Element): void {
   }
   const inScene = element.closest('x3d, X3D') && element.closest('scene, Scene');
   const inShadow = element.getRootNode() instanceof ShadowRoot;
-  if (inScene && !inShadow) return;
+  const leaf = element.closest(LEAVES);
+  if (inScene && !inShadow && !leaf) return;
   misplaced.add(element);
   const faults = faultsFor(element, () => checkPlace(element));
-  if (faults) tellPage(faults.outside(element, inShadow), element);
+  if (!faults) return;
+  if (leaf) tellPage(faults.swallowed(leaf, element), leaf);
+  else tellPage(faults.outside(element, inShadow), element);
 }

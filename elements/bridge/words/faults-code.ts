@@ -14,6 +14,7 @@ import type { Faults, Labelled } from './faults.js';
 export const provide = (): Faults => ({
   unknownAttribute,
   misplacedChild,
+  undrawn,
   otherTag,
   duplicate,
   notUpgraded: () => NOT_UPGRADED,
@@ -29,6 +30,7 @@ export const provide = (): Faults => ({
   refusedRoute,
   twoCopies: () => TWO_COPIES,
   outside,
+  swallowed,
   late,
   stranger,
   notDrawn,
@@ -85,8 +87,22 @@ function misplacedChild({ element, type, label }: Labelled, child: Element): Pro
         severity: 'warning',
         value: child.localName,
         used: 'nothing',
-        message: `<${child.localName}> can't stand in ${label}${lowerName(child) === 'shape' ? '; put it into a CollidableShape' : ''}`,
+        message: `<${child.localName}> can't stand in ${label}${cureOf(type, lowerName(child))}`,
       };
+}
+
+const undrawn: Faults['undrawn'] = ({ label }, { localName: tag }) => ({
+  code: 'misplaced',
+  severity: 'warning',
+  value: tag,
+  used: 'its bodies, unseen',
+  message: `nothing draws <${tag}> in ${label}: put it after the end tag of the collection, which takes default to be the world of bodies outside (HTML knows no self-closing tags)`,
+});
+
+function cureOf({ name }: NodeType, child: string): string {
+  if (child === 'shape') return '; put it into a CollidableShape, or both into a Transform';
+  if (child === 'transform' && name === 'RigidBody') return '; put the body into the Transform';
+  return '';
 }
 
 /** X3D wants the tag of a USE to be that of its DEF. */
@@ -222,6 +238,14 @@ const outside: Faults['outside'] = ({ localName: tag }, inShadow) =>
         used: 'nothing',
         message: `<${tag}> stands outside the scene of any <x3d>`,
       };
+
+const swallowed: Faults['swallowed'] = ({ localName: tag }, { localName: child }) => ({
+  code: 'self-closing',
+  severity: 'error',
+  value: child,
+  used: 'the markup as HTML reads it',
+  message: `<${tag}> has swallowed <${child}>, and nothing draws it: HTML knows no self-closing tags, write <${tag}></${tag}>`,
+});
 
 const late: Faults['late'] = (waits) => ({
   code: 'waiting-for-document',

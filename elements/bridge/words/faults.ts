@@ -13,6 +13,8 @@ export interface Labelled {
 export interface Faults {
   unknownAttribute(at: Labelled, name: string): ProblemReport;
   misplacedChild(at: Labelled, child: Element): ProblemReport;
+  /** A child that x3dom would draw elsewhere. */
+  undrawn(at: Labelled, child: Element): ProblemReport;
   otherTag(at: Labelled, child: Element, meant: Element): ProblemReport;
   duplicate(at: Labelled, def: string): ProblemReport;
   notUpgraded(): ProblemReport;
@@ -44,6 +46,8 @@ export interface Faults {
   twoCopies(): ProblemReport;
   /** A node of ours that no scene will see. */
   outside(element: Element, inShadow: boolean): ProblemReport;
+  /** A node of x3dom's that holds none, and one of ours in it. */
+  swallowed(by: Element, element: Element): ProblemReport;
   /** What a world waited for too long. */
   late(waits: string): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */

@@ -75,6 +75,9 @@ const KICK: Word = {
   ...BODY,
   does: 'applyImpulse() of its element kicks it once; forces push it all the time, in newtons',
 };
+const STOPS: Word = {
+  does: 'stops are minAngle and maxAngle of a hinge, minSeparation and maxSeparation of a slider',
+};
 const NO_LOCK: Word = {
   does: 'X3D locks no axis: a joint to the world holds a body to a line or a hinge',
 };
@@ -89,9 +92,11 @@ export const WORDS: Words = byName<Words[string]>({
   angulardamping: TURN_DAMPED,
   angvel: SPIN,
   autosleep: SLEEPS,
+  axis: { ...MOTOR, field: 'motor1Axis' },
   bodya: SIDE_ONE,
   bodyb: SIDE_TWO,
   bodytype: kindOf,
+  bounce: BOUNCE,
   bounciness: BOUNCE,
   cansleep: SLEEPS,
   ccd: { does: 'fast bodies do not tunnel here: leave it out' },
@@ -101,7 +106,7 @@ export const WORDS: Words = byName<Words[string]>({
   damping: DAMPED,
   density: { ...BODY, field: 'mass', write: 'mass="2"', does: 'in kilograms; X3D has no density' },
   drag: DAMPED,
-  draggable: { ...BODY, field: 'draggable-body' },
+  draggable: { ...BODY, at: /^RigidBody(Collection)?$/, field: 'draggable-body' },
   dynamic: MOVES,
   filtergroup: PAIRS,
   filtermask: PAIRS,
@@ -124,6 +129,8 @@ export const WORDS: Words = byName<Words[string]>({
   lockrotation: NO_LOCK,
   motiontype: kindOf,
   motorspeed: { ...MOTOR, field: 'axis1Torque' },
+  max: STOPS,
+  min: STOPS,
   mustoutput: { field: 'forceOutput' },
   omega: SPIN,
   pivot: { field: 'anchorPoint' },

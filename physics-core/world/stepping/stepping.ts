@@ -212,7 +212,8 @@ export class Stepping {
       code: 'lag',
       severity: 'info',
       used: 'dropped time',
-      message: 'the simulation could not keep up with the clock; the time it lost is dropped',
+      message:
+        'physics or drawing could not keep up with the clock; the time that was lost is dropped',
     });
   }
 

@@ -41,10 +41,12 @@ async function letFall(): Promise<Seen> {
   };
 }
 
-test("README's first example is the file in examples/", () => {
+test("the page in examples/ takes the two scripts that README's first example takes", () => {
   const [, html] = readFileSync('README.md', 'utf8').match(/```html\n(<!doctype html>[^]*?)```/)!;
-  const names = (text: string): string => text.replace(/src="[^"]*\//g, 'src="');
-  assert.equal(names(readFileSync(EXAMPLE, 'utf8')), names(html!));
+  const scripts = (text: string): string[] =>
+    [...text.matchAll(/<script src="(?:[^"]*\/)?([^"/]+)"/g)].map(([, name]) => name!);
+  assert.deepEqual(scripts(readFileSync(EXAMPLE, 'utf8')), scripts(html!));
+  assert.equal(scripts(html!).length, 2);
 });
 
 test(

@@ -5,7 +5,7 @@ import { wait } from '../../scene.js';
 import { held } from './held.js';
 
 describe('problems of an element', () => {
-  const BODY = `<x3d-rigid-body-collection><transform><shape><box></box></shape><x3d-rigid-body id="b" mass="-3"></x3d-rigid-body></transform></x3d-rigid-body-collection>`;
+  const BODY = `<transform><shape><box></box></shape><x3d-rigid-body id="b" mass="-3"></x3d-rigid-body></transform>`;
 
   for (const [spelling, markup] of bothSpellings(BODY)) {
     it(`${spelling}: stand while their cause does, whatever becomes of its geometry`, async () => {

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
-import { place, show, wait } from '../../scene.js';
+import { place, show, until, wait } from '../../scene.js';
 import { worldOf } from '../../inside.js';
 
 const inWorld = (content: string): string =>
@@ -79,6 +79,38 @@ describe('problems', () => {
     claim('self-closing');
     expect(await codes(`<x3d-rigid-body fixed="true" /><x3d-rigid-body></x3d-rigid-body>`)).to.eql([
       'self-closing',
+    ]);
+  });
+
+  it('a node of x3dom that swallowed bodies', async () => {
+    claim('<viewpoint> has swallowed <x3d-rigid-body>');
+    const heard: string[] = [];
+    const listen = (event: Event): void =>
+      void heard.push(
+        `${(event.target as Element).localName} ${(event as CustomEvent).detail.code}`,
+      );
+    document.addEventListener('physicsproblem', listen);
+    place(
+      '<viewpoint position="0 2 8" /><transform><shape><box></box></shape><x3d-rigid-body></x3d-rigid-body></transform>',
+    );
+    await until(() => heard.length > 0);
+    document.removeEventListener('physicsproblem', listen);
+    expect(heard).to.eql(['viewpoint self-closing']);
+  });
+
+  it('a Transform in a collection, which nothing draws', async () => {
+    claim('nothing draws <transform> in RigidBodyCollection "c"');
+    expect(
+      await codes(
+        `<transform><shape><box></box></shape><x3d-rigid-body></x3d-rigid-body></transform>`,
+      ),
+    ).to.eql(['misplaced']);
+  });
+
+  it('a Transform in a body', async () => {
+    claim('put the body into the Transform');
+    expect(await codes(`<x3d-rigid-body><transform></transform></x3d-rigid-body>`)).to.eql([
+      'misplaced',
     ]);
   });
 

@@ -134,6 +134,7 @@ fact('everyday words for a field are told which it is, and which node has it', a
   claim(w, 'unknown-attribute');
   const [ball, hinge] = [addBody(w), w.add('SingleAxisHingeJoint', { body1: addBody(w) })];
   const list = w.add('CollisionCollection');
+  const motor = w.add('MotorJoint', { body1: ball });
   for (const [node, word, answer] of [
     [ball, 'weight', '; did you mean mass?'],
     [ball, 'Static', '; write fixed="true": nothing moves it, and what hits it bounces off'],
@@ -151,6 +152,9 @@ fact('everyday words for a field are told which it is, and which node has it', a
     [list, 'restitution', '; did you mean bounce?'],
     [hinge, 'torque', '; MotorJoint has axis1Torque'],
     [hinge, 'anchor', '; did you mean anchorPoint?'],
+    [ball, 'bounce', '; CollisionCollection has bounce'],
+    [motor, 'axis', '; did you mean motor1Axis?'],
+    [hinge, 'min', /; stops are minAngle and maxAngle of a hinge, minSeparation/],
     [ball, 'mas', '; did you mean mass?'],
     [ball, 'constructor', ''],
     [ball, 'colour', ''],

@@ -156,7 +156,8 @@ const forms: [form: string, content: string][] = [
   [
     'a shared world',
     `${CAMERA}<x3d-rigid-body-collection shared-world="w" gravity="0 0 0"></x3d-rigid-body-collection>
-     <x3d-rigid-body-collection shared-world="w" gravity="0 0 0" draggable-body drag-mode="teleport"><transform>${box('s')}<x3d-rigid-body id="b"></x3d-rigid-body></transform></x3d-rigid-body-collection>`,
+     <x3d-rigid-body-collection shared-world="w" gravity="0 0 0" draggable-body drag-mode="teleport"><x3d-rigid-body id="b" for="t"></x3d-rigid-body></x3d-rigid-body-collection>
+     <transform id="t">${box('s')}</transform>`,
   ],
   [
     'a collidable that collides with nothing',
