@@ -15,6 +15,7 @@ export const GALLERY = {
   drum: 'Washing drum',
   bridge: 'Bridge with traffic',
   tops: 'Gyroscope and tops',
+  rattleback: 'Rattleback and egg',
   pendulum: 'Pendulum of eight balls',
   rotor: 'Rotor and plates',
   room: 'A room of boxes',

@@ -65,6 +65,12 @@ export const FACTS: Record<string, Fact> = {
     holds: `seen.every(([, y]) => Math.abs(y - 1.25) < 0.02) && Math.min(...seen.map(([x]) => x)) < -1.78 &&
       Math.hypot(...moved([body('gyroscope')])) < 0.15 && all('#tops x3d-rigid-body').every(({ position }) => position[1] > 0.25)`,
   },
+  rattleback: {
+    says: 'one stone turns round, the other goes on, and the egg stands up',
+    seconds: 5,
+    holds: `body('red').angularVelocity[1] < -2 && Math.abs(body('blue').angularVelocity[1] + 2.5) < 0.1 &&
+      body('egg').position[1] > 0.32`,
+  },
   clock: {
     says: 'it ticks once a second, evenly, and each tick lets half a tooth pass',
     seconds: 24,
