@@ -1,6 +1,11 @@
 import { describe } from 'node:test';
-import { multiply, quaternionOf, rotate, rotationOf } from '../../../../physics-core/base/math.js';
-import type { World } from '../../../../physics-core/inside.js';
+import {
+  multiply,
+  quaternionOf,
+  rotate,
+  rotationOf,
+} from '../../../../../physics-core/base/math.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -17,8 +22,8 @@ import {
   world,
   type Body,
   type Vec3,
-} from '../../helpers.js';
-import { G, stack, standing } from './scenes.js';
+} from '../../../../core/helpers.js';
+import { G, stack, standing } from '../../../../core/effects/contact-solve/scenes.js';
 
 // What slides, and what does not: by Coulomb's law, along any direction alike.
 

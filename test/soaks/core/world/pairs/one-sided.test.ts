@@ -10,8 +10,8 @@ import {
   spin,
   velocity,
   world,
-} from '../../helpers.js';
-import { shapeOf } from './scenes.js';
+} from '../../../../core/helpers.js';
+import { shapeOf } from '../../../../core/world/pairs/scenes.js';
 
 /** sim-vehicle: a chassis of 5 kg on four wheels of 1 kg, 0.4 m, the rear ones driven by 3 N·m each. */
 async function car(collider: Record<string, unknown>, strict = false) {

@@ -1,4 +1,4 @@
-import { levelNames } from '../../../../physics-core/dynamics/levels.js';
+import { levelNames } from '../../../../../physics-core/dynamics/levels.js';
 import {
   addBody,
   addFloor,
@@ -9,7 +9,7 @@ import {
   height,
   velocity,
   world,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 for (const accuracy of levelNames)
   fact(`at ${accuracy} boxes that turn ten thousand times lighter stay on their pile`, async () => {

@@ -1,6 +1,6 @@
 import { describe } from 'node:test';
-import type { World } from '../../../../physics-core/inside.js';
-import type { JointNode } from '../../../../physics-core/nodes/joints/joint.js';
+import type { World } from '../../../../../physics-core/inside.js';
+import type { JointNode } from '../../../../../physics-core/nodes/joints/joint.js';
 import {
   add,
   cross,
@@ -10,7 +10,7 @@ import {
   rotate,
   scale,
   subtract,
-} from '../../../../physics-core/base/math.js';
+} from '../../../../../physics-core/base/math.js';
 import {
   addBody,
   below,
@@ -26,7 +26,7 @@ import {
   type Node,
   type Vec3,
   WEIGHTLESS,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 const output = (joint: Node, name: string): number => joint.get(name) as number;
 const gapOf = (joint: Node): number => (joint as JointNode).gap;

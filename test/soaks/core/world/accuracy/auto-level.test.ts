@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
-import { levels, type LevelName, type World } from '../../../../physics-core/inside.js';
-import { AutoLevel } from '../../../../physics-core/world/accuracy/auto-level.js';
-import { levelNamed } from '../../../../physics-core/dynamics/levels.js';
+import { levels, type LevelName, type World } from '../../../../../physics-core/inside.js';
+import { AutoLevel } from '../../../../../physics-core/world/accuracy/auto-level.js';
+import { levelNamed } from '../../../../../physics-core/dynamics/levels.js';
 import {
   addBody,
   addFloor,
@@ -16,7 +16,7 @@ import {
   velocity,
   world,
   type Body,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 const FRAME = 1 / 60;
 
