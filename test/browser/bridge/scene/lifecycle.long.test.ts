@@ -86,6 +86,8 @@ describe('an x3d', () => {
     let dropped = 0;
     world!.on('lag', (lag) => (dropped += (lag as { dropped: number }).dropped));
     await until(() => world!.time > 0.1);
+    // What has passed since the frame before is to be in both times.
+    await nextFrame();
     const [time, from] = [world!.time, performance.now()];
     const frames = longestFrame();
     for (let i = 0; i < 20; i++) {
