@@ -74,6 +74,9 @@ const DRAGS = /drag-code/;
 const BATCHES = /batch-code/;
 const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
 
+/** WebKitGTK and Safari. */
+const isWebKit = !/Chrome|Firefox/.test(navigator.userAgent);
+
 describe('what a page fetches', () => {
   it('of ours, for a box that falls: few files and bytes before it moves', async () => {
     const { page, world } = await show(FALLING);
@@ -101,7 +104,8 @@ describe('what a page fetches', () => {
     const { page, world } = await show(FALLING + FLOOR);
     await until(() => world.time > 0);
     const { gzip, brotli } = await loaded(page);
-    expect(gzip).to.be.within(250_000, 330_000);
+    // WebKit's gzip makes one per cent more of it than a server's, and than the other browsers'.
+    expect(gzip).to.be.within(250_000, isWebKit ? 333_300 : 330_000);
     expect(brotli).to.be.within(200_000, 270_000);
   });
 

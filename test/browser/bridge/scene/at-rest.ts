@@ -1,6 +1,6 @@
 import { dragTo } from '../outward/dragging/scenes.js';
 import { draggable } from '../outward/dragging/hand.js';
-import { show, until, wait } from '../../scene.js';
+import { drawn, show, until, wait } from '../../scene.js';
 import { type World } from '../../inside.js';
 
 export interface X3D extends HTMLElement {
@@ -27,6 +27,8 @@ export async function atRest(content = SCENE, selector = '#stone') {
   const { x3d, world } = await show(content, selector);
   world.advance(6);
   await until(() => world.stats.awake === 0 && !world.stepping.needsFrame);
+  // However long the frame takes that draws it last.
+  await drawn();
   await wait(100);
   return { x3d: x3d as X3D, world };
 }
