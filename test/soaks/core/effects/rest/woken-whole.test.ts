@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import { close, fact, world, type Body } from '../../helpers.js';
-import type { World } from '../../../../physics-core/inside.js';
+import { close, fact, world, type Body } from '../../../../core/helpers.js';
+import type { World } from '../../../../../physics-core/inside.js';
 
 // What an island lies on goes: all of it falls in that step, and falls as if it had never slept.
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { World } from '../../../../physics-core/inside.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -18,7 +18,7 @@ import {
   world,
   type Body,
   overflow,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 /** Everything that moves, to the last bit. */
 const stateOf = (bodies: Body[]): number[] =>

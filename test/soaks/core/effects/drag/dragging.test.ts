@@ -1,6 +1,6 @@
-import type { World } from '../../../../physics-core/inside.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import assert from 'node:assert/strict';
-import { chain } from './scenes.js';
+import { chain } from '../../../../core/effects/drag/scenes.js';
 import {
   above,
   addBody,
@@ -17,7 +17,7 @@ import {
   type Body,
   type Vec3,
   WEIGHTLESS,
-} from '../../helpers.js';
+} from '../../../../core/helpers.js';
 
 // ---- the other modes ---------------------------------------------------------------------------------------------------
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { levelNames } from '../../../../physics-core/dynamics/levels.js';
+import { levelNames } from '../../../../../physics-core/dynamics/levels.js';
 import {
   above,
   addBody,
@@ -17,8 +17,8 @@ import {
   velocity,
   world,
   type Body,
-} from '../../helpers.js';
-import { GRAVITY, dropped, flight } from './scenes.js';
+} from '../../../../core/helpers.js';
+import { GRAVITY, dropped, flight } from '../../../../core/effects/hits/scenes.js';
 
 for (const accuracy of levelNames) {
   fact(`at ${accuracy} a ball keeps its height over ten bounces`, async () => {
