@@ -227,8 +227,8 @@ export const MOST_TURN = 0.6;
 export const MOST_TURN_IN_TOUCH = 2.5;
 
 /**
- * The same of what rolls on something round that does not go about its centre of mass, a ball beside it or an egg: by longer steps a tippe top of 60 rad/s turns over
- * that should not (by parts of 0.19 rad it is right to 1 degree after 7 s).
+ * The same of what rolls elsewhere than about its centre of mass, on a ball beside it or as an egg: by longer steps a tippe
+ * top of 60 rad/s turns over that should not (by parts of 0.19 rad it is right to 1 degree after 7 s).
  */
 export const MOST_TURN_ROLLING = 0.2;
 

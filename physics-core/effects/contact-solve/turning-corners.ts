@@ -1,5 +1,6 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
+import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
 import { ContactPoint, CORNER } from '../../engine/contact-point.js';
@@ -10,10 +11,9 @@ import { VELOCITY } from '../../engine/moving-bodies.js';
 import { flight, type Turning } from '../flight/flight.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js';
-
 import { turnedEvenly } from './even-push.js';
 import type { TouchingBodies } from './touching-bodies.js';
-import { isFlatAt, wanderingAt } from './wandering.js';
+import { isFlatAt, rollingPartAt, wandering } from './wandering.js';
 import { SIZE } from '../../solver/matrix/block-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s (boxes that slide do so by 0.0014); what turns farther in a step goes no way that is known beforehand, radians. */
@@ -92,7 +92,7 @@ export class TurningCorners {
       touched ||= c[contacts[i]! * C.size + C.impulse]! > 0;
     for (let i = first; i < contacts.length; i++) {
       const at = contacts[i]! * C.size;
-      c.fill(0, at + C.wandering, at + C.wandering + 3);
+      for (let k = 0; k < 3; k++) c[at + C.wandering + k] = 0;
       if (c[at + C.corner] === CORNER.ofNone) this.#round(contacts[i]!, a, b);
       c[at + C.meets] = !touched && this.#approaches(contacts[i]!) ? 1 : 0;
       if (c[at + C.corner] !== CORNER.ofNone) this.#lead(contacts[i]!, a, b, dt);
@@ -111,28 +111,28 @@ export class TurningCorners {
 
   /** What is round and touched elsewhere in each moment is a corner, too, that wanders over its body. */
   #round(contact: number, pointerA: number, pointerB: number): void {
-    const { values: c, pointers, a, b } = this.#contacts;
+    const { pointers, a, b } = this.#contacts;
     const at = contact * C.size;
     const point = this.#point.at(pointers[contact]!, pointerA, pointerB);
     const bodyA = this.#bodyAt(pointerA);
     const bodyB = this.#bodyAt(pointerB);
-    const ofA = isFlatAt(point, bodyB, 1) && this.#wandering(point, at, bodyA, a[contact]!, 0);
-    const ofB =
-      !ofA && isFlatAt(point, bodyA, 0) && this.#wandering(point, at, bodyB, b[contact]!, 1);
-    if (!ofA && !ofB) return;
-    c[at + C.corner] = ofA ? CORNER.ofA : CORNER.ofB;
-    c.set((ofA || ofB) as Vec3, at + C.wandering);
-    this.#rolling.add(ofA ? bodyA : bodyB);
+    const ofA = rollingPartAt(point, bodyA, 0);
+    const ofB = rollingPartAt(point, bodyB, 1);
+    if (ofA && isFlatAt(point, bodyB, 1)) this.#rolls(at, CORNER.ofA, ofA, bodyA, a[contact]!);
+    else if (ofB && isFlatAt(point, bodyA, 0)) this.#rolls(at, CORNER.ofB, ofB, bodyB, b[contact]!);
   }
 
-  /** Over the body with the number `body`, which is on this side. */
-  #wandering(point: ContactPoint, at: number, node: Body, body: number, side: 0 | 1) {
+  /** On this part of it; `number`: its own among those that touch, -1 where it does not move. */
+  #rolls(at: number, corner: number, part: CollidablePart, body: Body, number: number): void {
     const { values: c } = this.#contacts;
+    c[at + C.corner] = corner;
+    this.#rolling.add(body);
+    if (number < 0) return;
     const { velocities: v } = this.#bodies;
-    const sign = side === 0 ? -1 : 1;
+    const sign = corner === CORNER.ofA ? -1 : 1;
     const outwards = [0, 1, 2].map((k) => sign * c[at + C.normal + k]!) as Vec3;
-    const spin = [3, 4, 5].map((k) => (body < 0 ? 0 : v[SIZE * body + k]!)) as Vec3;
-    return wanderingAt(point, node, side, outwards, spin);
+    const spin = [3, 4, 5].map((k) => v[SIZE * number + k]!) as Vec3;
+    c.set(wandering(part, body, outwards, spin), at + C.wandering);
   }
 
   #approaches(contact: number): boolean {

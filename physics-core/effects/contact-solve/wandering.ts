@@ -7,34 +7,46 @@ import type { Tensor } from '../../shapes/mass.js';
 import { partOf } from '../contacts/contact-part.js';
 
 /**
- * How fast the place where something round is touched wanders over it while it turns by `spin` and is touched from the same
- * direction, m/s in the world. Undefined: it is not round, or it is a ball about the centre of mass, on which that place stays
- * where it is. `side` 0 is the manifold's first body; `outwards` has the length 1.
+ * What is round there, and touched elsewhere on it in each moment while it turns: an ellipsoid, or a ball whose middle is not
+ * the centre of mass. `side` 0 is the manifold's first body.
  */
-export function wanderingAt(
+export function rollingPartAt(
   point: ContactPoint,
   body: Body,
   side: 0 | 1,
+): CollidablePart | undefined {
+  const part = partOf(point, body, side);
+  const kind = part?.outline?.kind;
+  if (kind === 'ellipsoid') return part;
+  return kind === 'ball' && !isCentral(part!, body) ? part : undefined;
+}
+
+function isCentral({ pose }: CollidablePart, { centerOfMass }: Body): boolean {
+  const [x, y, z] = pose.p;
+  const [cx, cy, cz] = centerOfMass.p;
+  return x === cx && y === cy && z === cz;
+}
+
+/**
+ * How fast the place where it is touched wanders over it while it turns by `spin` and is touched from the same direction, m/s
+ * in the world. `outwards` has the length 1.
+ */
+export function wandering(
+  { outline, pose }: CollidablePart,
+  body: Body,
   outwards: Vec3,
   spin: Vec3,
-): Vec3 | undefined {
-  const part = partOf(point, body, side);
-  const outline = part?.outline;
+): Vec3 {
   // As the body sees it, the direction turns the other way.
   const turning = cross(outwards, spin);
-  if (outline?.kind === 'ball')
-    return isCentral(part!, body) ? undefined : scale(turning, outline.radius);
-  if (outline?.kind !== 'ellipsoid') return undefined;
-  const frame = multiply(body.poseInBullet().q, part!.pose.q);
+  if (outline?.kind !== 'ellipsoid')
+    return scale(turning, outline?.kind === 'ball' ? outline.radius : 0);
+  const frame = multiply(body.poseInBullet().q, pose.q);
   const within = conjugate(frame);
   return rotate(
     frame,
     onEllipsoid(outline.squares, rotate(within, outwards), rotate(within, turning)),
   );
-}
-
-function isCentral({ pose }: CollidablePart, { centerOfMass }: Body): boolean {
-  return pose.p.every((value, i) => value === centerOfMass.p[i]);
 }
 
 /** How the point M d / √(dᵀ M d), farthest along d, changes with d. */

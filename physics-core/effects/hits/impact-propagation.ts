@@ -5,6 +5,7 @@ import { pairTestOf } from '../../engine/pair-test.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { MOST_GROWN } from '../../shapes/build.js';
 import { Blow, MOST_HITS } from './blow.js';
 import { continuousCollision } from './effects.js';
 import { hitShapeOf, type HitShape } from './hit-shape.js';
@@ -25,9 +26,6 @@ type KeptLink = [id: number, carried: boolean, borne: boolean];
 
 /** Of places a few metres from the origin, metres: nearer than this, bodies touch. */
 const ROUNDING = 1e-6;
-
-/** By how much two shapes of Bullet reach beyond what they stand for at most, metres (`hullMarginFor`). */
-const GROWN = 0.01;
 
 /**
  * What is round hits in one point, at a time of its own within the step: its speed, what friction makes of it, and its way
@@ -241,7 +239,7 @@ export class ImpactPropagation extends Effect implements ContactListener {
     if (this.#seen.has(key)) return;
     this.#seen.add(key);
     const nearest = distanceBetween(engine.ammo, a, b) - first.reach - second.reach;
-    if (nearest > GROWN + breakingAt(engine.ammo, manifold)) return;
+    if (nearest > 2 * MOST_GROWN + breakingAt(engine.ammo, manifold)) return;
     const pairTest = pairTestOf(engine);
     const from = pairTest.count;
     pairTest.touch(first.body, second.body);

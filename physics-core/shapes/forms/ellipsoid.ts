@@ -1,28 +1,24 @@
 import type { Flat, Form } from './form.js';
 
+/** Of a symmetric matrix. */
+type Squares = readonly [xx: number, yy: number, zz: number, xy: number, xz: number, yz: number];
+
 /** What a linear map makes of a ball: an egg, a lens, turned any way. */
 export class EllipsoidForm implements Form {
   readonly round = 0;
   readonly cornered = false;
   readonly reach: number;
-  /** M of nᵀ M n, the square of how far it reaches along n: xx, yy, zz, xy, xz, yz. */
-  readonly #squares: readonly number[];
+  /** M of nᵀ M n, the square of how far it reaches along n. */
+  readonly #squares: Squares;
 
   /** `reach`: the longest of its half axes. */
-  constructor(squares: readonly number[], reach: number) {
+  constructor(squares: Squares, reach: number) {
     this.#squares = squares;
     this.reach = reach;
   }
 
   support(x: number, y: number, z: number, out: Flat): void {
-    const [xx, yy, zz, xy, xz, yz] = this.#squares as [
-      number,
-      number,
-      number,
-      number,
-      number,
-      number,
-    ];
+    const [xx, yy, zz, xy, xz, yz] = this.#squares;
     const u = xx * x + xy * y + xz * z;
     const v = xy * x + yy * y + yz * z;
     const w = xz * x + yz * y + zz * z;
