@@ -34,12 +34,8 @@ export interface Workshop {
 /** Bullet keeps this margin inside boxes and cylinders; a thin part needs a thinner one (measured). */
 const marginFor = (halfExtent: number): number => Math.min(0.04, 0.1 * halfExtent);
 
-/** By how much a shape of Bullet's reaches beyond what it stands for at most, metres. */
-export const MOST_GROWN = 0.005;
-
 /** A hull, and Bullet's cone, grows by its margin: small enough not to be seen, large enough for a stable contact search. */
-export const hullMarginFor = (halfExtent: number): number =>
-  Math.min(MOST_GROWN, 0.02 * halfExtent);
+export const hullMarginFor = (halfExtent: number): number => Math.min(0.005, 0.02 * halfExtent);
 
 /** Parts thinner than this (metres) are made this thick: Bullet's contact search needs a volume. */
 export const THINNEST = 1e-4;

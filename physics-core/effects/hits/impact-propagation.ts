@@ -1,11 +1,8 @@
-import { distanceBetween } from '../../engine/body-heap.js';
 import type { ContactPoint } from '../../engine/contact-point.js';
-import { breakingAt } from '../../engine/manifold.js';
 import { pairTestOf } from '../../engine/pair-test.js';
 import type { Body } from '../../dynamics/body.js';
 import { isDirected, type ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { MOST_GROWN } from '../../shapes/build.js';
 import { Blow, MOST_HITS } from './blow.js';
 import { continuousCollision } from './effects.js';
 import { hitShapeOf, type HitShape } from './hit-shape.js';
@@ -225,12 +222,12 @@ export class ImpactPropagation extends Effect implements ContactListener {
   }
 
   /** What was turned back in the round before may lie against something. */
-  readonly #lookBehind = (manifold: number, a: number, b: number): void => {
+  readonly #lookBehind = (_: number, a: number, b: number): void => {
     if (this.#struckIn(a, this.#steps - 1) || this.#struckIn(b, this.#steps - 1))
-      this.#lookAt(manifold, a, b);
+      this.#lookAt(_, a, b);
   };
 
-  readonly #lookAt = (manifold: number, a: number, b: number): void => {
+  readonly #lookAt = (_: number, a: number, b: number): void => {
     const { engine, bullet } = this.#simulation;
     const first = this.#simulation.bodyAt(a);
     const second = this.#simulation.bodyAt(b);
@@ -238,8 +235,6 @@ export class ImpactPropagation extends Effect implements ContactListener {
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
     this.#seen.add(key);
-    const nearest = distanceBetween(engine.ammo, a, b) - first.reach - second.reach;
-    if (nearest > 2 * MOST_GROWN + breakingAt(engine.ammo, manifold)) return;
     const pairTest = pairTestOf(engine);
     const from = pairTest.count;
     pairTest.touch(first.body, second.body);
