@@ -9,6 +9,7 @@ const LABS: Record<string, string> = {
   page: './page/index.js',
   predict: './predict.js',
   price: './price/index.js',
+  site: './site.js',
   stability: './stability/index.js',
 };
 const [asked = ''] = process.argv.slice(2);

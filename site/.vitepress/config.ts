@@ -58,6 +58,11 @@ export default defineConfig({
     Object.assign(frontmatter, { aside: false, pageClass: 'gallery' });
   },
   vite: { plugins: [storiesBeside(base)] },
+  // VitePress itself says so only when its script runs, and the bar would move then.
+  transformHtml: (html) =>
+    html.includes('VPNavBarTitle has-sidebar')
+      ? html.replace('class="VPNavBar"', 'class="VPNavBar has-sidebar"')
+      : html,
   markdown: {
     // The contrast that small text needs.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },

@@ -12,9 +12,12 @@ const HEIGHT = '340';
 const escaped = (text: string): string =>
   text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
 
+/** And nothing beside it: no buttons, no words. */
+const isScene = (markup: string): boolean => /^\s*<x3d\b[^]*<\/x3d>\s*$/.test(markup);
+
 /** In a frame of its own: its scripts run as in a page, and its WebGL context goes with it. */
 const running = (markup: string, base: string, height = HEIGHT, title = 'The example, running') =>
-  `<iframe v-pre class="live" loading="lazy" height="${height}" title="${escaped(title)}" srcdoc="${escaped(frame(markup, base))}"></iframe>\n`;
+  `<iframe v-pre class="live${isScene(markup) ? '' : ' with-more'}" loading="lazy" height="${height}" title="${escaped(title)}" srcdoc="${escaped(frame(markup, base))}"></iframe>\n`;
 
 const folded = (code: string): string =>
   `<details class="markup"><summary>Its markup</summary>${code}</details>\n`;

@@ -17,9 +17,9 @@ const WITHIN = `
     };
     follow();
     new MutationObserver(follow).observe(site, { attributeFilter: ['class'] });
-    const given = frameElement.height;
+    const { height, style } = frameElement;
     new ResizeObserver(() => {
-      frameElement.height = innerWidth < 500 ? Math.min(given, own.offsetHeight + 2) : given;
+      style.height = innerWidth < 500 ? Math.min(height, own.offsetHeight + 2) + 'px' : '';
     }).observe(own);
   }
 </script>`;

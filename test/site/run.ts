@@ -1,11 +1,13 @@
-// The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, what it says to
-// copy runs, and so does each scene in it, the stories of its reference pages among them; each that is live is fit to be seen.
+// The documentation site: it builds, its links lead somewhere, its search finds fields, axe finds nothing, nothing moves
+// while a page arrives, what it says to copy runs, and so does each scene in it, the stories of its reference pages among
+// them; each that is live is fit to be seen.
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
 import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
+import { arrivals, unsettled } from './checks/arriving.js';
 import { miscopied } from './checks/copied.js';
 import { deadLinks } from './checks/links.js';
 import { ugly } from './checks/look.js';
@@ -45,6 +47,7 @@ async function lookAt(all: Page[], address: string): Promise<Result[]> {
   const shown = examples.filter(({ live }) => live);
   const results = [
     await checked('the search', 1, notFound(browser, address)),
+    await checked('how pages arrive', arrivals, unsettled(browser, address)),
     await checked('what is copied', 1, miscopied(browser, address)),
     await checked('axe', all.length, inaccessible(browser, address, all)),
     await checked('scenes that run', examples.length, broken(browser, address, examples)),

@@ -1,4 +1,5 @@
-import DefaultTheme from 'vitepress/theme';
+// The visitor's own font: one that comes later moves all lines, and weighs as much as the library's core and contacts.
+import DefaultTheme from 'vitepress/theme-without-fonts';
 import { h, type App } from 'vue';
 import { withBase } from 'vitepress';
 import { galleryTiles } from './tiles.js';

@@ -1,5 +1,7 @@
 import { expect } from 'chai';
 import '../console.js';
+import { touch } from '../bridge/outward/dragging/hand.js';
+import { until } from '../scene.js';
 import { openText, type PageWindow } from '../page.js';
 import { GALLERY } from '../../../site/.vitepress/gallery.js';
 import { frame } from '../../../site/markdown/frame.js';
@@ -80,4 +82,22 @@ describe('the gallery', () => {
       expect([...page.faults, ...wrong]).to.eql([]);
     });
   }
+
+  it('car-on-hills: it drives while a thumb is on the pad, and no longer', async () => {
+    const page = await shown('car-on-hills');
+    const find = (selector: string) => page.document.querySelector(selector)!;
+    const motor = () => (find('x3d-double-axis-hinge-joint') as any).desiredAngularVelocity2;
+    const car = find('#car') as any;
+    const world = await car.world.ready;
+    world.paused = true;
+    const { x, y } = find('[data-drive="1"]').getBoundingClientRect();
+    const { left, top } = page.frameElement!.getBoundingClientRect();
+    await touch('start', [Math.round(left + x + 20), Math.round(top + y + 15)]);
+    await until(() => motor() === 18);
+    const [from] = car.position;
+    world.advance(2);
+    expect(car.position[0] - from).to.be.above(4);
+    await touch('end');
+    await until(() => motor() === 0);
+  });
 });
