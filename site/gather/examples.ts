@@ -12,11 +12,11 @@ export interface Example {
   group: string;
   name: string;
   markup: string;
-  /** Where the site has one, when it is built with pictures. */
-  picture?: string;
+  /** Where the site has it, when it is built with pictures. */
+  picture: string;
 }
 
-type Found = Omit<Example, 'id'>;
+type Found = Omit<Example, 'id' | 'picture'> & Partial<Pick<Example, 'picture'>>;
 
 interface Story {
   name?: string;
@@ -162,7 +162,9 @@ const rankOf = ({ group }: Found): number =>
 export function menuOf(found: readonly Found[]): Example[] {
   const named = found.map(({ group, name, ...rest }) => {
     const own = NAMES[`${group}/${name}`] ?? name;
-    return { id: idOf(own), group: GROUPS[group] ?? group, name: own, ...rest };
+    const id = idOf(own);
+    const picture = `scenes/pictures/${id}.jpg`;
+    return { id, group: GROUPS[group] ?? group, name: own, picture, ...rest };
   });
   for (const key of ['id', 'markup'] as const) {
     const seen = new Map<string, Example>();

@@ -6,7 +6,7 @@ import { examples } from './examples.js';
 import { forSite } from './links.js';
 import { llmsTexts } from './llms.js';
 import { referencePages } from './reference.js';
-import { copyThumbnails } from './thumbnails.js';
+import { copyThumbnails, MENU } from './thumbnails.js';
 
 const [library = 'dist'] = process.argv.slice(2);
 
@@ -52,7 +52,6 @@ for (const folder of [GENERATED, PUBLIC]) rmSync(folder, { recursive: true, forc
 copyScripts();
 copyPages();
 copyFirstPage();
-copyThumbnails();
 
 /** When all pages are there. */
 function writeTexts(): void {
@@ -61,4 +60,5 @@ function writeTexts(): void {
   writeFileSync(`${PUBLIC}/llms-full.txt`, full);
 }
 writeTexts();
-writeFileSync(`${PUBLIC}/scenes/examples.json`, JSON.stringify(await examples()));
+writeFileSync(`${PUBLIC}/${MENU}`, JSON.stringify(await examples()));
+copyThumbnails();

@@ -1,31 +1,41 @@
-// Pictures of the gallery's scenes, taken while they run. What a scene's text has not changed is taken from the last time,
-// so that a second build costs nothing; where there is no browser its page shows a plain tile.
+// Pictures of the gallery's scenes, and smaller ones of all others that the playground's menu opens, taken while they run. What a scene's text has not changed is taken from the last time,
+// so that a second build costs nothing; where there is no browser a page shows a plain tile, and the menu names alone.
 //   node --import tsx site/gather/thumbnails.ts      takes those that are missing
 import { createHash } from 'node:crypto';
-import { cpSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { chromium, type Browser } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
 // @ts-expect-error plain JavaScript
 import { serve } from '../../tools/docs/static-files.js';
 import { GALLERY } from '../.vitepress/gallery.js';
 import { frame } from '../markdown/frame.js';
+import type { Example } from './examples.js';
 
 const PUBLIC = 'site/public';
+/** What the playground's menu opens, in the public folder. */
+export const MENU = 'scenes/examples.json';
 const KEPT = 'site/.vitepress/cache/thumbnails';
 const PORT = 6246;
 
 /** Pixels: twice what a tile shows on a desk. */
 const SIZE = { width: 640, height: 400 };
+/** And in the menu, where a picture has 72 x 45. */
+const SMALL = { width: 240, height: 150 };
 
 /** Seconds that a scene runs before its picture, where its page says nothing else. */
 const AFTER = 2;
+/** And one that is looked at as small as in the menu: what falls is still on its way. */
+const SOON = 0.8;
 
 /** Milliseconds that a page may take to load, on a machine that is busy with other things. */
 const LONGEST = 120_000;
 
 interface Scene {
-  name: string;
+  /** Of its picture, from where the site lies. */
+  path: string;
   html: string;
+  size: typeof SIZE;
   after: number;
   /** Where its picture is kept: another text, another name. */
   kept: string;
@@ -36,19 +46,32 @@ const FENCE = /^```html live[^\n]*\n([^]*?)\n```$/m;
 const hashOf = (...texts: string[]): string =>
   createHash('sha256').update(texts.join('\0')).digest('hex').slice(0, 16);
 
-function sceneOf(name: string): Scene {
-  const page = readFileSync(`site/gallery/${name}.md`, 'utf8');
-  const html = frame(FENCE.exec(page)![1]!, '/');
-  const after = Number(/^after: (.*)$/m.exec(page)?.[1] ?? AFTER);
-  const hash = hashOf(html, readFileSync('site/markdown/frame.css', 'utf8'), String(after));
-  return { name, html, after, kept: `${KEPT}/${name}-${hash}.jpg` };
+const STYLE = 'site/markdown/frame.css';
+
+function sceneOf(path: string, markup: string, size: typeof SIZE, after: number): Scene {
+  const html = frame(markup, '/');
+  const hash = hashOf(html, readFileSync(STYLE, 'utf8'), String(after), JSON.stringify(size));
+  return { path, html, size, after, kept: `${KEPT}/${basename(path, '.jpg')}-${hash}.jpg` };
 }
+
+function ofGallery(name: string): Scene {
+  const page = readFileSync(`site/gallery/${name}.md`, 'utf8');
+  const after = Number(/^after: (.*)$/m.exec(page)?.[1] ?? AFTER);
+  return sceneOf(`gallery/${name}.jpg`, FENCE.exec(page)![1]!, SIZE, after);
+}
+
+/** A scene's own size: there it is as large as its picture. */
+const OWN_SIZE = /(?<=<x3d\b[^>]*)\s(?:width|height|style)="[^"]*"/gi;
+
+/** Those that have no page in the gallery. */
+const ofMenu = ({ picture, markup }: Example): Scene =>
+  sceneOf(picture, markup.replaceAll(OWN_SIZE, ''), SMALL, SOON);
 
 /** Runs in the page: its world, as far as it is to be seen, and still. */
 const RUN = async (after: number): Promise<void> => {
   const x3d = document.querySelector('x3d') as unknown as { runtime: { triggerRedraw(): void } };
   const { worldOf } = await import('/x3d-physics/x3d-physics.js' as string);
-  const world = worldOf(document.querySelector('x3d-rigid-body'));
+  const world = worldOf(document.querySelector('x3d-rigid-body, RigidBody'));
   await world.ready;
   world.paused = true;
   // Piece by piece: what a scene does by its script comes in between.
@@ -64,7 +87,7 @@ const RUN = async (after: number): Promise<void> => {
 };
 
 async function take(browser: Browser, address: string, scene: Scene): Promise<void> {
-  const tab = await browser.newPage({ viewport: SIZE, colorScheme: 'light' });
+  const tab = await browser.newPage({ viewport: scene.size, colorScheme: 'light' });
   tab.setDefaultTimeout(LONGEST);
   await tab.route('**/scene', (route) =>
     route.fulfill({ contentType: 'text/html', body: scene.html }),
@@ -86,7 +109,7 @@ async function takeAll(scenes: Scene[]): Promise<void> {
   const worker = async (): Promise<void> => {
     for (let scene = left.shift(); scene; scene = left.shift())
       await take(browser, `http://localhost:${port}`, scene).catch((error: Error) =>
-        console.log(`The gallery has a plain tile for ${scene.name}: ${error.message}`),
+        console.log(`There is no picture ${scene.path}: ${error.message}`),
       );
   };
   try {
@@ -97,13 +120,16 @@ async function takeAll(scenes: Scene[]): Promise<void> {
   }
 }
 
-const all = (): Scene[] => Object.keys(GALLERY).map(sceneOf);
+const all = (): Scene[] => {
+  const menu = JSON.parse(readFileSync(`${PUBLIC}/${MENU}`, 'utf8')) as Example[];
+  const others = menu.filter(({ picture }) => !picture.startsWith('gallery/'));
+  return [...Object.keys(GALLERY).map(ofGallery), ...others.map(ofMenu)];
+};
 
 /** Puts those that were taken before beside the site's other pictures. */
 export function copyThumbnails(): void {
-  mkdirSync(`${PUBLIC}/gallery`, { recursive: true });
-  for (const { name, kept } of all())
-    if (existsSync(kept)) cpSync(kept, `${PUBLIC}/gallery/${name}.jpg`);
+  for (const { path, kept } of all())
+    if (existsSync(kept)) cpSync(kept, `${PUBLIC}/${path}`, { recursive: true });
 }
 
 async function main(): Promise<void> {
@@ -112,7 +138,7 @@ async function main(): Promise<void> {
     try {
       await takeAll(missing);
     } catch (error) {
-      console.log(`The gallery has plain tiles instead of pictures: ${(error as Error).message}`);
+      console.log(`There are no pictures of scenes: ${(error as Error).message}`);
     }
   }
   copyThumbnails();

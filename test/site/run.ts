@@ -12,6 +12,7 @@ import { miscopied } from './checks/copied.js';
 import { deadLinks } from './checks/links.js';
 import { ugly } from './checks/look.js';
 import { pages, type Page } from './checks/pages.js';
+import { menu, unpictured } from './checks/pictures.js';
 import { notFound } from './checks/search.js';
 import { broken } from './checks/running.js';
 import { scenes, stories } from './checks/sources.js';
@@ -63,6 +64,7 @@ async function main(): Promise<number> {
   const { port, close } = await serveDocs(PORT);
   const results = [
     result(all.length, deadLinks(all)),
+    result(menu().length, unpictured(menu())),
     ...(await lookAt(all, `http://localhost:${port}`)),
   ];
   await close();
