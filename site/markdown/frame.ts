@@ -18,9 +18,11 @@ const WITHIN = `
     follow();
     new MutationObserver(follow).observe(site, { attributeFilter: ['class'] });
     const { height, style } = frameElement;
-    new ResizeObserver(() => {
+    const fit = new ResizeObserver(() => {
       style.height = innerWidth < 500 ? Math.min(height, own.offsetHeight + 2) + 'px' : '';
-    }).observe(own);
+    });
+    // Not before all of it is there.
+    addEventListener('DOMContentLoaded', () => fit.observe(own));
   }
 </script>`;
 
