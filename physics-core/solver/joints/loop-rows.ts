@@ -84,8 +84,9 @@ export class LoopRows {
         for (const other of meeting)
           if (one !== other) neighbours[numbers.get(one)!]!.add(numbers.get(other)!);
     const sizes = [...joints].map((joint) => rowCount[joint]!);
-    const pattern = new SparsePattern(neighbours, MOST_PRODUCTS);
-    if (pattern.tangled) return undefined;
+    const pattern = new SparsePattern();
+    if (!pattern.find(neighbours, [new Set(neighbours.keys())], MOST_PRODUCTS, true))
+      return undefined;
     const matrix = new SparseCholesky(pattern, sizes);
     const couplings: Coupling[] = [];
     for (const [body, meeting] of meetings)
@@ -103,11 +104,11 @@ export class LoopRows {
     numbers: ReadonlyMap<number, number>,
     matrix: SparseCholesky,
   ): Coupling {
-    const { block, straight } = matrix.pattern.between(numbers.get(one)!, numbers.get(other)!);
-    const [a, b] = straight ? [one, other] : [other, one];
-    const first = this.#side(a, body);
-    const second = this.#side(b, body);
-    return { a, b, first, second, at: matrix.block(block) };
+    const block = matrix.pattern.between(numbers.get(one)!, numbers.get(other)!);
+    if (block < 0) return this.#couple(body, other, one, numbers, matrix);
+    const first = this.#side(one, body);
+    const second = this.#side(other, body);
+    return { a: one, b: other, first, second, at: matrix.block(block) };
   }
 
   /** Where the rows of a joint begin, as one of its bodies sees them. */

@@ -1,4 +1,5 @@
 import { grownInt } from '../../base/grown.js';
+import { SparsePattern } from './sparse-pattern.js';
 
 // L Lᵀ of a symmetric positive definite matrix of 6 × 6 blocks, one row of blocks for each body, most of them empty.
 
@@ -7,27 +8,21 @@ export const SIZE = 6;
 export const BLOCK = 36;
 
 /**
- * A sparse block matrix and its factor. Blocks are full, row after row; those off the diagonal lie below it, and of those on
- * it only the lower half is looked at. Bodies whose blocks change from one factor to the next are eliminated last: what
- * comes before them is factored once.
+ * A sparse matrix of such blocks and its factor. Blocks are full, row after row; those off the diagonal lie below it, and of
+ * those on it only the lower half is looked at. Bodies whose blocks change from one factor to the next are eliminated last:
+ * what comes before them is factored once.
  */
-export class SparseCholesky {
+export class BlockCholesky {
   /** Rows of blocks. */
   count = 0;
-  readonly #changing = new Set<number>();
-  /** Rows that do not change come before this one, and so many products are theirs. */
+  readonly #pattern = new SparsePattern();
+  /** Rows that do not change come before this one, and so many targets of products are theirs. */
   #firstChanging = 0;
-  #constantProducts = 0;
-  /** Number of the row in which a body is eliminated. */
-  #place = new Int32Array(16);
-  /** Where the column of a row begins in `#rows`; its blocks off the diagonal follow those on it in `values`. */
-  #starts = new Int32Array(17);
-  #rows = new Int32Array(16);
-  /** Where the products of a column's blocks go, in the order in which they are taken. */
-  #targets = new Int32Array(16);
-  /** The diagonal blocks by row, then the others in the order of `#rows`; behind them those that change, as the rest leaves them. */
+  #constantTargets = 0;
+  /** The diagonal blocks by row, then the others as the pattern has them; behind them those that change, as the rest leaves them. */
   values = new Float64Array(2 * BLOCK);
   readonly #neighbours: Set<number>[] = [];
+  readonly #changing = new Set<number>();
   /** Who is connected (a count + b) and who changes (-1 - i), in the order in which it is told, and how many of that. */
   #told = new Int32Array(64);
   #toldCount = 0;
@@ -36,8 +31,6 @@ export class SparseCholesky {
   #knownCount = -1;
   #knownBodies = 0;
   #permuted = new Float64Array(SIZE);
-  /** Products of two blocks that factoring takes: its cost. */
-  products = 0;
 
   // ---- structure ----------------------------------------------------------------------------------------------------
 
@@ -69,17 +62,20 @@ export class SparseCholesky {
     return true;
   }
 
-  /**
-   * Finds an order of elimination (that of the least degree) and what it fills in, unless that is known. False: it takes more
-   * than `most` products.
-   */
+  /** Finds an order of elimination and what it fills in, unless that is known. False: it takes more than `most` products. */
   analyse(most: number): boolean {
     if (this.#isKnown()) return true;
     this.#knownCount = -1;
-    if (!this.#look(most)) return false;
-    const before = this.#known;
-    this.#known = this.#told;
-    this.#told = before;
+    this.#hear();
+    const constant = new Set<number>();
+    const changing = new Set<number>();
+    for (let i = 0; i < this.count; i++) (this.#changing.has(i) ? changing : constant).add(i);
+    this.#firstChanging = constant.size;
+    if (!this.#pattern.find(this.#neighbours, [constant, changing], most, false)) return false;
+    if (this.products > most) return false;
+    const room = 2 * this.#end;
+    if (this.values.length < room) this.values = new Float64Array(2 * room);
+    [this.#known, this.#told] = [this.#told, this.#known];
     this.#knownCount = this.#toldCount;
     this.#knownBodies = this.count;
     return true;
@@ -87,197 +83,114 @@ export class SparseCholesky {
 
   #hear(): void {
     const { count } = this;
-    for (let i = 0; i < count; i++) (this.#neighbours[i] ??= new Set()).clear();
+    const neighbours = this.#neighbours;
+    for (let i = 0; i < count; i++) (neighbours[i] ??= new Set()).clear();
     this.#changing.clear();
-    for (let i = 0; i < this.#toldCount; i++) {
-      const what = this.#told[i]!;
+    for (let t = 0; t < this.#toldCount; t++) {
+      const what = this.#told[t]!;
       if (what < 0) this.#changing.add(-1 - what);
-      else this.#join(Math.floor(what / count), what % count);
-    }
-  }
-
-  #join(a: number, b: number): void {
-    this.#neighbours[a]!.add(b);
-    this.#neighbours[b]!.add(a);
-  }
-
-  #look(most: number): boolean {
-    this.#hear();
-    const { count } = this;
-    if (this.#place.length < count) this.#place = new Int32Array(2 * count);
-    if (this.#starts.length <= count) this.#starts = new Int32Array(2 * count + 1);
-    const constant = new Set<number>();
-    const changing = new Set<number>();
-    for (let i = 0; i < count; i++) (this.#changing.has(i) ? changing : constant).add(i);
-    this.#firstChanging = constant.size;
-    const columns: number[][] = [];
-    this.products = 0;
-    for (const left of [constant, changing])
-      while (left.size > 0) {
-        const i = this.#leastDegree(left);
-        left.delete(i);
-        this.#place[i] = columns.length;
-        const near = [...this.#neighbours[i]!];
-        columns.push(near);
-        this.products += 1 + near.length + (near.length * (near.length + 1)) / 2;
-        if (this.products > most) return false;
-        this.#eliminate(i, near);
-      }
-    this.#lay(columns);
-    return true;
-  }
-
-  #leastDegree(left: Set<number>): number {
-    let best = -1;
-    let least = Infinity;
-    for (const i of left) {
-      const degree = this.#neighbours[i]!.size;
-      if (degree >= least) continue;
-      best = i;
-      least = degree;
-      if (degree <= 1) break;
-    }
-    return best;
-  }
-
-  #eliminate(i: number, near: readonly number[]): void {
-    for (const a of near) this.#neighbours[a]!.delete(i);
-    for (let p = 0; p < near.length; p++)
-      for (let q = 0; q < p; q++) this.#join(near[p]!, near[q]!);
-  }
-
-  #lay(columns: readonly number[][]): void {
-    const total = columns.reduce((sum, { length }) => sum + length, 0);
-    if (this.#rows.length < total) this.#rows = new Int32Array(2 * total);
-    const room = 2 * (this.count + total) * BLOCK;
-    if (this.values.length < room) this.values = new Float64Array(2 * room);
-    let at = 0;
-    columns.forEach((near, k) => {
-      this.#starts[k] = at;
-      const rows = near.map((i) => this.#place[i]!).sort((a, b) => a - b);
-      for (const row of rows) this.#rows[at++] = row;
-    });
-    this.#starts[this.count] = at;
-    this.#aim();
-  }
-
-  #aim(): void {
-    if (this.#targets.length < this.products) this.#targets = new Int32Array(2 * this.products);
-    const rows = this.#rows;
-    let next = 0;
-    for (let k = 0; k < this.count; k++) {
-      if (k === this.#firstChanging) this.#constantProducts = next;
-      for (let p = this.#starts[k]!; p < this.#starts[k + 1]!; p++) {
-        const i = rows[p]!;
-        for (let q = this.#starts[k]!; q < p; q++) this.#targets[next++] = this.#find(i, rows[q]!);
-        this.#targets[next++] = i * BLOCK;
+      else {
+        const a = Math.floor(what / count);
+        const b = what % count;
+        neighbours[a]!.add(b);
+        neighbours[b]!.add(a);
       }
     }
+  }
+
+  /** Of blocks, what factoring takes: its cost. Those that a block is divided by, or factored itself, count as well. */
+  get products(): number {
+    return this.count + this.#pattern.blocks + this.#pattern.products;
   }
 
   // ---- values -------------------------------------------------------------------------------------------------------
 
+  /** Where blocks end in `values`. */
+  get #end(): number {
+    return (this.count + this.#pattern.blocks) * BLOCK;
+  }
+
   clear(): void {
-    this.values.fill(0, 0, (this.count + this.#starts[this.count]!) * BLOCK);
+    this.values.fill(0, 0, this.#end);
   }
 
   /** Where the diagonal block of a body begins. */
   diagonal(i: number): number {
-    return this.#place[i]! * BLOCK;
+    return this.#pattern.place[i]! * BLOCK;
   }
 
   /** Where the block between two bodies begins; negative, less one: it is that of (b, a). */
   between(a: number, b: number): number {
-    const p = this.#place[a]!;
-    const q = this.#place[b]!;
-    return p > q ? this.#find(p, q) : -1 - this.#find(q, p);
-  }
-
-  /** The block of row `i` in column `k`, i > k. */
-  #find(i: number, k: number): number {
-    let low = this.#starts[k]!;
-    let high = this.#starts[k + 1]! - 1;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.#rows[middle]! < i) low = middle + 1;
-      else high = middle;
-    }
-    return (this.count + low) * BLOCK;
+    const block = this.#pattern.between(a, b);
+    return block < 0 ? -1 - (this.count - 1 - block) * BLOCK : (this.count + block) * BLOCK;
   }
 
   // ---- factor and solution ------------------------------------------------------------------------------------------
 
   /** Eliminates what does not change, once all of that is added. False: not positive definite. */
   factorConstant(): boolean {
-    if (!this.#factor(0, this.#firstChanging, 0)) return false;
-    const { values, count } = this;
-    const first = this.#firstChanging;
-    const end = (count + this.#starts[count]!) * BLOCK;
-    values.copyWithin(end + first * BLOCK, first * BLOCK, count * BLOCK);
-    const others = (count + this.#starts[first]!) * BLOCK;
-    values.copyWithin(end + others, others, end);
+    this.#constantTargets = this.#factor(0, this.#firstChanging, 0);
+    if (this.#constantTargets < 0) return false;
+    this.#copyChanging(0, this.#end);
     return true;
   }
 
   /** Only what changes is to be added anew. */
   restore(): void {
+    this.#copyChanging(this.#end, 0);
+  }
+
+  /** The blocks that change, diagonal and others, of all those that begin at `from`. */
+  #copyChanging(from: number, to: number): void {
     const { values, count } = this;
-    const first = this.#firstChanging;
-    const end = (count + this.#starts[count]!) * BLOCK;
-    values.copyWithin(first * BLOCK, end + first * BLOCK, end + count * BLOCK);
-    const others = (count + this.#starts[first]!) * BLOCK;
-    values.copyWithin(others, end + others, 2 * end);
+    const first = this.#firstChanging * BLOCK;
+    const others = (count + this.#pattern.starts[this.#firstChanging]!) * BLOCK;
+    values.copyWithin(to + first, from + first, from + count * BLOCK);
+    values.copyWithin(to + others, from + others, from + this.#end);
   }
 
   /** The rest, in place. False: not positive definite. */
   factor(): boolean {
-    return this.#factor(this.#firstChanging, this.count, this.#constantProducts);
+    return this.#factor(this.#firstChanging, this.count, this.#constantTargets) >= 0;
   }
 
-  #factor(first: number, end: number, next: number): boolean {
+  /** From the target `next` on; returns the one after all, or -1: not positive definite. */
+  #factor(first: number, end: number, next: number): number {
     const { values, count } = this;
-    const starts = this.#starts;
-    const targets = this.#targets;
+    const { starts, rows, targets } = this.#pattern;
     for (let k = first; k < end; k++) {
       const diagonal = k * BLOCK;
-      if (!factorBlock(values, diagonal)) return false;
+      if (!factorBlock(values, diagonal)) return -1;
       const from = (count + starts[k]!) * BLOCK;
       const to = (count + starts[k + 1]!) * BLOCK;
       divideRows(values, from, to, diagonal);
-      for (let p = from; p < to; p += BLOCK) {
-        for (let q = from; q < p; q += BLOCK) takeProduct(values, targets[next++]!, p, q);
-        takeSquare(values, targets[next++]!, p);
+      for (let p = from, b = starts[k]!; p < to; p += BLOCK, b++) {
+        takeSquare(values, rows[b]! * BLOCK, p);
+        for (let q = p + BLOCK; q < to; q += BLOCK)
+          takeProduct(values, (count + targets[next++]!) * BLOCK, q, p);
       }
     }
-    return true;
+    return next;
   }
 
   /** L Lᵀ x = b, in place; six numbers a body. */
   solve(x: Float64Array): void {
     const { values, count } = this;
-    const starts = this.#starts;
-    const rows = this.#rows;
+    const { place, starts, rows } = this.#pattern;
     if (this.#permuted.length < SIZE * count) this.#permuted = new Float64Array(2 * SIZE * count);
     const y = this.#permuted;
-    for (let i = 0; i < count; i++) copy(x, i * SIZE, y, this.#place[i]! * SIZE, SIZE);
+    for (let i = 0; i < count; i++) copy(x, i * SIZE, y, place[i]! * SIZE, SIZE);
     for (let k = 0; k < count; k++) {
+      const at = (count + starts[k]!) * BLOCK;
       forwardBlock(values, k * BLOCK, y, k * SIZE);
-      takeTimes(
-        values,
-        (count + starts[k]!) * BLOCK,
-        y,
-        k * SIZE,
-        rows,
-        starts[k]!,
-        starts[k + 1]!,
-      );
+      takeTimes(values, at, y, k * SIZE, rows, starts[k]!, starts[k + 1]!);
     }
     for (let k = count - 1; k >= 0; k--) {
       const at = (count + starts[k]!) * BLOCK;
       takeTransposedTimes(values, at, y, k * SIZE, rows, starts[k]!, starts[k + 1]!);
       backwardBlock(values, k * BLOCK, y, k * SIZE);
     }
-    for (let i = 0; i < count; i++) copy(y, this.#place[i]! * SIZE, x, i * SIZE, SIZE);
+    for (let i = 0; i < count; i++) copy(y, place[i]! * SIZE, x, i * SIZE, SIZE);
   }
 }
 

@@ -21,11 +21,12 @@ export class SparseCholesky {
   /** `sizes`: rows of each unknown. */
   constructor(pattern: SparsePattern, sizes: readonly number[]) {
     this.pattern = pattern;
-    const { size, order, starts, rows } = pattern;
-    this.#sizes = Int32Array.from(order, (unknown) => sizes[unknown]!);
+    const { size, place, starts, rows } = pattern;
+    this.#sizes = new Int32Array(size);
+    sizes.forEach((n, unknown) => (this.#sizes[place[unknown]!] = n));
     this.#firsts = new Int32Array(size + 1);
     this.#diagonalAt = new Int32Array(size);
-    this.#blockAt = new Int32Array(rows.length);
+    this.#blockAt = new Int32Array(pattern.blocks);
     let room = 0;
     for (let j = 0; j < size; j++) {
       const n = this.#sizes[j]!;
@@ -67,7 +68,7 @@ export class SparseCholesky {
         else for (let r = at; r < last; r += n) forward(this.numbers, diagonal, n, this.numbers, r);
       }
       for (let b = starts[j]!; b < end; b++) {
-        this.#reduceDiagonal(-1 - targets[target++]!, b, n);
+        this.#reduceDiagonal(rows[b]!, b, n);
         for (let a = b + 1; a < end; a++)
           this.#reduce(targets[target++]!, a, b, n, sizes[rows[a]!]!, sizes[rows[b]!]!);
       }

@@ -3,12 +3,12 @@ import { addContact } from '../rows/contact-blocks.js';
 import { addOuter, addSquare, gives, isBounded, R, type BoundRows } from '../rows/bound-rows.js';
 import type { Part } from '../part.js';
 import type { SolveBodies } from '../solve-bodies.js';
-import { SIZE, SparseCholesky } from '../matrix/block-cholesky.js';
+import { SIZE, BlockCholesky } from '../matrix/block-cholesky.js';
 import { PRODUCTS_PER_BODY } from '../tolerances.js';
 
 /** How what a part's contacts and joints push answers velocities, with the masses: Newton's matrix. */
 export class PartMatrix {
-  readonly #matrix = new SparseCholesky();
+  readonly #matrix = new BlockCholesky();
   readonly #contacts: ConeContacts;
   readonly #rows: BoundRows;
   readonly #bodies: SolveBodies;

@@ -1,9 +1,9 @@
 import { C } from './cone-contacts.js';
-import { SIZE, type SparseCholesky } from '../matrix/block-cholesky.js';
+import { SIZE, type BlockCholesky } from '../matrix/block-cholesky.js';
 
 /** Adds how a contact answers the velocities of its bodies, `p` and `q` of the matrix; -1: it does not move. */
 export function addContact(
-  matrix: SparseCholesky,
+  matrix: BlockCholesky,
   w: Float64Array,
   c: Float64Array,
   at: number,

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { cross, dot, length } from '../../../../physics-core/base/math.js';
 import { C, speeds, takePush } from '../../../../physics-core/solver/rows/cone-contacts.js';
 import { addContact } from '../../../../physics-core/solver/rows/contact-blocks.js';
-import { SparseCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
+import { BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { below, type Vec3 } from '../../helpers.js';
 import { anyContact, fullOf, minus, some, three } from './contacts.js';
 
@@ -62,7 +62,7 @@ void test('the blocks of a contact are Jᵀ W J, whichever of its bodies comes f
     const { c, at } = anyContact();
     const W = new Float64Array(9);
     for (let i = 0; i < 3; i++) for (let k = 0; k <= i; k++) W[3 * i + k] = W[3 * k + i] = some();
-    const matrix = new SparseCholesky();
+    const matrix = new BlockCholesky();
     matrix.begin(2);
     matrix.connect(0, 1);
     assert.ok(matrix.analyse(1000));
