@@ -75,7 +75,9 @@ export class BlockCholesky {
     if (this.products > most) return false;
     const room = 2 * this.#end;
     if (this.values.length < room) this.values = new Float64Array(2 * room);
-    [this.#known, this.#told] = [this.#told, this.#known];
+    const before = this.#known;
+    this.#known = this.#told;
+    this.#told = before;
     this.#knownCount = this.#toldCount;
     this.#knownBodies = this.count;
     return true;

@@ -158,7 +158,7 @@ export class StandingStart {
     }
     const { values: c, a, b } = this.#contacts;
     for (let i = this.#first[body]!; i >= 0; i = this.#next[i]!)
-      takePush(c, i * C.size, this.#bodies.momentum, a[i]!, b[i]!, C.impulse, 1);
+      takePush(c, i * C.size, this.#bodies.momentum, a[i]!, b[i]!, C.impulse);
   }
 
   /** λ = Wᵀ (W Wᵀ)⁻¹ of what is asked. */
