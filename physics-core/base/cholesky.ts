@@ -54,3 +54,15 @@ export function backward(
     for (let k = 0; k < i; k++) x[from + k]! -= l[row + k]! * value;
   }
 }
+
+/** L Lᵀ x = b, in place. */
+export function solve(
+  l: Float64Array,
+  at: number,
+  n: number,
+  x: Float64Array,
+  from: number,
+): void {
+  forward(l, at, n, x, from);
+  backward(l, at, n, x, from);
+}

@@ -1,4 +1,4 @@
-import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
+import { factor, rowOf, solve } from '../../base/cholesky.js';
 import { cross3, dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
 import { C, takePush, type ConeContacts } from '../rows/cone-contacts.js';
@@ -169,8 +169,7 @@ export class StandingStart {
     this.#readSum(body);
     for (let k = 0; k < SIZE; k++) x[k] = momentum[body * SIZE + k]!;
     if (!factor(this.#sum, 0, SIZE)) return false;
-    forward(this.#sum, 0, SIZE, x, 0);
-    backward(this.#sum, 0, SIZE, x, 0);
+    solve(this.#sum, 0, SIZE, x, 0);
     const c = this.#contacts.values;
     for (let i = this.#first[body]!; i >= 0; i = this.#next[i]!) {
       let push = 0;
