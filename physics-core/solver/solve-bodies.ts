@@ -40,10 +40,7 @@ export class SolveBodies {
     const { velocities: v, free, momentum, inertias, masses } = this;
     for (const body of bodies) {
       const i = body * SIZE;
-      const mass = masses[body]!;
-      momentum[i] = mass * (v[i]! - free[i]!);
-      momentum[i + 1] = mass * (v[i + 1]! - free[i + 1]!);
-      momentum[i + 2] = mass * (v[i + 2]! - free[i + 2]!);
+      for (let k = i; k < i + 3; k++) momentum[k] = masses[body]! * (v[k]! - free[k]!);
       const x = v[i + 3]! - free[i + 3]!;
       const y = v[i + 4]! - free[i + 4]!;
       const z = v[i + 5]! - free[i + 5]!;
@@ -59,19 +56,10 @@ export class SolveBodies {
     let most = 0;
     for (const body of bodies) {
       const i = body * SIZE;
-      const mass = masses[body]!;
-      const x = momentum[i + 3]!;
-      const y = momentum[i + 4]!;
-      const z = momentum[i + 5]!;
-      most = Math.max(
-        most,
-        Math.abs(momentum[i]! / mass),
-        Math.abs(momentum[i + 1]! / mass),
-        Math.abs(momentum[i + 2]! / mass),
-        Math.abs(turned(inverseInertias, 9 * body, x, y, z)),
-        Math.abs(turned(inverseInertias, 9 * body + 3, x, y, z)),
-        Math.abs(turned(inverseInertias, 9 * body + 6, x, y, z)),
-      );
+      for (let k = 0; k < 3; k++) {
+        const spin = dot3(inverseInertias, 9 * body + 3 * k, momentum, i + 3);
+        most = Math.max(most, Math.abs(momentum[i + k]! / masses[body]!), Math.abs(spin));
+      }
     }
     return most;
   }
