@@ -56,13 +56,7 @@ export function backward(
 }
 
 /** L Lᵀ x = b, in place. */
-export function solve(
-  l: Float64Array,
-  at: number,
-  n: number,
-  x: Float64Array,
-  from: number,
-): void {
+export function solve(l: Float64Array, at: number, n: number, x: Float64Array, from: number): void {
   forward(l, at, n, x, from);
   backward(l, at, n, x, from);
 }

@@ -40,7 +40,10 @@ export class SolveBodies {
     const { velocities: v, free, momentum, inertias, masses } = this;
     for (const body of bodies) {
       const i = body * SIZE;
-      for (let k = i; k < i + 3; k++) momentum[k] = masses[body]! * (v[k]! - free[k]!);
+      const mass = masses[body]!;
+      momentum[i] = mass * (v[i]! - free[i]!);
+      momentum[i + 1] = mass * (v[i + 1]! - free[i + 1]!);
+      momentum[i + 2] = mass * (v[i + 2]! - free[i + 2]!);
       const x = v[i + 3]! - free[i + 3]!;
       const y = v[i + 4]! - free[i + 4]!;
       const z = v[i + 5]! - free[i + 5]!;
@@ -56,10 +59,16 @@ export class SolveBodies {
     let most = 0;
     for (const body of bodies) {
       const i = body * SIZE;
-      for (let k = 0; k < 3; k++) {
-        const spin = dot3(inverseInertias, 9 * body + 3 * k, momentum, i + 3);
-        most = Math.max(most, Math.abs(momentum[i + k]! / masses[body]!), Math.abs(spin));
-      }
+      const mass = masses[body]!;
+      most = Math.max(
+        most,
+        Math.abs(momentum[i]! / mass),
+        Math.abs(momentum[i + 1]! / mass),
+        Math.abs(momentum[i + 2]! / mass),
+        Math.abs(dot3(inverseInertias, 9 * body, momentum, i + 3)),
+        Math.abs(dot3(inverseInertias, 9 * body + 3, momentum, i + 3)),
+        Math.abs(dot3(inverseInertias, 9 * body + 6, momentum, i + 3)),
+      );
     }
     return most;
   }

@@ -1,3 +1,4 @@
+import { addWrench } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
 
 // The contacts of a step as rows of numbers: where each is, what it asks, and what is known of it while it is solved.
@@ -138,28 +139,8 @@ export function takePush(
   const x = n * c[at]! + t * c[at + 3]! + u * c[at + 6]!;
   const y = n * c[at + 1]! + t * c[at + 4]! + u * c[at + 7]!;
   const z = n * c[at + 2]! + t * c[at + 5]! + u * c[at + 8]!;
-  if (a >= 0) takeWrench(g, 6 * a, c, at + C.armA, x, y, z);
-  if (b >= 0) takeWrench(g, 6 * b, c, at + C.armB, -x, -y, -z);
-}
-
-function takeWrench(
-  g: Float64Array,
-  i: number,
-  c: Float64Array,
-  arm: number,
-  x: number,
-  y: number,
-  z: number,
-): void {
-  const rx = c[arm]!;
-  const ry = c[arm + 1]!;
-  const rz = c[arm + 2]!;
-  g[i]! -= x;
-  g[i + 1]! -= y;
-  g[i + 2]! -= z;
-  g[i + 3]! -= ry * z - rz * y;
-  g[i + 4]! -= rz * x - rx * z;
-  g[i + 5]! -= rx * y - ry * x;
+  if (a >= 0) addWrench(g, 6 * a, c, at + C.armA, -x, -y, -z);
+  if (b >= 0) addWrench(g, 6 * b, c, at + C.armB, x, y, z);
 }
 
 /**
