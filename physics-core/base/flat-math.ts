@@ -27,39 +27,6 @@ export function cross3(
   out[o + 2] = a[i]! * b[j + 1]! - a[i + 1]! * b[j]!;
 }
 
-/** Velocity along x of the end of an arm of a body that moves as the six numbers from `v[i]` on say. */
-export const armVelocityX = (v: Numbers, i: number, arm: Numbers, j: number): number =>
-  v[i]! + v[i + 4]! * arm[j + 2]! - v[i + 5]! * arm[j + 1]!;
-
-/** Along y. */
-export const armVelocityY = (v: Numbers, i: number, arm: Numbers, j: number): number =>
-  v[i + 1]! + v[i + 5]! * arm[j]! - v[i + 3]! * arm[j + 2]!;
-
-/** Along z. */
-export const armVelocityZ = (v: Numbers, i: number, arm: Numbers, j: number): number =>
-  v[i + 2]! + v[i + 3]! * arm[j + 1]! - v[i + 4]! * arm[j]!;
-
-/** A push (x y z) at the end of an arm is added to the six numbers from `to[i]` on: itself, and arm × push. */
-export function addWrench(
-  to: Numbers,
-  i: number,
-  arm: Numbers,
-  j: number,
-  x: number,
-  y: number,
-  z: number,
-): void {
-  const rx = arm[j]!;
-  const ry = arm[j + 1]!;
-  const rz = arm[j + 2]!;
-  to[i]! += x;
-  to[i + 1]! += y;
-  to[i + 2]! += z;
-  to[i + 3]! += ry * z - rz * y;
-  to[i + 4]! += rz * x - rx * z;
-  to[i + 5]! += rx * y - ry * x;
-}
-
 /** out = a b for quaternions (x, y, z, w); `out` may be either of them. */
 export function multiply4(
   out: Numbers,

@@ -1,4 +1,4 @@
-// Symmetric 3 × 3 matrices inside flat arrays: nine numbers from an index on, or their lower triangle, six.
+// Symmetric 3 × 3 matrices inside flat arrays, nine numbers from an index on.
 
 /** Passes of turns: each leaves the square of what was beside the diagonal (six leave less than rounding). */
 const PASSES = 6;
@@ -72,19 +72,4 @@ export function invertSymmetric(m: Float64Array, out: Float64Array, at: number):
   out[at + 4] = share * (a * f - c * c);
   out[at + 5] = out[at + 7] = share * (b * c - a * e);
   out[at + 8] = share * (a * d - b * b);
-}
-
-/** out = M (x y z), of the lower triangle at `m[at]`. */
-export function multiplyTriangle(
-  out: Float64Array,
-  o: number,
-  m: Float64Array,
-  at: number,
-  x: number,
-  y: number,
-  z: number,
-): void {
-  out[o] = m[at]! * x + m[at + 1]! * y + m[at + 3]! * z;
-  out[o + 1] = m[at + 1]! * x + m[at + 2]! * y + m[at + 4]! * z;
-  out[o + 2] = m[at + 3]! * x + m[at + 4]! * y + m[at + 5]! * z;
 }

@@ -1,6 +1,6 @@
 import { dot3 } from '../base/flat-math.js';
 import { grown } from '../base/grown.js';
-import { SIZE } from './matrix/block-cholesky.js';
+import { SIZE } from './matrix/six-blocks.js';
 
 /** The bodies of a step that contacts move, six numbers each: linear, then angular. */
 export class SolveBodies {

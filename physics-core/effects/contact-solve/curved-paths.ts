@@ -8,8 +8,8 @@ import type { CoupledJoints } from './coupled-joints.js';
 import type { Part } from '../../solver/part.js';
 import { ProximalMasses } from '../../solver/methods/proximal-masses.js';
 import type { TouchingBodies } from './touching-bodies.js';
-import type { SolveState } from '../../solver/methods/solve-state.js';
-import { SIZE } from '../../solver/matrix/block-cholesky.js';
+import type { SolveState } from '../../solver/solve-state.js';
+import { SIZE } from '../../solver/matrix/six-blocks.js';
 import {
   CLOSED,
   CURVED_MATRICES,

@@ -1,8 +1,8 @@
 import { C, speeds } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
 import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/block-cholesky.js';
-import { SolveState } from '../methods/solve-state.js';
+import { SIZE } from '../matrix/six-blocks.js';
+import { SolveState } from '../solve-state.js';
 
 /** Joules, by the share of the way from a solution without bounce to that with it: a + b s + c s². */
 interface Work {

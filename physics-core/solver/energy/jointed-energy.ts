@@ -2,7 +2,7 @@ import { R, rate } from '../rows/bound-rows.js';
 import { C } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
 import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 
 /**
  * Keeps contacts of jointed bodies from giving energy. Rows of joints lead along the round ways of the motion without

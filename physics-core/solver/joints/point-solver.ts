@@ -1,12 +1,6 @@
-import {
-  addWrench,
-  armVelocityX,
-  armVelocityY,
-  armVelocityZ,
-  cross3,
-  dot3,
-} from '../../base/flat-math.js';
-import { multiplyTriangle } from '../../base/symmetric.js';
+import { addWrench, armVelocityX, armVelocityY, armVelocityZ } from '../../base/arms.js';
+import { multiplyTriangle } from '../../base/cholesky.js';
+import { cross3, dot3 } from '../../base/flat-math.js';
 import { SIDE } from './blocks.js';
 import { ARMS, INVERSE_INERTIA, FACTORS, MASS, PARENT, PointFactors } from './point-factors.js';
 

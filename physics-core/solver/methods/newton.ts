@@ -13,7 +13,7 @@ import { clamp, gives, R, rate, takeAlong } from '../rows/bound-rows.js';
 import { energyGuards } from '../energy/energy-guards.js';
 import type { ContactSystem, Part } from '../part.js';
 import { PartMatrix } from './part-matrix.js';
-import { SIZE } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 import {
   CREEPING,
   CREEPING_OF_MANY,

@@ -2,7 +2,8 @@ import { stiffnessOf, C } from '../rows/cone-contacts.js';
 import { addContact } from '../rows/contact-blocks.js';
 import { addOuter, addSquare, gives, isBounded, R } from '../rows/bound-rows.js';
 import type { ContactSystem, Part } from '../part.js';
-import { SIZE, BlockCholesky } from '../matrix/block-cholesky.js';
+import { BlockCholesky } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 import { PRODUCTS_PER_BODY } from '../tolerances.js';
 
 /** How what a part's contacts and joints push answers velocities, with the masses: Newton's matrix. */

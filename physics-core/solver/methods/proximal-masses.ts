@@ -1,7 +1,7 @@
 import { dot3 } from '../../base/flat-math.js';
 import { invertSymmetric, makeSemidefinite } from '../../base/symmetric.js';
 import type { SolveBodies } from '../solve-bodies.js';
-import { SIZE } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 
 /** Numbers of a 3 × 3. */
 const SQUARE = 9;

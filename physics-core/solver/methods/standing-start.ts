@@ -4,7 +4,7 @@ import { grown, grownInt } from '../../base/grown.js';
 import { C, takePush, type ConeContacts } from '../rows/cone-contacts.js';
 import type { Part } from '../part.js';
 import type { SolveBodies } from '../solve-bodies.js';
-import { SIZE } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 import { BAND, FARTHEST_BUILT, LEVEL, MISS, SINGULAR } from '../tolerances.js';
 
 /** Where what has been built to touch goes on from: in the middle of where it bears as it lies, metres. */

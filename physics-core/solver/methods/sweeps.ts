@@ -2,7 +2,7 @@ import { cross3, dot3 } from '../../base/flat-math.js';
 import { R, rate } from '../rows/bound-rows.js';
 import { C, speeds } from '../rows/cone-contacts.js';
 import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 import {
   MISS_OF_MANY,
   PUSHES,

@@ -1,4 +1,4 @@
-import { addWrench } from '../../base/flat-math.js';
+import { addWrench } from '../../base/arms.js';
 import { grown, grownInt } from '../../base/grown.js';
 
 // The contacts of a step as rows of numbers: where each is, what it asks, and what is known of it while it is solved.

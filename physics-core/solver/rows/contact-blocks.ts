@@ -1,5 +1,6 @@
 import { C } from './cone-contacts.js';
-import { SIZE, type BlockCholesky } from '../matrix/block-cholesky.js';
+import type { BlockCholesky } from '../matrix/block-cholesky.js';
+import { SIZE } from '../matrix/six-blocks.js';
 
 /** Adds how a contact answers the velocities of its bodies, `p` and `q` of the matrix; -1: it does not move. */
 export function addContact(

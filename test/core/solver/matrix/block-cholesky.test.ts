@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { SIZE, BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
+import { BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
+import { SIZE } from '../../../../physics-core/solver/matrix/six-blocks.js';
 import { below } from '../../helpers.js';
 import { fullOf, next, some } from '../rows/contacts.js';
 

@@ -1,6 +1,7 @@
 import { cross, normalize, perpendicular } from '../../../../physics-core/base/math.js';
 import { C, ConeContacts } from '../../../../physics-core/solver/rows/cone-contacts.js';
-import { SIZE, type BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
+import type { BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
+import { SIZE } from '../../../../physics-core/solver/matrix/six-blocks.js';
 import { random, type Vec3 } from '../../helpers.js';
 
 // Any contacts, and matrices in full.

@@ -1,7 +1,7 @@
-import { R } from '../rows/bound-rows.js';
-import { C } from '../rows/cone-contacts.js';
-import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/block-cholesky.js';
+import { R } from './rows/bound-rows.js';
+import { C } from './rows/cone-contacts.js';
+import type { ContactSystem, Part } from './part.js';
+import { SIZE } from './matrix/six-blocks.js';
 
 /** What a solution of a part begins with and leaves: impulses of contacts and rows, velocities of bodies. */
 export class SolveState {
