@@ -1,4 +1,4 @@
-import { R, rate } from '../rows/bound-rows.js';
+import { isBounded, R, rate } from '../rows/bound-rows.js';
 import { C } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
 import type { ContactSystem, Part } from '../part.js';
@@ -64,8 +64,7 @@ export class JointedEnergy {
   #mayGive(i: number, curved: boolean): boolean {
     const { values: r, a, b } = this.#system.rows;
     const at = i * R.size;
-    const bounded = r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
-    return bounded || (!curved && (a[i]! < 0 || b[i]! < 0));
+    return isBounded(r, at) || (!curved && (a[i]! < 0 || b[i]! < 0));
   }
 
   #workOf(i: number): number {

@@ -20,7 +20,7 @@ import {
   FALL,
   LINE_FLAT,
   LINE_TRIES,
-  MANY,
+  FEW,
   MISS,
   MISS_OF_MANY,
   MISS_SHARE,
@@ -85,7 +85,8 @@ export class Newton {
 
   /** Whether velocities follow from the impulses that were found with them. */
   #follows(): boolean {
-    return energyGuards.explained(this.#unexplained(), this.#system.bodies.pace(this.#part.bodies));
+    const unexplained = this.#slope(C.impulse, R.impulse);
+    return energyGuards.explained(unexplained, this.#system.bodies.pace(this.#part.bodies));
   }
 
   #followsWithoutForesight(): boolean {
@@ -99,7 +100,7 @@ export class Newton {
   #begin(part: Part): void {
     this.#part = part;
     this.#matrix.begin(part);
-    const many = part.bodies.length > MANY;
+    const many = part.bodies.length > FEW;
     this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
     const loose = part.jointed ? this.loose : 0;
     const speed = many || loose > 0 ? this.#system.bodies.fastestOf(part.bodies) : 0;
@@ -118,8 +119,8 @@ export class Newton {
   /** What it begins with is its end, as far as that was kept; what joints pull is kept in double precision. */
   #stands(): boolean {
     const { bodies, jointed } = this.#part;
-    const rounded = bodies.length > MANY && !jointed ? ROUNDED * this.#greatestLoad() : 0;
-    return this.#readSlope() < this.#still + rounded;
+    const rounded = bodies.length > FEW && !jointed ? ROUNDED * this.#greatestLoad() : 0;
+    return this.#slope(C.pushed, R.pushed) < this.#still + rounded;
   }
 
   /** What contacts push a body by, all pushes taken alike: as a speed or a spin of it, m/s or rad/s. */
@@ -202,7 +203,7 @@ export class Newton {
   #minimise(): boolean {
     this.#readMisses();
     for (let step = 0; step < NEWTON_STEPS; step++) {
-      if (this.#readSlope() < this.#still) return true;
+      if (this.#slope(C.pushed, R.pushed) < this.#still) return true;
       if (this.used++ >= this.#most || !this.#matrix.factor()) return false;
       // Newton's direction goes to `change`.
       const size = this.#matrix.solve();
@@ -233,16 +234,10 @@ export class Newton {
     }
   }
 
-  /** The gradient goes to `momentum`. Returns the greatest speed that it would take from a body by itself. */
-  #readSlope(): number {
-    return this.#slope(C.pushed, R.pushed);
-  }
-
-  /** The same of the impulses that were found: the greatest speed that does not follow from them. */
-  #unexplained(): number {
-    return this.#slope(C.impulse, R.impulse);
-  }
-
+  /**
+   * The gradient goes to `momentum`. Returns the greatest speed that it would take from a body by itself: what does not follow
+   * from these numbers of contacts and rows, which are impulses.
+   */
   #slope(pushes: number, pushesOfRows: number): number {
     const { values: c, a, b } = this.#system.contacts;
     const { momentum } = this.#system.bodies;
