@@ -1,7 +1,5 @@
 import type { Component } from './forest.js';
-
-/** Steps for which what was found of a component counts. */
-const STEPS = 30;
+import { RECENT_STEPS } from '../tolerances.js';
 
 /** Components of which something was found a few steps ago: that they are taut, or that an edit had torn them. */
 export class Recent {
@@ -12,7 +10,7 @@ export class Recent {
   }
 
   begin(component: Component): void {
-    this.#left.set(component, STEPS);
+    this.#left.set(component, RECENT_STEPS);
   }
 
   /** Steps for which it still counts; 0: not at all. */
