@@ -30,6 +30,34 @@ export const examples: Facts = {
     assert.deepEqual(tab.errors, []);
   },
 
+  'each scene of the gallery goes on while its light is edited, and is patched': async (
+    browser,
+    address,
+  ) => {
+    const tab = await Tab.open(browser, address);
+    const names = await tab.page.locator('optgroup[label="Gallery"] option').allTextContents();
+    assert.ok(names.length >= 16, `${names.length} scenes`);
+    for (const name of names) {
+      await tab.choose(name);
+      await tab.started();
+      await tab.scene.evaluate(() => {
+        const x3d = document.querySelector('x3d')!;
+        (window as any).before = [x3d, (window as any).worldOf(x3d)];
+      });
+      await tab.replace('shadowIntensity="0.45"', 'shadowIntensity="0.4"');
+      const after = await tab.scene.evaluate(() => {
+        const x3d = document.querySelector('x3d')!;
+        const [element, world] = (window as any).before;
+        return {
+          isSame: element === x3d && world === (window as any).worldOf(x3d),
+          light: x3d.querySelector('directionallight')!.getAttribute('shadowIntensity'),
+        };
+      });
+      assert.deepEqual(after, { isSame: true, light: '0.4' }, name);
+    }
+    assert.deepEqual(tab.errors, []);
+  },
+
   'no two examples have one name; the chosen one stays shown, and is in the address': async (
     browser,
     address,
