@@ -4,21 +4,6 @@
 /** Where row `i` of a triangle begins. */
 export const rowOf = (i: number): number => (i * (i + 1)) >> 1;
 
-/** out = M (x y z), for the triangle of three rows at `at`. */
-export function multiplyTriangle(
-  out: Float64Array,
-  o: number,
-  m: Float64Array,
-  at: number,
-  x: number,
-  y: number,
-  z: number,
-): void {
-  out[o] = m[at]! * x + m[at + 1]! * y + m[at + 3]! * z;
-  out[o + 1] = m[at + 1]! * x + m[at + 2]! * y + m[at + 4]! * z;
-  out[o + 2] = m[at + 3]! * x + m[at + 4]! * y + m[at + 5]! * z;
-}
-
 /** Cholesky factor of the triangle of `n` rows at `at`, in place. False: not positive definite. */
 export function factor(a: Float64Array, at: number, n: number): boolean {
   for (let j = 0; j < n; j++) {
@@ -68,10 +53,4 @@ export function backward(
     x[from + i] = value;
     for (let k = 0; k < i; k++) x[from + k]! -= l[row + k]! * value;
   }
-}
-
-/** L Lᵀ x = b, in place. */
-export function solve(l: Float64Array, at: number, n: number, x: Float64Array, from: number): void {
-  forward(l, at, n, x, from);
-  backward(l, at, n, x, from);
 }

@@ -1,16 +1,6 @@
 import { grownInt } from '../base/grown.js';
-import type { BoundRows } from './rows/bound-rows.js';
-import type { ConeContacts } from './rows/cone-contacts.js';
-import type { SolveBodies } from './solve-bodies.js';
 
-/** All that is in touch in a step: bodies, contacts between them, and rows of joints. */
-export interface ContactSystem {
-  readonly bodies: SolveBodies;
-  readonly contacts: ConeContacts;
-  readonly rows: BoundRows;
-}
-
-/** Bodies that hang together by contacts and joints, and what holds them: by their numbers in the system. */
+/** Bodies that hang together by contacts and joints, and what holds them: numbers of a step's bodies, contacts and rows. */
 export interface Part {
   readonly bodies: number[];
   /** Pointers of Bullet's manifolds. */

@@ -1,6 +1,6 @@
 import { dot3 } from '../base/flat-math.js';
 import { grown } from '../base/grown.js';
-import { SIZE } from './matrix/six-blocks.js';
+import { SIZE } from './matrix/block-cholesky.js';
 
 /** The bodies of a step that contacts move, six numbers each: linear, then angular. */
 export class SolveBodies {
@@ -60,14 +60,17 @@ export class SolveBodies {
     for (const body of bodies) {
       const i = body * SIZE;
       const mass = masses[body]!;
+      const x = momentum[i + 3]!;
+      const y = momentum[i + 4]!;
+      const z = momentum[i + 5]!;
       most = Math.max(
         most,
         Math.abs(momentum[i]! / mass),
         Math.abs(momentum[i + 1]! / mass),
         Math.abs(momentum[i + 2]! / mass),
-        Math.abs(dot3(inverseInertias, 9 * body, momentum, i + 3)),
-        Math.abs(dot3(inverseInertias, 9 * body + 3, momentum, i + 3)),
-        Math.abs(dot3(inverseInertias, 9 * body + 6, momentum, i + 3)),
+        Math.abs(turned(inverseInertias, 9 * body, x, y, z)),
+        Math.abs(turned(inverseInertias, 9 * body + 3, x, y, z)),
+        Math.abs(turned(inverseInertias, 9 * body + 6, x, y, z)),
       );
     }
     return most;

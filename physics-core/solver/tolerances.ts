@@ -17,8 +17,8 @@ export const STILL = 1e-7;
  */
 export const ROUNDED = 2 ** -22;
 
-/** Bodies of one part: so many are few and get a matrix, however fast they are; more are many. */
-export const FEW = 24;
+/** More bodies of one part than this are many. */
+export const MANY = 24;
 
 /**
  * What a contact or a joint may miss by, m/s; of many bodies more, and a share of the greatest speed, too. What few drive
@@ -127,16 +127,9 @@ export const CLOSING_ROUNDS = 30;
 export const FIRST_GIVE = 1e-5;
 export const MOST_GIVE = 10;
 
-/** How many times as far after the next round that does not help, and as little after one that does. */
-export const GIVE_MORE = 30;
-export const GIVE_LESS = 3;
-
 /** An error that shrinks by less in a round is hardly worth it, and so many of those are the last. */
 export const CLOSING_PROGRESS = 0.9;
 export const CLOSING_TRIES = 3;
-
-/** Steps for which it counts that joints were found taut, or torn by an edit. */
-export const RECENT_STEPS = 30;
 
 // ---- Joints of what is in touch --------------------------------------------------------------------------------------
 
@@ -175,26 +168,13 @@ export const MOST_HELD_BACK = 1e6;
 /** Times that a way apart is halved, at most: then nothing is left of it. */
 export const HALVES = 8;
 
-// ---- Energy that contacts may not give ---------------------------------------------------------------------------------
-
-/** Share of all their work that contacts which bounce may give: rounding. */
-export const GIVEN_SHARE = 1e-3;
-
-/** What jointed bodies may have after contacts: of what they may have by right, and J. Round ways are rounded. */
-export const ROUND_WAYS = { share: 1.01, energy: 1e-9 };
-
-/**
- * Velocities that the impulses found with them do not lead to: of the greatest speed, and m/s or rad/s. What only is not
- * quite done mostly has less than a hundredth (measured in 5000 parts).
- */
-export const UNEXPLAINED = { share: 0.03, speed: 0.05 };
-
 // ---- Which method ----------------------------------------------------------------------------------------------------
 
 /**
- * Bodies of one part that may get a matrix besides those that are FEW, once all are slower than this, m/s, spin and all:
- * what a ball stirs without going anywhere has new contacts in each step.
+ * Bodies of one part that get a matrix, however fast they are; and those that may, once all are slower than this, m/s, spin
+ * and all: what a ball stirs without going anywhere has new contacts in each step.
  */
+export const FEW = 24;
 export const MOST_BODIES = 600;
 export const SLOW = 0.25;
 

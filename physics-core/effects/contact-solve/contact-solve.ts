@@ -24,9 +24,8 @@ import { RollingResistance, type KeptRolling } from './rolling-resistance.js';
 import { Savings } from '../../solver/methods/savings.js';
 import { TouchingBodies } from './touching-bodies.js';
 import { CurvedPaths } from './curved-paths.js';
-import { SIZE } from '../../solver/matrix/six-blocks.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 import { StandingStart } from '../../solver/methods/standing-start.js';
-import { SolveState } from '../../solver/solve-state.js';
 import { Sweeps } from '../../solver/methods/sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 import { TurningCorners } from './turning-corners.js';
@@ -81,8 +80,6 @@ export class ContactSolve extends Effect {
   readonly #reader: PartReader;
   readonly #ways: Ways;
   readonly #solvers: { readonly matrix: Newton; readonly sweeps: Sweeps };
-  /** What a solution begins with, for one that comes to no end. */
-  readonly #state: SolveState;
   readonly #bounces: BounceEnergy;
   readonly #jointed: JointedEnergy;
   readonly #rolling: RollingResistance;
@@ -126,15 +123,22 @@ export class ContactSolve extends Effect {
     this.#bodies = new TouchingBodies(ammo);
     this.#ways = new Ways(simulation, this.#bodies);
     this.#rolling = new RollingResistance(simulation, this.#contacts, this.#rows, this.#bodies);
-    const system = { bodies: this.#bodies, contacts: this.#contacts, rows: this.#rows };
-    this.#solvers = { matrix: new Newton(system), sweeps: new Sweeps(system) };
-    this.#state = new SolveState(system);
-    this.#bounces = new BounceEnergy(system);
-    this.#jointed = new JointedEnergy(system);
+    this.#solvers = {
+      matrix: new Newton(this.#contacts, this.#rows, this.#bodies),
+      sweeps: new Sweeps(this.#contacts, this.#rows, this.#bodies),
+    };
+    this.#bounces = new BounceEnergy(this.#contacts, this.#rows, this.#bodies);
+    this.#jointed = new JointedEnergy(this.#contacts, this.#rows, this.#bodies);
     this.#standing = new StandingStart(this.#contacts, this.#bodies);
     this.#port = new ContactPort(ammo, this.#bodies, this.#contacts);
     this.#joints = new CoupledJoints(this.#rows, this.#bodies);
-    this.#curvedPaths = new CurvedPaths(ammo, this.#rows, this.#bodies, this.#joints, this.#state);
+    this.#curvedPaths = new CurvedPaths(
+      ammo,
+      this.#contacts,
+      this.#rows,
+      this.#bodies,
+      this.#joints,
+    );
     this.#parts = new TouchingParts(simulation, effects, this.#bodies);
     this.#corners = new TurningCorners(simulation, effects, this.#bodies, this.#contacts);
     this.#grips = new Grips(simulation, effects, this.#bodies, this.#contacts);
@@ -374,11 +378,11 @@ export class ContactSolve extends Effect {
         used += matrix.used;
         return done;
       };
-      this.#state.keep(part);
+      this.#contacts.keep(part.contacts);
       this.#jointed.begin(part);
       const done = this.#bounces.solve(part, solve, () => false);
       if (done) this.#jointed.limit(part);
-      else this.#state.putBackContacts(part);
+      else this.#contacts.putBack(part.contacts);
       return { done, used };
     });
     if (settled) this.#take(part, matrix);

@@ -7,7 +7,7 @@ import type { Bound } from '../joints/bounded-rows.js';
 import { R, rate, type BoundRows } from '../../solver/rows/bound-rows.js';
 import type { Part } from '../../solver/part.js';
 import type { TouchingBodies } from './touching-bodies.js';
-import { FEW, ROW_STIFFNESS, ROW_STIFFNESS_OF_MANY } from '../../solver/tolerances.js';
+import { MANY, ROW_STIFFNESS, ROW_STIFFNESS_OF_MANY } from '../../solver/tolerances.js';
 
 /** Rows of a joint: six that may be locked, and as many bounds. */
 const ROWS = 12;
@@ -45,7 +45,7 @@ export class CoupledJoints {
 
   /** The rows of a joint, into those of its part. False: it gives way, and no row here does. */
   add(joint: Joint, solve: JointSolve, dt: number, { bodies, rows: into }: Part): boolean {
-    this.#stiffness = bodies.length > FEW ? ROW_STIFFNESS_OF_MANY : ROW_STIFFNESS;
+    this.#stiffness = bodies.length > MANY ? ROW_STIFFNESS_OF_MANY : ROW_STIFFNESS;
     const { lockedRows, corrections, body1, body2 } = joint;
     const a = body1?.movable ? this.#bodies.numberOf(body1.pointer) : -1;
     const b = body2?.movable ? this.#bodies.numberOf(body2.pointer) : -1;

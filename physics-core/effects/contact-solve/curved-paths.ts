@@ -4,12 +4,13 @@ import type { Ammo } from '../../engine/ammo.js';
 import { isCarried, readVelocity } from '../../engine/solver-body.js';
 import type { Ahead, JointRows } from '../joints/joint-rows.js';
 import { R, rate, type BoundRows } from '../../solver/rows/bound-rows.js';
+import type { ConeContacts } from '../../solver/rows/cone-contacts.js';
 import type { CoupledJoints } from './coupled-joints.js';
 import type { Part } from '../../solver/part.js';
 import { ProximalMasses } from '../../solver/methods/proximal-masses.js';
 import type { TouchingBodies } from './touching-bodies.js';
-import type { SolveState } from '../../solver/solve-state.js';
-import { SIZE } from '../../solver/matrix/six-blocks.js';
+import { SolveState } from '../../solver/methods/solve-state.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 import {
   CLOSED,
   CURVED_MATRICES,
@@ -52,17 +53,17 @@ export class CurvedPaths implements Ahead {
 
   constructor(
     ammo: Ammo,
+    contacts: ConeContacts,
     rows: BoundRows,
     bodies: TouchingBodies,
     joints: CoupledJoints,
-    state: SolveState,
   ) {
     this.#ammo = ammo;
     this.#rows = rows;
     this.#bodies = bodies;
     this.#joints = joints;
     this.#masses = new ProximalMasses(bodies);
-    this.#state = state;
+    this.#state = new SolveState(contacts, rows, bodies);
   }
 
   /** By a solver that begins with the velocities and impulses that there are. False: it finds no end. */

@@ -13,7 +13,7 @@ import { C, type ConeContacts } from '../../solver/rows/cone-contacts.js';
 import type { Part } from '../../solver/part.js';
 import type { TouchingBodies } from './touching-bodies.js';
 import { Pulls, steadily } from './pulls.js';
-import { SIZE } from '../../solver/matrix/six-blocks.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s: boxes that slide do. */
 const TREMBLING = 0.0015;

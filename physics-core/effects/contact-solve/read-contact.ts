@@ -7,7 +7,7 @@ import { isCarried, readVelocity } from '../../engine/solver-body.js';
 import { ALONG } from '../drag/slips.js';
 import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js';
 import type { TouchingBodies } from './touching-bodies.js';
-import { SIZE } from '../../solver/matrix/six-blocks.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 import { BAND } from '../../solver/tolerances.js';
 
 /** Bullet's solver leaves out what lies farther away, metres. */

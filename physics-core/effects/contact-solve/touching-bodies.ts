@@ -10,7 +10,7 @@ import {
   readVelocity,
   writeVelocity,
 } from '../../engine/solver-body.js';
-import { SIZE } from '../../solver/matrix/six-blocks.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 import { SolveBodies } from '../../solver/solve-bodies.js';
 
 /** The bodies that are in touch in a step, as Bullet has them. */

@@ -14,7 +14,7 @@ import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js
 import { turnedEvenly } from './even-push.js';
 import type { TouchingBodies } from './touching-bodies.js';
 import { isFlatAt, rollingPartAt, wandering } from './wandering.js';
-import { SIZE } from '../../solver/matrix/six-blocks.js';
+import { SIZE } from '../../solver/matrix/block-cholesky.js';
 
 /** What turns more slowly than this trembles, rad/s (boxes that slide do so by 0.0014); what turns farther in a step goes no way that is known beforehand, radians. */
 const RESTING = 0.0015;

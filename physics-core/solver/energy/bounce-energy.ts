@@ -1,8 +1,9 @@
-import { C, speeds } from '../rows/cone-contacts.js';
+import { R, type BoundRows } from '../rows/bound-rows.js';
+import { C, speeds, type ConeContacts } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
-import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/six-blocks.js';
-import { SolveState } from '../solve-state.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /** Joules, by the share of the way from a solution without bounce to that with it: a + b s + c s². */
 interface Work {
@@ -18,13 +19,18 @@ interface Work {
  * lies between them does, too, since neither contacts nor friction cones are hollow.
  */
 export class BounceEnergy {
-  readonly #system: ContactSystem;
-  /** The solution with all bounce. */
-  readonly #all: SolveState;
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
+  /** Of the solution with all bounce: velocities, impulses of contacts, and of rows. */
+  #velocities: number[] = [];
+  #impulses: number[] = [];
+  #pushes: number[] = [];
 
-  constructor(system: ContactSystem) {
-    this.#system = system;
-    this.#all = new SolveState(system);
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
   }
 
   /**
@@ -35,12 +41,12 @@ export class BounceEnergy {
     const found = solve();
     if (!this.#bounces(part)) return found;
     if (found && this.#givesNothing(part)) return true;
-    this.#all.keep(part);
+    this.#keep(part);
     this.#setBounce(part, -1);
     const without = solve() && this.#givesNothing(part);
     const done = without || solveRoughly();
     this.#setBounce(part, 1);
-    if (found && without) this.#all.blend(part, shareOf(this.#work(part)));
+    if (found && without) this.#blend(part, shareOf(this.#work(part)));
     return done;
   }
 
@@ -49,13 +55,13 @@ export class BounceEnergy {
   }
 
   #bounces({ contacts }: Part): boolean {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     for (const i of contacts) if (c[i * C.size + C.back]! > 0) return true;
     return false;
   }
 
   #setBounce({ contacts }: Part, sign: number): void {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     for (const i of contacts) c[i * C.size + C.target]! += sign * c[i * C.size + C.back]!;
   }
 
@@ -73,7 +79,7 @@ export class BounceEnergy {
 
   /** What a contact's impulses do to what they push apart, against what moves it by itself, J. */
   #workOf(i: number): number {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     const at = i * C.size;
     this.#readPace(i);
     let work = 0;
@@ -84,8 +90,8 @@ export class BounceEnergy {
 
   /** Its speeds before go to `pushed`, those after to `miss`; what is given by an author counts as at rest. */
   #readPace(i: number): void {
-    const { values: c, a, b } = this.#system.contacts;
-    const { free, velocities } = this.#system.bodies;
+    const { values: c, a, b } = this.#contacts;
+    const { free, velocities } = this.#bodies;
     const at = i * C.size;
     speeds(c, at, free, a[i]!, b[i]!, C.pushed);
     // Bounce is of the approach before forces act.
@@ -97,14 +103,25 @@ export class BounceEnergy {
     }
   }
 
+  #keep({ bodies, contacts, rows }: Part): void {
+    const { velocities } = this.#bodies;
+    const c = this.#contacts.values;
+    this.#velocities = bodies.flatMap((body) => [
+      ...velocities.subarray(body * SIZE, (body + 1) * SIZE),
+    ]);
+    this.#impulses = contacts.flatMap((i) => [
+      ...c.subarray(i * C.size + C.impulse, i * C.size + C.impulse + 3),
+    ]);
+    this.#pushes = rows.map((i) => this.#rows.values[i * R.size + R.impulse]!);
+  }
+
   #work({ bodies, contacts }: Part): Work {
-    const { values: c, a, b } = this.#system.contacts;
-    const { velocities, change } = this.#system.bodies;
-    const all = this.#all.values;
-    let next = 3 * contacts.length;
-    for (const body of bodies)
-      for (let k = body * SIZE; k < (body + 1) * SIZE; k++)
-        change[k] = all[next++]! - velocities[k]!;
+    const { values: c, a, b } = this.#contacts;
+    const { velocities, change } = this.#bodies;
+    bodies.forEach((body, j) => {
+      for (let k = 0; k < SIZE; k++)
+        change[body * SIZE + k] = this.#velocities[j * SIZE + k]! - velocities[body * SIZE + k]!;
+    });
     const work: Work = { a: 0, b: 0, c: 0 };
     contacts.forEach((i, j) => {
       const at = i * C.size;
@@ -112,7 +129,7 @@ export class BounceEnergy {
       speeds(c, at, change, a[i]!, b[i]!, C.change);
       for (let k = 0; k < 3; k++) {
         const impulse = c[at + C.impulse + k]!;
-        const more = all[3 * j + k]! - impulse;
+        const more = this.#impulses[3 * j + k]! - impulse;
         const pace = c[at + C.pushed + k]! + c[at + C.miss + k]!;
         const faster = c[at + C.change + k]!;
         work.a += 0.5 * impulse * pace;
@@ -121,6 +138,30 @@ export class BounceEnergy {
       }
     });
     return work;
+  }
+
+  /** `share` of the solution with bounce, and the rest of that without. */
+  #blend({ bodies, contacts, rows }: Part, share: number): void {
+    const mixed = (without: number, all: number): number => without + share * (all - without);
+    const { velocities } = this.#bodies;
+    const c = this.#contacts.values;
+    const r = this.#rows.values;
+    bodies.forEach((body, j) => {
+      for (let k = 0; k < SIZE; k++) {
+        const at = body * SIZE + k;
+        velocities[at] = mixed(velocities[at]!, this.#velocities[j * SIZE + k]!);
+      }
+    });
+    contacts.forEach((i, j) => {
+      for (let k = 0; k < 3; k++) {
+        const at = i * C.size + C.impulse + k;
+        c[at] = mixed(c[at]!, this.#impulses[3 * j + k]!);
+      }
+    });
+    rows.forEach((i, j) => {
+      const at = i * R.size + R.impulse;
+      r[at] = mixed(r[at]!, this.#pushes[j]!);
+    });
   }
 }
 

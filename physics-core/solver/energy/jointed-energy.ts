@@ -1,8 +1,9 @@
-import { isBounded, R, rate } from '../rows/bound-rows.js';
-import { C } from '../rows/cone-contacts.js';
+import { R, rate, type BoundRows } from '../rows/bound-rows.js';
+import { C, type ConeContacts } from '../rows/cone-contacts.js';
 import { energyGuards } from './energy-guards.js';
-import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/six-blocks.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /**
  * Keeps contacts of jointed bodies from giving energy. Rows of joints lead along the round ways of the motion without
@@ -11,39 +12,43 @@ import { SIZE } from '../matrix/six-blocks.js';
  * holds at rest holds all the same. Where something is carried against them they are left alone.
  */
 export class JointedEnergy {
-  readonly #system: ContactSystem;
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
   #before = 0;
 
-  constructor(system: ContactSystem) {
-    this.#system = system;
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
   }
 
   /** Before velocities are looked for. */
   begin({ bodies, jointed }: Part): void {
     if (!jointed) return;
-    const { free, velocities } = this.#system.bodies;
+    const { free, velocities } = this.#bodies;
     this.#before = Math.max(
-      this.#system.bodies.energyOf(bodies, free),
-      this.#system.bodies.energyOf(bodies, velocities),
+      this.#bodies.energyOf(bodies, free),
+      this.#bodies.energyOf(bodies, velocities),
     );
   }
 
   /** They are found. */
   limit(part: Part): void {
     if (!part.jointed) return;
-    const now = this.#system.bodies.energyOf(part.bodies, this.#system.bodies.velocities);
+    const now = this.#bodies.energyOf(part.bodies, this.#bodies.velocities);
     // What is given is reckoned only where it counts.
     if (energyGuards.energyOfJoints(now, this.#before) || this.#isDriven(part)) return;
     const most = this.#before + this.#given(part);
     if (energyGuards.energyOfJoints(now, most)) return;
     const share = Math.sqrt(most / now);
-    const { velocities } = this.#system.bodies;
+    const { velocities } = this.#bodies;
     for (const body of part.bodies)
       for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! *= share;
   }
 
   #isDriven({ contacts }: Part): boolean {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     for (const i of contacts)
       for (let k = i * C.size + C.driven; k < i * C.size + C.driven + 3; k++)
         if (c[k] !== 0) return true;
@@ -62,14 +67,15 @@ export class JointedEnergy {
    * rates of before say nothing of what moves (a load of 75 kg was thrown off a chain at 17 m/s).
    */
   #mayGive(i: number, curved: boolean): boolean {
-    const { values: r, a, b } = this.#system.rows;
+    const { values: r, a, b } = this.#rows;
     const at = i * R.size;
-    return isBounded(r, at) || (!curved && (a[i]! < 0 || b[i]! < 0));
+    const bounded = r[at + R.least]! > -Infinity || r[at + R.most]! < Infinity;
+    return bounded || (!curved && (a[i]! < 0 || b[i]! < 0));
   }
 
   #workOf(i: number): number {
-    const { values: r, a, b } = this.#system.rows;
-    const { free, velocities } = this.#system.bodies;
+    const { values: r, a, b } = this.#rows;
+    const { free, velocities } = this.#bodies;
     const at = i * R.size;
     const pace = rate(r, at, free, a[i]!, b[i]!) + rate(r, at, velocities, a[i]!, b[i]!);
     return 0.5 * r[at + R.impulse]! * pace;

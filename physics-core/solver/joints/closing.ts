@@ -3,8 +3,6 @@ import {
   CLOSING_ROUNDS,
   CLOSING_TRIES,
   FIRST_GIVE,
-  GIVE_LESS,
-  GIVE_MORE,
   MOST_GIVE,
 } from '../tolerances.js';
 
@@ -45,8 +43,8 @@ export class Closing {
       this.#least = worst;
       return false;
     }
-    if (this.#loops && !this.better) this.give = Math.max(FIRST_GIVE, GIVE_MORE * this.give);
-    else if (this.give > 0) this.give = this.give > FIRST_GIVE ? this.give / GIVE_LESS : 0;
+    if (this.#loops && !this.better) this.give = Math.max(FIRST_GIVE, this.give * 30);
+    else if (this.give > 0) this.give = this.give > FIRST_GIVE ? this.give / 3 : 0;
     // A round that is undone and tried again with more give says nothing about what is left to gain.
     if (worst <= CLOSING_PROGRESS * this.#least) this.#slow = 0;
     else if (this.#loops && this.better) this.#slow++;

@@ -29,18 +29,31 @@ export class Forest {
   /** By joint: the body that it joins to its parent; -1 for those that close loops. */
   childOf = new Int32Array(0);
   readonly components: Component[] = [];
-  #edges: readonly Edge[] = [];
-  /** By body: its joints. */
-  #edgesAt: number[][] = [];
-  /** Bodies and joints that a component has already. */
-  #seen = new Uint8Array(0);
-  #used = new Uint8Array(0);
 
   build(bodies: number, edges: readonly Edge[]): void {
     this.jointOf = new Int32Array(bodies).fill(-1);
     this.parentOf = new Int32Array(bodies).fill(-1);
     this.childOf = new Int32Array(edges.length).fill(-1);
     this.components.length = 0;
+    const growth = new Growth(this, bodies, edges);
+    // What the world holds first: its root is then at the world's end.
+    edges.forEach(({ a, b }, edge) => {
+      if (a < 0 || b < 0) growth.from(Math.max(a, b), edge);
+    });
+    edges.forEach(({ a }) => growth.from(a, -1));
+  }
+}
+
+/** One run through the graph, breadth first. */
+class Growth {
+  readonly #forest: Forest;
+  readonly #edges: readonly Edge[];
+  readonly #edgesAt: number[][];
+  readonly #seen: Uint8Array;
+  readonly #used: Uint8Array;
+
+  constructor(forest: Forest, bodies: number, edges: readonly Edge[]) {
+    this.#forest = forest;
     this.#edges = edges;
     this.#edgesAt = Array.from({ length: bodies }, () => []);
     this.#seen = new Uint8Array(bodies);
@@ -49,27 +62,22 @@ export class Forest {
       if (a >= 0) this.#edgesAt[a]!.push(edge);
       if (b >= 0) this.#edgesAt[b]!.push(edge);
     });
-    // What the world holds first: its root is then at the world's end.
-    edges.forEach(({ a, b }, edge) => {
-      if (a < 0 || b < 0) this.#grow(Math.max(a, b), edge);
-    });
-    edges.forEach(({ a }) => this.#grow(a, -1));
   }
 
-  /** The component of a body that no other holds yet, breadth first. */
-  #grow(root: number, joint: number): void {
+  /** The component of a body that no other holds yet. */
+  from(root: number, joint: number): void {
     if (root < 0 || this.#seen[root]) return;
     const bodies: number[] = [];
     const joints: number[] = [];
     const loops: number[] = [];
     const visit = (body: number, through: number, parent: number): void => {
       this.#seen[body] = 1;
-      this.jointOf[body] = through;
-      this.parentOf[body] = parent;
+      this.#forest.jointOf[body] = through;
+      this.#forest.parentOf[body] = parent;
       bodies.push(body);
       if (through < 0) return;
       this.#used[through] = 1;
-      this.childOf[through] = body;
+      this.#forest.childOf[through] = body;
       joints.push(through);
     };
     visit(root, joint, -1);
@@ -89,7 +97,7 @@ export class Forest {
     }
     // A loop that is closed more than once needs all its rows in one system (measured: a door on four hinges sticks).
     const pinned = (edge: number): boolean => loops.length === 0 && !!this.#edges[edge]!.pin;
-    this.components.push({
+    this.#forest.components.push({
       bodies: Int32Array.from(bodies.reverse()),
       joints: Int32Array.from(joints),
       pins: Int32Array.from(joints.filter(pinned)),

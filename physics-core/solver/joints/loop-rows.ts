@@ -1,4 +1,4 @@
-import { factor, forward, rowOf } from '../../base/cholesky.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { SparseCholesky } from '../matrix/sparse-cholesky.js';
 import { SparsePattern } from '../matrix/sparse-pattern.js';
 import { BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
@@ -38,7 +38,8 @@ export class LoopRows {
   readonly #known = new Map<Component, Loops | undefined>();
   /** Whose factors these are. */
   #component: Component | undefined;
-  /** Rows as bodies see them, by the factors of their inertia: L⁻¹ Jᵀ, as `jacobian`. */
+  /** Cholesky factors of the inertia of bodies, and rows as they see them: L⁻¹ Jᵀ, as `jacobian`. */
+  #bodies = new Float64Array(0);
   #seen = new Float64Array(0);
 
   constructor(system: RowSystem) {
@@ -50,7 +51,11 @@ export class LoopRows {
     this.#component = undefined;
   }
 
-  grow(room: number): void {
+  growBodies(room: number): void {
+    this.#bodies = new Float64Array(room * BODY_BLOCK);
+  }
+
+  growJoints(room: number): void {
     this.#seen = new Float64Array(room * 2 * ROW_BLOCK);
   }
 
@@ -79,9 +84,8 @@ export class LoopRows {
         for (const other of meeting)
           if (one !== other) neighbours[numbers.get(one)!]!.add(numbers.get(other)!);
     const sizes = [...joints].map((joint) => rowCount[joint]!);
-    const pattern = new SparsePattern();
-    if (!pattern.find(neighbours, [new Set(neighbours.keys())], MOST_PRODUCTS, true))
-      return undefined;
+    const pattern = new SparsePattern(neighbours, MOST_PRODUCTS);
+    if (pattern.tangled) return undefined;
     const matrix = new SparseCholesky(pattern, sizes);
     const couplings: Coupling[] = [];
     for (const [body, meeting] of meetings)
@@ -99,11 +103,16 @@ export class LoopRows {
     numbers: ReadonlyMap<number, number>,
     matrix: SparseCholesky,
   ): Coupling {
-    const block = matrix.pattern.between(numbers.get(one)!, numbers.get(other)!);
-    if (block < 0) return this.#couple(body, other, one, numbers, matrix);
-    const first = this.#system.seenBy(one, body);
-    const second = this.#system.seenBy(other, body);
-    return { a: one, b: other, first, second, at: matrix.block(block) };
+    const { block, straight } = matrix.pattern.between(numbers.get(one)!, numbers.get(other)!);
+    const [a, b] = straight ? [one, other] : [other, one];
+    const first = this.#side(a, body);
+    const second = this.#side(b, body);
+    return { a, b, first, second, at: matrix.block(block) };
+  }
+
+  /** Where the rows of a joint begin, as one of its bodies sees them. */
+  #side(joint: number, body: number): number {
+    return (joint * 2 + +(this.#system.edges[joint]!.a !== body)) * ROW_BLOCK;
   }
 
   // ---- factors ------------------------------------------------------------------------------------------------------
@@ -121,8 +130,8 @@ export class LoopRows {
   }
 
   #factorBody(body: number): boolean {
-    this.#system.beginFactor(body);
-    return factor(this.#system.factors, body * BODY_BLOCK, SIDE);
+    this.#system.writeInertia(body, this.#bodies, body * BODY_BLOCK);
+    return factor(this.#bodies, body * BODY_BLOCK, SIDE);
   }
 
   /** Rows that give way are left out. */
@@ -140,7 +149,7 @@ export class LoopRows {
 
   #seeRow(body: number, row: number): void {
     copy6(this.#seen, row, this.#system.jacobian, row);
-    forward(this.#system.factors, body * BODY_BLOCK, SIDE, this.#seen, row);
+    forward(this.#bodies, body * BODY_BLOCK, SIDE, this.#seen, row);
   }
 
   #fill({ joints }: Component, { matrix, couplings, closing }: Loops): void {
@@ -225,14 +234,14 @@ export class LoopRows {
   solve(component: Component, load: Float64Array): boolean {
     if (component !== this.#component && !this.factor(component)) return false;
     const { matrix } = this.#loopsOf(component)!;
-    const { bodies, joints } = component;
-    for (const body of bodies) this.#system.move(body, load);
+    const { joints } = component;
+    this.#move(component, load);
     matrix.vector.fill(0);
     for (let i = 0; i < joints.length; i++) this.#ask(joints[i]!, matrix.vector, matrix.at(i));
     matrix.solve();
     for (let i = 0; i < joints.length; i++)
       this.#push(joints[i]!, matrix.vector, matrix.at(i), load);
-    for (const body of bodies) this.#system.move(body, load);
+    this.#move(component, load);
     return true;
   }
 
@@ -251,6 +260,17 @@ export class LoopRows {
       const r = held[h]!;
       impulse[joint * ROWS + r] = vector[at + r]!;
       this.#system.push(joint, r, vector[at + r]!, load);
+    }
+  }
+
+  /** Velocities as the load alone makes them. */
+  #move({ bodies }: Component, load: Float64Array): void {
+    const { velocity } = this.#system;
+    for (const body of bodies) {
+      const v = body * SIDE;
+      copy6(velocity, v, load, v);
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
     }
   }
 }

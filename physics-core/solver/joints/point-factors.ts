@@ -156,7 +156,12 @@ export class PointFactors {
     const d20 = x * a10 - y * a00;
     const d21 = x * a11 - y * a10;
     const d22 = x * a21 - y * a20;
-    for (let k = 0; k < 6; k++) m[b + k]! += f[at + k]!;
+    m[b]! += a00;
+    m[b + 1]! += a10;
+    m[b + 2]! += a11;
+    m[b + 3]! += a20;
+    m[b + 4]! += a21;
+    m[b + 5]! += a22;
     m[b + 6]! += d00;
     m[b + 7]! += d01;
     m[b + 8]! += d02;

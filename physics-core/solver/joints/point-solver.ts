@@ -1,6 +1,3 @@
-import { addWrench, armVelocityX, armVelocityY, armVelocityZ } from '../../base/arms.js';
-import { multiplyTriangle } from '../../base/cholesky.js';
-import { cross3, dot3 } from '../../base/flat-math.js';
 import { SIDE } from './blocks.js';
 import { ARMS, INVERSE_INERTIA, FACTORS, MASS, PARENT, PointFactors } from './point-factors.js';
 
@@ -18,8 +15,6 @@ export class PointSolver {
   /** Velocity that the child's point is to have against the parent's. */
   targetVelocity = new Float64Array(0);
   #loads = new Float64Array(0);
-  /** Momentum that the point takes on with the parent. */
-  readonly #carried = new Float64Array(3);
 
   grow(room: number): void {
     this.factors.grow(room);
@@ -33,8 +28,19 @@ export class PointSolver {
   respond(pin: number, row: Float64Array, from: number, out: Float64Array, to: number): void {
     const { arms, numbers: f } = this.factors;
     const t = pin * FACTORS + INVERSE_INERTIA;
-    multiplyTriangle(out, to + 3, f, t, row[from + 3]!, row[from + 4]!, row[from + 5]!);
-    cross3(out, to, arms, pin * ARMS, out, to + 3);
+    const x = row[from + 3]!;
+    const y = row[from + 4]!;
+    const z = row[from + 5]!;
+    const wx = f[t]! * x + f[t + 1]! * y + f[t + 3]! * z;
+    const wy = f[t + 1]! * x + f[t + 2]! * y + f[t + 4]! * z;
+    const wz = f[t + 3]! * x + f[t + 4]! * y + f[t + 5]! * z;
+    const a = pin * ARMS;
+    out[to] = arms[a + 1]! * wz - arms[a + 2]! * wy;
+    out[to + 1] = arms[a + 2]! * wx - arms[a]! * wz;
+    out[to + 2] = arms[a]! * wy - arms[a + 1]! * wx;
+    out[to + 3] = wx;
+    out[to + 4] = wy;
+    out[to + 5] = wz;
   }
 
   /** The same row as the parent sees it, who takes the point along. */
@@ -58,7 +64,13 @@ export class PointSolver {
 
   /** What a row as `see` has it wants because of the velocity targetVelocity at the point. */
   wants(pin: number, seen: Float64Array, at: number): number {
-    return dot3(seen, at, this.targetVelocity, pin * 3);
+    const { targetVelocity } = this;
+    const w = pin * 3;
+    return (
+      seen[at]! * targetVelocity[w]! +
+      seen[at + 1]! * targetVelocity[w + 1]! +
+      seen[at + 2]! * targetVelocity[w + 2]!
+    );
   }
 
   /** The impulse of a row is found: the pin pulls against it. */
@@ -88,7 +100,12 @@ export class PointSolver {
     const x = load[p + 3]! - ry * lz + rz * ly;
     const y = load[p + 4]! - rz * lx + rx * lz;
     const z = load[p + 5]! - rx * ly + ry * lx;
-    multiplyTriangle(s, to, f, g + INVERSE_INERTIA, x, y, z);
+    const t10 = f[g + INVERSE_INERTIA + 1]!;
+    const t20 = f[g + INVERSE_INERTIA + 3]!;
+    const t21 = f[g + INVERSE_INERTIA + 4]!;
+    s[to] = f[g + INVERSE_INERTIA]! * x + t10 * y + t20 * z;
+    s[to + 1] = t10 * x + f[g + INVERSE_INERTIA + 2]! * y + t21 * z;
+    s[to + 2] = t20 * x + t21 * y + f[g + INVERSE_INERTIA + 5]! * z;
     const wx = targetVelocity[pin * 3]!;
     const wy = targetVelocity[pin * 3 + 1]!;
     const wz = targetVelocity[pin * 3 + 2]!;
@@ -116,7 +133,17 @@ export class PointSolver {
     s[to + PUSH] = px;
     s[to + PUSH + 1] = py;
     s[to + PUSH + 2] = pz;
-    if (parent >= 0) addWrench(load, parent * SIDE, arms, a + PARENT, px, py, pz);
+    if (parent < 0) return;
+    const qx = arms[a + PARENT]!;
+    const qy = arms[a + PARENT + 1]!;
+    const qz = arms[a + PARENT + 2]!;
+    const o = parent * SIDE;
+    load[o]! += px;
+    load[o + 1]! += py;
+    load[o + 2]! += pz;
+    load[o + 3]! += qy * pz - qz * py;
+    load[o + 4]! += qz * px - qx * pz;
+    load[o + 5]! += qx * py - qy * px;
   }
 
   // ---- from the root: velocities --------------------------------------------------------------------------------------
@@ -131,9 +158,16 @@ export class PointSolver {
     let y = targetVelocity[pin * 3 + 1]!;
     let z = targetVelocity[pin * 3 + 2]!;
     if (parent >= 0) {
-      x += armVelocityX(velocity, parent * SIDE, arms, a + PARENT);
-      y += armVelocityY(velocity, parent * SIDE, arms, a + PARENT);
-      z += armVelocityZ(velocity, parent * SIDE, arms, a + PARENT);
+      const o = parent * SIDE;
+      const qx = arms[a + PARENT]!;
+      const qy = arms[a + PARENT + 1]!;
+      const qz = arms[a + PARENT + 2]!;
+      const wx = velocity[o + 3]!;
+      const wy = velocity[o + 4]!;
+      const wz = velocity[o + 5]!;
+      x += velocity[o]! + wy * qz - wz * qy;
+      y += velocity[o + 1]! + wz * qx - wx * qz;
+      z += velocity[o + 2]! + wx * qy - wy * qx;
     }
     const s = pin * LOADS;
     const wx = this.#loads[s]! - f[g]! * x - f[g + 1]! * y - f[g + 2]! * z;
@@ -162,13 +196,21 @@ export class PointSolver {
   ): void {
     const { arms, numbers: f } = this.factors;
     const s = pin * LOADS + PUSH;
-    for (let k = 0; k < 3; k++) out[at + k] = -sign * this.#loads[s + k]!;
+    out[at] = -sign * this.#loads[s]!;
+    out[at + 1] = -sign * this.#loads[s + 1]!;
+    out[at + 2] = -sign * this.#loads[s + 2]!;
     if (parent < 0) return;
     const a = pin * ARMS + PARENT;
-    const x = armVelocityX(velocity, parent * SIDE, arms, a);
-    const y = armVelocityY(velocity, parent * SIDE, arms, a);
-    const z = armVelocityZ(velocity, parent * SIDE, arms, a);
-    multiplyTriangle(this.#carried, 0, f, pin * FACTORS + MASS, x, y, z);
-    for (let k = 0; k < 3; k++) out[at + k]! += sign * this.#carried[k]!;
+    const g = pin * FACTORS + MASS;
+    const o = parent * SIDE;
+    const wx = velocity[o + 3]!;
+    const wy = velocity[o + 4]!;
+    const wz = velocity[o + 5]!;
+    const x = velocity[o]! + wy * arms[a + 2]! - wz * arms[a + 1]!;
+    const y = velocity[o + 1]! + wz * arms[a]! - wx * arms[a + 2]!;
+    const z = velocity[o + 2]! + wx * arms[a + 1]! - wy * arms[a]!;
+    out[at]! += sign * (f[g]! * x + f[g + 1]! * y + f[g + 3]! * z);
+    out[at + 1]! += sign * (f[g + 1]! * x + f[g + 2]! * y + f[g + 4]! * z);
+    out[at + 2]! += sign * (f[g + 3]! * x + f[g + 4]! * y + f[g + 5]! * z);
   }
 }

@@ -1,5 +1,7 @@
 import type { Component } from './forest.js';
-import { RECENT_STEPS } from '../tolerances.js';
+
+/** Steps for which what was found of a component counts. */
+const STEPS = 30;
 
 /** Components of which something was found a few steps ago: that they are taut, or that an edit had torn them. */
 export class Recent {
@@ -10,7 +12,7 @@ export class Recent {
   }
 
   begin(component: Component): void {
-    this.#left.set(component, RECENT_STEPS);
+    this.#left.set(component, STEPS);
   }
 
   /** Steps for which it still counts; 0: not at all. */

@@ -1,4 +1,3 @@
-import { solve } from '../../base/cholesky.js';
 import { add6, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import { LoopRows } from './loop-rows.js';
 import type { Component, Edge, Forest } from './forest.js';
@@ -23,8 +22,6 @@ export class RowSystem {
   inertia = new Float64Array(0);
   momentum = new Float64Array(0);
   velocity = new Float64Array(0);
-  /** Cholesky factors of the inertia of bodies, in trees with that of what hangs on them. */
-  factors = new Float64Array(0);
   /** What else resists the velocity of a body, linear and angular: a symmetric block, its lower half row by row. */
   readonly resisting = new Map<number, Float64Array>();
   /** Per joint: two blocks of rows, as body a and as body b sees them. */
@@ -77,7 +74,8 @@ export class RowSystem {
     this.momentum = new Float64Array(room * SIDE);
     this.velocity = new Float64Array(room * SIDE);
     this.#load = new Float64Array(room * SIDE);
-    this.factors = new Float64Array(room * BODY_BLOCK);
+    this.#trees.growBodies(room);
+    this.#loops.growBodies(room);
   }
 
   #growJoints(room: number): void {
@@ -95,8 +93,8 @@ export class RowSystem {
     this.heldCount = new Int32Array(room);
     this.isPin = new Uint8Array(room);
     this.pins.grow(room);
-    this.#trees.grow(room);
-    this.#loops.grow(room);
+    this.#trees.growJoints(room);
+    this.#loops.growJoints(room);
   }
 
   /** Before rows are filled: this row holds whatever impulse it takes. */
@@ -205,10 +203,9 @@ export class RowSystem {
     return this.#state[row] === HOLDS;
   }
 
-  /** What resists the velocity of a body by itself, to be factored in place. */
-  beginFactor(body: number): void {
-    const { inertia, factors: m } = this;
-    const b = body * BODY_BLOCK;
+  /** The block of a body by itself, for a factor: what resists its velocity. */
+  writeInertia(body: number, m: Float64Array, b: number): void {
+    const { inertia } = this;
     const from = body * INERTIA;
     m[b] = m[b + 2] = m[b + 5] = inertia[from]!;
     m[b + 1] = m[b + 3] = m[b + 4] = 0;
@@ -223,18 +220,6 @@ export class RowSystem {
     m[b + 20] = inertia[from + 6]!;
     const resisting = this.resisting.get(body);
     if (resisting) for (let i = 0; i < BODY_BLOCK; i++) m[b + i]! += resisting[i]!;
-  }
-
-  /** The velocity of a body as the momentum of `load` makes it, by its factor. */
-  move(body: number, load: Float64Array): void {
-    const v = body * SIDE;
-    copy6(this.velocity, v, load, v);
-    solve(this.factors, body * BODY_BLOCK, SIDE, this.velocity, v);
-  }
-
-  /** Where the rows of a joint begin, as one of its bodies sees them. */
-  seenBy(joint: number, body: number): number {
-    return (joint * 2 + +(this.edges[joint]!.a !== body)) * ROW_BLOCK;
   }
 
   /** Adds the impulse of a row to the momenta of its bodies. */

@@ -1,4 +1,4 @@
-import { backward, factor, forward, rowOf, solve } from '../../base/cholesky.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { add6, BODY_BLOCK, copy6, dot6, JOINT_BLOCK, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { PointSolver } from './point-solver.js';
@@ -12,7 +12,8 @@ import { LEAST_COMPLIANCE } from '../tolerances.js';
 export class TreeSolver {
   readonly #system: RowSystem;
   readonly #pins: PointSolver;
-  /** Cholesky factors of each joint's rows. */
+  /** Cholesky factors of each body's inertia with its subtree's, and of each joint's rows. */
+  #bodies = new Float64Array(0);
   #joints = new Float64Array(0);
   /** Velocity of the child per impulse of each row that holds, and the row as the parent sees it. */
   #response = new Float64Array(0);
@@ -27,17 +28,26 @@ export class TreeSolver {
     this.#pins = pins;
   }
 
-  grow(room: number): void {
+  growBodies(room: number): void {
+    this.#bodies = new Float64Array(room * BODY_BLOCK);
+  }
+
+  growJoints(room: number): void {
     this.#joints = new Float64Array(room * JOINT_BLOCK);
     this.#response = new Float64Array(room * ROW_BLOCK);
     this.#seen = new Float64Array(room * ROW_BLOCK);
     this.#rest = new Float64Array(room * ROWS);
   }
 
+  /** Start of the rows of a joint as one of its bodies sees them. */
+  #seenBy(joint: number, body: number): number {
+    return (joint * 2 + +(this.#system.edges[joint]!.a !== body)) * ROW_BLOCK;
+  }
+
   /** False: some block is not positive definite. */
   factor({ bodies }: Component): boolean {
     const { jointOf } = this.#system.forest;
-    for (const body of bodies) this.#system.beginFactor(body);
+    for (const body of bodies) this.#system.writeInertia(body, this.#bodies, body * BODY_BLOCK);
     for (const body of bodies) if (!this.#factor(jointOf[body]!, body)) return false;
     return true;
   }
@@ -46,37 +56,34 @@ export class TreeSolver {
     const parent = this.#system.forest.parentOf[body]!;
     const pin = this.#isPin(joint);
     const given = pin
-      ? this.#pins.factors.factor(joint, this.#system.factors, body, parent)
-      : factor(this.#system.factors, body * BODY_BLOCK, SIDE);
+      ? this.#pins.factors.factor(joint, this.#bodies, body, parent)
+      : factor(this.#bodies, body * BODY_BLOCK, SIDE);
     if (!given) return false;
     if (joint < 0 || this.#system.heldCount[joint] === 0) return true;
     if (pin) this.#respondPinned(joint, body);
-    else this.#respond(joint, body, parent);
-    return this.#factorRows(joint, parent);
+    else this.#respond(joint, body);
+    return this.#factorRows(joint, body, parent);
   }
 
   #isPin(joint: number): boolean {
     return joint >= 0 && this.#system.isPin[joint] === 1;
   }
 
-  /** How the child answers to the rows, what they do to each other, and how the parent, if there is one, sees them. */
-  #respond(joint: number, body: number, parent: number): void {
-    const { jacobian, held, heldCount, factors } = this.#system;
+  /** How the child answers to the rows, and what they do to each other. */
+  #respond(joint: number, body: number): void {
+    const { jacobian, held, heldCount } = this.#system;
     const w = this.#response;
     const rows = joint * ROW_BLOCK;
-    const child = this.#system.seenBy(joint, body);
-    const other = this.#system.seenBy(joint, parent);
+    const child = this.#seenBy(joint, body);
     const n = heldCount[joint]!;
     for (let r = 0; r < n; r++) {
       const row = rows + r * SIDE;
-      const from = held[joint * ROWS + r]! * SIDE;
-      copy6(w, row, jacobian, child + from);
-      copy6(this.#seen, row, jacobian, other + from);
-      forward(factors, body * BODY_BLOCK, SIDE, w, row);
+      copy6(w, row, jacobian, child + held[joint * ROWS + r]! * SIDE);
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, w, row);
       const into = joint * JOINT_BLOCK + rowOf(r);
       for (let c = 0; c <= r; c++) this.#joints[into + c] = dot6(w, row, w, rows + c * SIDE);
     }
-    for (let r = 0; r < n; r++) backward(factors, body * BODY_BLOCK, SIDE, w, rows + r * SIDE);
+    for (let r = 0; r < n; r++) backward(this.#bodies, body * BODY_BLOCK, SIDE, w, rows + r * SIDE);
   }
 
   /** The same of rows about axes at a pin, which hold on to the parent through it. */
@@ -84,7 +91,7 @@ export class TreeSolver {
     const { jacobian, held, heldCount } = this.#system;
     const w = this.#response;
     const rows = joint * ROW_BLOCK;
-    const child = this.#system.seenBy(joint, body);
+    const child = this.#seenBy(joint, body);
     for (let r = 0; r < heldCount[joint]!; r++) {
       const from = child + held[joint * ROWS + r]! * SIDE;
       const row = rows + r * SIDE;
@@ -96,7 +103,7 @@ export class TreeSolver {
     }
   }
 
-  #factorRows(joint: number, parent: number): boolean {
+  #factorRows(joint: number, body: number, parent: number): boolean {
     const { compliance, held, heldCount } = this.#system;
     const n = heldCount[joint]!;
     const at = joint * JOINT_BLOCK;
@@ -107,14 +114,27 @@ export class TreeSolver {
       k[i] = k[i]! * (1 + LEAST_COMPLIANCE) + compliance[first + held[first + r]!]!;
     }
     if (!factor(k, at, n)) return false;
-    if (parent >= 0) this.#loadParent(joint, parent, n);
+    if (parent < 0) return true;
+    if (!this.#isPin(joint)) this.#copySeen(joint, parent);
+    this.#loadParent(joint, parent, n);
     return true;
+  }
+
+  #copySeen(joint: number, parent: number): void {
+    const { jacobian, held, heldCount } = this.#system;
+    const from = this.#seenBy(joint, parent);
+    for (let r = 0; r < heldCount[joint]!; r++)
+      copy6(
+        this.#seen,
+        joint * ROW_BLOCK + r * SIDE,
+        jacobian,
+        from + held[joint * ROWS + r]! * SIDE,
+      );
   }
 
   /** Inertia of the parent += Jᵀ K⁻¹ J. */
   #loadParent(joint: number, parent: number, n: number): void {
     const k = this.#joints;
-    const { factors } = this.#system;
     const at = joint * JOINT_BLOCK;
     const y = this.#block;
     const inertia = parent * BODY_BLOCK;
@@ -127,7 +147,7 @@ export class TreeSolver {
       for (let i = 0; i < SIDE; i++) {
         const scale = y[o + i]!;
         const into = inertia + rowOf(i);
-        for (let j = 0; j <= i; j++) factors[into + j]! += scale * y[o + j]!;
+        for (let j = 0; j <= i; j++) this.#bodies[into + j]! += scale * y[o + j]!;
       }
     }
   }
@@ -166,7 +186,8 @@ export class TreeSolver {
       s[r] = this.#rest[i] = wants - dot6(this.#response, row, load, body * SIDE);
     }
     if (parent < 0) return;
-    solve(this.#joints, at, n, s, 0);
+    forward(this.#joints, at, n, s, 0);
+    backward(this.#joints, at, n, s, 0);
     for (let r = 0; r < n; r++)
       add6(load, parent * SIDE, this.#seen, joint * ROW_BLOCK + r * SIDE, s[r]!);
   }
@@ -177,7 +198,12 @@ export class TreeSolver {
     const parent = forest.parentOf[body]!;
     const pin = this.#isPin(joint);
     if (pin) this.#pins.release(joint, velocity, body, parent);
-    else this.#system.move(body, load);
+    else {
+      const v = body * SIDE;
+      copy6(velocity, v, load, v);
+      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+    }
     if (joint >= 0 && heldCount[joint]! > 0) this.#releaseRows(joint, body, parent, pin);
   }
 
@@ -191,7 +217,8 @@ export class TreeSolver {
       s[r] = this.#rest[joint * ROWS + r]!;
       if (parent >= 0) s[r]! -= dot6(this.#seen, rows + r * SIDE, velocity, parent * SIDE);
     }
-    solve(this.#joints, at, n, s, 0);
+    forward(this.#joints, at, n, s, 0);
+    backward(this.#joints, at, n, s, 0);
     for (let r = 0; r < n; r++) {
       impulse[joint * ROWS + held[joint * ROWS + r]!] = s[r]!;
       add6(velocity, body * SIDE, this.#response, rows + r * SIDE, s[r]!);

@@ -16,18 +16,16 @@ export class SparseCholesky {
   readonly #diagonalAt: Int32Array;
   readonly #blockAt: Int32Array;
   readonly numbers: Float64Array;
-  /** The right hand side, and once solved the solution. */
-  readonly vector: Float64Array;
+  readonly #vector: Float64Array;
 
   /** `sizes`: rows of each unknown. */
   constructor(pattern: SparsePattern, sizes: readonly number[]) {
     this.pattern = pattern;
-    const { size, place, starts, rows } = pattern;
-    this.#sizes = new Int32Array(size);
-    sizes.forEach((n, unknown) => (this.#sizes[place[unknown]!] = n));
+    const { size, order, starts, rows } = pattern;
+    this.#sizes = Int32Array.from(order, (unknown) => sizes[unknown]!);
     this.#firsts = new Int32Array(size + 1);
     this.#diagonalAt = new Int32Array(size);
-    this.#blockAt = new Int32Array(pattern.blocks);
+    this.#blockAt = new Int32Array(rows.length);
     let room = 0;
     for (let j = 0; j < size; j++) {
       const n = this.#sizes[j]!;
@@ -40,7 +38,7 @@ export class SparseCholesky {
       }
     }
     this.numbers = new Float64Array(room);
-    this.vector = new Float64Array(this.#firsts[size]!);
+    this.#vector = new Float64Array(this.#firsts[size]!);
   }
 
   /** Where the triangle of an unknown, or a block below the diagonal, begins in `numbers`. */
@@ -69,7 +67,7 @@ export class SparseCholesky {
         else for (let r = at; r < last; r += n) forward(this.numbers, diagonal, n, this.numbers, r);
       }
       for (let b = starts[j]!; b < end; b++) {
-        this.#reduceDiagonal(rows[b]!, b, n);
+        this.#reduceDiagonal(-1 - targets[target++]!, b, n);
         for (let a = b + 1; a < end; a++)
           this.#reduce(targets[target++]!, a, b, n, sizes[rows[a]!]!, sizes[rows[b]!]!);
       }
@@ -96,7 +94,7 @@ export class SparseCholesky {
     let to = this.#blockAt[target]!;
     let row = this.#blockAt[a]!;
     const first = this.#blockAt[b]!;
-    if (n === POINT && width === POINT) return reducePoint(l, to, row, row + height * n, first);
+    if (n === POINT && height === POINT && width === POINT) return reducePoint(l, to, row, first);
     if (n === POINT) return reducePoints(l, to, row, row + height * n, first, first + width * n);
     for (let r = 0; r < height; r++, row += n) {
       let column = first;
@@ -110,15 +108,25 @@ export class SparseCholesky {
 
   // ---- solving --------------------------------------------------------------------------------------------------------
 
-  /** Where the numbers of an unknown begin in `vector`. */
+  /** The numbers of an unknown on the right hand side, and once solved those of the solution: where they begin in `vector`. */
   at(unknown: number): number {
     return this.#firsts[this.pattern.place[unknown]!]!;
   }
 
+  get vector(): Float64Array {
+    return this.#vector;
+  }
+
   /** L Lᵀ x = b, in place. */
   solve(): void {
+    this.#forward();
+    this.#backward();
+  }
+
+  #forward(): void {
     const { size, starts, rows } = this.pattern;
-    const { numbers: l, vector: x } = this;
+    const l = this.numbers;
+    const x = this.#vector;
     for (let j = 0; j < size; j++) {
       const n = this.#sizes[j]!;
       const first = this.#firsts[j]!;
@@ -130,6 +138,12 @@ export class SparseCholesky {
           for (let k = 0; k < n; k++) x[r]! -= l[at++]! * x[first + k]!;
       }
     }
+  }
+
+  #backward(): void {
+    const { size, starts, rows } = this.pattern;
+    const l = this.numbers;
+    const x = this.#vector;
     for (let j = size - 1; j >= 0; j--) {
       const n = this.#sizes[j]!;
       const first = this.#firsts[j]!;
@@ -178,8 +192,8 @@ function reducePoints(
   }
 }
 
-/** The same where `b` has three rows, too: nearly all that the factor of a net takes. */
-function reducePoint(l: Float64Array, to: number, row: number, end: number, column: number): void {
+/** A block of three rows and columns -= a bᵀ: nearly all that the factor of a net takes. */
+function reducePoint(l: Float64Array, to: number, row: number, column: number): void {
   const a = l[column]!;
   const b = l[column + 1]!;
   const c = l[column + 2]!;
@@ -189,12 +203,22 @@ function reducePoint(l: Float64Array, to: number, row: number, end: number, colu
   const g = l[column + 6]!;
   const h = l[column + 7]!;
   const i = l[column + 8]!;
-  for (; row < end; row += POINT, to += POINT) {
-    const x = l[row]!;
-    const y = l[row + 1]!;
-    const z = l[row + 2]!;
-    l[to]! -= x * a + y * b + z * c;
-    l[to + 1]! -= x * d + y * e + z * f;
-    l[to + 2]! -= x * g + y * h + z * i;
-  }
+  let x = l[row]!;
+  let y = l[row + 1]!;
+  let z = l[row + 2]!;
+  l[to] = l[to]! - (x * a + y * b + z * c);
+  l[to + 1] = l[to + 1]! - (x * d + y * e + z * f);
+  l[to + 2] = l[to + 2]! - (x * g + y * h + z * i);
+  x = l[row + 3]!;
+  y = l[row + 4]!;
+  z = l[row + 5]!;
+  l[to + 3] = l[to + 3]! - (x * a + y * b + z * c);
+  l[to + 4] = l[to + 4]! - (x * d + y * e + z * f);
+  l[to + 5] = l[to + 5]! - (x * g + y * h + z * i);
+  x = l[row + 6]!;
+  y = l[row + 7]!;
+  z = l[row + 8]!;
+  l[to + 6] = l[to + 6]! - (x * a + y * b + z * c);
+  l[to + 7] = l[to + 7]! - (x * d + y * e + z * f);
+  l[to + 8] = l[to + 8]! - (x * g + y * h + z * i);
 }

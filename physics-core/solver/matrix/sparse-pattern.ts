@@ -2,123 +2,101 @@
 const UNKNOWN = -1;
 
 /**
- * Where the Cholesky factor of a sparse symmetric matrix of blocks has blocks: the same for all matrices whose unknowns share
- * blocks in the same way. Arrays are kept from one search to the next.
+ * Where the Cholesky factor of a sparse symmetric matrix of blocks has blocks, found once for all matrices with such a
+ * pattern: unknowns are eliminated in order of least degree (Tinney's second scheme), of several the one that fills in least:
+ * in a net of 20 × 20 that takes 73,000 products of blocks, where the first of several takes 122,000.
  */
 export class SparsePattern {
-  /** Unknowns, and when each is eliminated. */
-  size = 0;
-  place = new Int32Array(16);
+  readonly size: number;
+  /** By elimination: which unknown it is; and by unknown: when it is eliminated. */
+  readonly order: Int32Array;
+  readonly place: Int32Array;
   /** Per column of the factor, its blocks below the diagonal: where they begin, and the row of each, all by elimination. */
-  starts = new Int32Array(17);
-  rows = new Int32Array(16);
-  /** From which block the product of a block and each one below it is taken, column by column. */
-  targets = new Int32Array(16);
-  /** Of two blocks, what factoring takes, squares of blocks among them. */
-  products = 0;
+  readonly starts: Int32Array;
+  readonly rows: Int32Array;
+  /** From what the product of each pair of blocks of a column is taken, column by column: a block, or -1 - i for diagonal i. */
+  readonly targets: Int32Array;
 
-  /** All blocks below the diagonal. */
-  get blocks(): number {
-    return this.starts[this.size]!;
+  /** Whether the factor would take more products than it may; then nothing else here is filled in. */
+  readonly tangled: boolean;
+
+  /** `neighbours`: of each unknown, those it shares a block with; used up. `most`: products of blocks. */
+  constructor(neighbours: Set<number>[], most = Infinity) {
+    this.size = neighbours.length;
+    this.order = new Int32Array(this.size);
+    this.place = new Int32Array(this.size);
+    const found = this.#eliminate(neighbours, most);
+    this.tangled = !found;
+    const columns = found ?? [];
+    this.starts = new Int32Array(this.size + 1);
+    columns.forEach((column, i) => (this.starts[i + 1] = this.starts[i]! + column.length));
+    this.rows = Int32Array.from(columns.flatMap((column) => column));
+    this.targets = found ? this.#pairs() : new Int32Array(0);
   }
 
-  /**
-   * In order of least degree (Tinney's second scheme), one group of unknowns after the other. `neighbours`: of each unknown,
-   * those it shares a block with; used up, as groups are. `byFill`: of several the one that fills in least, which takes
-   * longer to find: in a net of 20 × 20 it leaves 73,000 products, where the first of several leaves 122,000. False: more
-   * products than `most`.
-   */
-  find(
-    neighbours: Set<number>[],
-    groups: readonly Set<number>[],
-    most: number,
-    byFill: boolean,
-  ): boolean {
-    this.size = groups.reduce((sum, { size }) => sum + size, 0);
-    if (this.place.length < this.size) this.place = new Int32Array(2 * this.size);
-    const fill = byFill ? new Int32Array(this.size).fill(UNKNOWN) : undefined;
+  /** Returns the rows of each column of the factor; undefined: they have more products than that. */
+  #eliminate(neighbours: Set<number>[], most: number): number[][] | undefined {
+    let products = 0;
+    const left = new Set(neighbours.keys());
+    const fill = new Int32Array(this.size).fill(UNKNOWN);
     const columns: number[][] = [];
-    this.products = 0;
-    for (const left of groups)
-      while (left.size > 0) {
-        const next = fill ? leastFill(left, neighbours, fill) : leastDegree(left, neighbours);
-        left.delete(next);
-        this.place[next] = columns.length;
-        const near = [...neighbours[next]!];
-        columns.push(near);
-        this.products += (near.length * (near.length + 1)) / 2;
-        if (this.products > most) return false;
-        eliminate(next, near, neighbours);
-        if (fill) for (const i of near) for (const k of neighbours[i]!) fill[k] = fill[i] = UNKNOWN;
+    while (left.size > 0) {
+      const next = leastOf(left, neighbours, fill);
+      this.place[next] = columns.length;
+      this.order[columns.length] = next;
+      left.delete(next);
+      const column = [...neighbours[next]!];
+      columns.push(column);
+      products += (column.length * (column.length + 1)) / 2;
+      if (products > most) return undefined;
+      for (const i of column) {
+        const set = neighbours[i]!;
+        set.delete(next);
+        fill[i] = UNKNOWN;
+        for (const k of set) fill[k] = UNKNOWN;
+        for (const k of column) if (k !== i) set.add(k);
       }
-    this.#lay(columns);
-    return true;
+    }
+    return columns.map((column) => column.map((i) => this.place[i]!).sort((a, b) => a - b));
   }
 
-  #lay(columns: readonly number[][]): void {
-    const blocks = columns.reduce((sum, { length }) => sum + length, 0);
-    if (this.starts.length <= this.size) this.starts = new Int32Array(2 * this.size + 1);
-    if (this.rows.length < blocks) this.rows = new Int32Array(2 * blocks);
-    if (this.targets.length < this.products) this.targets = new Int32Array(2 * this.products);
-    let at = 0;
-    columns.forEach((near, k) => {
-      this.starts[k] = at;
-      for (const row of near.map((i) => this.place[i]!).sort((a, b) => a - b))
-        this.rows[at++] = row;
-    });
-    this.starts[this.size] = at;
-    let next = 0;
-    for (let k = 0; k < this.size; k++)
-      for (let b = this.starts[k]!; b < this.starts[k + 1]!; b++)
-        for (let a = b + 1; a < this.starts[k + 1]!; a++)
-          this.targets[next++] = this.#search(this.rows[a]!, this.rows[b]!);
+  #pairs(): Int32Array {
+    const { starts, rows } = this;
+    const targets: number[] = [];
+    for (let j = 0; j < this.size; j++)
+      for (let b = starts[j]!; b < starts[j + 1]!; b++)
+        for (let a = b; a < starts[j + 1]!; a++) targets.push(this.#blockAt(rows[a]!, rows[b]!));
+    return Int32Array.from(targets);
   }
 
-  /** The block of a row in a column, by elimination. */
+  /** The block in a row and a column, by elimination: -1 - i for diagonal i. */
+  #blockAt(row: number, column: number): number {
+    return row === column ? -1 - row : this.#search(row, column);
+  }
+
   #search(row: number, column: number): number {
     let low = this.starts[column]!;
-    let high = this.starts[column + 1]! - 1;
-    while (low < high) {
+    let high = this.starts[column + 1]!;
+    while (high - low > 1) {
       const middle = (low + high) >> 1;
-      if (this.rows[middle]! < row) low = middle + 1;
+      if (this.rows[middle]! <= row) low = middle;
       else high = middle;
     }
     return low;
   }
 
-  /** The block that two unknowns share; negative, less one: its rows are those of the second. */
-  between(a: number, b: number): number {
+  /** The block that two unknowns share, and whether its rows are those of the first. */
+  between(a: number, b: number): { block: number; straight: boolean } {
     const i = this.place[a]!;
-    const k = this.place[b]!;
-    return i > k ? this.#search(i, k) : -1 - this.#search(k, i);
+    const j = this.place[b]!;
+    return i >= j
+      ? { block: this.#blockAt(i, j), straight: true }
+      : { block: this.#blockAt(j, i), straight: false };
   }
 }
 
-/** What is left hangs together as if the unknown were still there. */
-function eliminate(i: number, near: readonly number[], neighbours: readonly Set<number>[]): void {
-  for (const a of near) {
-    const set = neighbours[a]!;
-    set.delete(i);
-    for (const b of near) if (b !== a) set.add(b);
-  }
-}
-
-/** The first unknown of least degree; one of at most 1 fills in nothing. */
-function leastDegree(left: Iterable<number>, neighbours: readonly ReadonlySet<number>[]): number {
-  let best = -1;
-  let least = Infinity;
-  for (const i of left) {
-    const degree = neighbours[i]!.size;
-    if (degree >= least) continue;
-    best = i;
-    least = degree;
-    if (degree <= 1) break;
-  }
-  return best;
-}
-
-/** Of those of least degree the first that fills in least. `fill`: as far as it is known. */
-function leastFill(
+/** The unknown of least degree; of several the first of those that fill in least. `fill`: as far as it is known. */
+function leastOf(
   left: Iterable<number>,
   neighbours: readonly ReadonlySet<number>[],
   fill: Int32Array,

@@ -8,19 +8,21 @@ import {
   speeds,
   STICKS,
   takePush,
+  type ConeContacts,
 } from '../rows/cone-contacts.js';
-import { clamp, gives, R, rate, takeAlong } from '../rows/bound-rows.js';
+import { clamp, gives, R, rate, takeAlong, type BoundRows } from '../rows/bound-rows.js';
 import { energyGuards } from '../energy/energy-guards.js';
-import type { ContactSystem, Part } from '../part.js';
+import type { Part } from '../part.js';
 import { PartMatrix } from './part-matrix.js';
-import { SIZE } from '../matrix/six-blocks.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 import {
   CREEPING,
   CREEPING_OF_MANY,
   FALL,
   LINE_FLAT,
   LINE_TRIES,
-  FEW,
+  MANY,
   MISS,
   MISS_OF_MANY,
   MISS_SHARE,
@@ -43,7 +45,9 @@ import {
  */
 export class Newton {
   readonly #matrix: PartMatrix;
-  readonly #system: ContactSystem;
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
   #part!: Part;
   #creeping = CREEPING;
   #miss = MISS;
@@ -57,9 +61,11 @@ export class Newton {
   /** Its velocities did not follow from its impulses any more. */
   ranAway = false;
 
-  constructor(system: ContactSystem) {
-    this.#system = system;
-    this.#matrix = new PartMatrix(system);
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
+    this.#matrix = new PartMatrix(contacts, rows, bodies);
   }
 
   /** False: Bullet's iterations are cheaper, or this finds no end, or none with so many matrices. */
@@ -85,13 +91,12 @@ export class Newton {
 
   /** Whether velocities follow from the impulses that were found with them. */
   #follows(): boolean {
-    const unexplained = this.#slope(C.impulse, R.impulse);
-    return energyGuards.explained(unexplained, this.#system.bodies.pace(this.#part.bodies));
+    return energyGuards.explained(this.#unexplained(), this.#bodies.pace(this.#part.bodies));
   }
 
   #followsWithoutForesight(): boolean {
     if (this.used === 0) return false;
-    const { velocities, change } = this.#system.bodies;
+    const { velocities, change } = this.#bodies;
     for (const body of this.#part.bodies)
       for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k]! -= change[k]!;
     return this.#follows();
@@ -100,16 +105,16 @@ export class Newton {
   #begin(part: Part): void {
     this.#part = part;
     this.#matrix.begin(part);
-    const many = part.bodies.length > FEW;
+    const many = part.bodies.length > MANY;
     this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
     const loose = part.jointed ? this.loose : 0;
-    const speed = many || loose > 0 ? this.#system.bodies.fastestOf(part.bodies) : 0;
+    const speed = many || loose > 0 ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
     this.#miss += loose * (speed + FALL);
     this.#nearly = many ? NEARLY * this.#miss : 0;
     this.#still = STILL + STILL_SHARE * speed;
     this.#readMisses();
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     for (const i of part.contacts) {
       c[i * C.size + C.lift] = liftOf(c, i * C.size, this.#creeping);
       project(c, i * C.size, 0);
@@ -119,14 +124,14 @@ export class Newton {
   /** What it begins with is its end, as far as that was kept; what joints pull is kept in double precision. */
   #stands(): boolean {
     const { bodies, jointed } = this.#part;
-    const rounded = bodies.length > FEW && !jointed ? ROUNDED * this.#greatestLoad() : 0;
-    return this.#slope(C.pushed, R.pushed) < this.#still + rounded;
+    const rounded = bodies.length > MANY && !jointed ? ROUNDED * this.#greatestLoad() : 0;
+    return this.#readSlope() < this.#still + rounded;
   }
 
   /** What contacts push a body by, all pushes taken alike: as a speed or a spin of it, m/s or rad/s. */
   #greatestLoad(): number {
-    const { values: c, a, b } = this.#system.contacts;
-    const { change, masses, inertias } = this.#system.bodies;
+    const { values: c, a, b } = this.#contacts;
+    const { change, masses, inertias } = this.#bodies;
     const { bodies, contacts } = this.#part;
     for (const body of bodies) change[body * SIZE] = 0;
     for (const i of contacts) {
@@ -148,7 +153,7 @@ export class Newton {
 
   /** What is pushed becomes the impulse. Returns by how much speeds still missed, m/s. */
   #raise(share: number): number {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     let worst = 0;
     for (const i of this.#part.contacts) {
       const at = i * C.size;
@@ -164,7 +169,7 @@ export class Newton {
       c[at + C.lift]! += share * rise;
       c[at + C.change]! -= penalty * share * rise;
     }
-    const r = this.#system.rows.values;
+    const r = this.#rows.values;
     for (const i of this.#part.rows) {
       const at = i * R.size;
       const more = r[at + R.pushed]! - r[at + R.impulse]!;
@@ -181,13 +186,13 @@ export class Newton {
    */
   #foresee(): void {
     if (this.used === 0) return;
-    const { momentum, velocities, change } = this.#system.bodies;
+    const { momentum, velocities, change } = this.#bodies;
     const { bodies, contacts, rows } = this.#part;
-    const { values: c, a, b } = this.#system.contacts;
+    const { values: c, a, b } = this.#contacts;
     for (const body of bodies) momentum.fill(0, body * SIZE, (body + 1) * SIZE);
     for (const i of contacts)
-      if (answerTo(c, i * C.size)) takePush(c, i * C.size, momentum, a[i]!, b[i]!, C.change);
-    const r = this.#system.rows;
+      if (answerTo(c, i * C.size)) takePush(c, i * C.size, momentum, a[i]!, b[i]!, C.change, 1);
+    const r = this.#rows;
     for (const i of rows) {
       const at = i * R.size;
       if (gives(r.values, at))
@@ -203,7 +208,7 @@ export class Newton {
   #minimise(): boolean {
     this.#readMisses();
     for (let step = 0; step < NEWTON_STEPS; step++) {
-      if (this.#slope(C.pushed, R.pushed) < this.#still) return true;
+      if (this.#readSlope() < this.#still) return true;
       if (this.used++ >= this.#most || !this.#matrix.factor()) return false;
       // Newton's direction goes to `change`.
       const size = this.#matrix.solve();
@@ -215,8 +220,8 @@ export class Newton {
   }
 
   #readMisses(): void {
-    const { values: c, a, b } = this.#system.contacts;
-    const { velocities } = this.#system.bodies;
+    const { values: c, a, b } = this.#contacts;
+    const { velocities } = this.#bodies;
     for (const i of this.#part.contacts) {
       const at = i * C.size;
       speeds(c, at, velocities, a[i]!, b[i]!, C.miss);
@@ -225,7 +230,7 @@ export class Newton {
       c[at + C.miss + 2]! -= c[at + C.target + 2]!;
       project(c, at, 0);
     }
-    const r = this.#system.rows;
+    const r = this.#rows;
     for (const i of this.#part.rows) {
       const at = i * R.size;
       r.values[at + R.miss] =
@@ -234,30 +239,36 @@ export class Newton {
     }
   }
 
-  /**
-   * The gradient goes to `momentum`. Returns the greatest speed that it would take from a body by itself: what does not follow
-   * from these numbers of contacts and rows, which are impulses.
-   */
+  /** The gradient goes to `momentum`. Returns the greatest speed that it would take from a body by itself. */
+  #readSlope(): number {
+    return this.#slope(C.pushed, R.pushed);
+  }
+
+  /** The same of the impulses that were found: the greatest speed that does not follow from them. */
+  #unexplained(): number {
+    return this.#slope(C.impulse, R.impulse);
+  }
+
   #slope(pushes: number, pushesOfRows: number): number {
-    const { values: c, a, b } = this.#system.contacts;
-    const { momentum } = this.#system.bodies;
+    const { values: c, a, b } = this.#contacts;
+    const { momentum } = this.#bodies;
     const { bodies } = this.#part;
-    this.#system.bodies.gradient(bodies);
-    for (const i of this.#part.contacts) takePush(c, i * C.size, momentum, a[i]!, b[i]!, pushes);
-    const r = this.#system.rows;
+    this.#bodies.gradient(bodies);
+    for (const i of this.#part.contacts) takePush(c, i * C.size, momentum, a[i]!, b[i]!, pushes, 1);
+    const r = this.#rows;
     for (const i of this.#part.rows) {
       const at = i * R.size;
       takeAlong(r.values, at, momentum, r.a[i]!, r.b[i]!, r.values[at + pushesOfRows]!);
     }
-    return this.#system.bodies.fastest(bodies);
+    return this.#bodies.fastest(bodies);
   }
 
   /** Along the direction found, as far as that goes down. */
   #go(): void {
-    const { velocities, change } = this.#system.bodies;
+    const { velocities, change } = this.#bodies;
     const { bodies, contacts, rows } = this.#part;
-    const { values: c, a, b } = this.#system.contacts;
-    const r = this.#system.rows;
+    const { values: c, a, b } = this.#contacts;
+    const r = this.#rows;
     for (const i of contacts) speeds(c, i * C.size, change, a[i]!, b[i]!, C.change);
     for (const i of rows)
       r.values[i * R.size + R.change] = rate(r.values, i * R.size, change, r.a[i]!, r.b[i]!);
@@ -277,8 +288,8 @@ export class Newton {
   /** How far along the direction the slope ends: by false position, after Illinois. */
   #findBottom(): number {
     const { bodies } = this.#part;
-    const begin = this.#system.bodies.along(bodies);
-    const curve = this.#system.bodies.square(bodies);
+    const begin = this.#bodies.along(bodies);
+    const curve = this.#bodies.square(bodies);
     const constant = begin + this.#power();
     let low = 0;
     let atLow = begin;
@@ -304,15 +315,24 @@ export class Newton {
 
   /** What the pushes do along the direction, `s` of it gone. */
   #powerAt(s: number): number {
-    for (const i of this.#part.contacts) project(this.#system.contacts.values, i * C.size, s);
-    for (const i of this.#part.rows) clamp(this.#system.rows.values, i * R.size, s);
-    return this.#power();
+    const c = this.#contacts.values;
+    const r = this.#rows.values;
+    let sum = 0;
+    for (const i of this.#part.contacts) {
+      project(c, i * C.size, s);
+      sum = withPower(c, i * C.size, sum);
+    }
+    for (const i of this.#part.rows) {
+      clamp(r, i * R.size, s);
+      sum += r[i * R.size + R.pushed]! * r[i * R.size + R.change]!;
+    }
+    return sum;
   }
 
   /** The same as they are. */
   #power(): number {
-    const c = this.#system.contacts.values;
-    const r = this.#system.rows.values;
+    const c = this.#contacts.values;
+    const r = this.#rows.values;
     let sum = 0;
     for (const i of this.#part.contacts) sum = withPower(c, i * C.size, sum);
     for (const i of this.#part.rows) sum += r[i * R.size + R.pushed]! * r[i * R.size + R.change]!;
@@ -327,28 +347,28 @@ export class Newton {
    */
   pushApart(): boolean {
     if (!this.#anyOverlap() || !this.#hold()) return false;
-    const { values: c, a, b } = this.#system.contacts;
-    const { momentum } = this.#system.bodies;
+    const { values: c, a, b } = this.#contacts;
+    const { momentum } = this.#bodies;
     for (const body of this.#part.bodies) momentum.fill(0, body * SIZE, (body + 1) * SIZE);
     for (const i of this.#part.contacts) {
       const at = i * C.size;
       if (c[at + C.state] === OPEN) continue;
       c[at + C.change] = c[at + C.penalty]! * c[at + C.overlap]!;
       c[at + C.change + 1] = c[at + C.change + 2] = 0;
-      takePush(c, at, momentum, a[i]!, b[i]!, C.change);
+      takePush(c, at, momentum, a[i]!, b[i]!, C.change, 1);
     }
     this.#matrix.solve();
     return true;
   }
 
   #anyOverlap(): boolean {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     for (const i of this.#part.contacts) if (c[i * C.size + C.overlap]! > SHALLOW) return true;
     return false;
   }
 
   #hold(): boolean {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     for (const i of this.#part.contacts) {
       const at = i * C.size;
       if (c[at + C.state] === SLIDES || c[at + C.overlap]! > SHALLOW) c[at + C.state] = STICKS;

@@ -1,15 +1,17 @@
-import { stiffnessOf, C } from '../rows/cone-contacts.js';
+import { stiffnessOf, C, type ConeContacts } from '../rows/cone-contacts.js';
 import { addContact } from '../rows/contact-blocks.js';
-import { addOuter, addSquare, gives, isBounded, R } from '../rows/bound-rows.js';
-import type { ContactSystem, Part } from '../part.js';
-import { BlockCholesky } from '../matrix/block-cholesky.js';
-import { SIZE } from '../matrix/six-blocks.js';
+import { addOuter, addSquare, gives, isBounded, R, type BoundRows } from '../rows/bound-rows.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE, SparseCholesky } from '../matrix/block-cholesky.js';
 import { PRODUCTS_PER_BODY } from '../tolerances.js';
 
 /** How what a part's contacts and joints push answers velocities, with the masses: Newton's matrix. */
 export class PartMatrix {
-  readonly #matrix = new BlockCholesky();
-  readonly #system: ContactSystem;
+  readonly #matrix = new SparseCholesky();
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
   #x = new Float64Array(SIZE);
   readonly #w = new Float64Array(9);
   /** By body: its number in the part. */
@@ -18,14 +20,16 @@ export class PartMatrix {
   /** What does not change in a step is in it. */
   #begun = false;
 
-  constructor(system: ContactSystem) {
-    this.#system = system;
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
   }
 
   begin(part: Part): void {
     this.#part = part;
     this.#begun = false;
-    const { count } = this.#system.bodies;
+    const { count } = this.#bodies;
     if (this.#number.length < count) this.#number = new Int32Array(2 * count);
     if (this.#x.length < SIZE * count) this.#x = new Float64Array(2 * SIZE * count);
   }
@@ -33,7 +37,7 @@ export class PartMatrix {
   /** As contacts and rows are now. False: it takes too much work, or has no end. */
   factor(): boolean {
     if (!this.#begun && !this.#beginMatrix()) return false;
-    const { values: c, a, b } = this.#system.contacts;
+    const { values: c, a, b } = this.#contacts;
     const matrix = this.#matrix;
     const { contacts, rows } = this.#part;
     matrix.restore();
@@ -41,7 +45,7 @@ export class PartMatrix {
       if (stiffnessOf(c, i * C.size, this.#w))
         addContact(matrix, this.#w, c, i * C.size, this.#numberOf(a[i]!), this.#numberOf(b[i]!));
     for (const i of rows)
-      if (this.#isBounded(i) && gives(this.#system.rows.values, i * R.size)) this.#addRow(i);
+      if (this.#isBounded(i) && gives(this.#rows.values, i * R.size)) this.#addRow(i);
     return matrix.factor();
   }
 
@@ -52,7 +56,7 @@ export class PartMatrix {
     if (!this.#analyse()) return false;
     matrix.clear();
     for (let i = 0; i < bodies.length; i++)
-      this.#system.bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
+      this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
     for (const i of rows) if (!this.#isBounded(i)) this.#addRow(i);
     return (this.#begun = matrix.factorConstant());
   }
@@ -62,10 +66,8 @@ export class PartMatrix {
     const matrix = this.#matrix;
     matrix.begin(bodies.length);
     for (let i = 0; i < bodies.length; i++) this.#number[bodies[i]!] = i;
-    for (const i of contacts)
-      this.#connect(this.#system.contacts.a[i]!, this.#system.contacts.b[i]!, true);
-    for (const i of rows)
-      this.#connect(this.#system.rows.a[i]!, this.#system.rows.b[i]!, this.#isBounded(i));
+    for (const i of contacts) this.#connect(this.#contacts.a[i]!, this.#contacts.b[i]!, true);
+    for (const i of rows) this.#connect(this.#rows.a[i]!, this.#rows.b[i]!, this.#isBounded(i));
     return matrix.analyse(PRODUCTS_PER_BODY * bodies.length);
   }
 
@@ -77,7 +79,7 @@ export class PartMatrix {
   }
 
   #isBounded(i: number): boolean {
-    return isBounded(this.#system.rows.values, i * R.size);
+    return isBounded(this.#rows.values, i * R.size);
   }
 
   #numberOf(body: number): number {
@@ -85,7 +87,7 @@ export class PartMatrix {
   }
 
   #addRow(i: number): void {
-    const { values: r, a, b } = this.#system.rows;
+    const { values: r, a, b } = this.#rows;
     const matrix = this.#matrix;
     const at = i * R.size;
     const penalty = r[at + R.penalty]!;
@@ -101,7 +103,7 @@ export class PartMatrix {
 
   /** What takes the bodies' `momentum` away goes to `change`; returns its greatest speed. */
   solve(): number {
-    const { momentum, change } = this.#system.bodies;
+    const { momentum, change } = this.#bodies;
     const { bodies } = this.#part;
     const x = this.#x;
     for (let i = 0; i < bodies.length; i++)

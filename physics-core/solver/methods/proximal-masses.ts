@@ -1,7 +1,6 @@
-import { dot3 } from '../../base/flat-math.js';
 import { invertSymmetric, makeSemidefinite } from '../../base/symmetric.js';
 import type { SolveBodies } from '../solve-bodies.js';
-import { SIZE } from '../matrix/six-blocks.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 
 /** Numbers of a 3 × 3. */
 const SQUARE = 9;
@@ -31,11 +30,14 @@ export class ProximalMasses {
     const { masses, inertias, inverseInertias, free } = this.#bodies;
     if (this.#masses.length < masses.length) this.#grow(masses.length);
     for (const body of bodies) {
-      this.#stiffness.fill(0, body * SQUARE, (body + 1) * SQUARE);
-      copy(masses, this.#masses, body, 1);
-      copy(inertias, this.#inertias, body, SQUARE);
-      copy(inverseInertias, this.#inverses, body, SQUARE);
-      copy(free, this.#free, body, SIZE);
+      this.#masses[body] = masses[body]!;
+      const from = body * SQUARE;
+      for (let k = from; k < from + SQUARE; k++) {
+        this.#inertias[k] = inertias[k]!;
+        this.#inverses[k] = inverseInertias[k]!;
+        this.#stiffness[k] = 0;
+      }
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) this.#free[k] = free[k]!;
     }
   }
 
@@ -51,7 +53,7 @@ export class ProximalMasses {
   pull(body: number, arm: Float64Array, pull: Float64Array, sign: 1 | -1): void {
     const k = this.#stiffness;
     const at = body * SQUARE;
-    const along = dot3(arm, 0, pull, 0);
+    const along = arm[0]! * pull[0]! + arm[1]! * pull[1]! + arm[2]! * pull[2]!;
     for (let x = 0; x < 3; x++) {
       k[at + 4 * x]! += sign * along;
       for (let y = 0; y < 3; y++)
@@ -93,15 +95,13 @@ export class ProximalMasses {
   end(bodies: readonly number[]): void {
     const { masses, inertias, inverseInertias, free } = this.#bodies;
     for (const body of bodies) {
-      copy(this.#masses, masses, body, 1);
-      copy(this.#inertias, inertias, body, SQUARE);
-      copy(this.#inverses, inverseInertias, body, SQUARE);
-      copy(this.#free, free, body, SIZE);
+      masses[body] = this.#masses[body]!;
+      const from = body * SQUARE;
+      for (let k = from; k < from + SQUARE; k++) {
+        inertias[k] = this.#inertias[k]!;
+        inverseInertias[k] = this.#inverses[k]!;
+      }
+      for (let k = body * SIZE; k < (body + 1) * SIZE; k++) free[k] = this.#free[k]!;
     }
   }
-}
-
-/** What a body has of an array in which each has `count` numbers. */
-function copy(from: Float64Array, to: Float64Array, body: number, count: number): void {
-  for (let k = body * count; k < (body + 1) * count; k++) to[k] = from[k]!;
 }

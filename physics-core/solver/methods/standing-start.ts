@@ -1,10 +1,10 @@
-import { factor, rowOf, solve } from '../../base/cholesky.js';
+import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { cross3, dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
 import { C, takePush, type ConeContacts } from '../rows/cone-contacts.js';
 import type { Part } from '../part.js';
 import type { SolveBodies } from '../solve-bodies.js';
-import { SIZE } from '../matrix/six-blocks.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 import { BAND, FARTHEST_BUILT, LEVEL, MISS, SINGULAR } from '../tolerances.js';
 
 /** Where what has been built to touch goes on from: in the middle of where it bears as it lies, metres. */
@@ -158,7 +158,7 @@ export class StandingStart {
     }
     const { values: c, a, b } = this.#contacts;
     for (let i = this.#first[body]!; i >= 0; i = this.#next[i]!)
-      takePush(c, i * C.size, this.#bodies.momentum, a[i]!, b[i]!, C.impulse);
+      takePush(c, i * C.size, this.#bodies.momentum, a[i]!, b[i]!, C.impulse, 1);
   }
 
   /** λ = Wᵀ (W Wᵀ)⁻¹ of what is asked. */
@@ -169,7 +169,8 @@ export class StandingStart {
     this.#readSum(body);
     for (let k = 0; k < SIZE; k++) x[k] = momentum[body * SIZE + k]!;
     if (!factor(this.#sum, 0, SIZE)) return false;
-    solve(this.#sum, 0, SIZE, x, 0);
+    forward(this.#sum, 0, SIZE, x, 0);
+    backward(this.#sum, 0, SIZE, x, 0);
     const c = this.#contacts.values;
     for (let i = this.#first[body]!; i >= 0; i = this.#next[i]!) {
       let push = 0;

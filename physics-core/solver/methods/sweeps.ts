@@ -1,8 +1,9 @@
 import { cross3, dot3 } from '../../base/flat-math.js';
-import { R, rate } from '../rows/bound-rows.js';
-import { C, speeds } from '../rows/cone-contacts.js';
-import type { ContactSystem, Part } from '../part.js';
-import { SIZE } from '../matrix/six-blocks.js';
+import { R, rate, type BoundRows } from '../rows/bound-rows.js';
+import { C, speeds, type ConeContacts } from '../rows/cone-contacts.js';
+import type { Part } from '../part.js';
+import type { SolveBodies } from '../solve-bodies.js';
+import { SIZE } from '../matrix/block-cholesky.js';
 import {
   MISS_OF_MANY,
   PUSHES,
@@ -21,7 +22,9 @@ const ANSWERS = 6;
  * impulses and none of friction's: in a large heap they begin so far from the end that it never comes to rest.
  */
 export class Sweeps {
-  readonly #system: ContactSystem;
+  readonly #contacts: ConeContacts;
+  readonly #rows: BoundRows;
+  readonly #bodies: SolveBodies;
   /** By contact: how its speeds answer its impulses; the upper half of a symmetric 3 × 3. */
   #answers = new Float64Array(ANSWERS);
   readonly #turns = new Float64Array(9);
@@ -30,8 +33,10 @@ export class Sweeps {
   /** All that it goes over are. */
   slow = false;
 
-  constructor(system: ContactSystem) {
-    this.#system = system;
+  constructor(contacts: ConeContacts, rows: BoundRows, bodies: SolveBodies) {
+    this.#contacts = contacts;
+    this.#rows = rows;
+    this.#bodies = bodies;
   }
 
   /** False: numbers that are none. */
@@ -47,11 +52,11 @@ export class Sweeps {
   // ---- velocities ---------------------------------------------------------------------------------------------------
 
   #begin(): void {
-    const { velocities, free } = this.#system.bodies;
+    const { velocities, free } = this.#bodies;
     for (const body of this.#part.bodies)
       for (let k = body * SIZE; k < (body + 1) * SIZE; k++) velocities[k] = free[k]!;
-    const c = this.#system.contacts.values;
-    const room = ANSWERS * this.#system.contacts.count;
+    const c = this.#contacts.values;
+    const room = ANSWERS * this.#contacts.count;
     if (this.#answers.length < room) this.#answers = new Float64Array(2 * room);
     for (const i of this.#part.contacts) {
       this.#readAnswers(i);
@@ -59,8 +64,7 @@ export class Sweeps {
       this.#write(i, c[p]!, c[p + 1]!, c[p + 2]!);
       this.#kick(velocities, i, c[p]!, c[p + 1]!, c[p + 2]!);
     }
-    for (const i of this.#part.rows)
-      this.#pull(i, this.#system.rows.values[i * R.size + R.impulse]!);
+    for (const i of this.#part.rows) this.#pull(i, this.#rows.values[i * R.size + R.impulse]!);
   }
 
   #sweep(back: boolean): number {
@@ -75,11 +79,11 @@ export class Sweeps {
 
   /** One contact by itself. Returns by how much its normal speed was changed, or that along it, m/s. */
   #hold(i: number): number {
-    const { values: c, a, b } = this.#system.contacts;
+    const { values: c, a, b } = this.#contacts;
     const at = i * C.size;
     const w = this.#answers;
     const d = i * ANSWERS;
-    speeds(c, at, this.#system.bodies.velocities, a[i]!, b[i]!, C.miss);
+    speeds(c, at, this.#bodies.velocities, a[i]!, b[i]!, C.miss);
     const p = at + C.impulse;
     const n = c[p]!;
     const t = c[p + 1]!;
@@ -90,16 +94,16 @@ export class Sweeps {
     this.#write(i, n + dn, t + dt, u + missed / w[d + 5]!);
     const et = c[p + 1]! - t;
     const eu = c[p + 2]! - u;
-    this.#kick(this.#system.bodies.velocities, i, dn, et, eu);
+    this.#kick(this.#bodies.velocities, i, dn, et, eu);
     return Math.max(Math.abs(dn) * w[d]!, Math.abs(et) * w[d + 3]!, Math.abs(eu) * w[d + 5]!);
   }
 
   /** A joint's row, or what keeps one body from turning, within its bounds. Returns by how much its rate was changed. */
   #keep(i: number): number {
-    const { values: r, a, b } = this.#system.rows;
+    const { values: r, a, b } = this.#rows;
     const at = i * R.size;
     const gives = this.#givesOf(i) || 1;
-    const missed = r[at + R.target]! - rate(r, at, this.#system.bodies.velocities, a[i]!, b[i]!);
+    const missed = r[at + R.target]! - rate(r, at, this.#bodies.velocities, a[i]!, b[i]!);
     const before = r[at + R.impulse]!;
     const now = Math.min(r[at + R.most]!, Math.max(r[at + R.least]!, before + missed / gives));
     r[at + R.impulse] = now;
@@ -109,14 +113,14 @@ export class Sweeps {
 
   /** What an impulse of 1 N s, or a moment of 1 N m s, makes of its rate. */
   #givesOf(i: number): number {
-    const { a, b } = this.#system.rows;
+    const { a, b } = this.#rows;
     return this.#givesOfBody(i * R.size + R.a, a[i]!) + this.#givesOfBody(i * R.size + R.b, b[i]!);
   }
 
   #givesOfBody(at: number, body: number): number {
     if (body < 0) return 0;
-    const { values: r } = this.#system.rows;
-    const { masses, inverseInertias } = this.#system.bodies;
+    const { values: r } = this.#rows;
+    const { masses, inverseInertias } = this.#bodies;
     let sum = dot3(r, at, r, at) / masses[body]!;
     for (let k = 0; k < 3; k++)
       sum += r[at + 3 + k]! * dot3(inverseInertias, 9 * body + 3 * k, r, at + 3);
@@ -124,15 +128,15 @@ export class Sweeps {
   }
 
   #pull(i: number, impulse: number): void {
-    const { a, b } = this.#system.rows;
+    const { a, b } = this.#rows;
     this.#pullBody(i * R.size + R.a, a[i]!, impulse);
     this.#pullBody(i * R.size + R.b, b[i]!, impulse);
   }
 
   #pullBody(at: number, body: number, impulse: number): void {
     if (body < 0) return;
-    const { values: r } = this.#system.rows;
-    const { velocities, masses, inverseInertias } = this.#system.bodies;
+    const { values: r } = this.#rows;
+    const { velocities, masses, inverseInertias } = this.#bodies;
     for (let k = 0; k < 3; k++) {
       velocities[SIZE * body + k]! += (impulse * r[at + k]!) / masses[body]!;
       velocities[SIZE * body + 3 + k]! +=
@@ -142,7 +146,7 @@ export class Sweeps {
 
   /** Impulses, as Coulomb's law allows them. */
   #write(i: number, n: number, t: number, u: number): void {
-    const c = this.#system.contacts.values;
+    const c = this.#contacts.values;
     const at = i * C.size;
     const most = c[at + C.friction]! * n;
     const along = Math.sqrt(t * t + u * u);
@@ -158,8 +162,8 @@ export class Sweeps {
   pushApart(): boolean {
     // Each body by itself would tear them.
     if (this.#part.jointed) return false;
-    const c = this.#system.contacts.values;
-    const { change } = this.#system.bodies;
+    const c = this.#contacts.values;
+    const { change } = this.#bodies;
     const { bodies, contacts } = this.#part;
     let any = false;
     for (const body of bodies) change.fill(0, body * SIZE, (body + 1) * SIZE);
@@ -180,31 +184,31 @@ export class Sweeps {
   }
 
   #separate(i: number): void {
-    const { values: c, a, b } = this.#system.contacts;
+    const { values: c, a, b } = this.#contacts;
     const at = i * C.size;
     if (c[at + C.impulse] === 0 && c[at + C.overlap] === 0) return;
-    speeds(c, at, this.#system.bodies.change, a[i]!, b[i]!, C.miss);
+    speeds(c, at, this.#bodies.change, a[i]!, b[i]!, C.miss);
     const before = c[at + C.pushed]!;
     const n = Math.max(
       0,
       before - (c[at + C.miss]! - c[at + C.overlap]!) / this.#answers[i * ANSWERS]!,
     );
     c[at + C.pushed] = n;
-    this.#kick(this.#system.bodies.change, i, n - before, 0, 0);
+    this.#kick(this.#bodies.change, i, n - before, 0, 0);
   }
 
   // ---- what impulses do ---------------------------------------------------------------------------------------------
 
   /** How fast an impulse of 1 N s along one of its directions makes a contact along another, m/s. */
   #readAnswers(i: number): void {
-    const { values: c, a, b } = this.#system.contacts;
+    const { values: c, a, b } = this.#contacts;
     this.#answers.fill(0, i * ANSWERS, (i + 1) * ANSWERS);
     if (a[i]! >= 0) this.#addAnswers(i, a[i]!, c, i * C.size + C.armA);
     if (b[i]! >= 0) this.#addAnswers(i, b[i]!, c, i * C.size + C.armB);
   }
 
   #addAnswers(i: number, body: number, c: Float64Array, arm: number): void {
-    const { masses, inverseInertias } = this.#system.bodies;
+    const { masses, inverseInertias } = this.#bodies;
     const turns = this.#turns;
     const w = this.#answers;
     for (let k = 0; k < 3; k++) cross3(turns, 3 * k, c, arm, c, i * C.size + 3 * k);
@@ -218,7 +222,7 @@ export class Sweeps {
   }
 
   #kick(v: Float64Array, i: number, n: number, t: number, u: number): void {
-    const { values: c, a, b } = this.#system.contacts;
+    const { values: c, a, b } = this.#contacts;
     const at = i * C.size;
     const x = n * c[at]! + t * c[at + 3]! + u * c[at + 6]!;
     const y = n * c[at + 1]! + t * c[at + 4]! + u * c[at + 7]!;
@@ -236,7 +240,7 @@ export class Sweeps {
     y: number,
     z: number,
   ): void {
-    const { masses, inverseInertias: w } = this.#system.bodies;
+    const { masses, inverseInertias: w } = this.#bodies;
     const i = SIZE * body;
     const j = 9 * body;
     const share = 1 / masses[body]!;

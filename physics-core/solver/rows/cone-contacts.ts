@@ -1,4 +1,3 @@
-import { addWrench } from '../../base/arms.js';
 import { grown, grownInt } from '../../base/grown.js';
 
 // The contacts of a step as rows of numbers: where each is, what it asks, and what is known of it while it is solved.
@@ -57,6 +56,7 @@ export class ConeContacts {
   b = new Int32Array(64);
   /** On Bullet's heap. */
   pointers = new Int32Array(64);
+  #kept = new Float64Array(0);
 
   /** Room for one more; returns where its numbers begin. */
   add(pointer: number, a: number, b: number): number {
@@ -66,6 +66,20 @@ export class ConeContacts {
     this.b[i] = b;
     this.pointers[i] = pointer;
     return i * C.size;
+  }
+
+  /** Impulses as they are now, for `putBack`. */
+  keep(contacts: readonly number[]): void {
+    if (this.#kept.length < 3 * contacts.length) this.#kept = new Float64Array(6 * contacts.length);
+    const c = this.values;
+    for (let j = 0; j < contacts.length; j++)
+      for (let k = 0; k < 3; k++) this.#kept[3 * j + k] = c[contacts[j]! * C.size + C.impulse + k]!;
+  }
+
+  putBack(contacts: readonly number[]): void {
+    const c = this.values;
+    for (let j = 0; j < contacts.length; j++)
+      for (let k = 0; k < 3; k++) c[contacts[j]! * C.size + C.impulse + k] = this.#kept[3 * j + k]!;
   }
 
   /** Impulses are to begin at none. */
@@ -124,7 +138,7 @@ export function speeds(
   c[at + out + 2] = c[at + 6]! * x + c[at + 7]! * y + c[at + 8]! * z;
 }
 
-/** Takes the push at `from` of the contact out of `g` (six numbers a body). */
+/** Takes the push at `from` of the contact, times `s`, out of `g` (six numbers a body). */
 export function takePush(
   c: Float64Array,
   at: number,
@@ -132,15 +146,36 @@ export function takePush(
   a: number,
   b: number,
   from: number,
+  s: number,
 ): void {
-  const n = c[at + from]!;
-  const t = c[at + from + 1]!;
-  const u = c[at + from + 2]!;
+  const n = s * c[at + from]!;
+  const t = s * c[at + from + 1]!;
+  const u = s * c[at + from + 2]!;
   const x = n * c[at]! + t * c[at + 3]! + u * c[at + 6]!;
   const y = n * c[at + 1]! + t * c[at + 4]! + u * c[at + 7]!;
   const z = n * c[at + 2]! + t * c[at + 5]! + u * c[at + 8]!;
-  if (a >= 0) addWrench(g, 6 * a, c, at + C.armA, -x, -y, -z);
-  if (b >= 0) addWrench(g, 6 * b, c, at + C.armB, x, y, z);
+  if (a >= 0) takeWrench(g, 6 * a, c, at + C.armA, x, y, z);
+  if (b >= 0) takeWrench(g, 6 * b, c, at + C.armB, -x, -y, -z);
+}
+
+function takeWrench(
+  g: Float64Array,
+  i: number,
+  c: Float64Array,
+  arm: number,
+  x: number,
+  y: number,
+  z: number,
+): void {
+  const rx = c[arm]!;
+  const ry = c[arm + 1]!;
+  const rz = c[arm + 2]!;
+  g[i]! -= x;
+  g[i + 1]! -= y;
+  g[i + 2]! -= z;
+  g[i + 3]! -= ry * z - rz * y;
+  g[i + 4]! -= rz * x - rx * z;
+  g[i + 5]! -= rx * y - ry * x;
 }
 
 /**
@@ -182,19 +217,18 @@ export function stiffnessOf(c: Float64Array, at: number, w: Float64Array): boole
   const penalty = c[at + C.penalty]!;
   const state = c[at + C.state]!;
   if (state === OPEN) return false;
-  w.fill(0);
   if (state === STICKS) {
-    addSquare(w, c, at, 1, 0, 0, penalty);
-    addSquare(w, c, at, 0, 1, 0, penalty);
-    addSquare(w, c, at, 0, 0, 1, penalty);
+    addSquare(w, c, at, 1, 0, 0, penalty, true);
+    addSquare(w, c, at, 0, 1, 0, penalty, false);
+    addSquare(w, c, at, 0, 0, 1, penalty, false);
     return true;
   }
   const friction = c[at + C.friction]!;
   const t = c[at + C.along1]!;
   const u = c[at + C.along2]!;
   const share = penalty / (1 + friction * friction);
-  addSquare(w, c, at, 1, friction * t, friction * u, share);
-  addSquare(w, c, at, 0, -u, t, penalty * c[at + C.turning]!);
+  addSquare(w, c, at, 1, friction * t, friction * u, share, true);
+  addSquare(w, c, at, 0, -u, t, penalty * c[at + C.turning]!, false);
   return true;
 }
 
@@ -215,7 +249,7 @@ export function answerTo(c: Float64Array, at: number): boolean {
   return true;
 }
 
-/** w ← w + s d dᵀ, with d put together of the three directions. */
+/** w ← (w +) s d dᵀ, with d put together of the three directions. */
 function addSquare(
   w: Float64Array,
   c: Float64Array,
@@ -224,12 +258,14 @@ function addSquare(
   t: number,
   u: number,
   s: number,
+  first: boolean,
 ): void {
   const x = n * c[at]! + t * c[at + 3]! + u * c[at + 6]!;
   const y = n * c[at + 1]! + t * c[at + 4]! + u * c[at + 7]!;
   const z = n * c[at + 2]! + t * c[at + 5]! + u * c[at + 8]!;
   const sx = s * x;
   const sy = s * y;
+  if (first) w.fill(0);
   w[0]! += sx * x;
   w[4]! += sy * y;
   w[8]! += s * z * z;

@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
-import { SIZE } from '../../../../physics-core/solver/matrix/six-blocks.js';
+import { SIZE, SparseCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { below } from '../../helpers.js';
 import { fullOf, next, some } from '../rows/contacts.js';
 
@@ -49,7 +48,7 @@ const GRAPHS: Record<string, [bodies: number, pairs: [number, number][]]> = {
 
 /** Random symmetric matrices, positive definite by their diagonals. */
 function fill(
-  matrix: BlockCholesky,
+  matrix: SparseCholesky,
   bodies: number,
   pairs: readonly [number, number][],
   changing: readonly number[] = [],
@@ -75,7 +74,7 @@ function fill(
 }
 
 // One matrix for all, as in a world: nothing of an earlier one may be left.
-const shared = new BlockCholesky();
+const shared = new SparseCholesky();
 
 for (const [name, [bodies, pairs]] of Object.entries(GRAPHS))
   void test(`${name}: the solution is that of the full matrix`, () => {
@@ -116,7 +115,7 @@ for (const [name, [bodies, pairs]] of Object.entries(GRAPHS))
   });
 
 void test('what costs more than it may is not analysed, and what is not positive definite has no factor', () => {
-  const matrix = new BlockCholesky();
+  const matrix = new SparseCholesky();
   matrix.begin(5);
   for (const i of range(4)) matrix.connect(i, i + 1);
   assert.equal(matrix.analyse(5), false);
@@ -131,7 +130,7 @@ void test('what costs more than it may is not analysed, and what is not positive
 
 void test('a stack fills in nothing: its cost grows with its height', () => {
   const products = [10, 20, 40].map((count) => {
-    const matrix = new BlockCholesky();
+    const matrix = new SparseCholesky();
     matrix.begin(count);
     for (const i of range(count - 1)) matrix.connect(i, i + 1);
     assert.ok(matrix.analyse(1e6));

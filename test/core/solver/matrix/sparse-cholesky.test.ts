@@ -7,12 +7,6 @@ import { below, random } from '../../helpers.js';
 
 const next = random(3);
 
-function patternOf(neighbours: Set<number>[]): SparsePattern {
-  const pattern = new SparsePattern();
-  pattern.find(neighbours, [new Set(neighbours.keys())], Infinity, true);
-  return pattern;
-}
-
 /** Blocks of these sizes, each with some others, as a full matrix too. */
 function made(sizes: number[], pairs: [number, number][]) {
   const neighbours = sizes.map(() => new Set<number>());
@@ -20,7 +14,7 @@ function made(sizes: number[], pairs: [number, number][]) {
     neighbours[a]!.add(b);
     neighbours[b]!.add(a);
   }
-  const matrix = new SparseCholesky(patternOf(neighbours), sizes);
+  const matrix = new SparseCholesky(new SparsePattern(neighbours), sizes);
   const firsts = sizes.map((_, i) => sizes.slice(0, i).reduce((sum, n) => sum + n, 0));
   const n = firsts.at(-1)! + sizes.at(-1)!;
   const full = Array.from({ length: n }, () => new Array<number>(n).fill(0));
@@ -33,9 +27,8 @@ function made(sizes: number[], pairs: [number, number][]) {
       }
   });
   for (const pair of pairs) {
-    const between = matrix.pattern.between(...pair);
-    const [a, b] = between >= 0 ? pair : [pair[1], pair[0]];
-    const block = between >= 0 ? between : -1 - between;
+    const { block, straight } = matrix.pattern.between(...pair);
+    const [a, b] = straight ? pair : [pair[1], pair[0]];
     for (let r = 0; r < sizes[a]!; r++)
       for (let c = 0; c < sizes[b]!; c++) {
         const value = next() - 0.5;
@@ -93,7 +86,7 @@ void test('a net of 20 by 20 fills in little', () => {
     for (const k of [i % 20 < 19 ? i + 1 : -1, i + 20])
       if (k >= 0 && k < 400) neighbours[i]!.add(k) && neighbours[k]!.add(i);
   // Row by row it would be a band of 20: 8000 blocks.
-  below(patternOf(neighbours).blocks, 3500, 'blocks');
+  below(new SparsePattern(neighbours).rows.length, 3500, 'blocks');
 });
 
 void test('what is not positive definite has no factor', () => {

@@ -1,7 +1,9 @@
 import { cross, normalize, perpendicular } from '../../../../physics-core/base/math.js';
 import { C, ConeContacts } from '../../../../physics-core/solver/rows/cone-contacts.js';
-import type { BlockCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
-import { SIZE } from '../../../../physics-core/solver/matrix/six-blocks.js';
+import {
+  SIZE,
+  type SparseCholesky,
+} from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { random, type Vec3 } from '../../helpers.js';
 
 // Any contacts, and matrices in full.
@@ -41,7 +43,7 @@ export function anyContact(a = 0, b = 1): { contacts: ConeContacts; c: Float64Ar
 
 /** The matrix as it stands, full; `pairs` are the blocks off its diagonal. */
 export function fullOf(
-  matrix: BlockCholesky,
+  matrix: SparseCholesky,
   bodies: number,
   pairs: readonly [number, number][],
 ): number[][] {
