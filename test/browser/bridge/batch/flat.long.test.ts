@@ -95,12 +95,16 @@ describe('ten thousand bodies that come and go', () => {
     });
     for (let i = 0; i < WARM_UP; i++) await round();
     const before = await looked();
-    for (let i = 0; i < ROUNDS; i++) await round();
+    for (let i = 0; i < ROUNDS / 2; i++) await round();
+    const { heap: between } = await looked();
+    for (let i = 0; i < ROUNDS / 2; i++) await round();
     await nextFrame();
     const after = await looked();
     expect(after.objects).to.eql(before.objects);
     expect(after.bullet).to.equal(before.bullet);
-    expect(after.heap - before.heap).to.be.below(BYTES * COMING * ROUNDS);
+    // What bodies leave they leave in both halves; what a compiler makes of code that has run often comes in one of them.
+    const left = Math.min(between - before.heap, after.heap - between);
+    expect(left).to.be.below((BYTES * COMING * ROUNDS) / 2);
     expect(errorOf(x3d)).to.equal(0);
   });
 });
