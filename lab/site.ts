@@ -39,7 +39,7 @@ function rowOf(what: string, visitor: Visitor, turns: readonly Arrival[]): strin
 
 async function measured(browser: Browser, address: string): Promise<Table> {
   const rows: string[][] = [];
-  for (const [path, what] of OWN_PAGES)
+  for (const { path, what } of OWN_PAGES)
     for (const visitor of VISITORS) {
       const turns: Arrival[] = [];
       const site = { address, folder: FOLDER };

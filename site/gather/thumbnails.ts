@@ -1,5 +1,6 @@
-// Pictures of the gallery's scenes, and smaller ones of all others that the playground's menu opens, taken while they run. What a scene's text has not changed is taken from the last time,
-// so that a second build costs nothing; where there is no browser a page shows a plain tile, and the menu names alone.
+// Pictures of the gallery's scenes, and smaller ones of all others that the playground's menu opens, taken while they run.
+// What a scene's text has not changed is taken from the last time, so that a second build costs nothing; where there is no
+// browser a page shows a plain tile, and the menu names alone.
 //   node --import tsx site/gather/thumbnails.ts      takes those that are missing
 import { createHash } from 'node:crypto';
 import { cpSync, existsSync, readFileSync } from 'node:fs';

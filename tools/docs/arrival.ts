@@ -20,7 +20,10 @@ export const VISITORS: readonly Visitor[] = [
 ];
 
 export interface Arrival {
-  /** Bytes as a server sends them that has the packed files of the package, and how many files. */
+  /**
+   * Bytes as a server sends them that has the packed files of the package, and of how many files; what the page asks for
+   * once more and has already is none.
+   */
   bytes: number;
   files: number;
   /** Milliseconds to the first word or picture, and to the largest. */
@@ -56,7 +59,7 @@ async function sizeOf(request: Request, folder: string): Promise<number> {
   const { responseBodySize: sent } = await request.sizes();
   const { pathname } = new URL(request.url());
   const packed = join(folder, `${pathname}.br`);
-  // Nothing: it was there already.
+  // None: it was there already.
   return sent && pathname.endsWith('.wasm') && existsSync(packed) ? statSync(packed).size : sent;
 }
 
@@ -98,7 +101,7 @@ export async function arrivalOf(
   await tab.goto(site.address + path);
   while (performance.now() - last < quiet) await tab.waitForTimeout(100);
   tab.off('requestfinished', count);
-  const bytes = await Promise.all(sizes);
+  const bytes = (await Promise.all(sizes)).filter((size) => size > 0);
   const seen = await tab.evaluate<Watched & Pick<Arrival, 'first'>>(LOOK);
   await context.close();
   return { ...seen, bytes: bytes.reduce((all, each) => all + each, 0), files: bytes.length };

@@ -7,9 +7,6 @@ import { FOLDER } from '../../../tools/docs/site.js';
 /** Of the shift that is called good, 0.1, a fifth: a frame is as high as its scene, to the height of a line below it. */
 const SHIFT = 0.02;
 
-/** Kilobytes: words and pictures; with a scene x3dom and the library, 650 more. */
-const WEIGHT = 1000;
-
 /** Milliseconds without anything that comes. */
 const QUIET = 1500;
 
@@ -20,14 +17,14 @@ export async function unsettled(browser: Browser, address: string): Promise<stri
   for (const visitor of VISITORS)
     await Promise.all(
       [0, 1].map(async (half) => {
-        for (const [path] of OWN_PAGES.filter((_, i) => i % 2 === half)) {
+        for (const { path, most } of OWN_PAGES.filter((_, i) => i % 2 === half)) {
           const site = { address, folder: FOLDER };
           const how = { quiet: QUIET, slow: false };
           const { shift, moved, bytes } = await arrivalOf(browser, site, path, visitor, how);
           const who = `${path} by ${visitor.name}`;
           if (shift > SHIFT)
             faults.push(`${who} moves by ${shift.toFixed(3)}: ${moved.join('; ')}`);
-          if (bytes > WEIGHT * 1000) faults.push(`${who} weighs ${bytes} bytes`);
+          if (bytes > most * 1000) faults.push(`${who} weighs ${bytes} bytes, ${most} kB at most`);
         }
       }),
     );
