@@ -16,6 +16,6 @@ export const OWN_PAGES: readonly OwnPage[] = [
   { path: '/reference/SliderJoint.html', what: 'a node of the reference', most: 280 },
   { path: '/docs/stability.html', what: 'stability', most: 290 },
   { path: '/docs/price.html', what: 'what a step costs', most: 290 },
-  // Its frame and its panel may both ask for x3dom before the one has it: 193 kB more, now and then.
+  // Now and then some 195 kB more came, about what x3dom weighs; why is open.
   { path: '/playground.html', what: 'playground', most: 1170 },
 ];
