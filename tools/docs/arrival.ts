@@ -1,7 +1,7 @@
 // How a page of the site arrives: what it weighs, when something is seen, and what moves meanwhile by itself.
 import { existsSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Browser, Page as Tab, Request } from 'playwright';
+import type { Browser, Frame, Page as Tab, Request } from 'playwright';
 
 /** A visitor: a window, and a line as Lighthouse takes it for its two kinds of device. */
 export interface Visitor {
@@ -22,7 +22,8 @@ export const VISITORS: readonly Visitor[] = [
 export interface Arrival {
   /**
    * Bytes as a server sends them that has the packed files of the package, and of how many files; what the page asks for
-   * once more and has already is none.
+   * once more and has already is none. Frames below the window are left out: how early they are fetched, browsers choose
+   * by the line that they guess they have (https://web.dev/articles/iframe-lazy-loading).
    */
   bytes: number;
   files: number;
@@ -53,6 +54,14 @@ const WATCH = `
 
 /** Milliseconds, as far as the page is now. */
 const LOOK = `({ ...watched, first: performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? Infinity })`;
+
+/** In the window, or the page itself. */
+async function isSeen(frame: Frame, height: number): Promise<boolean> {
+  if (!frame.parentFrame()) return true;
+  const element = await frame.frameElement();
+  const box = await element.boundingBox();
+  return !!box && box.y < height;
+}
 
 /** Bytes of what came: of the packed file in `folder`, where the server of the tests packs nothing. */
 async function sizeOf(request: Request, folder: string): Promise<number> {
@@ -90,18 +99,23 @@ export async function arrivalOf(
   const context = await browser.newContext({ viewport: { width, height } });
   const tab = await context.newPage();
   if (slow) await slowDown(tab, visitor);
-  const sizes: Promise<number>[] = [];
+  const sizes = new Map<Frame, Promise<number>[]>();
   let last = performance.now();
   const count = (request: Request): void => {
     last = performance.now();
-    if (request.url().startsWith(site.address)) sizes.push(sizeOf(request, site.folder));
+    if (!request.url().startsWith(site.address)) return;
+    const frame = request.frame();
+    sizes.set(frame, [...(sizes.get(frame) ?? []), sizeOf(request, site.folder)]);
   };
   tab.on('requestfinished', count);
   await tab.addInitScript(WATCH);
   await tab.goto(site.address + path);
   while (performance.now() - last < quiet) await tab.waitForTimeout(100);
   tab.off('requestfinished', count);
-  const bytes = (await Promise.all(sizes)).filter((size) => size > 0);
+  const bytes: number[] = [];
+  for (const [frame, ofFrame] of sizes)
+    if (await isSeen(frame, height))
+      bytes.push(...(await Promise.all(ofFrame)).filter((size) => size > 0));
   const seen = await tab.evaluate<Watched & Pick<Arrival, 'first'>>(LOOK);
   await context.close();
   return { ...seen, bytes: bytes.reduce((all, each) => all + each, 0), files: bytes.length };
