@@ -8,6 +8,7 @@ import { outlines } from './effects/debug/debugging.js';
 import { advice } from './nodes/node/advice.js';
 import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
+import { recordings } from './world/recording.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
@@ -50,6 +51,7 @@ export { jointSolve } from './effects/joints/effects.js';
 export type { EffectReport } from './effects/effect/report.js';
 export type { Collision, CollisionEnd, TouchPoint } from './effects/contacts/touches.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
+export type { Run, StepHash, Timeline, TimelineMark } from './world/recording.js';
 export type { LevelMeasurement, MeasureOptions } from './world/measuring.js';
 export { geometryFields, type Geometry, type GeometryType } from './shapes/geometry.js';
 
@@ -64,10 +66,12 @@ export async function debugLines(world: World): Promise<DebugLines> {
 
 /** The engine, and the code of all effects: nothing that is made of them waits. */
 export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  const all = [advice, ...chunks].map((chunk) => chunk.load());
+  const all = [advice, recordings, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadBullet(options), ...all]);
   return engine;
 }
+
+recordings.comesFrom(() => import('./timeline/timeline-code.js'));
 
 measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);
 

@@ -49,6 +49,11 @@ export class EventQueue {
     return this.#next < this.#entries.length;
   }
 
+  /** Whether the world is at work of its own; within what is asked for as a whole, that is counted, too. */
+  get depth(): number {
+    return this.#held;
+  }
+
   /** Work begins: until it is over nobody is told anything. */
   hold(): void {
     this.#held++;

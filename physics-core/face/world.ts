@@ -1,10 +1,11 @@
-import type { LevelMeasurement, MeasureOptions } from '../world/measuring.js';
+import type { LevelMeasurement, MeasureOptions, Watching } from '../world/measuring.js';
 import type { Problem } from '../base/problems.js';
 import type { Level, LevelName } from '../dynamics/levels.js';
 import type { Costs } from '../effects/costs/frame-costs.js';
 import type { ColorMeaning } from '../effects/debug/colors.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { Vec3 } from '../fields/types.js';
+import type { RecordOptions, Run, Timeline } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Stats } from '../world/store/types.js';
 import type { WorldEvents } from './events.js';
@@ -104,6 +105,37 @@ export interface World {
    * Anything else than a whole snapshot of this scene is reported, and nothing happens.
    */
   restore(snapshot: Snapshot): void;
+
+  /**
+   * Keeps what it does from now on, for so many simulated seconds: 60 pictures a second, what is done to it, and a snapshot
+   * each second. Asked again it begins anew. `reset()` and `restore()` begin it anew, too. Settles when its code is here;
+   * where that is, in the core always, it keeps the very next step.
+   * @example
+   * await world.record({ seconds: 20 });
+   * // ... something falls over
+   * world.timeline.seek(world.time - 3);
+   * world.resume();                        // the last three seconds have not been
+   */
+  record(options?: RecordOptions): Promise<Timeline>;
+
+  /** What was recorded; undefined: nothing is. */
+  readonly timeline: Timeline | undefined;
+
+  /**
+   * Goes on from where one looks in the timeline: as if what came later had not been, bit for bit as it went from there if
+   * the same is done to it. What was done while one looked is done now. Without a timeline, and at the running world, nothing.
+   */
+  resume(): void;
+
+  /** What is recorded as plain data, for `importRun` in another page or browser; undefined: nothing is recorded. */
+  exportRun(): Run | undefined;
+
+  /**
+   * Runs a run anew in this world, which has to have the same scene (an empty one gets its nodes): beside it and in pieces, so
+   * that nothing stops. Then the world is where the run ended, and its timeline the run's. Where it goes another way than it
+   * went, `run-diverged` tells the step, and it ends there. Undefined: it can't be read (`bad-value`).
+   */
+  importRun(run: Run, watching?: Watching): Promise<Timeline | undefined>;
 
   /** Ends it, and gives back its memory. */
   destroy(): void;

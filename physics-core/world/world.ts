@@ -23,10 +23,17 @@ import { Editing } from './store/editing.js';
 import { Failures } from './store/failures.js';
 import { HeapLimit } from './store/heap-limit.js';
 import { Lifecycle } from './lifecycle/lifecycle.js';
-import { measure, type LevelMeasurement, type MeasureOptions } from './measuring.js';
+import { measure, type LevelMeasurement, type MeasureOptions, type Watching } from './measuring.js';
 import { NodeStore } from './store/node-store.js';
 import { alone, meeting, type Meeting, type ObstacleRules } from './pairs/alone.js';
 import { Rays, type RayHit } from './rays/raycast.js';
+import {
+  recordings,
+  type Recorder,
+  type RecordOptions,
+  type Run,
+  type Timeline,
+} from './recording.js';
 import { Reporting } from './store/reporting.js';
 import { restoreSnapshot } from './snapshot/restore.js';
 import type { Snapshot } from './snapshot/snapshot.js';
@@ -46,6 +53,8 @@ export class World implements TimedWorld {
   started = false;
   /** Tells the page's loop that there is work again. */
   onwork?: () => void;
+  /** While it is recorded. */
+  recorder: Recorder | undefined;
 
   readonly #reporting: Reporting;
   #meeting: Meeting = alone;
@@ -84,7 +93,9 @@ export class World implements TimedWorld {
   }
 
   add(type: string, fields: Record<string, unknown> = {}, options: AddOptions = {}): PhysicsNode {
-    return this.events.during(() => this.store.add(type, fields, options));
+    return this.call(this, 'add', [type, fields, options], () =>
+      this.store.add(type, fields, options),
+    );
   }
 
   node(nameOrHost: unknown): PhysicsNode | undefined {
@@ -126,6 +137,12 @@ export class World implements TimedWorld {
     this.pairs.refresh();
   }
 
+  /** Does as a whole what somebody asks for. */
+  call<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
+    const { recorder } = this;
+    return this.events.during(recorder ? () => recorder.keep(who, method, args, work) : work);
+  }
+
   /** Applies pending edits. */
   flush(): void {
     if (this.started) this.edits.flush();
@@ -155,7 +172,32 @@ export class World implements TimedWorld {
     this.events.anew(() => restoreSnapshot(this, snapshot));
   }
 
+  async record(options: RecordOptions = {}): Promise<Timeline> {
+    if (!this.started) await this.ready;
+    if (!recordings.here) await recordings.load();
+    return recordings.code.record(this, options);
+  }
+
+  get timeline(): Timeline | undefined {
+    return this.recorder;
+  }
+
+  resume(): void {
+    this.recorder?.resume();
+  }
+
+  exportRun(): Run | undefined {
+    return this.recorder?.exportRun();
+  }
+
+  async importRun(run: Run, watching: Watching = {}): Promise<Timeline | undefined> {
+    if (!this.started) await this.ready;
+    if (!recordings.here) await recordings.load();
+    return recordings.code.importRun(this, run, watching);
+  }
+
   destroy(): void {
+    this.recorder?.stop();
     this.lifecycle.destroy();
   }
 

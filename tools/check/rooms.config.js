@@ -15,6 +15,7 @@ export const trees = {
       'nodes',
       'world',
       'accuracy',
+      'timeline',
       'face',
     ],
     circles: [

@@ -112,12 +112,12 @@ export class Drag {
 
   /** The grabbed point is to be here, world frame, metres. */
   move(point: Vec3): void {
-    this.#whole(() => this.#move(point));
+    this.#whole('move', [point], () => this.#move(point));
   }
 
   /** What a call brings about is told when it is over. */
-  #whole(call: () => void): void {
-    if (!this.#over) this.#simulation.events.during(call);
+  #whole(method: string, args: readonly unknown[], work: () => void): void {
+    if (!this.#over) this.#simulation.call(this, method, args, work);
   }
 
   #move(point: Vec3): void {
@@ -142,7 +142,7 @@ export class Drag {
 
   /** Lets go. `still`: at rest, whatever it was doing. */
   end(still = false): void {
-    this.#whole(() => this.#end(still));
+    this.#whole('end', [still], () => this.#end(still));
   }
 
   #end(still: boolean): void {
@@ -153,7 +153,7 @@ export class Drag {
 
   /** Lets go; what was not moved by a spring returns to where it was grabbed. */
   cancel(): void {
-    this.#whole(() => this.#cancel());
+    this.#whole('cancel', [], () => this.#cancel());
   }
 
   #cancel(): void {

@@ -205,11 +205,13 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   wake(): void {
-    if (this.active && this.movable) this.world.bodies.wake(this);
+    if (this.active && this.movable)
+      this.world.call(this, 'wake', [], () => this.world.bodies.wake(this));
   }
 
   sleep(): void {
-    if (this.active && this.movable) this.world.bodies.sleep(this);
+    if (this.active && this.movable)
+      this.world.call(this, 'sleep', [], () => this.world.bodies.sleep(this));
   }
 
   // ---- pose and velocity ------------------------------------------------------------------------------------------
@@ -269,19 +271,23 @@ export class BodyNode extends PhysicsNode implements Body {
   // ---- what page code does to it ----------------------------------------------------------------------------------
 
   teleport(position: Vec3, orientation?: Rotation, velocities: Partial<Velocities> = {}): void {
-    this.world.events.during(() => this.#commands.teleport(position, orientation, velocities));
+    this.world.call(this, 'teleport', [position, orientation, velocities], () =>
+      this.#commands.teleport(position, orientation, velocities),
+    );
   }
 
   applyForce(force: Vec3, at?: Vec3): void {
-    this.world.events.during(() => this.#commands.applyForce(force, at));
+    this.world.call(this, 'applyForce', [force, at], () => this.#commands.applyForce(force, at));
   }
 
   applyTorque(torque: Vec3): void {
-    this.world.events.during(() => this.#commands.applyTorque(torque));
+    this.world.call(this, 'applyTorque', [torque], () => this.#commands.applyTorque(torque));
   }
 
   applyImpulse(impulse: Vec3, at?: Vec3): void {
-    this.world.events.during(() => this.#commands.applyImpulse(impulse, at));
+    this.world.call(this, 'applyImpulse', [impulse, at], () =>
+      this.#commands.applyImpulse(impulse, at),
+    );
   }
 
   argument<T>(method: string, type: 'SFVec3f' | 'SFRotation', value: unknown): T | undefined {
@@ -301,7 +307,7 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   drag(point: Vec3, onend: (reason: DragEnd) => void = () => {}): Drag | undefined {
-    return this.world.events.during(() => this.grip.take(point, onend));
+    return this.world.call(this, 'drag', [point], () => this.grip.take(point, onend));
   }
 
   hold(held: boolean): void {

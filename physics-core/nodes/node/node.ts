@@ -93,17 +93,17 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** Asks for a value. Equal to the one last asked for: nothing happens. `text`: how the author wrote it. */
   set(spelling: string, value: unknown, text: unknown = value): void {
-    this.world.events.during(() => this.#edits.set(spelling, value, text));
+    this.world.call(this, 'set', [spelling, value], () => this.#edits.set(spelling, value, text));
   }
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
   event(spelling: string, value: unknown): void {
-    this.world.events.during(() => this.#edits.event(spelling, value));
+    this.world.call(this, 'event', [spelling, value], () => this.#edits.event(spelling, value));
   }
 
   /** The attribute was removed: X3D's default again. */
   unset(spelling: string): void {
-    this.#edits.unset(spelling);
+    this.world.call(this, 'unset', [spelling], () => this.#edits.unset(spelling));
   }
 
   /** Takes over what a snapshot holds. */
@@ -213,7 +213,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** Takes the node out of its world for good. */
   remove(): void {
-    if (!this.removed) this.world.events.during(() => this.#remove());
+    if (!this.removed) this.world.call(this, 'remove', [], () => this.#remove());
   }
 
   #remove(): void {

@@ -3,6 +3,7 @@ import { contacts, type HardContacts } from '../../effects/effect/chunks.js';
 import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
+import type { Recorder } from '../recording.js';
 import type { Awaiting } from '../store/awaiting.js';
 import type { PhaseCosts } from './phase-costs.js';
 import type { StepTime } from './step-time.js';
@@ -11,12 +12,15 @@ import type { StepTime } from './step-time.js';
 export interface SteppedWorld extends NodeWorld {
   readonly bodies: BodySlots;
   readonly awaiting: Awaiting;
+  readonly recorder: Recorder | undefined;
   readonly accuracy: LevelName;
   readonly control: {
     /** Splits the step that begins into parts, as many as are asked for or more; returns how many. */
     split(parts: number): number;
   };
   heard(event: string): boolean;
+  /** Goes on from where somebody looks. */
+  resume(): void;
 }
 
 /** One step, from what is told before it to what is told after it. */
@@ -51,6 +55,8 @@ export class Step {
    */
   take(): number {
     const world = this.#world;
+    // Whoever steps while looking back goes on from there.
+    if (world.recorder?.looking) world.resume();
     this.running = true;
     try {
       if (!this.#begun) this.#tell('beforestep');
@@ -68,28 +74,31 @@ export class Step {
 
   /** Meanwhile nobody hears of anything; what a step brings about is told when it is over. */
   #simulate(): number {
-    const { bodies, registry: effects } = this.#world;
+    const world = this.#world;
     try {
-      this.#world.flush();
-      if (this.#world.awaiting.waits) return 0;
-      const { timeStep } = this.#world;
-      if (bodies.awake === 0 && bodies.countAwake() === 0) {
-        this.#time.pass();
-        return timeStep;
-      }
-      const start = performance.now();
-      this.#world.poses.shift();
-      const parts = this.#world.control.split(effects.parts(timeStep));
-      let read = 0;
-      for (let i = 0; i < parts; i++) read += this.#takePart(parts);
-      effects.stepOver();
-      this.#costs.spent('step', start);
-      // That one lies within it.
-      this.#costs.ms.step -= read;
+      world.flush();
+      if (world.awaiting.waits) return 0;
+      const { timeStep, bodies } = world;
+      if (bodies.awake === 0 && bodies.countAwake() === 0) this.#time.pass();
+      else this.#move(timeStep);
+      world.recorder?.stepped();
       return timeStep;
     } finally {
       this.#release();
     }
+  }
+
+  #move(timeStep: number): void {
+    const start = performance.now();
+    const { poses, control, registry: effects } = this.#world;
+    poses.shift();
+    const parts = control.split(effects.parts(timeStep));
+    let read = 0;
+    for (let i = 0; i < parts; i++) read += this.#takePart(parts);
+    effects.stepOver();
+    this.#costs.spent('step', start);
+    // That one lies within it.
+    this.#costs.ms.step -= read;
   }
 
   /** One of so many steps of Bullet. Returns the milliseconds that reading took. */

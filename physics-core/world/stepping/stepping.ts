@@ -39,7 +39,7 @@ export class Stepping {
   /** Seconds between the present frame and the last one; 0 where nobody waited for it. */
   #passed = 0;
   /** Whether somebody takes one step after the other, and may speak before each. */
-  #singly = true;
+  singly = true;
 
   constructor(world: TimedWorld) {
     this.#world = world;
@@ -103,7 +103,7 @@ export class Stepping {
 
   /** Seconds that pass before an author has the next word. */
   get turn(): number {
-    return this.#singly || this.#step.running ? this.#world.timeStep : FRAME;
+    return this.singly || this.#step.running ? this.#world.timeStep : FRAME;
   }
 
   /** Steps are about to change their length, seconds. */
@@ -126,7 +126,7 @@ export class Stepping {
   /** A Bullet world was made. */
   restart(): void {
     this.#step.begin(true);
-    this.#singly = true;
+    this.singly = true;
     this.#time.last = undefined;
     this.#clock.reset();
   }
@@ -140,7 +140,7 @@ export class Stepping {
     if (n === Infinity) this.#refuse('step', n, steps, 'step takes a finite number of steps');
     this.#costs.clear();
     world.flush();
-    if (steps > 0) this.#singly = steps === 1;
+    if (steps > 0) this.singly = steps === 1;
     return this.#stepTimes(steps);
   }
 
@@ -169,12 +169,13 @@ export class Stepping {
    */
   frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
-    if (!world.started || this.#step.running) return this.needsFrame;
+    if (world.recorder?.looking) world.recorder.frame(seconds * this.#timeScale);
+    if (!world.started || this.#step.running || world.recorder?.looking) return this.needsFrame;
     const ms = this.#costs.beforeDrawing + this.#costs.ms.write;
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#costs.clear();
     world.flush();
-    this.#singly = false;
+    this.singly = false;
     this.#passed = seen ? seconds : 0;
     if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.#moving) this.#run(seconds);
@@ -226,8 +227,15 @@ export class Stepping {
 
   /** Whether time passes by itself. */
   get running(): boolean {
-    const { started, control, awaiting } = this.#world;
-    return started && !awaiting.waits && control.enabled && !this.#paused && this.#timeScale > 0;
+    const { started, control, awaiting, recorder } = this.#world;
+    return (
+      started &&
+      !awaiting.waits &&
+      !recorder?.looking &&
+      control.enabled &&
+      !this.#paused &&
+      this.#timeScale > 0
+    );
   }
 
   get #moving(): boolean {
@@ -236,7 +244,8 @@ export class Stepping {
 
   /** While code is on its way, edits wait for that and not for frames. */
   get needsFrame(): boolean {
-    const { started, awaiting, edits } = this.#world;
+    const { started, awaiting, edits, recorder } = this.#world;
+    if (recorder?.looking) return recorder.playing;
     return started && !awaiting.waits && (this.#moving || edits.pending);
   }
 }

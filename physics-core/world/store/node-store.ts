@@ -24,7 +24,8 @@ export class NodeStore {
   readonly #early = new Set<PhysicsNode>();
   /** X3D's defaults, for a world without a collection. */
   readonly defaults: PhysicsNode;
-  #nextId = 1;
+  /** The number of the next node. */
+  nextId = 1;
 
   constructor(world: StoreWorld) {
     this.#world = world;
@@ -64,8 +65,8 @@ export class NodeStore {
 
   #make(type: string, options: AddOptions): PhysicsNode {
     const nodeType = nodeTypes[type]!;
-    const id = options.id ?? this.#nextId;
-    this.#nextId = Math.max(this.#nextId, id + 1);
+    const id = options.id ?? this.nextId;
+    this.nextId = Math.max(this.nextId, id + 1);
     const { host, name, version } = options;
     const collection = options.collection as PhysicsNode | undefined;
     const context = { world: this.#world, type: nodeType, id, host, name, collection, version };

@@ -1,0 +1,117 @@
+import { POSE, type Poses } from '../dynamics/poses.js';
+
+/** A body, as far as pictures show it. */
+interface Shown {
+  readonly id: number;
+  readonly slot: number;
+}
+
+/** The end of a step. */
+export interface Moment {
+  readonly step: number;
+  /** Simulated seconds. */
+  readonly time: number;
+  readonly hash: string;
+  /** Whether its picture shows all bodies, or those that moved since the last one. */
+  readonly whole: boolean;
+}
+
+interface Picture extends Moment {
+  readonly ids: Int32Array;
+  /** Seen from Bullet's origin, in single precision, as Bullet has them. */
+  readonly poses: Float32Array;
+}
+
+/** Where bodies were, in pictures; each that is whole can be shown without those before it. */
+export class Pictures {
+  readonly #all: Picture[] = [];
+  /** Of each slot: whose pose was taken last, and which. */
+  #ids = new Int32Array(0);
+  #last = new Float32Array(0);
+
+  get length(): number {
+    return this.#all.length;
+  }
+
+  at(i: number): Moment {
+    return this.#all[i]!;
+  }
+
+  add(moment: Moment, bodies: readonly Shown[], poses: Poses): void {
+    this.#makeRoom(poses.current.length);
+    const moved = bodies.filter((body) => this.#take(body, poses.current) || moment.whole);
+    const picture = {
+      ...moment,
+      ids: Int32Array.from(moved, ({ id }) => id),
+      poses: new Float32Array(moved.length * POSE),
+    };
+    moved.forEach(({ slot }, i) => picture.poses.set(this.#lastOf(slot), i * POSE));
+    this.#all.push(picture);
+  }
+
+  #makeRoom(numbers: number): void {
+    if (this.#last.length >= numbers) return;
+    const last = new Float32Array(numbers);
+    last.set(this.#last);
+    const ids = new Int32Array(numbers / POSE);
+    ids.set(this.#ids);
+    this.#last = last;
+    this.#ids = ids;
+  }
+
+  #lastOf(slot: number): Float32Array {
+    return this.#last.subarray(slot * POSE, (slot + 1) * POSE);
+  }
+
+  /** Whether it is elsewhere than it was when it was looked at last. */
+  #take({ id, slot }: Shown, from: Float64Array): boolean {
+    let moved = this.#ids[slot] !== id;
+    this.#ids[slot] = id;
+    for (let i = slot * POSE, end = i + POSE; i < end; i++) {
+      const now = Math.fround(from[i]!);
+      if (this.#last[i] === now) continue;
+      this.#last[i] = now;
+      moved = true;
+    }
+    return moved;
+  }
+
+  /** The number of the picture that is nearest to a time. */
+  nearest(time: number): number {
+    let low = 0;
+    let high = this.#all.length - 1;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.#all[middle]!.time < time) low = middle + 1;
+      else high = middle;
+    }
+    const before = this.#all[low - 1];
+    return before && time - before.time < this.#all[low]!.time - time ? low - 1 : low;
+  }
+
+  /** Says where each body was. */
+  show(at: number, put: (id: number, pose: Float32Array) => void): void {
+    let first = at;
+    while (first > 0 && !this.#all[first]!.whole) first--;
+    const poses = new Map<number, Float32Array>();
+    for (let i = first; i <= at; i++) {
+      const picture = this.#all[i]!;
+      picture.ids.forEach((id, k) =>
+        poses.set(id, picture.poses.subarray(k * POSE, (k + 1) * POSE)),
+      );
+    }
+    for (const [id, pose] of poses) put(id, pose);
+  }
+
+  /** Those of steps from here on have not been. */
+  cut(after: number): void {
+    while (this.#all.length > 0 && this.#all.at(-1)!.step > after) this.#all.pop();
+    this.#ids.fill(0);
+  }
+
+  /** Those of steps before are kept no more. */
+  drop(before: number): void {
+    const first = this.#all.findIndex(({ step }) => step >= before);
+    this.#all.splice(0, first < 0 ? this.#all.length : first);
+  }
+}

@@ -1,0 +1,350 @@
+import { show } from '../base/show.js';
+import { FRAME } from '../dynamics/levels.js';
+import { POSE } from '../dynamics/poses.js';
+import type { Drag } from '../effects/drag/drag.js';
+import { PhysicsNode } from '../nodes/node/node.js';
+import type { Problem } from '../base/problems.js';
+import {
+  RUN_FORMAT,
+  type Call,
+  type Recorder,
+  type Run,
+  type StepHash,
+  type TimelineMark,
+} from '../world/recording.js';
+import type { World } from '../world/world.js';
+import { encode } from './calls.js';
+import { reportDiverged } from './diverged.js';
+import { hashOf } from './hash.js';
+import { Pictures, type Moment } from './pictures.js';
+import { twinOf, type Beginning } from './twin.js';
+
+/** Steps from one hash to the next. */
+const HASHED = 60;
+
+/** Simulated seconds from one snapshot to the next: at most so much is run anew to go on from where one looks. */
+const APART = 1;
+
+/** Of a step, by which roundings of times may differ. */
+const ROUNDING = 1e-6;
+
+/** What somebody did while looking back, to be done when time goes on. */
+interface Deed {
+  who: object;
+  method: string;
+  args: readonly unknown[];
+}
+
+/** What comes about by itself again, or has come about. */
+const NOT_AGAIN = ['add', 'flush', 'drag', 'remove'];
+
+/** Follows a world, keeps what it does for a while, and shows it again. */
+export class Recording implements Recorder {
+  #world: World;
+  readonly #seconds: number;
+  #pictures = new Pictures();
+  #beginnings: Beginning[] = [];
+  #calls: Call[] = [];
+  #hashes: StepHash[] = [];
+  #problems: TimelineMark[] = [];
+  #steps = 0;
+  #drags = new Map<Drag, number>();
+  #dragCount = 0;
+  /** The number of the picture that is looked at. */
+  #look: number | undefined;
+  /** Simulated seconds that are shown, while that plays. */
+  #clock: number | undefined;
+  #later: Deed[] = [];
+  /** At work of its own, which is not recorded. */
+  #busy = false;
+  #stops: (() => void)[] = [];
+
+  constructor(world: World, seconds: number) {
+    this.#world = world;
+    this.#seconds = seconds;
+  }
+
+  // ---- following --------------------------------------------------------------------------------------------------
+
+  /** Follows the world, from what it is now on. */
+  begin(): void {
+    this.#pictures = new Pictures();
+    this.#beginnings = [];
+    this.#calls = [];
+    this.#hashes = [];
+    this.#problems = [];
+    this.#steps = 0;
+    this.#look = this.#clock = undefined;
+    this.#later = [];
+    this.#quietly(() => this.#picture(true));
+  }
+
+  /** From now on it is the recording of this world. */
+  follow(world: World): this {
+    this.#letGo();
+    this.#world = world;
+    world.recorder = this;
+    const anew = (): void => void (this.#busy || this.begin());
+    this.#stops = [
+      world.on('reset', anew),
+      world.on('restore', anew),
+      world.on('accuracy', (change) =>
+        this.#levelChanged(change as { level: string; because: string }),
+      ),
+      world.on('problem', (problem) => this.#told(problem as Problem)),
+    ];
+    return this;
+  }
+
+  #letGo(): void {
+    for (const stop of this.#stops) stop();
+    this.#stops = [];
+    if (this.#world.recorder === this) this.#world.recorder = undefined;
+  }
+
+  stop(): void {
+    if (this.looking) this.resume();
+    this.#letGo();
+    this.#world.work();
+  }
+
+  #quietly<T>(work: () => T): T {
+    const before = this.#busy;
+    this.#busy = true;
+    try {
+      return work();
+    } finally {
+      this.#busy = before;
+    }
+  }
+
+  /** Left to itself it is another one now: a twin is told. */
+  #levelChanged({ level, because }: { level: string; because: string }): void {
+    if (because !== 'asked') this.#note({}, 'level', [level]);
+  }
+
+  #told({ message }: Problem): void {
+    this.#problems.push({ time: this.#world.time, text: message });
+  }
+
+  keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
+    // What the world does of its own accord a twin does, too.
+    const inner = this.#busy || this.#world.events.depth > 1;
+    if (inner || (method === 'flush' && !this.#world.edits.pending)) return work();
+    if (this.looking) this.#later.push({ who, method, args });
+    return this.#quietly(() => {
+      const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Drag);
+      if (!this.looking) this.#note(this.#named(who, number), method, args);
+      const result = work();
+      if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
+      return result;
+    });
+  }
+
+  #named(who: object, drag: number | undefined): Pick<Call, 'node' | 'drag'> {
+    return {
+      ...(who instanceof PhysicsNode && { node: who.id }),
+      ...(drag !== undefined && { drag }),
+    };
+  }
+
+  #note(whose: Pick<Call, 'node' | 'drag'>, method: string, args: readonly unknown[]): void {
+    const { store, stepping } = this.#world;
+    this.#calls.push({
+      step: this.#steps,
+      ...whose,
+      method,
+      args: args.map(encode),
+      next: store.nextId,
+      singly: stepping.singly,
+    });
+  }
+
+  stepped(): void {
+    this.#steps++;
+    this.#quietly(() => {
+      const { time } = this.#world;
+      if (this.#steps % HASHED === 0)
+        this.#hashes.push({ step: this.#steps, time, hash: hashOf(this.#world) });
+      const slack = ROUNDING * this.#world.timeStep;
+      if (time - this.to < FRAME - slack) return;
+      this.#picture(time + slack - this.#beginnings.at(-1)!.snapshot.time >= APART);
+      this.#forget();
+    });
+  }
+
+  #picture(whole: boolean): void {
+    const world = this.#world;
+    if (whole) this.#beginnings.push(this.#beginning());
+    const moment = { step: this.#steps, time: world.time, hash: hashOf(world), whole };
+    this.#pictures.add(moment, [...world.bodies], world.poses);
+  }
+
+  #beginning(): Beginning {
+    for (const drag of this.#drags.keys()) if (!drag.held) this.#drags.delete(drag);
+    return {
+      step: this.#steps,
+      snapshot: this.#world.snapshot(),
+      drags: [...this.#drags].map(([{ body, point }, drag]) => ({ drag, body: body.id, point })),
+    };
+  }
+
+  /** What is older than it was asked to keep, as far as nothing begins there that is kept. */
+  #forget(): void {
+    const oldest = this.to - this.#seconds;
+    while (this.#beginnings.length > 1 && this.#beginnings[1]!.snapshot.time <= oldest)
+      this.#beginnings.shift();
+    const { step, snapshot } = this.#beginnings[0]!;
+    if (step === this.#pictures.at(0).step) return;
+    this.#pictures.drop(step);
+    this.#calls = this.#calls.filter((call) => call.step >= step);
+    this.#hashes = this.#hashes.filter((hash) => hash.step > step);
+    this.#problems = this.#problems.filter(({ time }) => time >= snapshot.time);
+  }
+
+  // ---- looking ----------------------------------------------------------------------------------------------------
+
+  get from(): number {
+    return this.#pictures.at(0).time;
+  }
+
+  get to(): number {
+    return this.#pictures.at(this.#pictures.length - 1).time;
+  }
+
+  get at(): number | undefined {
+    return this.#look === undefined ? undefined : this.#pictures.at(this.#look).time;
+  }
+
+  get looking(): boolean {
+    return this.#look !== undefined;
+  }
+
+  get playing(): boolean {
+    return this.#clock !== undefined;
+  }
+
+  get hashes(): readonly StepHash[] {
+    return this.#hashes;
+  }
+
+  get marks(): TimelineMark[] {
+    const done = this.#calls.filter(({ method }) => method !== 'flush' && method !== 'move');
+    const marks = done.map((call) => ({ time: this.#timeOf(call), text: this.#textOf(call) }));
+    return [...marks, ...this.#problems].sort((a, b) => a.time - b.time);
+  }
+
+  #timeOf({ step }: Call): number {
+    let i = 0;
+    while (i < this.#pictures.length - 1 && this.#pictures.at(i).step < step) i++;
+    return this.#pictures.at(i).time;
+  }
+
+  #textOf({ node, method, args }: Call): string {
+    const who = node === undefined ? undefined : this.#world.node(node);
+    const what = typeof args[0] === 'string' ? `${method} ${args[0]}` : method;
+    return who ? `${who.label}: ${what}` : what;
+  }
+
+  seek(time: number): void {
+    if (!Number.isFinite(time)) return this.#refuse(time);
+    this.#clock = undefined;
+    if (!this.looking) this.#world.flush();
+    this.#show(this.#pictures.nearest(time));
+  }
+
+  #refuse(time: unknown): void {
+    this.#world.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'seek',
+      value: time,
+      used: 'nothing',
+      message: `seek takes a time in seconds, not ${show(time)}; nothing is done`,
+    });
+  }
+
+  #show(look: number): void {
+    this.#look = look;
+    const { poses, bodies } = this.#world;
+    const slots = new Map([...bodies].map(({ id, slot }) => [id, slot]));
+    this.#pictures.show(look, (id, pose) => {
+      const slot = slots.get(id);
+      if (slot === undefined) return;
+      poses.current.set(pose, slot * POSE);
+      poses.snap(slot);
+    });
+    this.#world.work();
+  }
+
+  play(): void {
+    const { at } = this;
+    this.#clock = at === undefined || at >= this.to ? this.from : at;
+    this.#show(this.#pictures.nearest(this.#clock));
+  }
+
+  pause(): void {
+    this.#clock = undefined;
+  }
+
+  frame(seconds: number): void {
+    if (this.#clock !== undefined) {
+      this.#clock += seconds;
+      this.#show(this.#pictures.nearest(this.#clock));
+      if (this.#clock >= this.to) this.#clock = undefined;
+    }
+    this.#world.poses.interpolate(1);
+  }
+
+  // ---- going on ---------------------------------------------------------------------------------------------------
+
+  resume(): void {
+    if (this.#look === undefined) return;
+    const picture = this.#pictures.at(this.#look);
+    this.#look = this.#clock = undefined;
+    this.#quietly(() => this.#goTo(picture));
+    const later = this.#later;
+    this.#later = [];
+    for (const { who, method, args } of later)
+      if (!NOT_AGAIN.includes(method))
+        (who as Record<string, (...args: readonly unknown[]) => void>)[method]!(...args);
+    this.#world.work();
+  }
+
+  #goTo({ step, hash }: Moment): void {
+    const world = this.#world;
+    const beginning = this.#beginnings.findLast((one) => one.step <= step)!;
+    const work = twinOf(world, beginning, this.#calls, step);
+    let next = work.next();
+    while (!next.done) next = work.next();
+    const twin = next.value;
+    world.restore(twin.snapshot());
+    twin.destroy();
+    if (hash !== hashOf(world)) reportDiverged(world, step, world.time);
+    this.#cut(step);
+  }
+
+  /** What came after a step has not been. */
+  #cut(after: number): void {
+    this.#steps = after;
+    this.#pictures.cut(after);
+    this.#beginnings = this.#beginnings.filter(({ step }) => step <= after);
+    this.#calls = this.#calls.filter(({ step }) => step < after);
+    this.#hashes = this.#hashes.filter(({ step }) => step <= after);
+    this.#problems = this.#problems.filter(({ time }) => time <= this.to);
+  }
+
+  exportRun(): Run {
+    const [{ step: from, snapshot, drags }] = this.#beginnings as [Beginning];
+    const since = <T extends { step: number }>(all: readonly T[]): T[] =>
+      all.map((one) => ({ ...one, step: one.step - from }));
+    return {
+      x3dPhysicsRun: RUN_FORMAT,
+      start: snapshot,
+      drags: [...drags],
+      steps: this.#steps - from,
+      calls: since(this.#calls),
+      hashes: since(this.#hashes),
+    };
+  }
+}

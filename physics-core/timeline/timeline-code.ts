@@ -1,0 +1,31 @@
+// The chunk `timeline`.
+import { show } from '../base/show.js';
+import type { RecordOptions, Timeline, recordings } from '../world/recording.js';
+import type { World } from '../world/world.js';
+import { importRun } from './import-run.js';
+import { Recording } from './recording.js';
+
+const SECONDS = 10;
+
+export const provide = (): typeof recordings.code => ({ record, importRun });
+
+function record(world: World, { seconds = SECONDS }: RecordOptions): Timeline {
+  world.recorder?.stop();
+  world.flush();
+  const recording = new Recording(world, accepted(world, seconds)).follow(world);
+  recording.begin();
+  return recording;
+}
+
+function accepted(world: World, seconds: number): number {
+  if (seconds > 0) return seconds;
+  world.report({
+    code: 'bad-value',
+    severity: 'warning',
+    attribute: 'record',
+    value: seconds,
+    used: SECONDS,
+    message: `record keeps a number of seconds above 0, not ${show(seconds)}; ${SECONDS} is used`,
+  });
+  return SECONDS;
+}
