@@ -3,6 +3,7 @@ import { globSync } from './tools/files.js';
 import nodeResolve from '@rollup/plugin-node-resolve';
 import { ammoModule } from './tools/build/engine/ammo-module.js';
 import { brotli } from './tools/build/brotli.js';
+import { inlineNumbers } from './tools/build/inline-numbers.js';
 import { chunkBytes } from './tools/build/chunk-bytes.js';
 import { cssText } from './tools/build/css-text.js';
 import { banner, thirdParties } from './tools/build/licenses.js';
@@ -22,6 +23,7 @@ const common = {
     typescript(),
     withoutDocs(),
     plainPairs(),
+    inlineNumbers(),
     cssText(),
     wasmAsText(),
     nodeResolve({ preferBuiltins: false }),

@@ -6,7 +6,7 @@ import { loadView } from './ui/view.js';
 export class X3DPhysicsMonitorElement extends X3DUIElement {
   static readonly tag = 'x3d-physics-monitor';
   static readonly description: UIDescription = {
-    doc: 'Shows what a world does and costs: bodies, contacts, frames per second and who has which share of them, milliseconds by phase, effects, problems; with pause, single step, reset and the accuracy level.',
+    doc: 'Shows what a world does and costs: bodies, contacts, frames per second and who has which share of them, milliseconds by phase, effects, problems; with pause, single step, reset, the accuracy level, and a slider that looks back at what was recorded.',
     attributes: [
       {
         name: 'for',
@@ -18,6 +18,7 @@ export class X3DPhysicsMonitorElement extends X3DUIElement {
       base: 'The panel.',
       controls: 'The row of buttons.',
       button: 'Each button.',
+      timeline: 'The slider of what was recorded, with its buttons.',
       legend: 'The meanings of the debug colours, while debug drawing is on.',
       counts: 'The list of counts.',
       pace: 'Frames per second, steps per frame, time dropped, and who has which share of a frame.',

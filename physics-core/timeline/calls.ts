@@ -15,21 +15,23 @@ const isPlain = (value: object): boolean => {
   return prototype === Object.prototype || prototype === null;
 };
 
+/** An argument that is left out: JSON would make null of it. */
+const LEFT_OUT = { leftOut: true };
+
 export function encode(value: unknown): unknown {
   if (value instanceof PhysicsNode) return { nodeId: value.id } satisfies Reference;
-  if (typeof value === 'function') return undefined;
+  if (value === undefined || typeof value === 'function') return LEFT_OUT;
   if (typeof value !== 'object' || value === null) return value;
   if (Array.isArray(value)) return value.map(encode);
   if (ArrayBuffer.isView(value)) return Array.from(value as unknown as ArrayLike<number>);
-  if (!isPlain(value)) return undefined;
+  if (!isPlain(value)) return LEFT_OUT;
   return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, encode(one)]));
 }
 
 export function decode(value: unknown, nodes: ReadonlyMap<number, PhysicsNode>): unknown {
   if (Array.isArray(value)) return value.map((item) => decode(item, nodes));
-  // What JSON makes of what was left out.
-  if (value === null) return undefined;
-  if (typeof value !== 'object') return value;
+  if (typeof value !== 'object' || value === null) return value;
+  if ('leftOut' in value) return undefined;
   if ('nodeId' in value) return nodes.get((value as Reference).nodeId) ?? null;
   return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, decode(one, nodes)]));
 }

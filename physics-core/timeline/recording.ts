@@ -318,9 +318,10 @@ export class Recording implements Recorder {
     let next = work.next();
     while (!next.done) next = work.next();
     const twin = next.value;
+    const same = hashOf(twin) === hash;
     world.restore(twin.snapshot());
     twin.destroy();
-    if (hash !== hashOf(world)) reportDiverged(world, step, world.time);
+    if (!same) reportDiverged(world, step, world.time);
     this.#cut(step);
   }
 

@@ -1,6 +1,7 @@
 import { Chunk } from '../base/chunk.js';
 import type { Snapshot } from './snapshot/snapshot.js';
 import type { Watching } from './measuring.js';
+import type { StepRecorder } from './stepping/step-recorder.js';
 import type { World } from './world.js';
 
 export interface RecordOptions {
@@ -89,15 +90,9 @@ export interface Run {
 }
 
 /** What follows a world while it is recorded. */
-export interface Recorder extends Timeline {
-  /** Whether somebody looks at what was. */
-  readonly looking: boolean;
+export interface Recorder extends Timeline, StepRecorder {
   /** A method is called from outside. */
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
-  /** A step is over, and nobody has heard of it. */
-  stepped(): void;
-  /** Time passes on the clock while somebody looks, seconds. */
-  frame(seconds: number): void;
   /** Goes on from where one looks. */
   resume(): void;
   exportRun(): Run;

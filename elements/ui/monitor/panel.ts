@@ -6,6 +6,7 @@ import { effects } from './effects.js';
 import { legend } from './legend.js';
 import { pace } from './pace.js';
 import { problems } from './problems.js';
+import { timeline } from './timeline.js';
 import { whole } from './numbers.js';
 
 const COUNTS = ['bodies', 'awake', 'joints', 'contacts'] as const;
@@ -26,13 +27,14 @@ function statusOf(world: World | undefined, name: string): string {
   if (!world) return `There is no physics ${name ? `at "${name}"` : 'here'} yet.`;
   if (!world.started) return 'Not started yet.';
   if (!world.get('enabled')) return 'Frozen: enabled is false.';
+  if (world.timeline?.at !== undefined) return 'Looking back.';
   return world.paused ? 'Paused.' : 'Running.';
 }
 
 function details(world: World, refresh: () => void): TemplateResult {
   const { stats } = world;
   return html`
-    ${controls(world, refresh)} ${legend(world)}
+    ${controls(world, refresh)} ${timeline(world, refresh)} ${legend(world)}
     <dl part="counts">
       ${COUNTS.map(
         (name) =>

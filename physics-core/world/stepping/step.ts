@@ -3,16 +3,16 @@ import { contacts, type HardContacts } from '../../effects/effect/chunks.js';
 import type { SolverListener } from '../../engine/solver-hook.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
-import type { Recorder } from '../recording.js';
 import type { Awaiting } from '../store/awaiting.js';
 import type { PhaseCosts } from './phase-costs.js';
+import type { StepRecorder } from './step-recorder.js';
 import type { StepTime } from './step-time.js';
 
 /** The world that a step goes through. */
 export interface SteppedWorld extends NodeWorld {
   readonly bodies: BodySlots;
   readonly awaiting: Awaiting;
-  readonly recorder: Recorder | undefined;
+  readonly recorder: StepRecorder | undefined;
   readonly accuracy: LevelName;
   readonly control: {
     /** Splits the step that begins into parts, as many as are asked for or more; returns how many. */

@@ -1,0 +1,61 @@
+import { readFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+import { walk } from './plain-pairs.js';
+
+/** Files of numbers that have a place of their own for people, and none of their own for pages. */
+const OF_NUMBERS = /\/solver\/tolerances\.ts$/;
+
+/**
+ * A number that many files import costs each of them, and the file that it stands in, a name of its own, since files of a build
+ * know each other's exports by names. For pages it stands where it is used.
+ */
+export function inlineNumbers() {
+  const known = new Map();
+  const numbersIn = (file) => {
+    if (!known.has(file)) known.set(file, numbersOf(readFileSync(file, 'utf8')));
+    return known.get(file);
+  };
+  return {
+    name: 'inline-numbers',
+    transform(code, id) {
+      if (!id.endsWith('.ts')) return null;
+      const edits = [];
+      walk(this.parse(code), (node) => {
+        if (node.type !== 'ImportDeclaration') return;
+        const file = resolve(dirname(id), node.source.value).replace(/\.js$/, '.ts');
+        if (OF_NUMBERS.test(file)) edits.push([node, numbersIn(file)]);
+      });
+      return edits.length > 0 ? { code: inlined(code, edits), map: null } : null;
+    },
+  };
+}
+
+/** Of `export const NAME = 1e-3;` in a text, by name. */
+export const numbersOf = (text) =>
+  new Map(
+    [...text.matchAll(/^export const (\w+) = (-?[\d._e-]+);/gm)].map(([, name, number]) => [
+      name,
+      number.replaceAll('_', ''),
+    ]),
+  );
+
+/** Lines stay where they are. */
+function inlined(code, edits) {
+  let text = '';
+  let at = 0;
+  for (const [{ start, end, specifiers, source }, numbers] of edits) {
+    const own = specifiers.filter(({ imported }) => numbers.has(imported.name));
+    const others = specifiers.filter((each) => !own.includes(each));
+    const lines = code.slice(start, end).replace(/[^\n]/g, '');
+    const consts = own.map(
+      ({ imported, local }) => `${local.name} = ${numbers.get(imported.name)}`,
+    );
+    const names = others.map((each) => code.slice(each.start, each.end)).join(', ');
+    text += code.slice(at, start);
+    if (names) text += `import { ${names} } from ${source.raw};`;
+    if (consts.length > 0) text += `const ${consts.join(', ')};`;
+    text += lines;
+    at = end;
+  }
+  return text + code.slice(at);
+}
