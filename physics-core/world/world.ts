@@ -197,7 +197,7 @@ export class World implements TimedWorld {
   }
 
   destroy(): void {
-    this.recorder?.stop();
+    this.recorder = undefined;
     this.lifecycle.destroy();
   }
 

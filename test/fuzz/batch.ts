@@ -3,6 +3,7 @@ import { loadEngine } from '../../physics-core/inside.js';
 import { OwnedObjects } from './heap.js';
 import { editsPlan } from './edits-plan.js';
 import { playBack } from './back.js';
+import { lookBack } from './looked-back.js';
 import { plan } from './plan.js';
 import { play } from './play.js';
 
@@ -13,8 +14,8 @@ const SHRINKING = 20_000;
 
 const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
 const [, , , , kind] = process.argv;
-const plans = kind === 'back' ? fc.oneof(editsPlan, plan) : kind === 'edits' ? editsPlan : plan;
-const playOne = kind === 'back' ? playBack : play;
+const plans = { back: fc.oneof(editsPlan, plan), edits: editsPlan }[kind!] ?? plan;
+const playOne = { back: playBack, look: lookBack }[kind!] ?? play;
 
 async function main(): Promise<void> {
   const owned = new OwnedObjects(await loadEngine());

@@ -3,6 +3,7 @@
 //   --runs 10000   how many (1000)
 //   --seed 7       of the first; the others follow it (1)
 //   --edits        only edits of what hangs together and touches, while it runs
+//   --look         recorded, and run anew from ever earlier moments: each has to be where it was
 //   --back         snapshots in the middle of edits: each restore has to run as the world ran on
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
@@ -14,10 +15,11 @@ const { values } = parseArgs({
     seed: { type: 'string', default: '1' },
     edits: { type: 'boolean', default: false },
     back: { type: 'boolean', default: false },
+    look: { type: 'boolean', default: false },
   },
 });
 
-const plans = values.back ? 'back' : values.edits ? 'edits' : 'scenes';
+const plans = (['back', 'look', 'edits'] as const).find((kind) => values[kind]) ?? 'scenes';
 
 /** A run hangs that takes so many seconds, shrinking included. */
 const HANGS = 60;

@@ -182,6 +182,11 @@ export const STAGES = [
     run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--edits', '--runs', '2000']),
   },
   {
+    name: 'fuzz-look',
+    cores: 1,
+    run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--look', '--runs', '200']),
+  },
+  {
     name: 'playground',
     cores: 1,
     run: script(['--import', 'tsx', 'test/site/playground/run.ts']),

@@ -35,6 +35,35 @@ describe('the monitor', () => {
     }
   });
 
+  it('records, looks back by its slider, and goes on from there', async () => {
+    const { world } = await show(falling);
+    const height = (): number => drawnAt(document.getElementById('shape')!)[1]!;
+    world.paused = true;
+    const shown = addMonitor('for="ball"');
+    await until(() => shown.button(/Record/) !== undefined && !shown.button(/Record/).disabled);
+    const first = world.time;
+    shown.button(/Record/).click();
+    await until(() => world.timeline !== undefined);
+    world.step(120);
+    await drawn();
+    const end = height();
+    await until(() => shown.root.querySelector('input[type=range]') !== null);
+    const slider = shown.root.querySelector<HTMLInputElement>('input[type=range]')!;
+    await until(() => Number(slider.max) > first + 0.9);
+    slider.value = String(first + 0.5);
+    slider.dispatchEvent(new Event('input'));
+    await until(() => shown.text.includes('Looking back'));
+    await until(() => height() > end + 1);
+    expect(world.time).to.be.closeTo(first + 1, 1e-9);
+    shown.button(/Go on from here/).click();
+    expect(world.time).to.be.closeTo(first + 0.5, 0.02);
+    expect(height()).to.be.above(end + 1);
+    world.timeline!.play();
+    await until(() => world.timeline!.at === world.timeline!.to && !world.timeline!.playing);
+    shown.button(/Stop recording/).click();
+    expect(world.timeline).to.equal(undefined);
+  });
+
   it('without for shows the nearest x3d', async () => {
     await started();
     const inner = addMonitor('', document.getElementById('two')!);

@@ -185,6 +185,17 @@ test('marks tell what was done, and when', async () => {
   closeWorlds();
 });
 
+test('a world ends while somebody looks back without a word', async () => {
+  const of = await scene();
+  const timeline = await recorded(of);
+  of.step(100);
+  timeline.seek(0.5);
+  of.destroy();
+  assert.equal(of.timeline, undefined);
+  assert.deepEqual(of.problems, []);
+  closeWorlds();
+});
+
 test('stopped, nothing is kept, and the world runs on as it would have', async () => {
   const [plain, of] = [await scene(), await scene()];
   const timeline = await recorded(of);
