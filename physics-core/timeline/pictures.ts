@@ -11,7 +11,6 @@ export interface Moment {
   readonly step: number;
   /** Simulated seconds. */
   readonly time: number;
-  readonly hash: string;
   /** Whether its picture shows all bodies, or those that moved since the last one. */
   readonly whole: boolean;
 }

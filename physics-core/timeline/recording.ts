@@ -16,7 +16,7 @@ import type { World } from '../world/world.js';
 import { encode } from './calls.js';
 import { reportDiverged } from './diverged.js';
 import { hashOf } from './hash.js';
-import { Pictures, type Moment } from './pictures.js';
+import { Pictures } from './pictures.js';
 import { twinOf, type Beginning } from './twin.js';
 
 /** Steps from one hash to the next. */
@@ -176,7 +176,7 @@ export class Recording implements Recorder {
   #picture(whole: boolean): void {
     const world = this.#world;
     if (whole) this.#beginnings.push(this.#beginning());
-    const moment = { step: this.#steps, time: world.time, hash: hashOf(world), whole };
+    const moment = { step: this.#steps, time: world.time, whole };
     this.#pictures.add(moment, [...world.bodies], world.poses);
   }
 
@@ -300,9 +300,9 @@ export class Recording implements Recorder {
 
   resume(): void {
     if (this.#look === undefined) return;
-    const picture = this.#pictures.at(this.#look);
+    const look = this.#look;
     this.#look = this.#clock = undefined;
-    this.#quietly(() => this.#goTo(picture));
+    this.#quietly(() => this.#goTo(look));
     const later = this.#later;
     this.#later = [];
     for (const { who, method, args } of later)
@@ -311,18 +311,31 @@ export class Recording implements Recorder {
     this.#world.work();
   }
 
-  #goTo({ step, hash }: Moment): void {
+  #goTo(look: number): void {
     const world = this.#world;
+    const { step } = this.#pictures.at(look);
     const beginning = this.#beginnings.findLast((one) => one.step <= step)!;
     const work = twinOf(world, beginning, this.#calls, step);
     let next = work.next();
     while (!next.done) next = work.next();
     const twin = next.value;
-    const same = hashOf(twin) === hash;
+    const same = this.#isShown(look, twin);
     world.restore(twin.snapshot());
     twin.destroy();
     if (!same) reportDiverged(world, step, world.time);
     this.#cut(step);
+  }
+
+  /** Whether all bodies are where a picture has them. */
+  #isShown(look: number, { bodies, poses }: World): boolean {
+    const slots = new Map([...bodies].map(({ id, slot }) => [id, slot]));
+    let same = true;
+    this.#pictures.show(look, (id, pose) => {
+      const at = POSE * (slots.get(id) ?? 0);
+      if (slots.has(id))
+        same &&= pose.every((value, i) => value === Math.fround(poses.current[at + i]!));
+    });
+    return same;
   }
 
   /** What came after a step has not been. */
