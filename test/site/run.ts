@@ -4,7 +4,7 @@
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
-import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
+import { CHROMIUM_ARGUMENTS, ensureChromium, WITHOUT_WEBGL } from '../../tools/test/browsers.js';
 import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { arrivals, unsettled } from './checks/arriving.js';
@@ -49,12 +49,13 @@ const madePages = (examples: Scene[]): Record<string, string> =>
 async function lookAt(all: Page[], examples: Scene[], address: string): Promise<Result[]> {
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
+  const plain = await chromium.launch({ executablePath, args: WITHOUT_WEBGL });
   const shown = examples.filter(({ live }) => live);
   const results = [
-    await checked('the search', 1, notFound(browser, address)),
+    await checked('the search', 1, notFound(plain, address)),
     await checked('how pages arrive', arrivals, unsettled(browser, address)),
     await checked('what is copied', 1, miscopied(browser, address)),
-    await checked('axe', all.length, inaccessible(browser, address, all)),
+    await checked('axe', all.length, inaccessible(plain, address, all)),
   ];
   const seen = wrong(browser, address, examples);
   results.push(
@@ -69,7 +70,7 @@ async function lookAt(all: Page[], examples: Scene[], address: string): Promise<
       seen.then(({ looks }) => looks),
     ),
   );
-  await browser.close();
+  await Promise.all([browser.close(), plain.close()]);
   return results;
 }
 
