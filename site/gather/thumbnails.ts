@@ -5,7 +5,7 @@
 import { createHash } from 'node:crypto';
 import { cpSync, existsSync, readFileSync } from 'node:fs';
 import { basename } from 'node:path';
-import { chromium, type Browser } from 'playwright';
+import { chromium, type Page as Tab } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
 // @ts-expect-error plain JavaScript
 import { serve } from '../../tools/docs/static-files.js';
@@ -83,33 +83,34 @@ const RUN = async (after: number): Promise<void> => {
   // What is drawn is what the last frames knew.
   for (let i = 0; i < 4; i++) {
     x3d.runtime.triggerRedraw();
-    await new Promise((done) => setTimeout(done, 100));
+    await new Promise(requestAnimationFrame);
   }
 };
 
-async function take(browser: Browser, address: string, scene: Scene): Promise<void> {
-  const tab = await browser.newPage({ viewport: scene.size, colorScheme: 'light' });
-  tab.setDefaultTimeout(LONGEST);
-  await tab.route('**/scene', (route) =>
-    route.fulfill({ contentType: 'text/html', body: scene.html }),
-  );
-  await tab.goto(`${address}/scene`);
+async function take(tab: Tab, address: string, scene: Scene): Promise<void> {
+  await tab.setViewportSize(scene.size);
+  await tab.goto(address + pathOf(scene));
   // The scene alone: its buttons would be too small to read.
   await tab.addStyleTag({ content: 'body > :not(x3d) { display: none }' });
   await tab.evaluate(RUN, scene.after);
   await tab.screenshot({ path: scene.kept, type: 'jpeg', quality: 82 });
-  await tab.close();
 }
 
-/** Two at a time: each wants a core for its picture. */
+/** Where it runs: beside the site's own pages. */
+const pathOf = ({ kept }: Scene): string => `/${basename(kept, '.jpg')}.html`;
+
+/** Two at a time: each wants a core for its picture. Scenes follow in the same tab: what they share is compiled once. */
 async function takeAll(scenes: Scene[]): Promise<void> {
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
-  const { port, close } = await serve(PUBLIC, PORT);
+  const made = Object.fromEntries(scenes.map((scene) => [pathOf(scene), scene.html]));
+  const { port, close } = await serve(PUBLIC, PORT, made);
   const left = [...scenes];
   const worker = async (): Promise<void> => {
+    const tab = await browser.newPage({ colorScheme: 'light' });
+    tab.setDefaultTimeout(LONGEST);
     for (let scene = left.shift(); scene; scene = left.shift())
-      await take(browser, `http://localhost:${port}`, scene).catch((error: Error) =>
+      await take(tab, `http://localhost:${port}`, scene).catch((error: Error) =>
         console.log(`There is no picture ${scene.path}: ${error.message}`),
       );
   };

@@ -4,18 +4,17 @@
 //   --built     the site as it lies there
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
-import { CHROMIUM_ARGUMENTS, ensureChromium } from '../../tools/test/browsers.js';
+import { CHROMIUM_ARGUMENTS, ensureChromium, WITHOUT_WEBGL } from '../../tools/test/browsers.js';
 import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { arrivals, unsettled } from './checks/arriving.js';
 import { miscopied } from './checks/copied.js';
 import { deadLinks } from './checks/links.js';
-import { ugly } from './checks/look.js';
 import { pages, type Page } from './checks/pages.js';
 import { menu, unpictured } from './checks/pictures.js';
 import { notFound } from './checks/search.js';
-import { broken } from './checks/running.js';
-import { scenes, stories } from './checks/sources.js';
+import { wrong } from './checks/scenes.js';
+import { scenes, stories, type Scene } from './checks/sources.js';
 
 const PORT = 6206;
 
@@ -41,32 +40,50 @@ async function checked(what: string, count: number, faults: Promise<string[]>): 
   return all;
 }
 
-async function lookAt(all: Page[], address: string): Promise<Result[]> {
+/** By path, what the server answers beside the site's files. */
+const madePages = (examples: Scene[]): Record<string, string> =>
+  Object.fromEntries(
+    examples.flatMap(({ path, html }) => (html === undefined ? [] : [[path, html]])),
+  );
+
+async function lookAt(all: Page[], examples: Scene[], address: string): Promise<Result[]> {
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
-  const examples = [...scenes(), ...stories()];
+  const plain = await chromium.launch({ executablePath, args: WITHOUT_WEBGL });
   const shown = examples.filter(({ live }) => live);
   const results = [
-    await checked('the search', 1, notFound(browser, address)),
+    await checked('the search', 1, notFound(plain, address)),
     await checked('how pages arrive', arrivals, unsettled(browser, address)),
     await checked('what is copied', 1, miscopied(browser, address)),
-    await checked('axe', all.length, inaccessible(browser, address, all)),
-    await checked('scenes that run', examples.length, broken(browser, address, examples)),
-    await checked('looks', shown.length, ugly(browser, address, shown)),
+    await checked('axe', all.length, inaccessible(plain, address, all)),
   ];
-  await browser.close();
+  const seen = wrong(browser, address, examples);
+  results.push(
+    await checked(
+      'scenes that run',
+      examples.length,
+      seen.then(({ running }) => running),
+    ),
+    await checked(
+      'looks',
+      shown.length,
+      seen.then(({ looks }) => looks),
+    ),
+  );
+  await Promise.all([browser.close(), plain.close()]);
   return results;
 }
 
 async function main(): Promise<number> {
   if (!options.built) await buildDocs();
   const all = pages();
-  const examples = menu();
-  const { port, close } = await serveDocs(PORT);
+  const pictured = menu();
+  const examples = [...scenes(), ...stories()];
+  const { port, close } = await serveDocs(PORT, madePages(examples));
   const results = [
     result(all.length, deadLinks(all)),
-    result(examples.length, unpictured(examples)),
-    ...(await lookAt(all, `http://localhost:${port}`)),
+    result(pictured.length, unpictured(pictured)),
+    ...(await lookAt(all, examples, `http://localhost:${port}`)),
   ];
   await close();
   const failed = results.reduce((sum, { faults }) => sum + faults.length, 0);

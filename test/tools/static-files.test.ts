@@ -38,6 +38,19 @@ test('the server of npm start outlives addresses that are none, and names the ty
   }
 });
 
+test('pages that are no files are served beside those that are', async () => {
+  const { port, close } = await serve(folder, 8310, { '/made.html': '<title>made</title>' });
+  try {
+    const made = await fetch(`http://localhost:${port}/made.html`);
+    assert.match(made.headers.get('content-type')!, /^text\/html/);
+    assert.equal(await made.text(), '<title>made</title>');
+    assert.match(await answer(port, '/motor.x3d'), /^200 /);
+    assert.match(await answer(port, '/toString'), /^404/);
+  } finally {
+    await close();
+  }
+});
+
 test('nor does the server of the tests find a file by such an address', () => {
   for (const path of ['/%E0%A4%A', '/%', '/../package.json'])
     assert.equal(findFile(folder, path), undefined, path);

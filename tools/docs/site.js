@@ -30,7 +30,8 @@ export async function buildDocs() {
   await buildStories(`${FOLDER}/stories`);
 }
 
-export const serveDocs = (port) => serve(FOLDER, port);
+/** `made`: pages beside those of the site. */
+export const serveDocs = (port, made) => serve(FOLDER, port, made);
 
 /** Serves the gathered pages from their sources on `port`, or on the next one that is free; answers the address. */
 export async function serveLive(port) {

@@ -39,14 +39,27 @@ export function findFile(folder, urlPath) {
   return { file, type: TYPES[extname(file)] ?? 'application/octet-stream' };
 }
 
-/** Serves a folder on `port`, or on the next one that is free. */
-export async function serve(folder, port) {
+/** Answers pages that are no files, by their paths. */
+const madePages = (made) => ({
+  name: 'made-pages',
+  configurePreviewServer({ middlewares }) {
+    middlewares.use(({ url }, response, next) => {
+      if (!Object.hasOwn(made, url)) return next();
+      response.setHeader('content-type', TYPES['.html']);
+      response.end(made[url]);
+    });
+  },
+});
+
+/** Serves a folder on `port`, or on the next one that is free. `made`: the text of pages that are no files, by path. */
+export async function serve(folder, port, made = {}) {
   const { preview } = await import('vite');
   const server = await preview({
     configFile: false,
     logLevel: 'error',
     // What is not there is answered by 404, and not by the folder's index.html.
     appType: 'mpa',
+    plugins: [madePages(made)],
     build: { outDir: resolve(folder) },
     // Scenes of the playground stand in a sandbox, which is another origin: what they bring in by name is asked for so.
     preview: { port, host: true, cors: true },

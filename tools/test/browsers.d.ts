@@ -1,2 +1,3 @@
 export const CHROMIUM_ARGUMENTS: string[];
+export const WITHOUT_WEBGL: string[];
 export function ensureChromium(): Promise<string>;

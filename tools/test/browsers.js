@@ -59,10 +59,15 @@ export function findWebKit() {
 export const canShowWindows = () =>
   process.platform !== 'linux' || !!process.env.DISPLAY || !!onPath('Xvfb');
 
-/** For Chromium as root, in containers with a small /dev/shm, and with WebGL without a graphics card. */
+/** For Chromium as root, and in containers with a small /dev/shm. */
+const ANYWHERE = ['--no-sandbox', '--disable-dev-shm-usage'];
+
+/** For pages without WebGL: Chromium draws them by itself in less than through a graphics card that is none. */
+export const WITHOUT_WEBGL = [...ANYWHERE, '--disable-gpu'];
+
+/** With WebGL without a graphics card. */
 export const CHROMIUM_ARGUMENTS = [
-  '--no-sandbox',
-  '--disable-dev-shm-usage',
+  ...ANYWHERE,
   '--use-gl=angle',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',

@@ -1,11 +1,11 @@
 // How a scene looks when it begins, light and dark: no face is black, no body is cut off, each stands out from what is behind it.
-import type { Browser, BrowserContext, Page as Tab } from 'playwright';
-import { colorAt, decoder, distance, shareBelow, type Picture } from './picture.js';
+import type { Page as Tab } from 'playwright';
+import { colorAt, distance, shareBelow, type Picture } from './picture.js';
 import type { Scene } from './sources.js';
 
 /** Pixels: as wide as a page's text, and that of a phone. */
-const WIDTH = 688;
-const NARROW = 342;
+export const WIDTH = 688;
+export const NARROW = 342;
 
 /** Of 255: what is no brighter is black. */
 const BLACK = 40;
@@ -127,21 +127,6 @@ function lost(all: Place[], look: Look): string[] {
     : [];
 }
 
-async function opened(
-  context: BrowserContext,
-  address: string,
-  { path, html, height }: Scene,
-): Promise<Tab> {
-  const tab = await context.newPage();
-  await tab.setViewportSize({ width: NARROW, height });
-  if (html !== undefined)
-    await tab.route(`**${path}`, (route) =>
-      route.fulfill({ contentType: 'text/html', body: html }),
-    );
-  await tab.goto(address + path);
-  return tab;
-}
-
 /** With its bodies and without. */
 interface Look {
   scheme: 'light' | 'dark';
@@ -169,12 +154,12 @@ function blackened({ scheme, shown }: Look): string[] {
   return share > BLACK_SHARE ? [`${(100 * share).toFixed(2)} % of the picture is black`] : [];
 }
 
-async function faultsOf(
+/** Of a scene that runs, in a tab as wide as a phone. */
+export async function ugly(
   tab: Tab,
   { library, height }: Scene,
   read: (png: Buffer) => Promise<Picture>,
 ): Promise<string[]> {
-  await tab.locator('x3d canvas').first().waitFor();
   await tab.evaluate(begin(library));
   const narrow = await places(tab);
   await tab.setViewportSize({ width: WIDTH, height });
@@ -187,24 +172,4 @@ async function faultsOf(
       [...blackened(look), ...lost(wide, look)].map((fault) => `${look.scheme}: ${fault}`),
     ),
   ];
-}
-
-/** Two at a time, as many as there are cores: each is looked at four times. */
-export async function ugly(browser: Browser, address: string, scenes: Scene[]): Promise<string[]> {
-  const left = [...scenes];
-  const worker = async (): Promise<string[]> => {
-    const context = await browser.newContext();
-    const read = await decoder(context);
-    const found: string[] = [];
-    for (let scene = left.shift(); scene; scene = left.shift()) {
-      const tab = await opened(context, address, scene);
-      const faults = await faultsOf(tab, scene, read).catch((error: Error) => [error.message]);
-      const { name } = scene;
-      found.push(...faults.map((fault) => `${name}: ${fault}`));
-      await tab.close();
-    }
-    await context.close();
-    return found;
-  };
-  return (await Promise.all([worker(), worker()])).flat();
 }

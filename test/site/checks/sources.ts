@@ -7,7 +7,7 @@ export interface Scene {
   name: string;
   /** Where it runs, from the site's root. */
   path: string;
-  /** What stands there; undefined: what the site has there. */
+  /** What the server is to answer there; undefined: the site has it. */
   html?: string;
   /** The library that it has, as a module. */
   library: string;
@@ -59,7 +59,7 @@ export const scenes = (): Scene[] =>
       .filter(({ markup }) => isScene(markup))
       .map(({ info, markup, name }) => ({
         name,
-        path: '/scene',
+        path: `/${name.replace(/\W+/g, '-')}.html`,
         html: page(markup),
         library: '/x3d-physics/x3d-physics.js',
         moves: /^ live/.test(info) || /<x3d[\s>]/.test(markup),
