@@ -16,6 +16,7 @@ import type { World } from '../world/world.js';
 import { encode } from './calls.js';
 import { reportDiverged } from './diverged.js';
 import { hashOf } from './hash.js';
+import { marksOf } from './marks.js';
 import { Pictures } from './pictures.js';
 import { twinOf, type Beginning } from './twin.js';
 
@@ -229,21 +230,8 @@ export class Recording implements Recorder {
   }
 
   get marks(): TimelineMark[] {
-    const done = this.#calls.filter(({ method }) => method !== 'flush' && method !== 'move');
-    const marks = done.map((call) => ({ time: this.#timeOf(call), text: this.#textOf(call) }));
-    return [...marks, ...this.#problems].sort((a, b) => a.time - b.time);
-  }
-
-  #timeOf({ step }: Call): number {
-    let i = 0;
-    while (i < this.#pictures.length - 1 && this.#pictures.at(i).step < step) i++;
-    return this.#pictures.at(i).time;
-  }
-
-  #textOf({ node, method, args }: Call): string {
-    const who = node === undefined ? undefined : this.#world.node(node);
-    const what = typeof args[0] === 'string' ? `${method} ${args[0]}` : method;
-    return who ? `${who.label}: ${what}` : what;
+    const done = marksOf(this.#world, this.#calls, this.#pictures);
+    return [...done, ...this.#problems].sort((one, other) => one.time - other.time);
   }
 
   seek(time: number): void {

@@ -28,6 +28,8 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-measure', '`measureAccuracy()`'],
   ['x3d-physics.classic.js', 'the same, for its worker'],
+  ['chunk-timeline-code', '`world.record()`, `world.importRun()`'],
+  ['chunk-copy', 'a second world made of a snapshot: `measureAccuracy()` and the timeline'],
   ['ui/monitor.js', 'an `<x3d-physics-monitor>` in sight'],
   ['ui/chart.js', 'an `<x3d-accuracy-chart>` in sight'],
   ['ui/chunk-styles', 'either of these two'],
