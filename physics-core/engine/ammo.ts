@@ -22,10 +22,12 @@ const VIEWS = ['HEAP32', 'HEAPF32', 'HEAPU8'] as const;
 
 /**
  * The glue's object has so many properties that a view of the heap is looked up in it as in a dictionary (measured: 17 ns, here
- * 2). Views are asked for at every read, since the glue makes new ones when the heap grows: it hands them on.
+ * 2), and so is what is called for each point. Views are asked for at every read, since the glue makes new ones when the
+ * heap grows: it hands them on.
  */
 function withViews(glue: Ammo): Ammo {
-  const ammo = Object.create(glue) as Ammo;
+  const { getPointer, wrapPointer } = glue;
+  const ammo = Object.assign(Object.create(glue) as Ammo, { getPointer, wrapPointer });
   const views = ammo as Record<(typeof VIEWS)[number], unknown>;
   for (const name of VIEWS) {
     views[name] = glue[name];
