@@ -206,11 +206,11 @@ export class ImpactPropagation extends Effect implements ContactListener {
     }
     this.#newRound();
     eachFastPair(this.#simulation, dt, this.#lookAt);
-    this.#simulation.bullet.eachPair(this.#lookBehind);
+    this.#lookBehindAll();
     for (let i = 0; i < MOST_HITS && this.#blow.strikes > 0; i++) {
       this.#makeUpAll(dt);
       this.#newRound();
-      this.#simulation.bullet.eachPair(this.#lookBehind);
+      this.#lookBehindAll();
     }
     this.#touched.length = 0;
   }
@@ -219,6 +219,13 @@ export class ImpactPropagation extends Effect implements ContactListener {
     this.#steps++;
     this.#blow.strikes = 0;
     this.#seen.clear();
+  }
+
+  /** Bodies are fewer than pairs: mostly none was turned back. */
+  #lookBehindAll(): void {
+    const round = this.#steps - 1;
+    if (this.#links.some((link) => link.struckIn === round))
+      this.#simulation.bullet.eachPair(this.#lookBehind);
   }
 
   /** What was turned back in the round before may lie against something. */

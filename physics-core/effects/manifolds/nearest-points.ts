@@ -135,17 +135,31 @@ export class NearestPoints {
     const z = nearest[2]!;
     a.support(-x, -y, -z, onA, at);
     b.support(x, y, z, onB, at);
-    for (let i = 0; i < 3; i++) w[at + i] = onA[at + i]! + this.#shift[i]! - onB[at + i]!;
+    const shift = this.#shift;
+    w[at] = onA[at]! + shift[0]! - onB[at]!;
+    w[at + 1] = onA[at + 1]! + shift[1]! - onB[at + 1]!;
+    w[at + 2] = onA[at + 2]! + shift[2]! - onB[at + 2]!;
   }
 
   #take(gap: number): void {
     const { nearest, share, count, b } = this.#simplex;
     const size = hypot(nearest[0]!, nearest[1]!, nearest[2]!);
     this.#gap = gap;
-    for (let k = 0; k < 3; k++) {
-      this.normal[k] = nearest[k]! / size;
-      this.onB[k] = 0;
-      for (let i = 0; i < count; i++) this.onB[k]! += share[i]! * b[3 * i + k]!;
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    for (let i = 0; i < count; i++) {
+      x += share[i]! * b[3 * i]!;
+      y += share[i]! * b[3 * i + 1]!;
+      z += share[i]! * b[3 * i + 2]!;
     }
+    write3(this.onB, x, y, z);
+    write3(this.normal, nearest[0]! / size, nearest[1]! / size, nearest[2]! / size);
   }
+}
+
+function write3(out: Float64Array, x: number, y: number, z: number): void {
+  out[0] = x;
+  out[1] = y;
+  out[2] = z;
 }

@@ -73,8 +73,9 @@ export class PlacedForm {
     const u = local[0]!;
     const v = local[1]!;
     const w = local[2]!;
-    for (let i = 0; i < 3; i++)
-      out[at + i] = turn[3 * i]! * u + turn[3 * i + 1]! * v + turn[3 * i + 2]! * w + origin[i]!;
+    out[at] = turn[0]! * u + turn[1]! * v + turn[2]! * w + origin[0]!;
+    out[at + 1] = turn[3]! * u + turn[4]! * v + turn[5]! * w + origin[1]!;
+    out[at + 2] = turn[6]! * u + turn[7]! * v + turn[8]! * w + origin[2]!;
   }
 
   /** How far it reaches along a unit vector, with what is round about it. */

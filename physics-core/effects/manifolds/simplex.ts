@@ -1,11 +1,3 @@
-/** Of a tetrahedron's four faces, the corners, and the corner across. */
-const FACES = [
-  [0, 1, 2, 3],
-  [0, 2, 3, 1],
-  [0, 3, 1, 2],
-  [1, 3, 2, 0],
-] as const;
-
 /** A volume below this share of the cube of its edges is flat. */
 const FLAT = 1e-12;
 
@@ -22,6 +14,8 @@ export class Simplex {
   /** Of the nearest point: the share of each, and where it lies. */
   readonly share = new Float64Array(4);
   readonly nearest = new Float64Array(3);
+  /** Of a tetrahedron's faces, the nearest so far: its distance, squared, and its shares. */
+  #least = Infinity;
   readonly #best = new Float64Array(4);
 
   #clearShares(): void {
@@ -43,20 +37,28 @@ export class Simplex {
   #drop(): void {
     const { w, a, b, nearest } = this;
     let left = 0;
-    nearest[0] = nearest[1] = nearest[2] = 0;
+    let x = 0;
+    let y = 0;
+    let z = 0;
     for (let i = 0; i < this.count; i++) {
       const share = this.share[i]!;
       if (share <= 0) continue;
       const to = 3 * left;
-      for (let k = 0, from = 3 * i; k < 3; k++, from++) {
-        w[to + k] = w[from]!;
-        a[to + k] = a[from]!;
-        b[to + k] = b[from]!;
-        nearest[k]! += share * w[from]!;
+      const from = 3 * i;
+      if (left < i) {
+        copy3(w, from, to);
+        copy3(a, from, to);
+        copy3(b, from, to);
       }
+      x += share * w[to]!;
+      y += share * w[to + 1]!;
+      z += share * w[to + 2]!;
       this.share[left++] = share;
     }
     this.count = left;
+    nearest[0] = x;
+    nearest[1] = y;
+    nearest[2] = z;
   }
 
   /** Squared, of what four shares make. */
@@ -126,21 +128,25 @@ export class Simplex {
   }
 
   #tetrahedron(): boolean {
-    let least = Infinity;
-    for (let face = 0; face < FACES.length; face++) {
-      const [i, j, k, across] = FACES[face]!;
-      if (!this.#outside(i, j, k, across)) continue;
-      this.#clearShares();
-      this.#triangle(i, j, k);
-      const distance = this.#distance();
-      if (distance < least) {
-        least = distance;
-        this.#best.set(this.share);
-      }
-    }
-    if (least === Infinity) return false;
-    this.share.set(this.#best);
+    this.#least = Infinity;
+    this.#tryFace(0, 1, 2, 3);
+    this.#tryFace(0, 2, 3, 1);
+    this.#tryFace(0, 3, 1, 2);
+    this.#tryFace(1, 3, 2, 0);
+    if (this.#least === Infinity) return false;
+    copy4(this.#best, this.share);
     return true;
+  }
+
+  /** `across`: the corner that is not of it. */
+  #tryFace(i: number, j: number, k: number, across: number): void {
+    if (!this.#outside(i, j, k, across)) return;
+    this.#clearShares();
+    this.#triangle(i, j, k);
+    const distance = this.#distance();
+    if (!(distance < this.#least)) return;
+    this.#least = distance;
+    copy4(this.share, this.#best);
   }
 
   /** Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. */
@@ -167,4 +173,18 @@ export class Simplex {
       (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
     return corner * corner <= FLAT * FLAT * size || origin * corner < 0;
   }
+}
+
+/** `set` and `copyWithin` of arrays take longer than a round of the search. */
+function copy3(all: Float64Array, from: number, to: number): void {
+  all[to] = all[from]!;
+  all[to + 1] = all[from + 1]!;
+  all[to + 2] = all[from + 2]!;
+}
+
+function copy4(from: Float64Array, to: Float64Array): void {
+  to[0] = from[0]!;
+  to[1] = from[1]!;
+  to[2] = from[2]!;
+  to[3] = from[3]!;
 }

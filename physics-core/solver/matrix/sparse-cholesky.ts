@@ -134,8 +134,11 @@ export class SparseCholesky {
       for (let b = starts[j]!; b < starts[j + 1]!; b++) {
         const i = rows[b]!;
         let at = this.#blockAt[b]!;
-        for (let r = this.#firsts[i]!; r < this.#firsts[i + 1]!; r++)
-          for (let k = 0; k < n; k++) x[r]! -= l[at++]! * x[first + k]!;
+        const last = this.#firsts[i + 1]!;
+        if (n === POINT) takeRows(l, at, x, this.#firsts[i]!, last, first);
+        else
+          for (let r = this.#firsts[i]!; r < last; r++)
+            for (let k = 0; k < n; k++) x[r]! -= l[at++]! * x[first + k]!;
       }
     }
   }
@@ -150,8 +153,11 @@ export class SparseCholesky {
       for (let b = starts[j]!; b < starts[j + 1]!; b++) {
         const i = rows[b]!;
         let at = this.#blockAt[b]!;
-        for (let r = this.#firsts[i]!; r < this.#firsts[i + 1]!; r++)
-          for (let k = 0; k < n; k++) x[first + k]! -= l[at++]! * x[r]!;
+        const last = this.#firsts[i + 1]!;
+        if (n === POINT) takeColumns(l, at, x, this.#firsts[i]!, last, first);
+        else
+          for (let r = this.#firsts[i]!; r < last; r++)
+            for (let k = 0; k < n; k++) x[first + k]! -= l[at++]! * x[r]!;
       }
       backward(l, this.#diagonalAt[j]!, n, x, first);
     }
@@ -173,6 +179,45 @@ function forwardPoints(l: Float64Array, at: number, from: number, end: number): 
     l[i + 1] = y;
     l[i + 2] = (l[i + 2]! - d * x - e * y) * f;
   }
+}
+
+/** x -= block y: its rows from `row` to `end` of x, the three numbers of y from `first` on. */
+function takeRows(
+  l: Float64Array,
+  at: number,
+  x: Float64Array,
+  row: number,
+  end: number,
+  first: number,
+): void {
+  const a = x[first]!;
+  const b = x[first + 1]!;
+  const c = x[first + 2]!;
+  for (; row < end; row++, at += POINT)
+    x[row] = x[row]! - l[at]! * a - l[at + 1]! * b - l[at + 2]! * c;
+}
+
+/** y -= blockᵀ x, likewise. */
+function takeColumns(
+  l: Float64Array,
+  at: number,
+  x: Float64Array,
+  row: number,
+  end: number,
+  first: number,
+): void {
+  let a = x[first]!;
+  let b = x[first + 1]!;
+  let c = x[first + 2]!;
+  for (; row < end; row++, at += POINT) {
+    const value = x[row]!;
+    a -= l[at]! * value;
+    b -= l[at + 1]! * value;
+    c -= l[at + 2]! * value;
+  }
+  x[first] = a;
+  x[first + 1] = b;
+  x[first + 2] = c;
 }
 
 /** A block -= a bᵀ, of three columns each: `a` from `row` to `end`, `b` from `first` to `last`. */

@@ -22,12 +22,12 @@ type Made = 'btRigidBody' | 'btSphereShape' | 'btCompoundShape' | 'btGeneric6Dof
 /** From now on making one of these Bullet objects fails; returns how to mend that. */
 function breaking(w: World, name: Made, error: unknown): () => unknown {
   const { ammo } = w.engine;
-  const own = Object.getOwnPropertyDescriptor(ammo, name)!;
-  const value = function (): never {
+  const whole = ammo[name];
+  const fails = function (): never {
     throw error;
   };
-  Object.defineProperty(ammo, name, { ...own, value });
-  broken = () => Object.defineProperty(ammo, name, own);
+  Object.assign(ammo, { [name]: fails });
+  broken = () => Object.assign(ammo, { [name]: whole });
   return broken;
 }
 
