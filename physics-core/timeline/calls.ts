@@ -40,7 +40,7 @@ export function decode(value: unknown, nodes: ReadonlyMap<number, PhysicsNode>):
 const METHODS = {
   world: ['add', 'flush', 'level'],
   node: [
-    ...['set', 'event', 'unset', 'remove', 'teleport', 'wake', 'sleep', 'drag'],
+    ...['set', 'event', 'unset', 'remove', 'belongTo', 'teleport', 'wake', 'sleep', 'drag'],
     ...['applyForce', 'applyTorque', 'applyImpulse'],
   ],
   drag: ['move', 'end', 'cancel'],

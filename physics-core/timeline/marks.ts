@@ -13,9 +13,7 @@ export const marksOf = (world: World, calls: readonly Call[], pictures: Pictures
 
 /** Of the first picture that shows it. */
 function timeOf({ step }: Call, pictures: Pictures): number {
-  let i = 0;
-  while (i < pictures.length - 1 && pictures.at(i).step < step) i++;
-  return pictures.at(i).time;
+  return pictures.at(Math.min(pictures.firstFrom('step', step), pictures.length - 1)).time;
 }
 
 function textOf({ node, method, args }: Call, world: World): string {

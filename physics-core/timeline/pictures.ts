@@ -75,17 +75,23 @@ export class Pictures {
     return moved;
   }
 
-  /** The number of the picture that is nearest to a time. */
-  nearest(time: number): number {
+  /** The number of the first picture that is not before a step or time; of the last and one where all are. */
+  firstFrom(what: 'step' | 'time', value: number): number {
     let low = 0;
-    let high = this.#all.length - 1;
+    let high = this.#all.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.#all[middle]!.time < time) low = middle + 1;
+      if (this.#all[middle]![what] < value) low = middle + 1;
       else high = middle;
     }
-    const before = this.#all[low - 1];
-    return before && time - before.time < this.#all[low]!.time - time ? low - 1 : low;
+    return low;
+  }
+
+  /** The number of the picture that is nearest to a time. */
+  nearest(time: number): number {
+    const after = Math.min(this.firstFrom('time', time), this.#all.length - 1);
+    const before = this.#all[after - 1];
+    return before && time - before.time < this.#all[after]!.time - time ? after - 1 : after;
   }
 
   /** Says where each body was. */
@@ -110,7 +116,6 @@ export class Pictures {
 
   /** Those of steps before are kept no more. */
   drop(before: number): void {
-    const first = this.#all.findIndex(({ step }) => step >= before);
-    this.#all.splice(0, first < 0 ? this.#all.length : first);
+    this.#all.splice(0, this.firstFrom('step', before));
   }
 }

@@ -37,7 +37,10 @@ interface Deed {
 }
 
 /** What comes about by itself again, or has come about. */
-const NOT_AGAIN = ['add', 'flush', 'drag', 'remove'];
+const NOT_AGAIN = ['add', 'flush', 'remove', 'belongTo'];
+
+/** The last word about a field counts. */
+const OF_FIELDS = ['set', 'event', 'unset'];
 
 /** Follows a world, keeps what it does for a while, and shows it again. */
 export class Recording implements Recorder {
@@ -58,6 +61,8 @@ export class Recording implements Recorder {
   #later: Deed[] = [];
   /** At work of its own, which is not recorded. */
   #busy = false;
+  /** Does what was put off: that is recorded, whatever else is under way. */
+  #redoing = false;
   #stops: (() => void)[] = [];
 
   constructor(world: World, seconds: number) {
@@ -130,9 +135,11 @@ export class Recording implements Recorder {
 
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
     // What the world does of its own accord a twin does, too.
-    const inner = this.#busy || this.#world.events.depth > 1;
+    const inner = this.#busy || (this.#world.events.depth > 1 && !this.#redoing);
     if (inner || (method === 'flush' && !this.#world.edits.pending)) return work();
-    if (this.looking) this.#later.push({ who, method, args });
+    // Whoever takes hold of a body goes on from where he sees it.
+    if (this.looking && method === 'drag') this.resume();
+    if (this.looking) this.#putOff({ who, method, args });
     return this.#quietly(() => {
       const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Drag);
       if (!this.looking) this.#note(this.#named(who, number), method, args);
@@ -140,6 +147,16 @@ export class Recording implements Recorder {
       if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
       return result;
     });
+  }
+
+  #putOff(deed: Deed): void {
+    const { who, method, args } = deed;
+    if (NOT_AGAIN.includes(method)) return;
+    if (OF_FIELDS.includes(method))
+      this.#later = this.#later.filter(
+        (one) => one.who !== who || !OF_FIELDS.includes(one.method) || one.args[0] !== args[0],
+      );
+    this.#later.push(deed);
   }
 
   #named(who: object, drag: number | undefined): Pick<Call, 'node' | 'drag'> {
@@ -293,9 +310,10 @@ export class Recording implements Recorder {
     this.#quietly(() => this.#goTo(look));
     const later = this.#later;
     this.#later = [];
+    this.#redoing = true;
     for (const { who, method, args } of later)
-      if (!NOT_AGAIN.includes(method))
-        (who as Record<string, (...args: readonly unknown[]) => void>)[method]!(...args);
+      (who as Record<string, (...args: readonly unknown[]) => void>)[method]!(...args);
+    this.#redoing = false;
     this.#world.work();
   }
 

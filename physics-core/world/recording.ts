@@ -29,7 +29,7 @@ export interface TimelineMark {
 
 /**
  * What a world did, while `world.record()` keeps it. Looking back shows where bodies were; it simulates nothing, and what was
- * recorded of the future stays until `world.resume()`, an edit or a step goes on from there.
+ * recorded of the future stays until `world.resume()`, a step or a drag goes on from there.
  */
 export interface Timeline {
   /** Simulated seconds of the first picture that is kept, and of the last. There are 60 a second. */

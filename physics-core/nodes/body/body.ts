@@ -161,8 +161,8 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   /** Gravity, rest and who it collides with are those of its collection. */
-  override belongTo(collection: PhysicsNode | undefined): void {
-    super.belongTo(collection);
+  protected override join(collection: PhysicsNode | undefined): void {
+    super.join(collection);
     for (const field of ['useGlobalGravity', 'autoDisable', 'dragMode']) this.touch(field);
     this.world.pairs.refreshBody(this);
   }

@@ -228,6 +228,10 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** It stands in another collection of its world now. */
   belongTo(collection: PhysicsNode | undefined): void {
+    this.world.call(this, 'belongTo', [collection], () => this.join(collection));
+  }
+
+  protected join(collection: PhysicsNode | undefined): void {
     this.collection = collection;
   }
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { hashOf } from '../../../physics-core/timeline/hash.js';
-import { claim, closeWorlds, told, world, type Body } from '../helpers.js';
+import { claim, closeWorlds, told, world, type Body, type Vec3 } from '../helpers.js';
 
 const box = { type: 'Box', size: [1, 1, 1] };
 
@@ -134,6 +134,40 @@ test('what is done while one looks back is done when time goes on', async () => 
   body(of, 'bob').set('mass', 7);
   of.resume();
   assert.equal(body(of, 'bob').get('mass'), 7);
+  closeWorlds();
+});
+
+test('of many edits of a field while one looks back the last one counts, and is recorded in its turn', async () => {
+  const [plain, of] = [await scene(), await scene()];
+  const timeline = await recorded(of);
+  of.step(240);
+  timeline.seek(1);
+  for (const mass of [2, 3, 9]) body(of, 'bob').set('mass', mass);
+  of.step(120);
+  plain.step(120);
+  body(plain, 'bob').set('mass', 9);
+  plain.step(120);
+  assert.equal(hashOf(of), hashOf(plain));
+  timeline.seek(1.5);
+  of.resume();
+  of.step(60);
+  assert.equal(hashOf(of), hashOf(plain));
+  closeWorlds();
+});
+
+test('who takes hold of a body while looking back goes on from there', async () => {
+  const [plain, of] = [await scene(), await scene()];
+  const timeline = await recorded(of);
+  of.step(240);
+  plain.step(120);
+  timeline.seek(1);
+  for (const each of [of, plain]) {
+    const drag = body(each, 'bob').drag(body(each, 'bob').get('position') as Vec3)!;
+    drag.move([5, 6, 0]);
+    each.step(60);
+  }
+  assert.equal(timeline.at, undefined);
+  assert.equal(hashOf(of), hashOf(plain));
   closeWorlds();
 });
 
