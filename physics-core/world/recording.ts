@@ -80,7 +80,7 @@ export const RUN_FORMAT = 1;
 /** A run as plain data: where it began, what was done to it, and the hashes by which whoever runs it anew sees that it is the same. */
 export interface Run {
   x3dPhysicsRun: typeof RUN_FORMAT;
-  /** In a page: the markup of its scene now. */
+  /** In a page: the markup of its `<scene>` as it is now. */
   markup?: string;
   start: Snapshot;
   drags: HeldDrag[];

@@ -1,4 +1,4 @@
-import { World, type PhysicsNode, type Problem } from '../../../physics-core/inside.js';
+import { World, type PhysicsNode, type Problem, type Run } from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
@@ -101,6 +101,13 @@ export class SceneWorld extends World implements PageWorld {
       if (node) return node;
     }
     return undefined;
+  }
+
+  /** With the scene that it happened in. */
+  override exportRun(): Run | undefined {
+    const run = super.exportRun();
+    const scene = this.#scopes.x3d.querySelector('scene, Scene');
+    return run && scene ? { ...run, markup: scene.outerHTML } : run;
   }
 
   // ---- frames -----------------------------------------------------------------------------------------------------

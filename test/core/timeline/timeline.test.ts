@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { hashOf } from '../../../physics-core/timeline/hash.js';
 import { claim, closeWorlds, told, world, type Body, type Vec3 } from '../helpers.js';
+import { HASHES, towerRun } from './tower.js';
 
 const box = { type: 'Box', size: [1, 1, 1] };
 
@@ -193,6 +194,13 @@ test('each 60 steps have a hash, the same in each run', async () => {
   );
   assert.deepEqual(timelines[0]!.hashes, timelines[1]!.hashes);
   closeWorlds();
+});
+
+test('hashes are those of the browsers', async () => {
+  assert.deepEqual(
+    (await towerRun()).map(({ hash }) => hash),
+    HASHES,
+  );
 });
 
 test('a reset begins the recording anew', async () => {
