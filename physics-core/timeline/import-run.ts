@@ -1,3 +1,4 @@
+import { levels } from '../dynamics/levels.js';
 import { inSlices } from '../accuracy/slices.js';
 import { RUN_FORMAT, type Run, type Timeline } from '../world/recording.js';
 import type { Watching } from '../world/measuring.js';
@@ -8,11 +9,11 @@ import { goneIn } from '../world/snapshot/restore.js';
 import type { World } from '../world/world.js';
 import { isCall } from './calls.js';
 import { reportDiverged } from './diverged.js';
-import { Recording } from './recording.js';
+import { Recording, SECONDS } from './recording.js';
 import { twinOf } from './twin.js';
 
-/** Simulated seconds that an imported run may last; so much of it is kept. */
-const LONGEST = 3600;
+/** Steps that an imported run may have: an hour at the finest level. */
+const MOST_STEPS = 3600 / levels.at(-1)!.timeStep;
 
 /** Runs a run anew beside a world, which then is where that ended. */
 export async function importRun(
@@ -29,6 +30,8 @@ export async function importRun(
   world.recorder?.stop();
   world.restore(twin.snapshot());
   recording.follow(world);
+  // All of it stays until more has come.
+  recording.seconds = Math.max(SECONDS, recording.to - recording.from);
   twin.destroy();
   world.work();
   return recording;
@@ -39,7 +42,7 @@ function* replay(
   world: World,
   { start, drags, calls, steps, hashes }: Run,
 ): Generator<number, { recording: Recording; twin: World }> {
-  const recording = new Recording(world, LONGEST);
+  const recording = new Recording(world, Infinity);
   let twin!: World;
   const work = twinOf(world, { step: 0, snapshot: start, drags }, calls, steps, (born) => {
     twin = born;
@@ -76,10 +79,13 @@ function faultIn(run: unknown): string | undefined {
   if (x3dPhysicsRun !== RUN_FORMAT) return 'this run is of another version of x3d-physics';
   const whole =
     Number.isInteger(steps) &&
+    steps! <= MOST_STEPS &&
     [calls, hashes, drags].every(Array.isArray) &&
     calls!.every(isCall) &&
     typeof start === 'object';
-  return whole ? undefined : 'parts of this run are missing, or are no numbers';
+  return whole
+    ? undefined
+    : 'parts of this run are missing, or are no numbers, or it is longer than an hour';
 }
 
 function refuse(world: World, fault: string, value: unknown): undefined {

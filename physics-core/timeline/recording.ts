@@ -20,6 +20,9 @@ import { marksOf } from './marks.js';
 import { Pictures } from './pictures.js';
 import { twinOf, type Beginning } from './twin.js';
 
+/** Simulated seconds that are kept, where nobody says how many. */
+export const SECONDS = 10;
+
 /** Steps from one hash to the next. */
 const HASHED = 60;
 
@@ -45,7 +48,8 @@ const OF_FIELDS = ['set', 'event', 'unset'];
 /** Follows a world, keeps what it does for a while, and shows it again. */
 export class Recording implements Recorder {
   #world: World;
-  readonly #seconds: number;
+  /** Simulated seconds that are kept. */
+  seconds: number;
   #pictures = new Pictures();
   #beginnings: Beginning[] = [];
   #calls: Call[] = [];
@@ -67,7 +71,7 @@ export class Recording implements Recorder {
 
   constructor(world: World, seconds: number) {
     this.#world = world;
-    this.#seconds = seconds;
+    this.seconds = seconds;
   }
 
   // ---- following --------------------------------------------------------------------------------------------------
@@ -209,7 +213,7 @@ export class Recording implements Recorder {
 
   /** What is older than it was asked to keep, as far as nothing begins there that is kept. */
   #forget(): void {
-    const oldest = this.to - this.#seconds;
+    const oldest = this.to - this.seconds;
     while (this.#beginnings.length > 1 && this.#beginnings[1]!.snapshot.time <= oldest)
       this.#beginnings.shift();
     const { step, snapshot } = this.#beginnings[0]!;

@@ -3,9 +3,7 @@ import { show } from '../base/show.js';
 import type { RecordOptions, Timeline, recordings } from '../world/recording.js';
 import type { World } from '../world/world.js';
 import { importRun } from './import-run.js';
-import { Recording } from './recording.js';
-
-const SECONDS = 10;
+import { Recording, SECONDS } from './recording.js';
 
 export const provide = (): typeof recordings.code => ({ record, importRun });
 

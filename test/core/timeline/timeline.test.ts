@@ -293,6 +293,7 @@ test('what is no run, no time and no number of seconds is told, and nothing is d
   const evil = { ...run, calls: [{ step: 0, next: 1, singly: true, method: 'destroy', args: [] }] };
   assert.equal(await of.importRun(evil), undefined);
   assert.equal(await of.importRun({ ...run, x3dPhysicsRun: 99 } as never), undefined);
+  assert.equal(await of.importRun({ ...run, steps: 1e12 }), undefined);
   timeline.seek(NaN);
   assert.equal(timeline.at, undefined);
   assert.equal(hashOf(of), before);
