@@ -116,10 +116,11 @@ describe('a file of ten megabytes', () => {
   it('of one mesh is ready in a time that grows with its size, and carries what falls on it', async () => {
     const text = meshFile(330);
     expect(text.length).to.be.above(9e6);
-    const tenth = await ready(meshFile(104));
+    const before = await ready(meshFile(104));
     const { ms, file } = await ready(text);
-    // What is quadratic in it takes a hundred times as long.
-    expect(ms).to.be.below(30 * tenth.ms);
+    const after = await ready(meshFile(104));
+    // What is quadratic in it takes a hundred times as long as a tenth of it does, while the machine is as busy.
+    expect(ms).to.be.below(30 * Math.max(before.ms, after.ms));
     file.reset();
     file.advance(3);
     expect(position(file, 'ball')[1]).to.be.closeTo(0.5, 0.05);
