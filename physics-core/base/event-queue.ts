@@ -35,11 +35,18 @@ interface Entry {
   void: boolean;
 }
 
+/** Keeps what is asked for by methods. */
+interface Keeper {
+  keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
+}
+
 /** Events on their way to listeners; the order and what a listener may do stand above. */
 export class EventQueue {
   readonly #entries: Entry[] = [];
   /** The first that is not told yet. */
   #next = 0;
+  /** Is told what is asked for, while somebody keeps it, and does it. */
+  keeper: Keeper | undefined;
   /** How much work is under way. */
   #held = 0;
   #delivering = false;
@@ -73,6 +80,12 @@ export class EventQueue {
     } finally {
       this.release();
     }
+  }
+
+  /** Does as a whole what somebody asks `who` for, by a method. */
+  call<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
+    const { keeper } = this;
+    return this.during(keeper ? () => keeper.keep(who, method, args, work) : work);
   }
 
   /** The world begins anew, or ends: what came about before and is not told yet is void. */

@@ -31,8 +31,6 @@ export interface Simulation {
   bodyAt(pointer: number): Body | undefined;
   /** Bullet's solver is to work with what contacts demand now. */
   configureSolver(): void;
-  /** Does as a whole what somebody asks `who` for, by a method. */
-  call<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
   /** There is something to do for whoever drives the world. */
   work(): void;
   emit(event: string, detail: unknown): void;

@@ -93,7 +93,7 @@ export class Recording implements Recorder {
   follow(world: World): this {
     this.#letGo();
     this.#world = world;
-    world.recorder = this;
+    world.recorder = world.events.keeper = this;
     const anew = (): void => void (this.#busy || this.begin());
     this.#stops = [
       world.on('reset', anew),
@@ -109,7 +109,8 @@ export class Recording implements Recorder {
   #letGo(): void {
     for (const stop of this.#stops) stop();
     this.#stops = [];
-    if (this.#world.recorder === this) this.#world.recorder = undefined;
+    const world = this.#world;
+    if (world.recorder === this) world.recorder = world.events.keeper = undefined;
   }
 
   stop(): void {

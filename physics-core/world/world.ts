@@ -93,7 +93,7 @@ export class World implements TimedWorld {
   }
 
   add(type: string, fields: Record<string, unknown> = {}, options: AddOptions = {}): PhysicsNode {
-    return this.call(this, 'add', [type, fields, options], () =>
+    return this.events.call(this, 'add', [type, fields, options], () =>
       this.store.add(type, fields, options),
     );
   }
@@ -135,12 +135,6 @@ export class World implements TimedWorld {
     if (this.#meeting !== alone || !meeting.of) return;
     this.#meeting = meeting.of(this, this.bodies);
     this.pairs.refresh();
-  }
-
-  /** Does as a whole what somebody asks for. */
-  call<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
-    const { recorder } = this;
-    return this.events.during(recorder ? () => recorder.keep(who, method, args, work) : work);
   }
 
   /** Applies pending edits. */
@@ -197,7 +191,7 @@ export class World implements TimedWorld {
   }
 
   destroy(): void {
-    this.recorder = undefined;
+    this.recorder = this.events.keeper = undefined;
     this.lifecycle.destroy();
   }
 

@@ -117,7 +117,7 @@ export class Drag {
 
   /** What a call brings about is told when it is over. */
   #whole(method: string, args: readonly unknown[], work: () => void): void {
-    if (!this.#over) this.#simulation.call(this, method, args, work);
+    if (!this.#over) this.#simulation.events.call(this, method, args, work);
   }
 
   #move(point: Vec3): void {

@@ -206,12 +206,12 @@ export class BodyNode extends PhysicsNode implements Body {
 
   wake(): void {
     if (this.active && this.movable)
-      this.world.call(this, 'wake', [], () => this.world.bodies.wake(this));
+      this.world.events.call(this, 'wake', [], () => this.world.bodies.wake(this));
   }
 
   sleep(): void {
     if (this.active && this.movable)
-      this.world.call(this, 'sleep', [], () => this.world.bodies.sleep(this));
+      this.world.events.call(this, 'sleep', [], () => this.world.bodies.sleep(this));
   }
 
   // ---- pose and velocity ------------------------------------------------------------------------------------------
@@ -271,21 +271,23 @@ export class BodyNode extends PhysicsNode implements Body {
   // ---- what page code does to it ----------------------------------------------------------------------------------
 
   teleport(position: Vec3, orientation?: Rotation, velocities: Partial<Velocities> = {}): void {
-    this.world.call(this, 'teleport', [position, orientation, velocities], () =>
+    this.world.events.call(this, 'teleport', [position, orientation, velocities], () =>
       this.#commands.teleport(position, orientation, velocities),
     );
   }
 
   applyForce(force: Vec3, at?: Vec3): void {
-    this.world.call(this, 'applyForce', [force, at], () => this.#commands.applyForce(force, at));
+    this.world.events.call(this, 'applyForce', [force, at], () =>
+      this.#commands.applyForce(force, at),
+    );
   }
 
   applyTorque(torque: Vec3): void {
-    this.world.call(this, 'applyTorque', [torque], () => this.#commands.applyTorque(torque));
+    this.world.events.call(this, 'applyTorque', [torque], () => this.#commands.applyTorque(torque));
   }
 
   applyImpulse(impulse: Vec3, at?: Vec3): void {
-    this.world.call(this, 'applyImpulse', [impulse, at], () =>
+    this.world.events.call(this, 'applyImpulse', [impulse, at], () =>
       this.#commands.applyImpulse(impulse, at),
     );
   }
@@ -307,7 +309,7 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   drag(point: Vec3, onend: (reason: DragEnd) => void = () => {}): Drag | undefined {
-    return this.world.call(this, 'drag', [point], () => this.grip.take(point, onend));
+    return this.world.events.call(this, 'drag', [point], () => this.grip.take(point, onend));
   }
 
   hold(held: boolean): void {

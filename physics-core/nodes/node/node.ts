@@ -93,17 +93,21 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** Asks for a value. Equal to the one last asked for: nothing happens. `text`: how the author wrote it. */
   set(spelling: string, value: unknown, text: unknown = value): void {
-    this.world.call(this, 'set', [spelling, value], () => this.#edits.set(spelling, value, text));
+    this.world.events.call(this, 'set', [spelling, value], () =>
+      this.#edits.set(spelling, value, text),
+    );
   }
 
   /** An X3D event (ROUTE, setFieldValue): acts even where the value is the one last asked for. */
   event(spelling: string, value: unknown): void {
-    this.world.call(this, 'event', [spelling, value], () => this.#edits.event(spelling, value));
+    this.world.events.call(this, 'event', [spelling, value], () =>
+      this.#edits.event(spelling, value),
+    );
   }
 
   /** The attribute was removed: X3D's default again. */
   unset(spelling: string): void {
-    this.world.call(this, 'unset', [spelling], () => this.#edits.unset(spelling));
+    this.world.events.call(this, 'unset', [spelling], () => this.#edits.unset(spelling));
   }
 
   /** Takes over what a snapshot holds. */
@@ -213,7 +217,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** Takes the node out of its world for good. */
   remove(): void {
-    if (!this.removed) this.world.call(this, 'remove', [], () => this.#remove());
+    if (!this.removed) this.world.events.call(this, 'remove', [], () => this.#remove());
   }
 
   #remove(): void {
@@ -228,7 +232,7 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** It stands in another collection of its world now. */
   belongTo(collection: PhysicsNode | undefined): void {
-    this.world.call(this, 'belongTo', [collection], () => this.join(collection));
+    this.world.events.call(this, 'belongTo', [collection], () => this.join(collection));
   }
 
   protected join(collection: PhysicsNode | undefined): void {

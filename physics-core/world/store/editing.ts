@@ -39,7 +39,7 @@ export class Editing {
   }
 
   flush(): void {
-    this.#world.call(this.#world, 'flush', [], this.#applyAll);
+    this.#world.events.call(this.#world, 'flush', [], this.#applyAll);
   }
 
   /** Obstacles are edits in their turn; a level that is another now is told once all is applied. */

@@ -59,7 +59,8 @@ const ARGUMENT = /^bt(Vector|Quaternion|Transform)/;
 export function listenToBullet(ammo: object): void {
   if (listened.has(ammo)) return;
   listened.add(ammo);
-  for (const [type, value] of Object.entries(ammo))
+  // What is read often is its own, the classes are the glue's.
+  for (const [type, value] of Object.entries(Object.getPrototypeOf(ammo) as object))
     if (/^bt/.test(type) && !ARGUMENT.test(type) && typeof value === 'function')
       tellMethods(type, value.prototype);
 }
