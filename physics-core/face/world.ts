@@ -97,7 +97,7 @@ export interface World {
   /** Back to what the markup, or `add` and `set`, say, at time 0. The next n steps are the first n steps, bit for bit. */
   reset(): void;
 
-  /** All that its next step reads, as plain data: to keep, clone or send. */
+  /** All that its next step reads, as plain data: to keep, clone or send. While one looks back, of where one looks. */
   snapshot(): Snapshot;
 
   /**

@@ -2,13 +2,10 @@ import { PhysicsNode } from '../nodes/node/node.js';
 import type { LevelName } from '../dynamics/levels.js';
 import type { Drag } from '../effects/drag/drag.js';
 import type { Call } from '../world/recording.js';
+import type { Reference } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
 
 // What is done to a world by methods, as plain data: nodes by their numbers. Functions and elements stay where they are.
-
-interface Reference {
-  nodeId: number;
-}
 
 const isPlain = (value: object): boolean => {
   const prototype: unknown = Object.getPrototypeOf(value);
@@ -28,12 +25,13 @@ export function encode(value: unknown): unknown {
   return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, encode(one)]));
 }
 
-export function decode(value: unknown, nodes: ReadonlyMap<number, PhysicsNode>): unknown {
-  if (Array.isArray(value)) return value.map((item) => decode(item, nodes));
+/** `node`: by its number. */
+export function decode(value: unknown, node: (id: number) => PhysicsNode | undefined): unknown {
+  if (Array.isArray(value)) return value.map((item) => decode(item, node));
   if (typeof value !== 'object' || value === null) return value;
   if ('leftOut' in value) return undefined;
-  if ('nodeId' in value) return nodes.get((value as Reference).nodeId) ?? null;
-  return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, decode(one, nodes)]));
+  if ('nodeId' in value) return node((value as Reference).nodeId) ?? null;
+  return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, decode(one, node)]));
 }
 
 /** Methods that a recorded run may call; one from outside can't have others called. */
@@ -57,15 +55,16 @@ export const isCall = (call: Call): boolean =>
   Array.isArray(call.args) &&
   METHODS[kindOf(call)].includes(call.method);
 
+type Methods = Record<string, unknown>;
+
 /** Does again in one world what was done in another. */
 export class Redoing {
   readonly #world: World;
-  readonly #nodes: Map<number, PhysicsNode>;
+  #nodes = new Map<number, PhysicsNode>();
   readonly #drags = new Map<number, Drag>();
 
   constructor(world: World) {
     this.#world = world;
-    this.#nodes = new Map([...world.nodes].map((node) => [node.id, node]));
   }
 
   /** A drag that is under way. */
@@ -76,7 +75,8 @@ export class Redoing {
   do(call: Call): void {
     this.#world.store.nextId = call.next;
     this.#world.stepping.singly = call.singly;
-    this.#do(call);
+    if (call.method === 'level') this.#goTo(call.args[0] as LevelName);
+    else this.#do(call);
   }
 
   /** Where the level is left to itself. */
@@ -86,17 +86,25 @@ export class Redoing {
     this.#world.configure();
   }
 
-  #do({ node, drag, method, args }: Pick<Call, 'node' | 'drag' | 'method' | 'args'>): void {
-    if (method === 'level') return this.#goTo(args[0] as LevelName);
-    const given = decode(args, this.#nodes) as unknown[];
-    const who =
-      node === undefined ? (this.#drags.get(drag!) ?? this.#world) : this.#nodes.get(node);
-    // What it was done to may be gone, or the world itself may be: of a drag nobody knows.
-    if (!who || (node === undefined && drag !== undefined && who === this.#world)) return;
-    const result = (who as unknown as Record<string, (...args: unknown[]) => unknown>)[method]!(
-      ...given,
-    );
-    if (method === 'drag' && result) this.#drags.set(drag!, result as Drag);
-    if (method === 'add') for (const one of this.#world.nodes) this.#nodes.set(one.id, one);
+  #do(call: Pick<Call, 'node' | 'drag' | 'method' | 'args'>): void {
+    const who = this.#whose(call) as unknown as Methods | undefined;
+    const method = who?.[call.method];
+    // What it was done to may be gone, as it was, or never have been.
+    if (typeof method !== 'function') return;
+    const args = decode(call.args, this.#node) as unknown[];
+    const result: unknown = method.apply(who, args);
+    if (call.method === 'drag' && result) this.#drags.set(call.drag!, result as Drag);
   }
+
+  #whose({ node, drag }: Pick<Call, 'node' | 'drag'>): World | PhysicsNode | Drag | undefined {
+    if (node !== undefined) return this.#node(node);
+    return drag === undefined ? this.#world : this.#drags.get(drag);
+  }
+
+  /** Nodes come with calls, and children with their fields. */
+  readonly #node = (id: number): PhysicsNode | undefined => {
+    if (!this.#nodes.has(id))
+      this.#nodes = new Map([...this.#world.nodes].map((node) => [node.id, node]));
+    return this.#nodes.get(id);
+  };
 }

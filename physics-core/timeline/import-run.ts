@@ -1,8 +1,8 @@
-import { levels } from '../dynamics/levels.js';
 import { inSlices } from '../accuracy/slices.js';
+import { levels } from '../dynamics/levels.js';
 import { RUN_FORMAT, type Run, type Timeline } from '../world/recording.js';
 import type { Watching } from '../world/measuring.js';
-import { faultOf } from '../world/snapshot/check.js';
+import { faultOf as faultIn } from '../world/snapshot/check.js';
 import { loadNode } from '../world/snapshot/load.js';
 import { Lookup } from '../world/snapshot/lookup.js';
 import { goneIn } from '../world/snapshot/restore.js';
@@ -10,7 +10,7 @@ import type { World } from '../world/world.js';
 import { isCall } from './calls.js';
 import { reportDiverged } from './diverged.js';
 import { Recording, SECONDS } from './recording.js';
-import { twinOf } from './twin.js';
+import { Twin } from './twin.js';
 
 /** Steps that an imported run may have: an hour at the finest level. */
 const MOST_STEPS = 3600 / levels.at(-1)!.timeStep;
@@ -21,43 +21,41 @@ export async function importRun(
   run: Run,
   watching: Watching,
 ): Promise<Timeline | undefined> {
-  const fault = faultIn(run);
+  const fault = faultOf(world, run);
   if (fault) return refuse(world, fault, run);
-  if ([...world.bodies].length === 0) bear(world, run);
-  const foreign = faultOf(run.start, world.nodes, world.bullet.kept);
-  if (foreign) return refuse(world, foreign, run);
-  const { recording, twin } = await inSlices(replay(world, run), watching);
-  world.recorder?.stop();
-  world.restore(twin.snapshot());
-  recording.follow(world);
-  // All of it stays until more has come.
-  recording.seconds = Math.max(SECONDS, recording.to - recording.from);
-  twin.destroy();
-  world.work();
-  return recording;
+  const twin = new Twin(run.calls);
+  try {
+    if (isEmpty(world)) bear(world, run);
+    const recording = await inSlices(replay(world, twin, run), watching);
+    world.recorder?.stop();
+    world.restore(twin.world.snapshot());
+    // All of it stays until more has come.
+    recording.seconds = Math.max(SECONDS, recording.to - recording.from);
+    return recording.follow(world);
+  } catch (error) {
+    watching.signal?.throwIfAborted();
+    return refuse(world, `this run can’t be run: ${String(error)}`, run);
+  } finally {
+    twin.world.destroy();
+  }
 }
 
 /** Ends where its hashes are others. */
-function* replay(
-  world: World,
-  { start, drags, calls, steps, hashes }: Run,
-): Generator<number, { recording: Recording; twin: World }> {
-  const recording = new Recording(world, Infinity);
-  let twin!: World;
-  const work = twinOf(world, { step: 0, snapshot: start, drags }, calls, steps, (born) => {
-    twin = born;
-    recording.follow(born).begin();
-  });
-  const then = new Map(hashes.map(({ step, hash }) => [step, hash]));
-  for (let next = work.next(); !next.done; next = work.next()) {
+function* replay(world: World, twin: Twin, run: Run): Generator<number, Recording> {
+  yield* twin.begin(world, { step: 0, snapshot: run.start, drags: run.drags });
+  const recording = new Recording(twin.world, Infinity).follow(twin.world);
+  recording.begin();
+  const then = new Map(run.hashes.map(({ step, hash }) => [step, hash]));
+  for (const done of twin.runTo(run.steps)) {
     const { step, time, hash } = recording.hashes.at(-1) ?? NONE;
-    if ((then.get(step) ?? hash) !== hash) {
+    if ((then.get(step) ?? hash) === hash) yield done;
+    else {
       reportDiverged(world, step, time);
-      break;
+      return recording;
     }
-    yield next.value;
   }
-  return { recording, twin };
+  twin.redo();
+  return recording;
 }
 
 const NONE = { step: -1, time: 0, hash: '' };
@@ -73,20 +71,28 @@ function bear(world: World, { start }: Run): void {
   for (const node of [...world.nodes]) loadNode(node, found);
 }
 
-function faultIn(run: unknown): string | undefined {
+/** What is wrong with a run, for people; undefined: nothing. */
+function faultOf(world: World, run: unknown): string | undefined {
   const { x3dPhysicsRun, steps, calls, hashes, drags, start } = (run ?? {}) as Partial<Run>;
   if (x3dPhysicsRun === undefined) return 'importRun takes what exportRun() gave';
   if (x3dPhysicsRun !== RUN_FORMAT) return 'this run is of another version of x3d-physics';
+  if (steps! > MOST_STEPS) return 'this run is longer than an hour';
   const whole =
     Number.isInteger(steps) &&
-    steps! <= MOST_STEPS &&
-    [calls, hashes, drags].every(Array.isArray) &&
+    [calls, hashes, drags].every(areRecords) &&
     calls!.every(isCall) &&
-    typeof start === 'object';
-  return whole
-    ? undefined
-    : 'parts of this run are missing, or are no numbers, or it is longer than an hour';
+    Array.isArray(start?.nodes);
+  if (!whole) return 'parts of this run are missing, or are no numbers';
+  const nodes = isEmpty(world)
+    ? start!.nodes.map(({ id, type }) => ({ id, type: { name: type } }))
+    : world.nodes;
+  return faultIn(start, nodes, world.bullet.kept);
 }
+
+const isEmpty = ({ bodies }: World): boolean => [...bodies].length === 0;
+
+const areRecords = (all: unknown): boolean =>
+  Array.isArray(all) && all.every((one) => typeof one === 'object' && one !== null);
 
 function refuse(world: World, fault: string, value: unknown): undefined {
   world.report({

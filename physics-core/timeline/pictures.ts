@@ -7,7 +7,7 @@ interface Shown {
 }
 
 /** The end of a step. */
-export interface Moment {
+interface Moment {
   readonly step: number;
   /** Simulated seconds. */
   readonly time: number;
@@ -108,7 +108,7 @@ export class Pictures {
     for (const [id, pose] of poses) put(id, pose);
   }
 
-  /** Those of steps from here on have not been. */
+  /** Those of steps after one have not been. */
   cut(after: number): void {
     while (this.#all.length > 0 && this.#all.at(-1)!.step > after) this.#all.pop();
     this.#ids.fill(0);

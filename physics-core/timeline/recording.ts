@@ -4,21 +4,15 @@ import { POSE } from '../dynamics/poses.js';
 import type { Drag } from '../effects/drag/drag.js';
 import { PhysicsNode } from '../nodes/node/node.js';
 import type { Problem } from '../base/problems.js';
-import {
-  RUN_FORMAT,
-  type Call,
-  type Recorder,
-  type Run,
-  type StepHash,
-  type TimelineMark,
-} from '../world/recording.js';
+import type { Call, Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
 import { encode } from './calls.js';
 import { reportDiverged } from './diverged.js';
 import { hashOf } from './hash.js';
+import { History } from './history.js';
 import { marksOf } from './marks.js';
-import { Pictures } from './pictures.js';
-import { twinOf, type Beginning } from './twin.js';
+import { Twin, type Beginning } from './twin.js';
 
 /** Simulated seconds that are kept, where nobody says how many. */
 export const SECONDS = 10;
@@ -28,9 +22,6 @@ const HASHED = 60;
 
 /** Simulated seconds from one snapshot to the next: at most so much is run anew to go on from where one looks. */
 const APART = 1;
-
-/** Of a step, by which roundings of times may differ. */
-const ROUNDING = 1e-6;
 
 /** What somebody did while looking back, to be done when time goes on. */
 interface Deed {
@@ -50,12 +41,7 @@ export class Recording implements Recorder {
   #world: World;
   /** Simulated seconds that are kept. */
   seconds: number;
-  #pictures = new Pictures();
-  #beginnings: Beginning[] = [];
-  #calls: Call[] = [];
-  #hashes: StepHash[] = [];
-  #problems: TimelineMark[] = [];
-  #steps = 0;
+  #history = new History();
   #drags = new Map<Drag, number>();
   #dragCount = 0;
   /** The number of the picture that is looked at. */
@@ -78,12 +64,7 @@ export class Recording implements Recorder {
 
   /** Follows the world, from what it is now on. */
   begin(): void {
-    this.#pictures = new Pictures();
-    this.#beginnings = [];
-    this.#calls = [];
-    this.#hashes = [];
-    this.#problems = [];
-    this.#steps = 0;
+    this.#history = new History();
     this.#look = this.#clock = undefined;
     this.#later = [];
     this.#quietly(() => this.#picture(true));
@@ -135,7 +116,7 @@ export class Recording implements Recorder {
   }
 
   #told({ message }: Problem): void {
-    this.#problems.push({ time: this.#world.time, text: message });
+    this.#history.problems.push({ time: this.#world.time, text: message });
   }
 
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
@@ -173,8 +154,8 @@ export class Recording implements Recorder {
 
   #note(whose: Pick<Call, 'node' | 'drag'>, method: string, args: readonly unknown[]): void {
     const { store, stepping } = this.#world;
-    this.#calls.push({
-      step: this.#steps,
+    this.#history.calls.push({
+      step: this.#history.steps,
       ...whose,
       method,
       args: args.map(encode),
@@ -184,59 +165,47 @@ export class Recording implements Recorder {
   }
 
   stepped(): void {
-    this.#steps++;
+    this.#history.steps++;
     this.#quietly(() => {
       const { time } = this.#world;
-      if (this.#steps % HASHED === 0)
-        this.#hashes.push({ step: this.#steps, time, hash: hashOf(this.#world) });
-      const slack = ROUNDING * this.#world.timeStep;
-      if (time - this.to < FRAME - slack) return;
-      this.#picture(time + slack - this.#beginnings.at(-1)!.snapshot.time >= APART);
-      this.#forget();
+      if (this.#history.steps % HASHED === 0)
+        this.#history.hashes.push({ step: this.#history.steps, time, hash: hashOf(this.#world) });
+      // The step that comes nearest to what is due.
+      const now = time + this.#world.timeStep / 2;
+      if (now - this.to < FRAME) return;
+      this.#picture(now - this.#history.beginnings.at(-1)!.snapshot.time >= APART);
+      this.#history.forget(time - this.seconds);
     });
   }
 
   #picture(whole: boolean): void {
     const world = this.#world;
-    if (whole) this.#beginnings.push(this.#beginning());
-    const moment = { step: this.#steps, time: world.time, whole };
-    this.#pictures.add(moment, [...world.bodies], world.poses);
+    if (whole) this.#history.beginnings.push(this.#beginning());
+    const moment = { step: this.#history.steps, time: world.time, whole };
+    this.#history.pictures.add(moment, [...world.bodies], world.poses);
   }
 
   #beginning(): Beginning {
     for (const drag of this.#drags.keys()) if (!drag.held) this.#drags.delete(drag);
     return {
-      step: this.#steps,
+      step: this.#history.steps,
       snapshot: this.#world.snapshot(),
       drags: [...this.#drags].map(([{ body, point }, drag]) => ({ drag, body: body.id, point })),
     };
   }
 
-  /** What is older than it was asked to keep, as far as nothing begins there that is kept. */
-  #forget(): void {
-    const oldest = this.to - this.seconds;
-    while (this.#beginnings.length > 1 && this.#beginnings[1]!.snapshot.time <= oldest)
-      this.#beginnings.shift();
-    const { step, snapshot } = this.#beginnings[0]!;
-    if (step === this.#pictures.at(0).step) return;
-    this.#pictures.drop(step);
-    this.#calls = this.#calls.filter((call) => call.step >= step);
-    this.#hashes = this.#hashes.filter((hash) => hash.step > step);
-    this.#problems = this.#problems.filter(({ time }) => time >= snapshot.time);
-  }
-
   // ---- looking ----------------------------------------------------------------------------------------------------
 
   get from(): number {
-    return this.#pictures.at(0).time;
+    return this.#history.from;
   }
 
   get to(): number {
-    return this.#pictures.at(this.#pictures.length - 1).time;
+    return this.#history.to;
   }
 
   get at(): number | undefined {
-    return this.#look === undefined ? undefined : this.#pictures.at(this.#look).time;
+    return this.#look === undefined ? undefined : this.#history.pictures.at(this.#look).time;
   }
 
   get looking(): boolean {
@@ -248,19 +217,27 @@ export class Recording implements Recorder {
   }
 
   get hashes(): readonly StepHash[] {
-    return this.#hashes;
+    return this.#history.hashes;
   }
 
   get marks(): TimelineMark[] {
-    const done = marksOf(this.#world, this.#calls, this.#pictures);
-    return [...done, ...this.#problems].sort((one, other) => one.time - other.time);
+    const done = marksOf(this.#world, this.#history.calls, this.#history.pictures);
+    return [...done, ...this.#history.problems].sort((one, other) => one.time - other.time);
   }
 
   seek(time: number): void {
     if (!Number.isFinite(time)) return this.#refuse(time);
     this.#clock = undefined;
-    if (!this.looking) this.#world.flush();
-    this.#show(this.#pictures.nearest(time));
+    this.#leave();
+    this.#show(this.#history.pictures.nearest(time));
+  }
+
+  /** The last picture is that of the running world. */
+  #leave(): void {
+    if (this.looking) return;
+    this.#world.flush();
+    const { pictures, steps } = this.#history;
+    if (pictures.at(pictures.length - 1).step < steps) this.#quietly(() => this.#picture(false));
   }
 
   #refuse(time: unknown): void {
@@ -278,7 +255,7 @@ export class Recording implements Recorder {
     this.#look = look;
     const { poses, bodies } = this.#world;
     const slots = new Map([...bodies].map(({ id, slot }) => [id, slot]));
-    this.#pictures.show(look, (id, pose) => {
+    this.#history.pictures.show(look, (id, pose) => {
       const slot = slots.get(id);
       if (slot === undefined) return;
       poses.current.set(pose, slot * POSE);
@@ -288,9 +265,10 @@ export class Recording implements Recorder {
   }
 
   play(): void {
+    this.#leave();
     const { at } = this;
     this.#clock = at === undefined || at >= this.to ? this.from : at;
-    this.#show(this.#pictures.nearest(this.#clock));
+    this.#show(this.#history.pictures.nearest(this.#clock));
   }
 
   pause(): void {
@@ -300,7 +278,7 @@ export class Recording implements Recorder {
   frame(seconds: number): void {
     if (this.#clock !== undefined) {
       this.#clock += seconds;
-      this.#show(this.#pictures.nearest(this.#clock));
+      this.#show(this.#history.pictures.nearest(this.#clock));
       if (this.#clock >= this.to) this.#clock = undefined;
     }
     this.#world.poses.interpolate(1);
@@ -322,26 +300,32 @@ export class Recording implements Recorder {
     this.#world.work();
   }
 
+  /** The world at the end of a step, run anew, with what was done to it since where nothing came later. */
+  #snapshotAt(look: number): Snapshot {
+    const history = this.#history;
+    const { step, time } = history.pictures.at(look);
+    const twin = new Twin(history.calls);
+    try {
+      for (const _ of twin.begin(this.#world, history.before(step)));
+      for (const _ of twin.runTo(step));
+      if (!this.#isShown(look, twin.world)) reportDiverged(this.#world, step, time);
+      if (step === history.steps) twin.redo();
+      return twin.world.snapshot();
+    } finally {
+      twin.world.destroy();
+    }
+  }
+
   #goTo(look: number): void {
-    const world = this.#world;
-    const { step } = this.#pictures.at(look);
-    const beginning = this.#beginnings.findLast((one) => one.step <= step)!;
-    const work = twinOf(world, beginning, this.#calls, step);
-    let next = work.next();
-    while (!next.done) next = work.next();
-    const twin = next.value;
-    const same = this.#isShown(look, twin);
-    world.restore(twin.snapshot());
-    twin.destroy();
-    if (!same) reportDiverged(world, step, world.time);
-    this.#cut(step);
+    this.#world.restore(this.#snapshotAt(look));
+    this.#history.cut(this.#history.pictures.at(look).step);
   }
 
   /** Whether all bodies are where a picture has them. */
   #isShown(look: number, { bodies, poses }: World): boolean {
     const slots = new Map([...bodies].map(({ id, slot }) => [id, slot]));
     let same = true;
-    this.#pictures.show(look, (id, pose) => {
+    this.#history.pictures.show(look, (id, pose) => {
       const at = POSE * (slots.get(id) ?? 0);
       if (slots.has(id))
         same &&= pose.every((value, i) => value === Math.fround(poses.current[at + i]!));
@@ -349,27 +333,11 @@ export class Recording implements Recorder {
     return same;
   }
 
-  /** What came after a step has not been. */
-  #cut(after: number): void {
-    this.#steps = after;
-    this.#pictures.cut(after);
-    this.#beginnings = this.#beginnings.filter(({ step }) => step <= after);
-    this.#calls = this.#calls.filter(({ step }) => step < after);
-    this.#hashes = this.#hashes.filter(({ step }) => step <= after);
-    this.#problems = this.#problems.filter(({ time }) => time <= this.to);
+  snapshot(): Snapshot {
+    return this.#quietly(() => this.#snapshotAt(this.#look!));
   }
 
   exportRun(): Run {
-    const [{ step: from, snapshot, drags }] = this.#beginnings as [Beginning];
-    const since = <T extends { step: number }>(all: readonly T[]): T[] =>
-      all.map((one) => ({ ...one, step: one.step - from }));
-    return {
-      x3dPhysicsRun: RUN_FORMAT,
-      start: snapshot,
-      drags: [...drags],
-      steps: this.#steps - from,
-      calls: since(this.#calls),
-      hashes: since(this.#hashes),
-    };
+    return this.#history.export();
   }
 }

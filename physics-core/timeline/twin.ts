@@ -13,26 +13,44 @@ export interface Beginning {
 }
 
 /**
- * What was, anew, in a world beside the first: nobody hears of it, and the first does not move. Goes step by step from a
- * beginning to another step; what was done at that one itself is still to come.
+ * A world beside another, in which that one's past is run anew: nobody hears of it, and the other does not move. Whoever makes
+ * it destroys it.
  */
-export function* twinOf(
-  { engine }: World,
-  { step: from, snapshot, drags }: Beginning,
-  calls: readonly Call[],
-  until: number,
-  begun: (twin: World) => void = () => {},
-): Generator<number, World> {
-  const twin = new World({ console: false });
-  for (const _ of copyInto(twin, snapshot, engine)) yield 0;
-  const redoing = new Redoing(twin);
-  for (const { drag, body, point } of drags) redoing.hold(drag, body, point);
-  begun(twin);
-  let next = calls.findIndex(({ step }) => step >= from);
-  for (let step = from; step < until; step++) {
-    for (; next >= 0 && calls[next]?.step === step; next++) redoing.do(calls[next]!);
-    twin.step(1);
-    yield (step + 1 - from) / (until - from);
+export class Twin {
+  readonly world = new World({ console: false });
+  #redoing!: Redoing;
+  #step = 0;
+  #next = 0;
+  readonly #calls: readonly Call[];
+
+  constructor(calls: readonly Call[]) {
+    this.#calls = calls;
   }
-  return twin;
+
+  /** Becomes what the other was; each `next` goes on by a node. */
+  *begin({ engine }: World, { step, snapshot, drags }: Beginning): Generator<number, void> {
+    for (const _ of copyInto(this.world, snapshot, engine)) yield 0;
+    this.#redoing = new Redoing(this.world);
+    for (const { drag, body, point } of drags) this.#redoing.hold(drag, body, point);
+    this.#step = step;
+    const first = this.#calls.findIndex((call) => call.step >= step);
+    this.#next = first < 0 ? this.#calls.length : first;
+  }
+
+  /** To the end of a step; what was done after it is still to come. Each `next` goes on by a step. */
+  *runTo(until: number): Generator<number, void> {
+    const from = this.#step;
+    while (this.#step < until) {
+      this.redo();
+      this.world.step(1);
+      this.#step++;
+      yield (this.#step - from) / (until - from);
+    }
+  }
+
+  /** Does what was done before the next step. */
+  redo(): void {
+    while (this.#calls[this.#next]?.step === this.#step)
+      this.#redoing.do(this.#calls[this.#next++]!);
+  }
 }

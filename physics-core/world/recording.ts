@@ -93,6 +93,8 @@ export interface Run {
 export interface Recorder extends Timeline, StepRecorder {
   /** A method is called from outside. */
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
+  /** Of where one looks. */
+  snapshot(): Snapshot;
   /** Goes on from where one looks. */
   resume(): void;
   exportRun(): Run;

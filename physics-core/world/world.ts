@@ -159,7 +159,7 @@ export class World implements TimedWorld {
   }
 
   snapshot(): Snapshot {
-    return takeSnapshot(this);
+    return this.recorder?.looking ? this.recorder.snapshot() : takeSnapshot(this);
   }
 
   restore(snapshot: Snapshot): void {

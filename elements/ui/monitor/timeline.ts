@@ -1,8 +1,8 @@
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
 
-/** Pictures a second: the slider's step. */
-const PICTURES = 60;
+/** Seconds from one picture of a timeline to the next: an arrow key's step. */
+const PICTURE = 1 / 60;
 
 /** Records what the world does, and looks back at it: a slider, with marks where something was done. */
 export function timeline(world: World, refresh: () => void): TemplateResult {
@@ -46,7 +46,7 @@ function slider(recorded: Timeline, refresh: () => void): TemplateResult {
         list="marks"
         min=${from}
         max=${to}
-        step=${1 / PICTURES}
+        step=${PICTURE}
         .value=${String(at)}
         aria-valuetext=${`${at.toFixed(2)} of ${to.toFixed(2)} seconds`}
         @input=${seek}

@@ -3,15 +3,20 @@ import { POSE } from '../../dynamics/poses.js';
 import { levelNames } from '../../dynamics/levels.js';
 import { BOX, STATE } from '../../engine/kept-bodies.js';
 import type { KeptWorld } from '../../engine/kept-world.js';
-import type { PhysicsNode } from '../../nodes/node/node.js';
 import { MOST_PARTS } from '../../solver/tolerances.js';
 import { boxesIn } from './bodies.js';
 import { FORMAT, type BodyStates, type Snapshot } from './snapshot.js';
 
+/** A node of the world, as far as it is to be known again. */
+interface Known {
+  readonly id: number;
+  readonly type: { readonly name: string };
+}
+
 /** What is wrong with what is to be restored, for people; undefined: nothing. Looked at before anything is touched. */
 export function faultOf(
   given: unknown,
-  nodes: Iterable<PhysicsNode>,
+  nodes: Iterable<Known>,
   kept: KeptWorld | undefined,
 ): string | undefined {
   if (!isRecord(given) || typeof given.x3dPhysics !== 'number')
@@ -81,7 +86,7 @@ export function extentOf(value: unknown): number {
 }
 
 /** Whether its nodes are those of this world, as far as they are still there. */
-function isOf({ nodes }: Snapshot, here: Iterable<PhysicsNode>): boolean {
+function isOf({ nodes }: Snapshot, here: Iterable<Known>): boolean {
   const types = new Map([...here].map((node) => [node.id, node.type.name]));
   const known = nodes.filter(({ id }) => types.has(id));
   return (

@@ -11,6 +11,8 @@ interface EditedWorld extends NodeWorld {
   readonly obstacles: ObstacleRules;
 }
 
+const NONE: readonly unknown[] = [];
+
 /** The road of edits: nodes that changed are made or patched in one batch, and what follows from that. */
 export class Editing {
   readonly #world: EditedWorld;
@@ -39,7 +41,7 @@ export class Editing {
   }
 
   flush(): void {
-    this.#world.events.call(this.#world, 'flush', [], this.#applyAll);
+    this.#world.events.call(this.#world, 'flush', NONE, this.#applyAll);
   }
 
   /** Obstacles are edits in their turn; a level that is another now is told once all is applied. */

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { hashOf } from '../../../physics-core/timeline/hash.js';
-import { claim, closeWorlds, told, world, type Body, type Vec3 } from '../helpers.js';
+import { claim, closeWorlds, told, world, type Body, type Node, type Vec3 } from '../helpers.js';
 import { HASHES, towerRun } from './tower.js';
 
 const box = { type: 'Box', size: [1, 1, 1] };
@@ -172,6 +172,49 @@ test('who takes hold of a body while looking back goes on from there', async () 
   closeWorlds();
 });
 
+test('a snapshot is of where one looks', async () => {
+  const [plain, of] = [await scene(), await scene()];
+  const timeline = await recorded(of);
+  of.step(240);
+  plain.step(120);
+  timeline.seek(1);
+  const there = of.snapshot();
+  assert.equal(of.time, 2);
+  of.resume();
+  of.step(30);
+  of.restore(there);
+  assert.equal(hashOf(of), hashOf(plain));
+  closeWorlds();
+});
+
+test('at the end nothing is gone back to: what was done since the last step stays', async () => {
+  const of = await scene();
+  const timeline = await recorded(of);
+  of.step(121);
+  const then = hashOf(of);
+  body(of, 'bob').set('mass', 8);
+  timeline.seek(of.time);
+  of.resume();
+  assert.equal(hashOf(of), then);
+  assert.equal(body(of, 'bob').get('mass'), 8);
+  closeWorlds();
+});
+
+test('what is done to a shape that came with its body is run anew', async () => {
+  const of = await scene();
+  const timeline = await recorded(of);
+  of.step(10);
+  const late = of.add('RigidBody', { position: [0, 9, 0], geometry: [box] });
+  of.step(10);
+  const [shape] = late.get('geometry') as [Node];
+  shape.set('shape', [{ type: 'Sphere', radius: 0.7 }]);
+  of.step(100);
+  timeline.seek(1);
+  of.resume();
+  assert.deepEqual(of.problems, []);
+  closeWorlds();
+});
+
 test('so many seconds are kept, and one more at most', async () => {
   const of = await scene();
   const timeline = await recorded(of, 2);
@@ -224,6 +267,18 @@ test('marks tell what was done, and when', async () => {
   const mark = timeline.marks.find(({ text }) => text.includes('mass'))!;
   assert.equal(mark.text, 'RigidBody "bob": set mass');
   assert.ok(Math.abs(mark.time - 0.5) < 0.02);
+  closeWorlds();
+});
+
+test('an import that is given up leaves the world as it was', async () => {
+  const from = await scene();
+  await recorded(from);
+  from.step(120);
+  const to = await scene();
+  const before = hashOf(to);
+  await assert.rejects(to.importRun(from.exportRun()!, { signal: AbortSignal.abort() }));
+  assert.equal(hashOf(to), before);
+  assert.equal(to.timeline, undefined);
   closeWorlds();
 });
 
@@ -294,6 +349,13 @@ test('what is no run, no time and no number of seconds is told, and nothing is d
   assert.equal(await of.importRun(evil), undefined);
   assert.equal(await of.importRun({ ...run, x3dPhysicsRun: 99 } as never), undefined);
   assert.equal(await of.importRun({ ...run, steps: 1e12 }), undefined);
+  for (const broken of [
+    { ...run, calls: [null] },
+    { ...run, hashes: [null] },
+    { ...run, start: { ...run.start, nodes: [] } },
+    { ...run, calls: [{ step: 0, next: 1, singly: true, method: 'add', args: ['Nothing'] }] },
+  ])
+    assert.equal(await of.importRun(JSON.parse(JSON.stringify(broken))), undefined);
   timeline.seek(NaN);
   assert.equal(timeline.at, undefined);
   assert.equal(hashOf(of), before);

@@ -1,0 +1,41 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { parseAst } from 'rollup/parseAst';
+import { inlineNumbers, numbersOf } from '../../tools/build/inline-numbers.js';
+
+const FILE = 'physics-core/solver/tolerances.ts';
+const numbers = numbersOf(readFileSync(FILE, 'utf8'));
+
+/** A module of another room, as pages have it. */
+const inlined = (code: string): string | undefined =>
+  inlineNumbers().transform.call(
+    { parse: parseAst },
+    code,
+    join(process.cwd(), 'physics-core/effects/a.ts'),
+  )?.code;
+
+test('a number stands where it is used, under the name that it has there', () => {
+  assert.equal(
+    inlined("import { BAND as b } from '../solver/tolerances.js';\nf(b);"),
+    `const b = ${numbers.get('BAND')};\nf(b);`,
+  );
+});
+
+test('what is no plain number is imported as before, and lines stay where they are', () => {
+  assert.equal(
+    inlined("import {\n  BAND,\n  SWAYING,\n} from '../solver/tolerances.js';\nf();"),
+    `import { SWAYING } from '../solver/tolerances.js';const BAND = ${numbers.get('BAND')};\n\n\n\nf();`,
+  );
+});
+
+test('what imports no such number is left alone', () => {
+  assert.equal(inlined("import { a } from './b.js';\na();"), undefined);
+});
+
+test('numbers are those that the module exports', async () => {
+  const exported: Record<string, unknown> = await import(`../../${FILE}`);
+  assert.ok(numbers.size > 50);
+  for (const [name, text] of numbers) assert.equal(Number(text), exported[name], name);
+});
