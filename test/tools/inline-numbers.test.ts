@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { parseAst } from 'rollup/parseAst';
+import * as tolerances from '../../physics-core/solver/tolerances.js';
 import { inlineNumbers, numbersOf } from '../../tools/build/inline-numbers.js';
 
 const FILE = 'physics-core/solver/tolerances.ts';
@@ -34,8 +35,8 @@ test('what imports no such number is left alone', () => {
   assert.equal(inlined("import { a } from './b.js';\na();"), undefined);
 });
 
-test('numbers are those that the module exports', async () => {
-  const exported: Record<string, unknown> = await import(`../../${FILE}`);
+test('numbers are those that the module exports', () => {
   assert.ok(numbers.size > 50);
-  for (const [name, text] of numbers) assert.equal(Number(text), exported[name], name);
+  for (const [name, text] of numbers)
+    assert.equal(Number(text), (tolerances as Record<string, unknown>)[name], name);
 });
