@@ -56,11 +56,6 @@ export class EventQueue {
     return this.#next < this.#entries.length;
   }
 
-  /** Whether the world is at work of its own; within what is asked for as a whole, that is counted, too. */
-  get depth(): number {
-    return this.#held;
-  }
-
   /** Work begins: until it is over nobody is told anything. */
   hold(): void {
     this.#held++;
@@ -82,10 +77,11 @@ export class EventQueue {
     }
   }
 
-  /** Does as a whole what somebody asks `who` for, by a method. */
+  /** Does as a whole what `who` is asked for by a method; asked from outside, and not by the work under way, it is kept. */
   call<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
     const { keeper } = this;
-    return this.during(keeper ? () => keeper.keep(who, method, args, work) : work);
+    if (!keeper || this.#held > 0) return this.during(work);
+    return keeper.keep(who, method, args, () => this.during(work));
   }
 
   /** The world begins anew, or ends: what came about before and is not told yet is void. */

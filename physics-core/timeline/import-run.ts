@@ -27,7 +27,7 @@ export async function importRun(
   try {
     if (isEmpty(world)) bear(world, run);
     const recording = await inSlices(replay(world, twin, run), watching);
-    world.recorder?.stop();
+    world.timeline?.stop();
     world.restore(twin.world.snapshot());
     // All of it stays until more has come.
     recording.seconds = Math.max(SECONDS, recording.to - recording.from);

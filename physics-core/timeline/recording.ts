@@ -51,8 +51,6 @@ export class Recording implements Recorder {
   #later: Deed[] = [];
   /** At work of its own, which is not recorded. */
   #busy = false;
-  /** Does what was put off: that is recorded, whatever else is under way. */
-  #redoing = false;
   #stops: (() => void)[] = [];
 
   constructor(world: World, seconds: number) {
@@ -74,7 +72,7 @@ export class Recording implements Recorder {
   follow(world: World): this {
     this.#letGo();
     this.#world = world;
-    world.recorder = world.events.keeper = this;
+    world.timeline = world.events.keeper = this;
     const anew = (): void => void (this.#busy || this.begin());
     this.#stops = [
       world.on('reset', anew),
@@ -91,7 +89,7 @@ export class Recording implements Recorder {
     for (const stop of this.#stops) stop();
     this.#stops = [];
     const world = this.#world;
-    if (world.recorder === this) world.recorder = world.events.keeper = undefined;
+    if (world.timeline === this) world.timeline = world.events.keeper = undefined;
   }
 
   stop(): void {
@@ -120,19 +118,15 @@ export class Recording implements Recorder {
   }
 
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
-    // What the world does of its own accord a twin does, too.
-    const inner = this.#busy || (this.#world.events.depth > 1 && !this.#redoing);
-    if (inner || (method === 'flush' && !this.#world.edits.pending)) return work();
+    if (this.#busy || (method === 'flush' && !this.#world.edits.pending)) return work();
     // Whoever takes hold of a body goes on from where he sees it.
     if (this.looking && method === 'drag') this.resume();
+    const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Drag);
     if (this.looking) this.#putOff({ who, method, args });
-    return this.#quietly(() => {
-      const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Drag);
-      if (!this.looking) this.#note(this.#named(who, number), method, args);
-      const result = work();
-      if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
-      return result;
-    });
+    else this.#note(this.#named(who, number), method, args);
+    const result = work();
+    if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
+    return result;
   }
 
   #putOff(deed: Deed): void {
@@ -293,10 +287,8 @@ export class Recording implements Recorder {
     this.#quietly(() => this.#goTo(look));
     const later = this.#later;
     this.#later = [];
-    this.#redoing = true;
     for (const { who, method, args } of later)
       (who as Record<string, (...args: readonly unknown[]) => void>)[method]!(...args);
-    this.#redoing = false;
     this.#world.work();
   }
 

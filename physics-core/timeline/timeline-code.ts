@@ -8,7 +8,7 @@ import { Recording, SECONDS } from './recording.js';
 export const provide = (): typeof recordings.code => ({ record, importRun });
 
 function record(world: World, { seconds = SECONDS }: RecordOptions): Timeline {
-  world.recorder?.stop();
+  world.timeline?.stop();
   world.flush();
   const recording = new Recording(world, accepted(world, seconds)).follow(world);
   recording.begin();

@@ -81,7 +81,7 @@ export const RUN_FORMAT = 1;
 export interface Run {
   x3dPhysicsRun: typeof RUN_FORMAT;
   /** In a page: the markup of its `<scene>` as it is now. */
-  markup?: string;
+  markup?: string | undefined;
   start: Snapshot;
   drags: HeldDrag[];
   steps: number;
@@ -95,8 +95,6 @@ export interface Recorder extends Timeline, StepRecorder {
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
   /** Of where one looks. */
   snapshot(): Snapshot;
-  /** Goes on from where one looks. */
-  resume(): void;
   exportRun(): Run;
 }
 

@@ -54,7 +54,7 @@ export class World implements TimedWorld {
   /** Tells the page's loop that there is work again. */
   onwork?: () => void;
   /** While it is recorded. */
-  recorder: Recorder | undefined;
+  timeline: Recorder | undefined;
 
   readonly #reporting: Reporting;
   #meeting: Meeting = alone;
@@ -159,39 +159,38 @@ export class World implements TimedWorld {
   }
 
   snapshot(): Snapshot {
-    return this.recorder?.looking ? this.recorder.snapshot() : takeSnapshot(this);
+    return this.timeline?.looking ? this.timeline.snapshot() : takeSnapshot(this);
   }
 
   restore(snapshot: Snapshot): void {
     this.events.anew(() => restoreSnapshot(this, snapshot));
   }
 
-  async record(options: RecordOptions = {}): Promise<Timeline> {
-    if (!this.started) await this.ready;
-    if (!recordings.here) await recordings.load();
-    return recordings.code.record(this, options);
+  record(options: RecordOptions = {}): Promise<Timeline> {
+    return this.#recording((code) => code.record(this, options));
   }
 
-  get timeline(): Timeline | undefined {
-    return this.recorder;
+  /** Does something with that code: at once where it is here. */
+  async #recording<T>(work: (code: typeof recordings.code) => T): Promise<Awaited<T>> {
+    if (!this.started) await this.ready;
+    if (!recordings.here) await recordings.load();
+    return await work(recordings.code);
   }
 
   resume(): void {
-    this.recorder?.resume();
+    this.timeline?.resume();
   }
 
   exportRun(): Run | undefined {
-    return this.recorder?.exportRun();
+    return this.timeline?.exportRun();
   }
 
-  async importRun(run: Run, watching: Watching = {}): Promise<Timeline | undefined> {
-    if (!this.started) await this.ready;
-    if (!recordings.here) await recordings.load();
-    return recordings.code.importRun(this, run, watching);
+  importRun(run: Run, watching: Watching = {}): Promise<Timeline | undefined> {
+    return this.#recording((code) => code.importRun(this, run, watching));
   }
 
   destroy(): void {
-    this.recorder = this.events.keeper = undefined;
+    this.timeline = this.events.keeper = undefined;
     this.lifecycle.destroy();
   }
 

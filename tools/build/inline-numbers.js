@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { walk } from './plain-pairs.js';
 
-/** Files of numbers that have a place of their own for people, and none of their own for pages. */
-const OF_NUMBERS = /\/solver\/tolerances\.ts$/;
+/** Numbers have a place of their own for people, and none for pages. */
+const OF_NUMBERS = /\/physics-core\/.*\.ts$/;
 
 /**
  * A number that many files import costs each of them, and the file that it stands in, a name of its own, since files of a build
@@ -23,12 +23,16 @@ export function inlineNumbers() {
       walk(this.parse(code), (node) => {
         if (node.type !== 'ImportDeclaration') return;
         const file = resolve(dirname(id), node.source.value).replace(/\.js$/, '.ts');
-        if (OF_NUMBERS.test(file)) edits.push([node, numbersIn(file)]);
+        const numbers = OF_NUMBERS.test(file) ? numbersIn(file) : NONE;
+        if (node.specifiers.some(({ imported }) => numbers.has(imported?.name)))
+          edits.push([node, numbers]);
       });
       return edits.length > 0 ? { code: inlined(code, edits), map: null } : null;
     },
   };
 }
+
+const NONE = new Map();
 
 /** Of `export const NAME = 1e-3;` in a text, by name. */
 export const numbersOf = (text) =>

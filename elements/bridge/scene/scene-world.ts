@@ -106,8 +106,8 @@ export class SceneWorld extends World implements PageWorld {
   /** With the scene that it happened in. */
   override exportRun(): Run | undefined {
     const run = super.exportRun();
-    const scene = this.#scopes.x3d.querySelector('scene, Scene');
-    return run && scene ? { ...run, markup: scene.outerHTML } : run;
+    if (run) run.markup = this.#scopes.x3d.querySelector('scene, Scene')?.outerHTML;
+    return run;
   }
 
   // ---- frames -----------------------------------------------------------------------------------------------------

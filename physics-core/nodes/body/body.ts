@@ -161,8 +161,8 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   /** Gravity, rest and who it collides with are those of its collection. */
-  protected override join(collection: PhysicsNode | undefined): void {
-    super.join(collection);
+  override belongTo(collection: PhysicsNode | undefined): void {
+    super.belongTo(collection);
     for (const field of ['useGlobalGravity', 'autoDisable', 'dragMode']) this.touch(field);
     this.world.pairs.refreshBody(this);
   }
@@ -205,13 +205,16 @@ export class BodyNode extends PhysicsNode implements Body {
   }
 
   wake(): void {
-    if (this.active && this.movable)
-      this.world.events.call(this, 'wake', [], () => this.world.bodies.wake(this));
+    this.#put('wake');
   }
 
   sleep(): void {
-    if (this.active && this.movable)
-      this.world.events.call(this, 'sleep', [], () => this.world.bodies.sleep(this));
+    this.#put('sleep');
+  }
+
+  #put(how: 'wake' | 'sleep'): void {
+    const { events, bodies } = this.world;
+    if (this.active && this.movable) events.call(this, how, [], () => bodies[how](this));
   }
 
   // ---- pose and velocity ------------------------------------------------------------------------------------------

@@ -232,11 +232,9 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** It stands in another collection of its world now. */
   belongTo(collection: PhysicsNode | undefined): void {
-    this.world.events.call(this, 'belongTo', [collection], () => this.join(collection));
-  }
-
-  protected join(collection: PhysicsNode | undefined): void {
-    this.collection = collection;
+    this.world.events.call(this, 'belongTo', [collection], () => {
+      this.collection = collection;
+    });
   }
 
   /** Lets go of other nodes. */

@@ -6,6 +6,8 @@ export interface StepRecorder {
   readonly playing: boolean;
   /** A step is over, and nobody has heard of it. */
   stepped(): void;
+  /** Goes on from where somebody looks. */
+  resume(): void;
   /** Time passes on the clock while somebody looks, seconds. */
   frame(seconds: number): void;
 }

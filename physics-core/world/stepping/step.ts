@@ -12,15 +12,13 @@ import type { StepTime } from './step-time.js';
 export interface SteppedWorld extends NodeWorld {
   readonly bodies: BodySlots;
   readonly awaiting: Awaiting;
-  readonly recorder: StepRecorder | undefined;
+  readonly timeline: StepRecorder | undefined;
   readonly accuracy: LevelName;
   readonly control: {
     /** Splits the step that begins into parts, as many as are asked for or more; returns how many. */
     split(parts: number): number;
   };
   heard(event: string): boolean;
-  /** Goes on from where somebody looks. */
-  resume(): void;
 }
 
 /** One step, from what is told before it to what is told after it. */
@@ -56,7 +54,7 @@ export class Step {
   take(): number {
     const world = this.#world;
     // Whoever steps while looking back goes on from there.
-    if (world.recorder?.looking) world.resume();
+    if (world.timeline?.looking) world.timeline.resume();
     this.running = true;
     try {
       if (!this.#begun) this.#tell('beforestep');
@@ -81,7 +79,7 @@ export class Step {
       const { timeStep, bodies } = world;
       if (bodies.awake === 0 && bodies.countAwake() === 0) this.#time.pass();
       else this.#move(timeStep);
-      world.recorder?.stepped();
+      world.timeline?.stepped();
       return timeStep;
     } finally {
       this.#release();

@@ -169,8 +169,9 @@ export class Stepping {
    */
   frame(seconds: number, seen: boolean): boolean {
     const world = this.#world;
-    if (world.recorder?.looking) world.recorder.frame(seconds * this.#timeScale);
-    if (!world.started || this.#step.running || world.recorder?.looking) return this.needsFrame;
+    const looking = world.timeline?.looking;
+    if (looking) world.timeline!.frame(seconds * this.#timeScale);
+    if (looking || !world.started || this.#step.running) return this.needsFrame;
     const ms = this.#costs.beforeDrawing + this.#costs.ms.write;
     // What steps by hand cost stands until time passes by itself.
     if (this.running) this.#costs.clear();
@@ -227,11 +228,11 @@ export class Stepping {
 
   /** Whether time passes by itself. */
   get running(): boolean {
-    const { started, control, awaiting, recorder } = this.#world;
+    const { started, control, awaiting, timeline } = this.#world;
     return (
       started &&
       !awaiting.waits &&
-      !recorder?.looking &&
+      !timeline?.looking &&
       control.enabled &&
       !this.#paused &&
       this.#timeScale > 0
@@ -244,8 +245,8 @@ export class Stepping {
 
   /** While code is on its way, edits wait for that and not for frames. */
   get needsFrame(): boolean {
-    const { started, awaiting, edits, recorder } = this.#world;
-    if (recorder?.looking) return recorder.playing;
+    const { started, awaiting, edits, timeline } = this.#world;
+    if (timeline?.looking) return timeline.playing;
     return started && !awaiting.waits && (this.#moving || edits.pending);
   }
 }
