@@ -54,7 +54,7 @@ export class World implements TimedWorld {
   /** Tells the page's loop that there is work again. */
   onwork?: () => void;
   /** While it is recorded. */
-  timeline: Recorder | undefined;
+  timeline: Recorder | undefined = undefined;
 
   readonly #reporting: Reporting;
   #meeting: Meeting = alone;
