@@ -1,4 +1,5 @@
 import { isMeasuring, takeOrders } from '../physics-core/accuracy/worker.js';
+import { isRunningWorld, takeWorldOrders } from '../physics-core/thread/worker.js';
 import { chunks, configure, type EngineSource } from '../physics-core/inside.js';
 import { begin } from './begin.js';
 import { scriptAddress } from './script-address.js';
@@ -13,8 +14,9 @@ function beginInPage(engine: (address: string) => EngineSource): void {
   begin();
 }
 
-/** What a classic script does: in a page it begins; as the worker that it starts itself, it measures. */
+/** What a classic script does: in a page it begins; as a worker that it starts itself, it measures, or runs a world. */
 export function beginClassic(engine: (address: string) => EngineSource): void {
   if (isMeasuring()) takeOrders();
+  else if (isRunningWorld()) takeWorldOrders();
   else beginInPage(engine);
 }

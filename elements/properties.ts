@@ -73,6 +73,9 @@ export interface RigidBodyCollectionProperties {
   /** Draws its world as Bullet has it: shapes (awake green, asleep blue, fixed grey, carried orange), centres of mass, joints with their limits, contacts. (SFBool) Default false. */
   get debug(): boolean;
   set debug(value: boolean | string | null | undefined);
+  /** Where steps are taken: on the page’s own thread (main), on another (worker), or there from a hundred bodies on (auto). Acts when the world starts or is reset. (SFString) Default main. */
+  get thread(): string;
+  set thread(value: string | null | undefined);
   /** Greatest size of the wasm heap, MB; looked at whenever something is made. Range [16, 2048]. (SFFloat) Default 512. */
   get heapLimit(): number;
   set heapLimit(value: number | string | null | undefined);

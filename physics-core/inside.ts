@@ -9,6 +9,7 @@ import { advice } from './nodes/node/advice.js';
 import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
 import { recordings } from './world/recording.js';
+import { threads } from './world/threading.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
@@ -66,12 +67,13 @@ export async function debugLines(world: World): Promise<DebugLines> {
 
 /** The engine, and the code of all effects: nothing that is made of them waits. */
 export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  const all = [advice, recordings, ...chunks].map((chunk) => chunk.load());
+  const all = [advice, recordings, threads, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadBullet(options), ...all]);
   return engine;
 }
 
 recordings.comesFrom(() => import('./timeline/timeline-code.js'));
+threads.comesFrom(() => import('./thread/thread-code.js'));
 
 measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);
 

@@ -2,6 +2,7 @@
 import { chunks } from '../world/chunks/all.js';
 import { loadEngine } from '../engine/engine.js';
 import type { Measured } from '../world/measuring.js';
+import { isWorkerNamed } from '../world/worker.js';
 import { Measurement } from './measurement.js';
 import { NAME, type Answer, type Order } from './orders.js';
 
@@ -31,11 +32,8 @@ async function take({ data: { job, program } }: MessageEvent<Order>): Promise<vo
   }
 }
 
-/** Whether this is that worker, and no page, and none of a page's own. */
-export function isMeasuring(): boolean {
-  const { document, name } = globalThis as { document?: unknown; name?: unknown };
-  return !document && name === NAME;
-}
+/** Whether this is that worker. */
+export const isMeasuring = (): boolean => isWorkerNamed(NAME);
 
 export function takeOrders(): void {
   addEventListener('message', (event: MessageEvent<Order>) => void take(event));

@@ -38,6 +38,8 @@ interface Entry {
 /** Keeps what is asked for by methods. */
 interface Keeper {
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
+  /** Somebody began or ceased to listen. */
+  listened?(who: object, event: string): void;
 }
 
 /** Events on their way to listeners; the order and what a listener may do stand above. */
@@ -47,8 +49,12 @@ export class EventQueue {
   #next = 0;
   /** Is told what is asked for, while somebody keeps it, and does it. */
   keeper: Keeper | undefined;
+  /** What nodes bring about here is no news: the world runs elsewhere, and they tell what it says. */
+  silent = false;
   /** How much work is under way. */
   #held = 0;
+  /** How often somebody outside has much to do, besides. */
+  #delays = 0;
   #delivering = false;
 
   /** Whether anything is to be told. */
@@ -67,6 +73,18 @@ export class EventQueue {
     if (!this.#delivering) this.deliver();
   }
 
+  /** Somebody outside has much to do: until he is done nobody is told anything. */
+  delay(): void {
+    this.#delays++;
+    this.hold();
+  }
+
+  /** He is done. */
+  proceed(): void {
+    this.#delays--;
+    this.release();
+  }
+
   /** Does some work as a whole. */
   during<T>(work: () => T): T {
     this.hold();
@@ -80,8 +98,12 @@ export class EventQueue {
   /** Does as a whole what `who` is asked for by a method; asked from outside, and not by the work under way, it is kept. */
   call<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
     const { keeper } = this;
-    if (!keeper || this.#held > 0) return this.during(work);
+    if (!keeper || this.#held > this.#delays) return this.during(work);
     return keeper.keep(who, method, args, () => this.during(work));
+  }
+
+  listened(who: object, event: string): void {
+    this.keeper?.listened?.(who, event);
   }
 
   /** The world begins anew, or ends: what came about before and is not told yet is void. */

@@ -21,6 +21,8 @@ export class Poses {
   /** Slots to draw; the first `movedCount` count. */
   moved = new Int32Array(16);
   movedCount = 0;
+  /** Where between the last two steps `data` is. */
+  fraction = 1;
   /** What is still to be drawn of a slot: MOVED, 1 when it stands where it came to, 0 when that is drawn. */
   marks = new Uint8Array(16);
   readonly #free: number[] = [];
@@ -78,6 +80,7 @@ export class Poses {
    * written: a body takes half as long.
    */
   interpolate(fraction: number): void {
+    this.fraction = fraction;
     const [ox, oy, oz] = this.origin;
     const { previous: a, current: b, data: out, marks, moved } = this;
     const rest = 1 - fraction;

@@ -54,6 +54,8 @@ export interface RigidBodyCollectionFields {
   runHidden?: boolean;
   /** Draws its world as Bullet has it: shapes (awake green, asleep blue, fixed grey, carried orange), centres of mass, joints with their limits, contacts. (SFBool) Default false. */
   debug?: boolean;
+  /** Where steps are taken: on the page’s own thread (main), on another (worker), or there from a hundred bodies on (auto). Acts when the world starts or is reset. (SFString) Default main. */
+  thread?: 'main' | 'worker' | 'auto';
   /** Greatest size of the wasm heap, MB; looked at whenever something is made. Range [16, 2048]. (SFFloat) Default 512. */
   heapLimit?: number;
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
@@ -93,6 +95,7 @@ export interface RigidBodyCollectionValues {
   draggableBody: boolean;
   runHidden: boolean;
   debug: boolean;
+  thread: 'main' | 'worker' | 'auto';
   heapLimit: number;
   bboxCenter: Vec3;
   bboxSize: Vec3;

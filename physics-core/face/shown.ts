@@ -2,7 +2,10 @@ import type { World as WorldObject } from '../world/world.js';
 import type { World } from './world.js';
 
 /** All of a world that has the same types inside. Where nodes come in they have others, which come from their tables. */
-type Checked = Omit<World, 'ready' | 'add' | 'node' | 'nodes' | 'get' | 'set' | 'on' | 'raycast'>;
+type Checked = Omit<
+  World,
+  'ready' | 'add' | 'node' | 'nodes' | 'get' | 'set' | 'on' | 'raycast' | 'ask'
+>;
 
 /** A world as people see it. */
 export function shown(world: WorldObject): World {

@@ -33,6 +33,17 @@ export interface NodeOptions {
   collection?: NodeOf<'RigidBodyCollection'>;
 }
 
+/** What can be asked of a world on any thread: arguments and answer. */
+export interface Answers {
+  step: { args: [n?: number]; answer: number };
+  advance: { args: [seconds: number]; answer: number };
+  raycast: { args: [from: Vector, to: Vector]; answer: RayHit | null };
+  snapshot: { args: []; answer: Snapshot };
+  stats: { args: []; answer: Stats };
+  effects: { args: []; answer: EffectReport[] };
+  explain: { args: [node: unknown]; answer: unknown };
+}
+
 /** A world of X3D nodes. It is its first RigidBodyCollection, too: `get` and `set` are those of that node. */
 export interface World {
   /** Settles when it has started, and always: it rejects with the problem where it can't. In the core it has. */
@@ -177,6 +188,28 @@ export interface World {
 
   /** Whether each phase stands on the browser's Performance panel (User Timing); false by default. */
   profile: boolean;
+
+  // ---- another thread -------------------------------------------------------------------------------------------
+
+  /**
+   * While its steps are taken in a worker (field `thread`): the step that came back last, counted from 0. Live values, `stats`
+   * and `effects` are those of that step. Undefined: it runs on this thread, and they are those of the last step.
+   */
+  readonly mirrored: number | undefined;
+
+  /**
+   * Asks on whichever thread it runs, with the arguments of the method of that name: `step` and `advance` (seconds advanced),
+   * `raycast`, `snapshot`, `stats`, `effects`, and `explain` with a node (in a page: an element). Rejects where the worker is
+   * lost or the world ends. In a worker `step`, `advance`, `raycast` and `snapshot` themselves report `asynchronous`, and
+   * return 0 or null.
+   * @example
+   * await world.ask('step', 60);
+   * const hit = await world.ask('raycast', [0, 9, 0], [0, -9, 0]);
+   */
+  ask<Method extends keyof Answers>(
+    method: Method,
+    ...args: Answers[Method]['args']
+  ): Promise<Answers[Method]['answer']>;
 
   /** Calls the listener with each event's detail until the function that is returned is called. */
   on<Event extends keyof WorldEvents>(

@@ -244,6 +244,16 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       patch: (collection) => collection.updateDebug(),
       doc: 'Draws its world as Bullet has it: shapes (awake green, asleep blue, fixed grey, carried orange), centres of mass, joints with their limits, contacts.',
     },
+    thread: {
+      type: 'SFString',
+      access: 'inputOutput',
+      default: 'main',
+      values: ['main', 'worker', 'auto'],
+      own: true,
+      edit: 'passive',
+      worldWide: true,
+      doc: 'Where steps are taken: on the page’s own thread (main), on another (worker), or there from a hundred bodies on (auto). Acts when the world starts or is reset.',
+    },
     heapLimit: {
       type: 'SFFloat',
       access: 'inputOutput',

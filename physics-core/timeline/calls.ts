@@ -34,6 +34,26 @@ export function decode(value: unknown, node: (id: number) => PhysicsNode | undef
   return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, decode(one, node)]));
 }
 
+/** That a method is called from outside. `drag`: the number of the drag that is meant, or begins. */
+export function callOf(
+  { store, stepping }: Pick<World, 'store' | 'stepping'>,
+  who: object | undefined,
+  drag: number | undefined,
+  step: number,
+  method: string,
+  args: readonly unknown[],
+): Call {
+  return {
+    step,
+    ...(who instanceof PhysicsNode && { node: who.id }),
+    ...(drag !== undefined && { drag }),
+    method,
+    args: args.map(encode),
+    next: store.nextId,
+    singly: stepping.singly,
+  };
+}
+
 /** Methods that a recorded run may call; one from outside can't have others called. */
 const METHODS = {
   world: ['add', 'flush', 'level'],
@@ -91,9 +111,14 @@ export class Redoing {
     const method = who?.[call.method];
     // What it was done to may be gone, as it was, or never have been.
     if (typeof method !== 'function') return;
-    const args = decode(call.args, this.#node) as unknown[];
+    const args = this.decoded(call.args);
     const result: unknown = method.apply(who, args);
     if (call.method === 'drag' && result) this.#drags.set(call.drag!, result as Drag);
+  }
+
+  /** What was said of nodes by their numbers. */
+  decoded(args: readonly unknown[]): unknown[] {
+    return args.map((arg) => decode(arg, this.#node));
   }
 
   #whose({ node, drag }: Pick<Call, 'node' | 'drag'>): World | PhysicsNode | Drag | undefined {

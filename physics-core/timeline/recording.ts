@@ -2,12 +2,12 @@ import { show } from '../base/show.js';
 import { FRAME } from '../dynamics/levels.js';
 import { POSE } from '../dynamics/poses.js';
 import type { Drag } from '../effects/drag/drag.js';
-import { PhysicsNode } from '../nodes/node/node.js';
 import type { Problem } from '../base/problems.js';
-import type { Call, Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
+import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
-import { encode } from './calls.js';
+import { callOf } from './calls.js';
+import { Deeds } from './deeds.js';
 import { reportDiverged } from './diverged.js';
 import { hashOf } from './hash.js';
 import { History } from './history.js';
@@ -23,19 +23,6 @@ const HASHED = 60;
 /** Simulated seconds from one snapshot to the next: at most so much is run anew to go on from where one looks. */
 const APART = 1;
 
-/** What somebody did while looking back, to be done when time goes on. */
-interface Deed {
-  who: object;
-  method: string;
-  args: readonly unknown[];
-}
-
-/** What comes about by itself again, or has come about. */
-const NOT_AGAIN = ['add', 'flush', 'remove', 'belongTo'];
-
-/** The last word about a field counts. */
-const OF_FIELDS = ['set', 'event', 'unset'];
-
 /** Follows a world, keeps what it does for a while, and shows it again. */
 export class Recording implements Recorder {
   #world: World;
@@ -48,7 +35,7 @@ export class Recording implements Recorder {
   #look: number | undefined;
   /** Simulated seconds that are shown, while that plays. */
   #clock: number | undefined;
-  #later: Deed[] = [];
+  #later = new Deeds();
   /** At work of its own, which is not recorded. */
   #busy = false;
   #stops: (() => void)[] = [];
@@ -64,7 +51,7 @@ export class Recording implements Recorder {
   begin(): void {
     this.#history = new History();
     this.#look = this.#clock = undefined;
-    this.#later = [];
+    this.#later = new Deeds();
     this.#quietly(() => this.#picture(true));
   }
 
@@ -110,7 +97,7 @@ export class Recording implements Recorder {
 
   /** Left to itself it is another one now: a twin is told. */
   #levelChanged({ level, because }: { level: string; because: string }): void {
-    if (because !== 'asked') this.#note({}, 'level', [level]);
+    if (because !== 'asked') this.#note(undefined, undefined, 'level', [level]);
   }
 
   #told({ message }: Problem): void {
@@ -122,40 +109,21 @@ export class Recording implements Recorder {
     // Whoever takes hold of a body goes on from where he sees it.
     if (this.looking && method === 'drag') this.resume();
     const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Drag);
-    if (this.looking) this.#putOff({ who, method, args });
-    else this.#note(this.#named(who, number), method, args);
+    if (this.looking) this.#later.putOff({ who, method, args });
+    else this.#note(who, number, method, args);
     const result = work();
     if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
     return result;
   }
 
-  #putOff(deed: Deed): void {
-    const { who, method, args } = deed;
-    if (NOT_AGAIN.includes(method)) return;
-    if (OF_FIELDS.includes(method))
-      this.#later = this.#later.filter(
-        (one) => one.who !== who || !OF_FIELDS.includes(one.method) || one.args[0] !== args[0],
-      );
-    this.#later.push(deed);
-  }
-
-  #named(who: object, drag: number | undefined): Pick<Call, 'node' | 'drag'> {
-    return {
-      ...(who instanceof PhysicsNode && { node: who.id }),
-      ...(drag !== undefined && { drag }),
-    };
-  }
-
-  #note(whose: Pick<Call, 'node' | 'drag'>, method: string, args: readonly unknown[]): void {
-    const { store, stepping } = this.#world;
-    this.#history.calls.push({
-      step: this.#history.steps,
-      ...whose,
-      method,
-      args: args.map(encode),
-      next: store.nextId,
-      singly: stepping.singly,
-    });
+  #note(
+    who: object | undefined,
+    drag: number | undefined,
+    method: string,
+    args: readonly unknown[],
+  ): void {
+    const { calls, steps } = this.#history;
+    calls.push(callOf(this.#world, who, drag, steps, method, args));
   }
 
   stepped(): void {
@@ -285,10 +253,7 @@ export class Recording implements Recorder {
     const look = this.#look;
     this.#look = this.#clock = undefined;
     this.#quietly(() => this.#goTo(look));
-    const later = this.#later;
-    this.#later = [];
-    for (const { who, method, args } of later)
-      (who as Record<string, (...args: readonly unknown[]) => void>)[method]!(...args);
+    this.#later.do();
     this.#world.work();
   }
 

@@ -1,14 +1,17 @@
 import { add } from '../base/math.js';
 import { POSE } from '../dynamics/poses.js';
 import { contacts } from '../effects/effect/chunks.js';
+import type { LevelName } from '../dynamics/levels.js';
+import type { BulletWorld } from '../engine/bullet-world.js';
 import { kindOf } from '../engine/shape-kind.js';
 import { BodyNode } from '../nodes/body/body.js';
 import { CollidableNode } from '../nodes/collision/collidable.js';
 import { isJoint } from '../nodes/joints/is-joint.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
 import { CollectionNode } from '../nodes/collection-node.js';
-import type { World } from './world.js';
+import type { NodeWorld } from '../nodes/node/node-world.js';
 import type { BtShape } from '../shapes/build.js';
+import type { Stats } from './store/types.js';
 
 /** How plain data names a node. */
 type NameOf = (node: PhysicsNode) => string;
@@ -72,8 +75,15 @@ function shapesOf(body: BodyNode): { type: string; margin: number }[] {
   });
 }
 
+/** What is known of a world as a whole. */
+interface KnownWorld extends NodeWorld {
+  readonly accuracy: LevelName;
+  readonly stats: Stats;
+  readonly bullet: BulletWorld;
+}
+
 function worldIn(collection: CollectionNode): Record<string, unknown> {
-  const world = collection.world as World;
+  const world = collection.world as KnownWorld;
   const { iterations, contactErrorReduction, linearSlop } = world.bullet.settings;
   const { bodies, joints, contacts } = world.stats;
   const solver = { iterations, contactErrorReduction, linearSlop };

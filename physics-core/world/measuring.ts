@@ -75,7 +75,7 @@ export function measureWith(loaded: () => Promise<Measure>): void {
 }
 
 export async function measure(world: World, options: MeasureOptions): Promise<LevelMeasurement[]> {
-  const snapshot = world.snapshot();
+  const snapshot = (await world.ask('snapshot')) as Snapshot;
   const run = await load!();
   return run(world, snapshot, options);
 }

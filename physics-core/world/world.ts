@@ -1,6 +1,7 @@
 import type { Listener } from '../base/emitter.js';
 import type { EventQueue } from '../base/event-queue.js';
 import type { Problem, ProblemReport } from '../base/problems.js';
+import { show } from '../base/show.js';
 import { AUTO, ladder, type Level, type LevelName } from '../dynamics/levels.js';
 import { Poses } from '../dynamics/poses.js';
 import { allEffects } from '../effects/all.js';
@@ -40,6 +41,14 @@ import type { Snapshot } from './snapshot/snapshot.js';
 import { takeSnapshot } from './snapshot/take.js';
 import { statsOf } from './stats.js';
 import { Stepping, type TimedWorld } from './stepping/stepping.js';
+import {
+  answer,
+  ASKED,
+  awaitsThread,
+  takeThread,
+  type Bound,
+  type Elsewhere,
+} from './threading.js';
 import type { AddOptions, Stats, WorldOptions } from './store/types.js';
 
 /**
@@ -55,6 +64,10 @@ export class World implements TimedWorld {
   onwork?: () => void;
   /** While it is recorded. */
   timeline: Recorder | undefined = undefined;
+  /** While its steps are taken on another thread. */
+  elsewhere: Elsewhere | undefined = undefined;
+  /** What keeps it on this one. */
+  bound: Bound | undefined = undefined;
 
   readonly #reporting: Reporting;
   #meeting: Meeting = alone;
@@ -62,7 +75,7 @@ export class World implements TimedWorld {
   readonly poses = new Poses();
   readonly bodies: BodySlots = new BodySlots(this, this.poses);
   readonly registry: Effects = new Effects(this, allEffects);
-  readonly stepping: Stepping = new Stepping(this);
+  stepping: Stepping = new Stepping(this);
   readonly counts = { created: 0, patched: 0, destroyed: 0 };
   readonly rays: Rays = new Rays(this);
   readonly heapLimit: HeapLimit;
@@ -156,14 +169,18 @@ export class World implements TimedWorld {
 
   reset(): void {
     this.lifecycle.reset();
+    this.elsewhere?.also('reset', []);
+    if (this.started) this.takeThread();
   }
 
   snapshot(): Snapshot {
+    if (this.elsewhere) return this.elsewhere.refuse('snapshot') as unknown as Snapshot;
     return this.timeline?.looking ? this.timeline.snapshot() : takeSnapshot(this);
   }
 
   restore(snapshot: Snapshot): void {
     this.events.anew(() => restoreSnapshot(this, snapshot));
+    this.elsewhere?.also('restore', [snapshot]);
   }
 
   record(options: RecordOptions = {}): Promise<Timeline> {
@@ -174,6 +191,7 @@ export class World implements TimedWorld {
   async #recording<T>(work: (code: typeof recordings.code) => T): Promise<Awaited<T>> {
     if (!this.started) await this.ready;
     if (!recordings.here) await recordings.load();
+    await this.elsewhere?.comeBack({ why: 'it is recorded' });
     return await work(recordings.code);
   }
 
@@ -190,6 +208,7 @@ export class World implements TimedWorld {
   }
 
   destroy(): void {
+    this.elsewhere?.end();
     this.timeline = this.events.keeper = undefined;
     this.lifecycle.destroy();
   }
@@ -315,7 +334,12 @@ export class World implements TimedWorld {
   }
 
   on(event: string, listener: Listener): () => void {
-    return this.#reporting.on(event, listener);
+    const stop = this.#reporting.on(event, listener);
+    this.events.listened(this, event);
+    return () => {
+      stop();
+      this.events.listened(this, event);
+    };
   }
 
   heard(event: string): boolean {
@@ -329,15 +353,53 @@ export class World implements TimedWorld {
   // ---- looking in -------------------------------------------------------------------------------------------------
 
   raycast(from: Vec3, to: Vec3): RayHit | null {
+    if (this.elsewhere) return this.elsewhere.refuse('raycast');
     return this.rays.cast(from, to);
   }
 
   get stats(): Stats {
-    return statsOf(this, this.stepping);
+    return this.elsewhere?.stats ?? statsOf(this, this.stepping);
   }
 
   get effects(): EffectReport[] {
-    return this.registry.report();
+    return this.elsewhere?.effects ?? this.registry.report();
+  }
+
+  // ---- another thread ---------------------------------------------------------------------------------------------
+
+  awaitsThread(start: () => void): boolean {
+    return awaitsThread(this, start);
+  }
+
+  takeThread(): void {
+    takeThread(this);
+  }
+
+  /** Something acts on it that has to do so in its step: from now on it runs on this thread. */
+  stay(bound: Bound): void {
+    this.bound = bound;
+    void this.elsewhere?.comeBack(bound);
+  }
+
+  get mirrored(): number | undefined {
+    return this.elsewhere?.step;
+  }
+
+  async ask(method: string, ...args: unknown[]): Promise<unknown> {
+    if (!ASKED.includes(method)) return this.#refuse(method);
+    if (!this.started) await this.ready;
+    return this.elsewhere ? this.elsewhere.ask(method, args) : answer(this, method, args);
+  }
+
+  #refuse(method: unknown): void {
+    this.report({
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'ask',
+      value: method,
+      used: 'nothing',
+      message: `ask takes ${ASKED.join(', ')}, not ${show(method)}; nothing is asked`,
+    });
   }
 
   /** What the colours of the debug drawing mean; nothing while it is off. */

@@ -45,6 +45,7 @@ export const worldEdits: Record<string, Edit> = {
   debug: { values: ON, changes: ['~effects'] },
   runHidden: kept(ON),
   heapLimit: kept([256, 1024]),
+  thread: kept(['worker', 'auto']),
 };
 
 /** Parameters that only act by their token. */

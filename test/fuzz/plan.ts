@@ -58,7 +58,7 @@ const UNRECKONED =
   /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant)/;
 
 /** Of worlds, not of bodies: edited by their own acts. */
-const ELSEWHERE = ['metadata', 'accuracy', 'heapLimit', 'timeBudget', 'bodies', 'joints'];
+const ELSEWHERE = ['metadata', 'accuracy', 'heapLimit', 'thread', 'timeBudget', 'bodies', 'joints'];
 
 function fieldsOf(type: string, wild: boolean): [string, Field][] {
   return Object.entries(nodeTypes[type]!.fields).filter(

@@ -16,6 +16,7 @@ export const trees = {
       'world',
       'accuracy',
       'timeline',
+      'thread',
       'face',
     ],
     circles: [

@@ -1,7 +1,8 @@
 import { x3dom } from '../x3dom/x3dom.js';
 import type { X3DDrawnDocument, X3DTransform } from '../x3dom/renderer.js';
 
-const { hasAttribute } = Element.prototype;
+// The classic script is read by its workers, too, where there are no elements.
+const hasAttribute = globalThis.Element?.prototype.hasAttribute;
 
 /** What x3dom asks of each Transform in each frame. */
 interface Ticking extends X3DTransform {

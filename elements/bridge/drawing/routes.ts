@@ -21,6 +21,8 @@ interface Selective extends PhysicsNode {
   outputs?(field: string): boolean;
 }
 
+const FEEDS = 'its ROUTEs lead to physics, and act in the step that sends along them';
+
 const bindingOf = ({ element }: PhysicsX3DNode): Binding => ownBinding(element!)!;
 
 /** Sends what the simulation changed to where it is ROUTEd: once per drawn frame, contacts with each step. */
@@ -74,6 +76,8 @@ export class Routes {
     }
     const source = binding.node;
     if (!source) return;
+    if (fields.length > 0 && node.feedsPhysics)
+      binding.world?.stay({ why: FEEDS, host: binding.element });
     for (const name of fields) {
       if (heard.has(name)) continue;
       const stop = source.on(name, (value) => node.emit(name, inPage(value, binding.units)));

@@ -12,7 +12,7 @@ import { listening } from '../x3dom/listening.js';
 import { makeOurs, stopOwnEngine, type OwnTypes } from '../x3dom/own-engine.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 import { firstCopy, tellTwoCopies } from './copies.js';
-import { explanation, type Explanation } from './explain.js';
+import { explanation, type Explanation } from '../outward/explain.js';
 import { Scenes, X3D } from './scenes.js';
 
 /** The page: hands what x3dom tells us to the scene it concerns, and answers what users ask. */

@@ -39,7 +39,9 @@ export function watchRoutes(x: X3DOM): void {
     const [from, into] = [nameOf(this, field), nameOf(to, toField)];
     const refused = refusals(this, from, to, into);
     for (const { binding, name, verb } of refused) binding.refuse(name, verb);
-    if (refused.length === 0) setupRoute.call(this, from, to, into);
+    if (refused.length > 0) return;
+    if (isOurs(this) && isOurs(to)) this.feedsPhysics = true;
+    setupRoute.call(this, from, to, into);
   };
   prototype.removeRoute = function (this: X3DNode, field, to, toField): void {
     const [from, into] = [nameOf(this, field), nameOf(to, toField)];

@@ -1,9 +1,16 @@
-import { World, type PhysicsNode, type Problem, type Run } from '../../../physics-core/inside.js';
+import {
+  World,
+  type PhysicsNode,
+  type Problem,
+  type RayHit,
+  type Run,
+} from '../../../physics-core/inside.js';
 import { setState } from '../base/states.js';
 import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import type { PageHit, PageWorld, WorldDrawing } from '../nodes/surroundings.js';
 import type { Scopes } from '../scopes/scopes.js';
+import { explanation, type Explanation, type Known } from '../outward/explain.js';
 import { logInPage } from '../words/console.js';
 
 /** The longest stretch a world takes at once without calling it lag, seconds. */
@@ -75,6 +82,21 @@ export class SceneWorld extends World implements PageWorld {
   override raycast(...way: Parameters<World['raycast']>): PageHit | null {
     const hit = super.raycast(...way);
     return hit && { ...hit, element: hit.node.host as Element };
+  }
+
+  /** Of elements `explain` tells all that the function of that name tells. */
+  override async ask(method: string, ...args: unknown[]): Promise<unknown> {
+    const [element] = args;
+    if (method === 'explain' && element instanceof Element) return this.#explain(element);
+    const answer = await super.ask(method, ...args);
+    const hit = method === 'raycast' && (answer as RayHit | null);
+    return hit ? { ...hit, element: hit.node.host as Element } : answer;
+  }
+
+  async #explain(element: Element): Promise<Explanation> {
+    const meant = this.#scopes.meant(element);
+    const known = await super.ask('explain', this.node(element));
+    return explanation(element, meant && ownBinding(meant), known as Known);
   }
 
   /** By name, or by an element, also one that only stands for another by USE. */

@@ -139,11 +139,11 @@ export class Scene implements Driven, Site, Stage {
 
   #asWhole(work: () => void): void {
     const worlds = [...this.worlds.all];
-    for (const { events } of worlds) events.hold();
+    for (const { events } of worlds) events.delay();
     try {
       work();
     } finally {
-      for (const { events } of worlds) events.release();
+      for (const { events } of worlds) events.proceed();
     }
   }
 

@@ -81,6 +81,8 @@ export interface PhysicsX3DNode extends X3DNode {
   emit(field: string, value: unknown): void;
   /** The fields that something is ROUTEd from, or that somebody listens to. */
   readonly routedFields: readonly string[];
+  /** A ROUTE leads from it to a node of ours. */
+  feedsPhysics?: boolean;
 }
 
 export interface NameSpace {

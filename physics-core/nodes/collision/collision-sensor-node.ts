@@ -57,6 +57,14 @@ export class CollisionSensorNode extends PhysicsNode implements Sensor {
     this.#contacts = undefined;
   }
 
+  /** What the same sensor has found in a world on another thread. */
+  show(active: boolean | undefined, touching: Iterable<Collidable> | undefined): void {
+    this.isActive = active ?? this.isActive;
+    if (!touching) return;
+    this.#touching.clear();
+    for (const each of touching) this.#touching.add(each);
+  }
+
   // ---- after each step --------------------------------------------------------------------------------------------
 
   beginSensing(): void {

@@ -245,11 +245,16 @@ export class PhysicsNode implements SimulationNode, EditedNode {
   /** Calls `listener` with the event's detail; returns how to stop it. */
   on(event: string, listener: Listener): () => void {
     const stop = this.#emitter.on(event, listener);
-    this.listenersChanged(event);
+    this.#listened(event);
     return () => {
       stop();
-      this.listenersChanged(event);
+      this.#listened(event);
     };
+  }
+
+  #listened(event: string): void {
+    this.listenersChanged(event);
+    this.world.events.listened(this, event);
   }
 
   /** Nothing is computed for an event that nobody listens to. */
@@ -276,7 +281,8 @@ export class PhysicsNode implements SimulationNode, EditedNode {
 
   /** Tells those who listen, as soon as what is under way is over. */
   emit(event: string, detail: unknown): void {
-    this.world.events.tell(this.#emitter, event, detail);
+    const { events } = this.world;
+    if (!events.silent) events.tell(this.#emitter, event, detail);
   }
 
   /** Whether it touches another; known while somebody listens to its collisions. */

@@ -123,8 +123,15 @@ export class LevelControl {
   noteFrame(ms: number, seconds: number): void {
     const { settings } = this.#world;
     if (levelOf(settings)) return;
-    this.#verdict = this.#auto.note(ms, seconds, settings.asked('timeBudget'));
-    if (this.#verdict) this.#world.events.during(this.#carryOut);
+    const verdict = this.#auto.note(ms, seconds, settings.asked('timeBudget'));
+    if (verdict) this.obey(verdict);
+  }
+
+  /** Goes to the level that frames ask for, here or where they are taken. */
+  obey(verdict: Verdict): void {
+    this.#verdict = verdict;
+    this.#auto.level = verdict.level;
+    this.#world.events.during(this.#carryOut);
   }
 
   readonly #carryOut = (): void => {

@@ -24,6 +24,9 @@ interface LivingWorld extends NodeWorld {
   readonly control: LevelControl;
   readonly edits: Editing;
   readonly awaiting: Awaiting;
+  /** Whether code of another thread is on its way; then `start` is called. */
+  awaitsThread(start: () => void): boolean;
+  takeThread(): void;
 }
 
 /** How the Bullet world behind the nodes comes, begins anew, and goes. */
@@ -38,11 +41,14 @@ export class Lifecycle {
 
   start(engine: Engine): void {
     const world = this.#world;
-    if (world.started || world.awaiting.holds(world.nodes, this.#later(engine))) return;
+    const later = this.#later(engine);
+    if (world.started || world.awaiting.holds(world.nodes, later)) return;
+    if (world.awaitsThread(later.start)) return;
     world.engine = engine;
     world.events.during(() => {
       this.#build();
       world.flush();
+      world.takeThread();
       this.ready.resolve(world);
       world.emit('ready', world);
       world.work();

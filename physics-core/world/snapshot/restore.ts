@@ -26,13 +26,18 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
   if (!world.started || !isSnapshot(world, snapshot)) return;
   world.flush();
   const tellWoken = world.bodies.sleepers();
+  becomeAs(world, snapshot);
+  tellWoken();
+  world.emit('restore', world);
+}
+
+/** Nobody is told. */
+export function becomeAs(world: RestoredWorld, snapshot: Snapshot): void {
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
   if (isSame(world, snapshot)) begin(world, snapshot);
   else rebuild(world, snapshot);
   world.stepping.resume(snapshot.time, snapshot.taken);
   loadState(world, snapshot, slept);
-  tellWoken();
-  world.emit('restore', world);
 }
 
 /** All that is made stays. */

@@ -420,6 +420,22 @@ export const rows: Row[] = [
     },
   },
   {
+    field: 'thread',
+    fact: 'where there are no workers it runs here, and says so when it is reset',
+    run: async () => {
+      const w = await world();
+      const ball = addBody(w);
+      w.set('thread', 'worker');
+      w.step(0);
+      assert.deepEqual(w.problems, []);
+      w.reset();
+      assert.equal(w.mirrored, undefined);
+      claim(w, 'thread-main');
+      w.step(60);
+      close(height(ball), -way(9.8, 0.5), 1e-3, 'm');
+    },
+  },
+  {
     field: 'heapLimit',
     guard: 'roomy',
     fact: 'beyond the limit a body is not made and the world pauses; the rest of it is untouched',

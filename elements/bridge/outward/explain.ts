@@ -43,13 +43,25 @@ export interface Explanation {
   problems: PlainProblem[];
 }
 
+/** What Bullet knows of a node, here or where its world runs. */
+export interface Known {
+  bullet?: Record<string, unknown> | undefined;
+  touches?: PhysicsNode[] | undefined;
+}
+
+const knownOf = (node: PhysicsNode | null | undefined): Known =>
+  node ? { bullet: bulletHas(node, nodeName), touches: touchedBy(node) } : {};
+
 /** Problems that say what is simulated in the place of what was written. */
 const APPROXIMATED = new Set(['approximated-field', 'concave-dynamic', 'zero-volume']);
 
 /** Of an element whose node this is, or whose body; undefined where it has none. */
-export function explanation(element: Element, binding: Binding | undefined): Explanation {
+export function explanation(
+  element: Element,
+  binding: Binding | undefined,
+  known: Known = knownOf(binding?.node),
+): Explanation {
   const problems = binding?.scene?.reports.of(binding) ?? [];
-  const node = binding?.node;
   return plain({
     type: binding?.type.name,
     name: binding?.name,
@@ -57,8 +69,8 @@ export function explanation(element: Element, binding: Binding | undefined): Exp
     running: !!binding?.node && !!binding.world?.started,
     waits: binding ? waitsOf(binding) : [],
     fields: binding ? fieldsOf(binding) : {},
-    bullet: node ? bulletHas(node, nodeName) : undefined,
-    touches: node ? touchedBy(node)?.map(nodeName) : undefined,
+    bullet: known.bullet,
+    touches: known.touches?.map(nodeName),
     drawing: binding?.world?.drawing?.explain(binding),
     sleeps: binding && whyAsleep(binding),
     approximations: problems

@@ -1,0 +1,352 @@
+import { levelNamed } from '../dynamics/levels.js';
+import { debugging } from '../effects/debug/debugging.js';
+import type { Drag } from '../effects/drag/drag.js';
+import type { EffectReport } from '../effects/effect/report.js';
+import type { CollidableNode } from '../nodes/collision/collidable.js';
+import { CollisionSensorNode } from '../nodes/collision/collision-sensor-node.js';
+import type { PhysicsNode } from '../nodes/node/node.js';
+import { callOf, encode } from '../timeline/calls.js';
+import { Deeds } from '../timeline/deeds.js';
+import type { AccuracyChange } from '../world/accuracy/level-control.js';
+import { becomeAs } from '../world/snapshot/restore.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
+import { takeSnapshot } from '../world/snapshot/take.js';
+import { statsOf } from '../world/stats.js';
+import type { Stepping } from '../world/stepping/stepping.js';
+import type { Stats } from '../world/store/types.js';
+import { BEFORE_STEP, reportMain, type Bound, type Elsewhere } from '../world/threading.js';
+import type { World } from '../world/world.js';
+import type { Heard, Line } from './line.js';
+import type { Answer, Deed, EffectCosts, Order, Said } from './messages.js';
+import { Mirror } from './mirror.js';
+import { RemoteStepping } from './remote-stepping.js';
+import { hear } from './words.js';
+
+/** What sensors always tell: their outputs can be read here. */
+const OF_SENSORS = ['isActive', 'intersections'];
+
+/** Somebody who waits for an answer. */
+interface Waiting {
+  number: number;
+  resolve(value: unknown): void;
+  reject(error: unknown): void;
+}
+
+/** Of the world's own events, those that come about where it runs. */
+const OF_STEPS = ['afterstep'];
+
+const GIVEN = 'set_contacts acts in the very next step';
+
+/** A world of the page whose steps are taken on another thread: what is done to it is done there, what comes of it is shown here. */
+export class Away implements Elsewhere {
+  readonly #world: World;
+  readonly #here: Stepping;
+  readonly #there: RemoteStepping;
+  readonly #mirror: Mirror;
+  readonly #line: Line;
+  #deeds: Deed[] = [];
+  readonly #drags = new Map<object, number>();
+  #drag = 0;
+  #nodes = new Map<number, PhysicsNode>();
+  /** Orders that were given, the last one that was answered, and the one from which on answers count. */
+  #given = 0;
+  #answered = 0;
+  #since = 0;
+  readonly #waiting: Waiting[] = [];
+  #last: Answer | undefined;
+  #room: Float64Array<ArrayBuffer> | undefined;
+  #costs: EffectCosts = {};
+  #watched = false;
+  #coming: Promise<void> | undefined;
+  readonly #later = new Deeds();
+  #lost = false;
+
+  /** `open` makes the way to the other thread. */
+  constructor(world: World, open: (heard: Heard) => Line) {
+    this.#world = world;
+    this.#mirror = new Mirror(world);
+    this.#here = world.stepping;
+    this.#there = new RemoteStepping(world, this);
+    this.#line = open(this);
+    this.#begin();
+    world.stepping = this.#there;
+    world.events.keeper = this;
+    world.events.silent = true;
+    world.elsewhere = this;
+  }
+
+  #begin(): void {
+    const world = this.#world;
+    // The other world listens for this one, to what it is told.
+    const { nodes, ...snapshot } = takeSnapshot(world);
+    const unheard = nodes.map(({ heard: _, ...node }) => node);
+    this.#line.say({
+      snapshot: { ...snapshot, nodes: unheard },
+      program: world.engine.source.program,
+    });
+    for (const node of world.nodes) this.#introduce(node);
+    for (const event of OF_STEPS) this.listened(world, event);
+  }
+
+  #introduce(node: PhysicsNode): void {
+    const sensed = node instanceof CollisionSensorNode ? OF_SENSORS : [];
+    for (const event of new Set([...sensed, ...node.heardEvents]))
+      this.#listen(node.id, event, true);
+  }
+
+  // ---- what is done here ------------------------------------------------------------------------------------------
+
+  keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
+    if (method === 'flush') {
+      if (!this.#world.edits.pending) return work();
+      this.place();
+    }
+    if (args[0] === 'set_contacts')
+      this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
+    if (this.#coming) this.#later.putOff({ who, method, args });
+    const number = method === 'drag' ? ++this.#drag : this.#drags.get(who);
+    this.#deeds.push({ call: callOf(this.#world, who, number, 0, method, args) });
+    const result = work();
+    if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
+    if (result instanceof CollisionSensorNode) this.#introduce(result);
+    this.#there.done();
+    return result;
+  }
+
+  listened(who: object, event: string): void {
+    const world = this.#world;
+    if (who === world) {
+      if (event === 'beforestep' && world.heard(event)) void this.comeBack(BEFORE_STEP);
+      if (OF_STEPS.includes(event)) this.#listen(undefined, event, world.heard(event));
+    } else {
+      const node = who as PhysicsNode;
+      const always = node instanceof CollisionSensorNode && OF_SENSORS.includes(event);
+      this.#listen(node.id, event, always || node.heard(event));
+    }
+  }
+
+  #listen(node: number | undefined, event: string, heard: boolean): void {
+    this.#deeds.push({ listening: { node, event, heard } });
+  }
+
+  also(method: string, args: readonly unknown[]): void {
+    if (this.#lost) return this.end();
+    const call = callOf(this.#world, undefined, undefined, 0, method, []);
+    this.#deeds =
+      method === 'restore'
+        ? [...this.#deeds, { restore: args[0] as Snapshot }]
+        : [...this.#deeds, { call }];
+    // What it answers to earlier orders is of the past.
+    this.#since = this.#given + 1;
+    this.#there.done();
+  }
+
+  place(): void {
+    this.#mirror.place();
+  }
+
+  // ---- orders -----------------------------------------------------------------------------------------------------
+
+  get waits(): boolean {
+    return !this.#lost && (this.#deeds.length > 0 || this.#answered < this.#given);
+  }
+
+  /** One at a time: the next one waits for the answer. */
+  send(): void {
+    if (this.#lost || this.#coming || this.#answered < this.#given) return;
+    this.#order(undefined);
+  }
+
+  #order(ask: Order['ask']): number {
+    const { paused, timeScale } = this.#there;
+    const room = this.#room;
+    this.#room = undefined;
+    const order: Order = {
+      number: ++this.#given,
+      deeds: this.#deeds,
+      stretches: this.#there.passed(),
+      paused,
+      timeScale,
+      watched: this.#watched,
+      ask,
+      room,
+    };
+    this.#deeds = [];
+    this.#line.say(order, room ? [room.buffer] : []);
+    return this.#given;
+  }
+
+  ask(method: string, args: readonly unknown[]): Promise<unknown> {
+    if (this.#lost) return Promise.reject(new Error('the worker of this world is lost'));
+    if (this.#coming) return this.#coming.then(() => this.#world.ask(method, ...args));
+    this.#world.flush();
+    if (method === 'step') this.#there.singly = args[0] === undefined || args[0] === 1;
+    const number = this.#order({ method, args: args.map(encode) });
+    return new Promise((resolve, reject) => this.#waiting.push({ number, resolve, reject }));
+  }
+
+  refuse(method: string): null {
+    this.#world.report({
+      code: 'asynchronous',
+      severity: 'warning',
+      attribute: method,
+      used: 'nothing',
+      message: `${method} can’t be answered at once by a world that runs in a worker; await world.ask('${method}') can`,
+    });
+    return null;
+  }
+
+  // ---- answers ----------------------------------------------------------------------------------------------------
+
+  answered(answer: Answer): void {
+    const { number, states, asked } = answer;
+    this.#answered = number;
+    this.#room = states;
+    if (number >= this.#since) this.#show(answer);
+    this.#settle(number, (one) => one.resolve(this.#isPlain(asked) ? asked : this.#heard(asked)));
+    this.#world.work();
+  }
+
+  /** Snapshots name nodes by number, and go on doing so. */
+  #isPlain = (asked: unknown): boolean =>
+    typeof asked === 'object' && asked !== null && 'x3dPhysics' in asked;
+
+  #settle(number: number, how: (one: Waiting) => void): void {
+    while (this.#waiting[0] && this.#waiting[0].number <= number) how(this.#waiting.shift()!);
+  }
+
+  #show(answer: Answer): void {
+    this.#last = answer;
+    this.#costs = answer.effects ?? this.#costs;
+    this.#mirror.take(answer);
+    this.#there.take(answer);
+    if (this.#world.registry.active(debugging)) this.place();
+    const { events } = this.#world;
+    events.during(() => {
+      for (const said of answer.said) this.#tell(said);
+    });
+  }
+
+  #tell(said: Said): void {
+    const world = this.#world;
+    const node = said.node === undefined ? undefined : this.#node(said.node);
+    if (said.node !== undefined && !node) return;
+    if ('problem' in said) world.report(said.problem, node ?? world);
+    else if ('settled' in said)
+      world.settle(node ?? world, said.settled.attribute, said.settled.code);
+    else if (node) this.#tellOf(node, said.event, this.#heard(said.detail));
+    else if (said.event === 'accuracy') this.#goTo(said.detail as AccuracyChange);
+    else world.emit(said.event, said.detail);
+  }
+
+  /** It is told when all that came with it is shown. */
+  #tellOf(node: PhysicsNode, event: string, detail: unknown): void {
+    if (node instanceof CollisionSensorNode) {
+      if (event === 'isActive') node.show(detail as boolean, undefined);
+      if (event === 'intersections') node.show(undefined, detail as CollidableNode[]);
+    }
+    const { events } = this.#world;
+    events.silent = false;
+    node.emit(event, detail);
+    events.silent = true;
+  }
+
+  #goTo({ level, because, p90 }: AccuracyChange): void {
+    if (because !== 'asked')
+      this.#world.control.obey({ level: levelNamed(level), because, p90: p90 ?? 0 });
+  }
+
+  #heard(value: unknown): unknown {
+    return hear(value, this.#world, (id) => this.#node(id));
+  }
+
+  /** Also one that was removed here meanwhile. */
+  #node(id: number): PhysicsNode | undefined {
+    if (!this.#nodes.has(id)) {
+      const now = [...this.#world.nodes].map((node) => [node.id, node] as const);
+      this.#nodes = new Map(this.#nodes.size > 2 * now.length ? now : [...this.#nodes, ...now]);
+    }
+    return this.#nodes.get(id);
+  }
+
+  get step(): number {
+    return this.#last?.taken ?? 0;
+  }
+
+  get stats(): Stats {
+    const here = statsOf(this.#world, this.#there);
+    const { created, patched, destroyed, ms } = here;
+    return this.#last ? { ...this.#last.stats, created, patched, destroyed, ms } : here;
+  }
+
+  get effects(): EffectReport[] {
+    this.#watched = true;
+    return this.#world.registry.report().map((one) => ({ ...one, ...this.#costs[one.name] }));
+  }
+
+  // ---- the end ----------------------------------------------------------------------------------------------------
+
+  comeBack(bound: Bound): Promise<void> {
+    if (this.#lost) return Promise.resolve();
+    if (!this.#coming) reportMain(this.#world, bound);
+    this.#coming ??= this.#comeBack();
+    return this.#coming;
+  }
+
+  async #comeBack(): Promise<void> {
+    const snapshot = (await this.ask('snapshot', [])) as Snapshot;
+    if (this.#world.elsewhere !== this) return;
+    const isNow = this.#given >= this.#since;
+    const { events } = this.#world;
+    const { there, here } = { there: this.#there, here: this.#here };
+    this.#leave();
+    events.during(() => {
+      events.silent = true;
+      if (isNow) becomeAs(this.#world, snapshot);
+      events.silent = false;
+    });
+    here.paused = there.paused;
+    this.#later.do();
+    this.#world.work();
+  }
+
+  /** Nobody is there: all that was done was done here, and no time has passed. */
+  missing(error: unknown): void {
+    const world = this.#world;
+    const why = error instanceof Error ? error.message : String(error);
+    world.bound = { why: `no worker can be had (${why})` };
+    reportMain(world, world.bound);
+    this.#leave();
+    for (const { resolve } of this.#waiting.splice(0)) resolve(undefined);
+    world.work();
+  }
+
+  lost(error: unknown): void {
+    this.#lost = true;
+    const message = `the worker of this world is lost (${String(error)}); it stands still until it is reset`;
+    this.#world.report(
+      { code: 'thread-lost', severity: 'error', value: String(error), used: 'nothing', message },
+      this.#world.settings,
+    );
+    for (const { reject } of this.#waiting.splice(0)) reject(new Error(message));
+  }
+
+  end(): void {
+    this.#leave();
+    for (const { reject } of this.#waiting.splice(0)) reject(new Error('the world has ended'));
+  }
+
+  #leave(): void {
+    const world = this.#world;
+    this.#line.close();
+    if (world.elsewhere !== this) return;
+    const { paused, timeScale, time } = this.#there;
+    world.stepping = this.#here;
+    world.events.keeper = world.elsewhere = undefined;
+    world.events.silent = false;
+    this.#here.restart();
+    this.#here.setTime(time);
+    this.#here.paused = paused;
+    this.#here.timeScale = timeScale;
+  }
+}

@@ -1,0 +1,86 @@
+// What a page and the worker of a world say to each other. Orders are numbered, and carried out one after the other.
+import type { LevelName } from '../dynamics/levels.js';
+import type { ProblemReport } from '../base/problems.js';
+import type { EffectReport } from '../effects/effect/report.js';
+import type { Call } from '../world/recording.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
+import type { Stats } from '../world/store/types.js';
+
+/** What the worker is called, so that its script knows what it was started for. */
+export const NAME = 'x3d-physics: world';
+
+/** What the worker hears first: what it is to go on from. */
+export interface Beginning {
+  snapshot: Snapshot;
+  program: WebAssembly.Module | undefined;
+}
+
+/** Somebody begins or ceases to listen to a node, by its number, or to the world. */
+export interface Listening {
+  node: number | undefined;
+  event: string;
+  heard: boolean;
+}
+
+/** A stretch of the clock. */
+export interface Stretch {
+  seconds: number;
+  /** Whether somebody waits for its frame. */
+  seen: boolean;
+}
+
+/** What was done to the world, in order. */
+export type Deed = { call: Call } | { listening: Listening } | { restore: Snapshot };
+
+export interface Order {
+  number: number;
+  deeds: Deed[];
+  /** What passed on the clock since; none: nothing does. */
+  stretches: Stretch[];
+  paused: boolean;
+  timeScale: number;
+  /** Whether somebody reads what effects cost. */
+  watched: boolean;
+  ask?: { method: string; args: unknown[] } | undefined;
+  /** Room for states, handed to and fro. */
+  room?: Float64Array<ArrayBuffer> | undefined;
+}
+
+/** Of whom the other thread speaks: a node by its number; undefined: the world. */
+interface About {
+  node: number | undefined;
+}
+
+/** What the other world told, in order. */
+export type Said =
+  | (About & { event: string; detail: unknown })
+  | (About & { problem: ProblemReport })
+  | (About & { settled: { attribute: string | undefined; code: string | undefined } });
+
+/** What effects cost, by name. */
+export type EffectCosts = Record<string, Pick<EffectReport, 'active' | 'ms' | 'calls'>>;
+
+export interface Answer {
+  number: number;
+  /** STATE numbers for each body that moved; the room may be larger. */
+  states: Float64Array<ArrayBuffer>;
+  count: number;
+  /** Where between the last two steps things are drawn. */
+  fraction: number;
+  time: number;
+  taken: number;
+  level: LevelName;
+  paused: boolean;
+  /** Whether it needs another frame. */
+  needsFrame: boolean;
+  said: Said[];
+  stats: Stats;
+  effects?: EffectCosts | undefined;
+  asked?: unknown;
+}
+
+/** What the worker says: that it is there, what came of an order, or that it can't go on. */
+export type Message = { ready: true } | { answer: Answer } | { failed: string };
+
+/** Numbers of a body: its id, whether it sleeps, its poses at the last two steps, its velocities. */
+export const STATE = 22;

@@ -1,0 +1,135 @@
+import { PhysicsNode } from '../nodes/node/node.js';
+import type { Problem, ProblemReport } from '../base/problems.js';
+import type { Engine } from '../engine/engine.js';
+import { Redoing } from '../timeline/calls.js';
+import { copyInto } from '../world/snapshot/copy.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
+import { answer as answerHere } from '../world/threading.js';
+import { World } from '../world/world.js';
+import type { Answer, Deed, EffectCosts, Listening, Order, Said } from './messages.js';
+import { Moved } from './moved.js';
+import { tell } from './words.js';
+
+/** What both worlds know of is told by the page's; only this one knows how much memory it has. */
+const OWN = ['heap-low', 'heap-exhausted', 'edit-failed'];
+
+/** A world that does what another is asked for, takes its steps, and says what comes of it. */
+export class OtherSide extends World {
+  #said: Said[] = [];
+  readonly #redoing = new Redoing(this);
+  readonly #moved = new Moved();
+  readonly #stops = new Map<string, () => void>();
+  /** While it does what the page's world did, which tells of that itself. */
+  #quiet = false;
+
+  constructor(snapshot: Snapshot, engine: Engine) {
+    super();
+    for (const _ of copyInto(this, snapshot, engine));
+    // What overlaps in the first step of all overlapped before.
+    if (snapshot.taken === 0) this.stepping.restart();
+    this.on('problem', (problem) => this.#tellProblem(problem as Problem));
+    this.on('lag', (detail) => this.#say({ node: undefined, event: 'lag', detail }));
+    this.on('accuracy', (detail) => {
+      if ((detail as { because: string }).because !== 'asked')
+        this.#say({ node: undefined, event: 'accuracy', detail });
+    });
+  }
+
+  #say(said: Said): void {
+    this.#said.push(said);
+  }
+
+  #tellProblem({ element, ...problem }: Problem): void {
+    if (this.#quiet && !OWN.includes(problem.code)) return;
+    const value = tell(problem.value);
+    this.#say({ node: numberOf(element), problem: { ...problem, value } satisfies ProblemReport });
+  }
+
+  /** It is where it was to be. */
+  override takeThread(): void {}
+
+  override settle(about: unknown, attribute?: string, code?: string): void {
+    const known = this.problemsOf(about).some(
+      (each) => (!attribute || each.attribute === attribute) && (!code || each.code === code),
+    );
+    super.settle(about, attribute, code);
+    if (known) this.#say({ node: numberOf(about), settled: { attribute, code } });
+  }
+
+  async take(order: Order): Promise<Answer> {
+    this.paused = order.paused;
+    this.timeScale = order.timeScale;
+    this.#quietly(() => {
+      for (const deed of order.deeds) this.#do(deed);
+      this.flush();
+    });
+    for (const { seconds, seen } of order.stretches) this.#pass(seconds, seen);
+    const asked = order.ask && (await this.#answer(order.ask));
+    const said = this.#said;
+    this.#said = [];
+    return {
+      number: order.number,
+      ...this.#moved.write(this, order.room),
+      fraction: this.poses.fraction,
+      time: this.time,
+      taken: this.stepsTaken,
+      level: this.accuracy,
+      paused: this.paused,
+      needsFrame: this.stepping.needsFrame,
+      said,
+      stats: this.stats,
+      effects: order.watched ? this.#costs() : undefined,
+      asked,
+    };
+  }
+
+  #quietly(work: () => void): void {
+    this.#quiet = true;
+    try {
+      work();
+    } finally {
+      this.#quiet = false;
+    }
+  }
+
+  #do(deed: Deed): void {
+    if ('call' in deed) this.#redoing.do(deed.call);
+    else if ('restore' in deed) this.restore(deed.restore);
+    else this.#listen(deed.listening);
+  }
+
+  #listen({ node: id, event, heard }: Listening): void {
+    const key = `${id} ${event}`;
+    this.#stops.get(key)?.();
+    this.#stops.delete(key);
+    const who = id === undefined ? this : this.node(id);
+    if (heard && who)
+      this.#stops.set(
+        key,
+        who.on(event, (detail) => this.#say({ node: id, event, detail: tell(detail) })),
+      );
+  }
+
+  #pass(seconds: number, seen: boolean): void {
+    this.frame(seconds, seen);
+    this.#moved.note(this);
+  }
+
+  async #answer({ method, args }: NonNullable<Order['ask']>): Promise<unknown> {
+    const answered = await answerHere(this, method, this.#redoing.decoded(args));
+    // What steps by hand moved is drawn, too.
+    this.#pass(0, false);
+    return method === 'snapshot' ? answered : tell(answered);
+  }
+
+  #costs(): EffectCosts {
+    const entries = this.effects.map(({ name, active, ms, calls }) => [
+      name,
+      { active, ms, calls },
+    ]);
+    return Object.fromEntries(entries) as EffectCosts;
+  }
+}
+
+const numberOf = (about: unknown): number | undefined =>
+  about instanceof PhysicsNode ? about.id : undefined;

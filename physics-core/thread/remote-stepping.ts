@@ -1,0 +1,100 @@
+import { Stepping } from '../world/stepping/stepping.js';
+import type { World } from '../world/world.js';
+import type { Answer, Stretch } from './messages.js';
+
+/** What carries the passing of time to the other thread. */
+interface Courier {
+  refuse(method: string): null;
+  /** Time passed, or there is something to do. */
+  send(): void;
+  readonly waits: boolean;
+}
+
+/** How a world passes time whose steps are taken on another thread. */
+export class RemoteStepping extends Stepping {
+  readonly #world: World;
+  readonly #courier: Courier;
+  #stretches: Stretch[] = [];
+  #taken = 0;
+  #needsFrame = true;
+  /** Something is to be drawn since the last frame. */
+  #fresh = true;
+  #fraction = 1;
+
+  constructor(world: World, courier: Courier) {
+    super(world);
+    this.#world = world;
+    this.#courier = courier;
+    this.follow(world.stepping);
+  }
+
+  /** Takes over what its author said. */
+  follow({ paused, timeScale, time, taken }: Stepping): void {
+    if (this.paused !== paused) this.paused = paused;
+    if (this.timeScale !== timeScale) this.timeScale = timeScale;
+    this.setTime(time);
+    this.#taken = taken;
+    this.singly = false;
+  }
+
+  override get taken(): number {
+    return this.#taken;
+  }
+
+  override step(n: number): number {
+    this.#world.flush();
+    if (n > 0) this.#courier.refuse('step');
+    return 0;
+  }
+
+  /** Time that passes while an answer is awaited goes with the next order. */
+  override frame(seconds: number, seen: boolean): boolean {
+    this.#world.flush();
+    this.singly = false;
+    const last = this.#stretches.at(-1);
+    if (last && last.seen && seen) last.seconds += seconds;
+    else this.#stretches.push({ seconds, seen });
+    this.#courier.send();
+    this.#draw();
+    return this.needsFrame;
+  }
+
+  #draw(): void {
+    const { poses } = this.#world;
+    if (this.#fresh) poses.interpolate(this.#fraction);
+    else poses.movedCount = 0;
+    this.#fresh = false;
+  }
+
+  /** What passed since it was asked last. */
+  passed(): Stretch[] {
+    const stretches = this.#stretches;
+    this.#stretches = [];
+    return stretches;
+  }
+
+  take({ time, taken, fraction, needsFrame, stats, paused }: Answer): void {
+    this.setTime(time);
+    this.#taken = taken;
+    this.#fraction = fraction;
+    this.#needsFrame = needsFrame;
+    this.#fresh = true;
+    const { write } = this.ms;
+    Object.assign(this.ms, stats.ms, { write });
+    if (paused && !this.paused) this.paused = true;
+  }
+
+  /** Something was done here that is to be drawn. */
+  done(): void {
+    this.#fresh = true;
+  }
+
+  override get running(): boolean {
+    const { started, control } = this.#world;
+    return started && control.enabled && !this.paused && this.timeScale > 0;
+  }
+
+  override get needsFrame(): boolean {
+    return this.#fresh || this.#courier.waits || (this.running && this.#needsFrame);
+  }
+}

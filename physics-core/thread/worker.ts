@@ -1,0 +1,45 @@
+// Where a world runs that is shown by a page: a classic script, which is whole by itself, as a worker.
+import { loadEngine } from '../engine/engine.js';
+import { chunks } from '../world/chunks/all.js';
+import { isWorkerNamed } from '../world/worker.js';
+import { NAME, type Beginning, type Message, type Order } from './messages.js';
+import { OtherSide } from './other-side.js';
+
+/** The end of a line at which a world is run. */
+export interface WorldPort {
+  postMessage(message: Message, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<Beginning | Order>) => void) | null;
+}
+
+/** Runs a world for whoever speaks there: each order after the one before. */
+export function runWorld(port: WorldPort): void {
+  let last: Promise<OtherSide | undefined> = Promise.resolve(undefined);
+  port.onmessage = ({ data }) => {
+    last = last.then((world) => ('snapshot' in data ? begin(data) : obey(port, world!, data)));
+    last = last.catch((error) => {
+      port.postMessage({ failed: String(error) }, []);
+      return new Promise(() => {});
+    });
+  };
+}
+
+async function begin({ snapshot, program }: Beginning): Promise<OtherSide> {
+  const code = chunks.map((chunk) => chunk.load());
+  const [engine] = await Promise.all([loadEngine({ program }), ...code]);
+  return new OtherSide(snapshot, engine);
+}
+
+async function obey(port: WorldPort, world: OtherSide, order: Order): Promise<OtherSide> {
+  const answer = await world.take(order);
+  port.postMessage({ answer }, [answer.states.buffer]);
+  return world;
+}
+
+/** Whether this is that worker. */
+export const isRunningWorld = (): boolean => isWorkerNamed(NAME);
+
+export function takeWorldOrders(): void {
+  const port = globalThis as unknown as WorldPort;
+  runWorld(port);
+  port.postMessage({ ready: true }, []);
+}

@@ -1,0 +1,150 @@
+import { expect } from 'chai';
+import './console.js';
+import { open, openText, worldIn, type PageWindow } from './page.js';
+import { drawnAt, until, wait } from './scene.js';
+import type { World } from './inside.js';
+
+// Worlds in a worker, in pages of the build: the worker's script is the classic one beside it.
+
+const boxes = Array.from(
+  { length: 12 },
+  (_, i) =>
+    `<x3d-rigid-body id="b${i}" mass="1" position="${i % 3} ${2 + 1.2 * i} 0">
+      <x3d-collidable-shape><shape><box size="1 1 1"></box></shape></x3d-collidable-shape>
+    </x3d-rigid-body>`,
+).join('');
+
+const scene = (attributes: string, more = ''): string => `<!doctype html>
+  <script src="/node_modules/x3dom/x3dom.js"></script>
+  <script type="module" src="/dist/x3d-physics.js"></script>
+  <x3d width="300px" height="200px"><scene>
+    <x3d-rigid-body-collection id="collection" ${attributes}>
+      <x3d-rigid-body id="floor" fixed="true"><x3d-collidable-shape><shape><box size="20 1 20"></box></shape></x3d-collidable-shape></x3d-rigid-body>
+      ${boxes}
+      <x3d-rigid-body id="ball" for="drawn" draggable-body="true"></x3d-rigid-body>
+      ${more}
+    </x3d-rigid-body-collection>
+    <transform id="drawn" translation="8 9 6"><shape><sphere></sphere></shape></transform>
+  </scene></x3d>`;
+
+async function shown(text: string): Promise<{ page: PageWindow; world: World }> {
+  const page = await openText(text);
+  const body = page.document.querySelector('x3d-rigid-body') as unknown as { world?: World };
+  await until(() => body.world !== undefined);
+  return { page, world: await body.world!.ready };
+}
+
+const bits = (world: World): string =>
+  JSON.stringify([...world.bodies].map((body) => [body.id, body.pose()]).sort());
+
+const codes = (world: World): string[] => world.problems.map(({ code }) => code);
+
+async function begun(world: World): Promise<void> {
+  world.paused = true;
+  world.reset();
+  await world.ask('stats');
+}
+
+describe('a world in a worker', () => {
+  it('goes the way it goes on the page’s own thread, to the bit, edits included', async () => {
+    const ways: string[] = [];
+    const steps: unknown[] = [];
+    for (const attributes of ['', 'thread="worker"']) {
+      const { page, world } = await shown(scene(attributes));
+      await begun(world);
+      await world.ask('step', 60);
+      const ball = page.document.getElementById('ball')!;
+      ball.setAttribute('linearvelocity', '-6 0 0');
+      page.document.getElementById('b3')!.remove();
+      ball.insertAdjacentHTML(
+        'afterend',
+        '<x3d-rigid-body position="1 20 0"><x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape></x3d-rigid-body>',
+      );
+      await wait(50);
+      await world.ask('step', 120);
+      ways.push(bits(world));
+      steps.push(world.mirrored);
+      expect(world.problems.map(({ message }) => message)).to.deep.equal([]);
+    }
+    expect(steps).to.deep.equal([undefined, 180]);
+    expect(ways[1]).to.equal(ways[0]);
+  });
+
+  it('runs by the page’s frames and draws what comes back', async () => {
+    const { page, world } = await shown(scene('thread="worker"'));
+    const drawn = page.document.getElementById('drawn')!;
+    await until(() => drawnAt(drawn)[1]! < 3);
+    expect(world.time).to.be.above(0.5);
+    expect(world.stats.bodies).to.equal(14);
+    expect(world.stats.contacts).to.be.above(0);
+  });
+
+  it('fires collisions, each begun and ended, and sleep, at the elements', async () => {
+    const { page, world } = await shown(scene('thread="worker"'));
+    await begun(world);
+    const ball = page.document.getElementById('ball')!;
+    const heard: string[] = [];
+    for (const type of ['collisionstart', 'collisionend', 'sleep'])
+      ball.addEventListener(type, (event) => {
+        const { other } = (event as CustomEvent<{ other?: Element }>).detail;
+        heard.push(`${type} ${other?.id ?? ''}`.trim());
+      });
+    await world.ask('step', 1200);
+    expect(heard).to.deep.equal(['collisionstart floor', 'sleep']);
+    expect(ball.matches(':state(sleeping)')).to.equal(true);
+  });
+
+  it('answers what is asked with elements', async () => {
+    const { page, world } = await shown(scene('thread="worker"'));
+    await begun(world);
+    const hit = (await world.ask('raycast', [8, 20, 6], [8, -20, 6])) as { element: Element };
+    expect(hit.element.id).to.equal('ball');
+    await world.ask('step', 240);
+    const known = (await world.ask('explain', page.document.getElementById('ball'))) as {
+      touches: string[];
+      bullet: { state: string };
+    };
+    expect(known.touches).to.deep.equal(['x3d-rigid-body[id="floor"]']);
+    expect(known.bullet.state).to.match(/awake|asleep/);
+  });
+
+  it('comes back for who listens before each step, and goes on', async () => {
+    const { page, world } = await shown(scene('thread="worker"'));
+    await begun(world);
+    await world.ask('step', 60);
+    const before = bits(world);
+    let steps = 0;
+    page.document.getElementById('collection')!.addEventListener('beforestep', () => void steps++);
+    await until(() => world.mirrored === undefined);
+    expect(codes(world)).to.deep.equal(['thread-main']);
+    expect(bits(world)).to.equal(before);
+    world.step(5);
+    expect(steps).to.equal(5);
+  });
+
+  it('another thread is taken at the next reset', async () => {
+    const { page, world } = await shown(scene(''));
+    world.paused = true;
+    page.document.getElementById('collection')!.setAttribute('thread', 'worker');
+    expect(world.step(10)).to.be.above(0);
+    world.reset();
+    await until(() => world.mirrored !== undefined);
+    await world.ask('step', 30);
+    const there = bits(world);
+    page.document.getElementById('collection')!.removeAttribute('thread');
+    world.reset();
+    expect(world.mirrored).to.equal(undefined);
+    world.step(30);
+    expect(bits(world)).to.equal(there);
+  });
+
+  it('beside the classic script, too', async () => {
+    const world = await worldIn(await open('classic.html'));
+    world.set('thread', 'worker');
+    world.reset();
+    await until(() => world.mirrored !== undefined);
+    world.paused = true;
+    await world.ask('step', 10);
+    expect(world.mirrored).to.be.above(9);
+  });
+});

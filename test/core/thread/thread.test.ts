@@ -1,0 +1,209 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { World } from '../../../physics-core/inside.js';
+import { hashOf } from '../../../physics-core/timeline/hash.js';
+import { claim, closeWorlds, world, type Body, type Node, type Vec3 } from '../helpers.js';
+import { answered, goAway } from './sides.js';
+
+const box = { type: 'Box', size: [1, 1, 1] };
+
+/** A heap, a pendulum, and a floor with a sensor. */
+async function scene(fields = {}): Promise<World> {
+  const made = await world(fields);
+  made.add(
+    'RigidBody',
+    { fixed: true, geometry: [{ type: 'Box', size: [20, 1, 20] }] },
+    { name: 'floor' },
+  );
+  for (let i = 0; i < 6; i++)
+    made.add(
+      'RigidBody',
+      { position: [i / 7, 1 + 1.1 * i, 0], geometry: [box] },
+      { name: `b${i}` },
+    );
+  const bob = made.add('RigidBody', { position: [6, 4, 0], geometry: [box] }, { name: 'bob' });
+  made.add('BallJoint', { body1: bob, anchorPoint: [3, 4, 0] }, { name: 'joint' });
+  return made;
+}
+
+const body = (of: World, name: string): Body => of.node(name) as Body;
+
+test('steps on the other side are the same bits', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  here.step(120);
+  assert.equal(await there.ask('step', 120), 1);
+  assert.equal(hashOf(there), hashOf(here));
+  assert.equal(there.time, here.time);
+  assert.equal(there.mirrored, 120);
+  closeWorlds();
+});
+
+test('what is done here is done there, in its order', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  const early = (on: World): void => {
+    body(on, 'b2').applyImpulse([3, 2, 1]);
+    body(on, 'bob').set('mass', 5);
+    on.add('RigidBody', { position: [0, 12, 0], geometry: [box] }, { name: 'late' });
+    body(on, 'b1').remove();
+    (on.node('joint') as Node).set('anchorPoint', [4, 4, 0]);
+    on.set('gravity', [0, -5, 1]);
+  };
+  here.step(60);
+  await there.ask('step', 60);
+  early(here);
+  early(there);
+  here.step(90);
+  await there.ask('step', 90);
+  assert.equal(hashOf(there), hashOf(here));
+  closeWorlds();
+});
+
+test('frames go by the same clock', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  for (let i = 0; i < 40; i++) {
+    here.frame(1 / 60);
+    there.frame(1 / 60);
+    await answered(there);
+  }
+  assert.equal(there.time, here.time);
+  assert.equal(hashOf(there), hashOf(here));
+  there.frame(0);
+  const { slot } = body(there, 'bob');
+  const at = (of: World): number[] => [...of.poses.data.subarray(7 * slot, 7 * slot + 7)];
+  assert.deepEqual(at(there), at(here));
+  closeWorlds();
+});
+
+test('what happens there is told here, once and in order', async () => {
+  const [here, there] = [await scene(), await scene()];
+  const heard: string[][] = [[], []];
+  goAway(there);
+  [here, there].forEach((of, i) => {
+    for (const name of ['b0', 'b1', 'bob'])
+      for (const event of ['collisionstart', 'collisionend', 'sleep', 'wake'])
+        body(of, name).on(event, (detail) => {
+          const { other, time } = detail as { other?: Body; time: number };
+          heard[i]!.push(`${name} ${event} ${other?.name} ${time}`);
+        });
+  });
+  here.step(400);
+  await there.ask('step', 400);
+  assert.ok(heard[0]!.length > 2);
+  assert.deepEqual(heard[1], heard[0]);
+  closeWorlds();
+});
+
+test('sensors tell, and can be read', async () => {
+  const of = await scene();
+  const collider = of.add('CollisionCollection', {
+    collidables: [body(of, 'floor'), body(of, 'b0')].flatMap(
+      (each) => each.get('geometry') as Node[],
+    ),
+  });
+  const sensor = of.add('CollisionSensor', { collider });
+  goAway(of);
+  const heard: unknown[] = [];
+  sensor.on('contacts', (detail) => heard.push(detail));
+  await of.ask('step', 120);
+  assert.equal(sensor.get('isActive'), true);
+  assert.equal((sensor.get('intersections') as Node[]).length, 2);
+  const [contact] = heard.at(-1) as Node[];
+  assert.ok(Math.abs((contact!.get('contactNormal') as Vec3)[1]) > 0.99);
+  assert.equal((contact!.get('body1') as Node).world, of);
+  closeWorlds();
+});
+
+test('what can’t be known at once is said so, once, and can be asked', async () => {
+  const of = await scene();
+  goAway(of);
+  assert.equal(of.raycast([0, 9, 0], [0, -9, 0]), null);
+  assert.equal(of.snapshot(), null);
+  assert.equal(of.step(), 0);
+  assert.equal(of.advance(1), 0);
+  claim(of, 'asynchronous', 'asynchronous', 'asynchronous');
+  const hit = (await of.ask('raycast', [6, 9, 0], [6, -9, 0])) as { node: Node };
+  assert.equal(hit.node, of.node('bob'));
+  closeWorlds();
+});
+
+test('a snapshot of there goes on here, to the bit', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  await there.ask('step', 50);
+  const snapshot = (await there.ask('snapshot')) as ReturnType<World['snapshot']>;
+  here.restore(snapshot);
+  here.step(50);
+  await there.ask('step', 50);
+  assert.equal(hashOf(there), hashOf(here));
+  there.restore(snapshot);
+  await there.ask('step', 50);
+  assert.equal(hashOf(there), hashOf(here));
+  there.reset();
+  here.reset();
+  here.step(70);
+  await there.ask('step', 70);
+  assert.equal(hashOf(there), hashOf(here));
+  closeWorlds();
+});
+
+test('who listens before each step has the world back, and it goes on to the bit', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  await there.ask('step', 50);
+  there.on('beforestep', () => {});
+  body(there, 'b3').set('mass', 2);
+  assert.equal(there.elsewhere !== undefined, true);
+  await answered(there);
+  assert.equal(there.elsewhere, undefined);
+  claim(there, 'thread-main');
+  here.step(50);
+  body(here, 'b3').set('mass', 2);
+  here.step(50);
+  there.step(50);
+  assert.equal(hashOf(there), hashOf(here));
+  closeWorlds();
+});
+
+test('who is recorded has the world back', async () => {
+  const of = await scene();
+  goAway(of);
+  await of.ask('step', 50);
+  const timeline = await of.record();
+  assert.equal(of.elsewhere, undefined);
+  claim(of, 'thread-main');
+  assert.ok(Math.abs(timeline.from - 50 / 120) < 1e-9);
+  closeWorlds();
+});
+
+test('a body can be dragged there', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  const grip = (of: World) => body(of, 'bob').drag([6, 4, 0])!;
+  const [a, b] = [grip(here), grip(there)];
+  for (let i = 0; i < 30; i++) {
+    for (const drag of [a, b]) drag.move([6 + i / 20, 5, 0]);
+    here.step(2);
+    await there.ask('step', 2);
+  }
+  for (const drag of [a, b]) drag.end();
+  here.step(30);
+  await there.ask('step', 30);
+  assert.equal(hashOf(there), hashOf(here));
+  closeWorlds();
+});
+
+test('problems of steps come from there, those of edits from here, each once', async () => {
+  const of = await scene();
+  goAway(of);
+  const problems: string[] = [];
+  of.on('problem', (problem) => problems.push((problem as { code: string }).code));
+  body(of, 'b0').set('mass', -3);
+  of.set('contactSurfaceThickness', NaN);
+  await of.ask('step', 10);
+  assert.deepEqual(problems, ['out-of-range', 'bad-value']);
+  claim(of, 'out-of-range', 'bad-value');
+  closeWorlds();
+});
