@@ -14,7 +14,7 @@ import { takeSnapshot } from '../world/snapshot/take.js';
 import { statsOf } from '../world/stats.js';
 import type { Stepping } from '../world/stepping/stepping.js';
 import type { Stats } from '../world/store/types.js';
-import { BEFORE_STEP, reportMain, type Bound, type Elsewhere } from '../world/threading.js';
+import { BEFORE_STEP, GIVEN, reportMain, type Bound, type Elsewhere } from '../world/threading.js';
 import type { World } from '../world/world.js';
 import type { Heard, Line } from './line.js';
 import type { Answer, Deed, EffectCosts, Order, Said } from './messages.js';
@@ -34,8 +34,6 @@ interface Waiting {
 
 /** Of the world's own events, those that come about where it runs. */
 const OF_STEPS = ['afterstep'];
-
-const GIVEN = 'set_contacts acts in the very next step';
 
 /** A world of the page whose steps are taken on another thread: what is done to it is done there, what comes of it is shown here. */
 export class Away implements Elsewhere {

@@ -11,8 +11,8 @@ export interface WorldPort {
   onmessage: ((event: MessageEvent<Beginning | Order>) => void) | null;
 }
 
-/** Runs a world for whoever speaks there: each order after the one before. */
-export function runWorld(port: WorldPort): void {
+/** Runs a world for whoever speaks there: each order after the one before. Returns what ends it; a worker's goes with the worker. */
+export function runWorld(port: WorldPort): () => void {
   let last: Promise<OtherSide | undefined> = Promise.resolve(undefined);
   port.onmessage = ({ data }) => {
     last = last.then((world) => ('snapshot' in data ? begin(data) : obey(port, world!, data)));
@@ -21,6 +21,7 @@ export function runWorld(port: WorldPort): void {
       return new Promise(() => {});
     });
   };
+  return () => void last.then((world) => world?.destroy());
 }
 
 async function begin({ snapshot, program }: Beginning): Promise<OtherSide> {

@@ -83,6 +83,8 @@ export interface Bound {
   host?: unknown;
 }
 
+export const GIVEN = 'set_contacts acts in the very next step';
+
 export const BEFORE_STEP: Bound = {
   why: 'beforestep is listened to, and what is done then acts in that very step',
 };
@@ -90,6 +92,8 @@ export const BEFORE_STEP: Bound = {
 function boundHere(world: Threaded): Bound | undefined {
   if (world.heard('beforestep')) return BEFORE_STEP;
   if (world.timeline) return { why: 'it is recorded' };
+  for (const node of world.nodes)
+    if (node.authored('set_contacts')) return { why: GIVEN, host: node.host };
   return world.bound ?? ('Worker' in globalThis ? undefined : { why: 'there are no workers here' });
 }
 

@@ -6,6 +6,7 @@ import { playBack } from './back.js';
 import { lookBack } from './looked-back.js';
 import { plan } from './plan.js';
 import { play } from './play.js';
+import { playOnBothSides } from './sides.js';
 
 // Some runs in one process; `run.ts` watches over it. Each run has a seed of its own.
 
@@ -15,7 +16,7 @@ const SHRINKING = 20_000;
 const [first, runs] = process.argv.slice(2).map(Number) as [number, number];
 const [, , , , kind] = process.argv;
 const plans = { back: fc.oneof(editsPlan, plan), edits: editsPlan }[kind!] ?? plan;
-const playOne = { back: playBack, look: lookBack }[kind!] ?? play;
+const playOne = { back: playBack, look: lookBack, sides: playOnBothSides }[kind!] ?? play;
 
 async function main(): Promise<void> {
   const owned = new OwnedObjects(await loadEngine());

@@ -4,6 +4,7 @@
 //   --seed 7       of the first; the others follow it (1)
 //   --edits        only edits of what hangs together and touches, while it runs
 //   --look         recorded, and run anew from ever earlier moments: each has to be where it was
+//   --sides        on both sides of a channel: steps taken on the other have to be the same bits
 //   --back         snapshots in the middle of edits: each restore has to run as the world ran on
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
@@ -16,10 +17,12 @@ const { values } = parseArgs({
     edits: { type: 'boolean', default: false },
     back: { type: 'boolean', default: false },
     look: { type: 'boolean', default: false },
+    sides: { type: 'boolean', default: false },
   },
 });
 
-const plans = (['back', 'look', 'edits'] as const).find((kind) => values[kind]) ?? 'scenes';
+const plans =
+  (['back', 'look', 'sides', 'edits'] as const).find((kind) => values[kind]) ?? 'scenes';
 
 /** A run hangs that takes so many seconds, shrinking included. */
 const HANGS = 60;

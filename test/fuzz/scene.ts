@@ -23,11 +23,16 @@ export class Scene {
 
   /** Edits due before this step, and the step. */
   step(number: number, edits: Plan['edits']): void {
-    for (const { when, act } of edits) if ('step' in when && when.step === number) this.#edit(act);
+    this.edit(number, edits);
     if (this.#ledger) this.#world.flush();
     this.#ledger?.beforeStep();
     this.#world.step();
     this.#ledger?.afterStep();
+  }
+
+  /** Edits due before this step. */
+  edit(number: number, edits: Plan['edits']): void {
+    for (const { when, act } of edits) if ('step' in when && when.step === number) this.#edit(act);
   }
 
   /** What is wrong now; undefined: nothing. */

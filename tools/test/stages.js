@@ -187,6 +187,11 @@ export const STAGES = [
     run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--look', '--runs', '200']),
   },
   {
+    name: 'fuzz-sides',
+    cores: 1,
+    run: script(['--import', 'tsx', 'test/fuzz/run.ts', '--sides', '--runs', '300']),
+  },
+  {
     name: 'playground',
     cores: 1,
     run: script(['--import', 'tsx', 'test/site/playground/run.ts']),

@@ -6,11 +6,12 @@ import { runWorld, type WorldPort } from '../../../physics-core/thread/worker.js
 /** A world of this process goes on at the other end of a channel, as it does in a worker. */
 export function goAway(world: World): Away {
   const { port1, port2 } = new MessageChannel();
-  runWorld(port2 as unknown as WorldPort);
+  const end = runWorld(port2 as unknown as WorldPort);
   return new Away(world, (heard) => {
     const line = new Line(heard);
     line.speak(port1 as unknown as Port, () => {
       port1.close();
+      end();
       port2.close();
     });
     return line;
