@@ -9,7 +9,7 @@ import { advice } from './nodes/node/advice.js';
 import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
 import { recordings } from './world/recording.js';
-import { threads } from './world/threading.js';
+import { threads } from './nodes/node/threads.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
@@ -20,6 +20,7 @@ export { meshes } from './shapes/meshes.js';
 export { configure, type EngineSource } from './engine/wasm.js';
 export type { Engine } from './engine/engine.js';
 export { bulletHas, touchedBy } from './world/bullet-has.js';
+export { threads } from './nodes/node/threads.js';
 export { World } from './world/world.js';
 export type { RayHit } from './world/rays/raycast.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
@@ -67,7 +68,7 @@ export async function debugLines(world: World): Promise<DebugLines> {
 
 /** The engine, and the code of all effects: nothing that is made of them waits. */
 export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  const all = [advice, recordings, threads, ...chunks].map((chunk) => chunk.load());
+  const all = [advice, recordings, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadBullet(options), ...all]);
   return engine;
 }

@@ -14,8 +14,9 @@ import { takeSnapshot } from '../world/snapshot/take.js';
 import { statsOf } from '../world/stats.js';
 import type { Stepping } from '../world/stepping/stepping.js';
 import type { Stats } from '../world/store/types.js';
-import { BEFORE_STEP, GIVEN, reportMain, type Bound, type Elsewhere } from '../world/threading.js';
+import type { Bound, Elsewhere } from '../world/threading.js';
 import type { World } from '../world/world.js';
+import { BEFORE_STEP, GIVEN, reportMain } from './bound.js';
 import type { Heard, Line } from './line.js';
 import type { Answer, Deed, EffectCosts, Order, Said } from './messages.js';
 import { Mirror } from './mirror.js';
@@ -127,14 +128,19 @@ export class Away implements Elsewhere {
     this.#deeds.push({ listening: { node, event, heard } });
   }
 
-  also(method: string, args: readonly unknown[]): void {
-    if (this.#lost) return this.end();
-    const call = callOf(this.#world, undefined, undefined, 0, method, []);
-    this.#deeds =
-      method === 'restore'
-        ? [...this.#deeds, { restore: args[0] as Snapshot }]
-        : [...this.#deeds, { call }];
-    // What it answers to earlier orders is of the past.
+  begunAnew(goesOn: boolean): void {
+    if (this.#lost || !goesOn) return this.end();
+    this.#deeds.push({ call: callOf(this.#world, undefined, undefined, 0, 'reset', []) });
+    this.#forget();
+  }
+
+  restored(snapshot: Snapshot): void {
+    this.#deeds.push({ restore: snapshot });
+    this.#forget();
+  }
+
+  /** What is answered to earlier orders is of the past. */
+  #forget(): void {
     this.#since = this.#given + 1;
     this.#there.done();
   }

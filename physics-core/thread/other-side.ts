@@ -4,9 +4,10 @@ import type { Engine } from '../engine/engine.js';
 import { Redoing } from '../timeline/calls.js';
 import { copyInto } from '../world/snapshot/copy.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
-import { answer as answerHere } from '../world/threading.js';
 import { World } from '../world/world.js';
+import { answer as answerHere } from './asking.js';
 import type { Answer, Deed, EffectCosts, Listening, Order, Said } from './messages.js';
+import { THERE } from './bound.js';
 import { Moved } from './moved.js';
 import { tell } from './words.js';
 
@@ -46,7 +47,7 @@ export class OtherSide extends World {
   }
 
   /** It is where it was to be. */
-  override takeThread(): void {}
+  override bound = THERE;
 
   override settle(about: unknown, attribute?: string, code?: string): void {
     const known = this.problemsOf(about).some(
@@ -56,7 +57,7 @@ export class OtherSide extends World {
     if (known) this.#say({ node: numberOf(about), settled: { attribute, code } });
   }
 
-  async take(order: Order): Promise<Answer> {
+  take(order: Order): Answer {
     this.paused = order.paused;
     this.timeScale = order.timeScale;
     this.#quietly(() => {
@@ -64,7 +65,7 @@ export class OtherSide extends World {
       this.flush();
     });
     for (const { seconds, seen } of order.stretches) this.#pass(seconds, seen);
-    const asked = order.ask && (await this.#answer(order.ask));
+    const asked = order.ask && this.#answer(order.ask);
     const said = this.#said;
     this.#said = [];
     return {
@@ -115,8 +116,8 @@ export class OtherSide extends World {
     this.#moved.note(this);
   }
 
-  async #answer({ method, args }: NonNullable<Order['ask']>): Promise<unknown> {
-    const answered = await answerHere(this, method, this.#redoing.decoded(args));
+  #answer({ method, args }: NonNullable<Order['ask']>): unknown {
+    const answered = answerHere(this, method, this.#redoing.decoded(args));
     // What steps by hand moved is drawn, too.
     this.#pass(0, false);
     return method === 'snapshot' ? answered : tell(answered);

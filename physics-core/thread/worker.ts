@@ -30,8 +30,8 @@ async function begin({ snapshot, program }: Beginning): Promise<OtherSide> {
   return new OtherSide(snapshot, engine);
 }
 
-async function obey(port: WorldPort, world: OtherSide, order: Order): Promise<OtherSide> {
-  const answer = await world.take(order);
+function obey(port: WorldPort, world: OtherSide, order: Order): OtherSide {
+  const answer = world.take(order);
   port.postMessage({ answer }, [answer.states.buffer]);
   return world;
 }

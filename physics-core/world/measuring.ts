@@ -75,7 +75,8 @@ export function measureWith(loaded: () => Promise<Measure>): void {
 }
 
 export async function measure(world: World, options: MeasureOptions): Promise<LevelMeasurement[]> {
-  const snapshot = (await world.ask('snapshot')) as Snapshot;
+  const { elsewhere } = world;
+  const taken = elsewhere ? await elsewhere.ask('snapshot', []) : world.snapshot();
   const run = await load!();
-  return run(world, snapshot, options);
+  return run(world, taken as Snapshot, options);
 }

@@ -1,7 +1,6 @@
 import type { Listener } from '../base/emitter.js';
 import type { EventQueue } from '../base/event-queue.js';
 import type { Problem, ProblemReport } from '../base/problems.js';
-import { show } from '../base/show.js';
 import { AUTO, ladder, type Level, type LevelName } from '../dynamics/levels.js';
 import { Poses } from '../dynamics/poses.js';
 import { allEffects } from '../effects/all.js';
@@ -17,6 +16,7 @@ import type { Vec3 } from '../fields/types.js';
 import type { BodyNode } from '../nodes/body/body.js';
 import type { JointSettings, PairRules } from '../nodes/node/node-world.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
+import { threads } from '../nodes/node/threads.js';
 import { LevelControl } from './accuracy/level-control.js';
 import { BodySlots } from './bodies/body-slots.js';
 import { Awaiting } from './store/awaiting.js';
@@ -41,14 +41,7 @@ import type { Snapshot } from './snapshot/snapshot.js';
 import { takeSnapshot } from './snapshot/take.js';
 import { statsOf } from './stats.js';
 import { Stepping, type TimedWorld } from './stepping/stepping.js';
-import {
-  answer,
-  ASKED,
-  awaitsThread,
-  takeThread,
-  type Bound,
-  type Elsewhere,
-} from './threading.js';
+import type { Bound, Elsewhere } from './threading.js';
 import type { AddOptions, Stats, WorldOptions } from './store/types.js';
 
 /**
@@ -169,8 +162,6 @@ export class World implements TimedWorld {
 
   reset(): void {
     this.lifecycle.reset();
-    this.elsewhere?.also('reset', []);
-    if (this.started) this.takeThread();
   }
 
   snapshot(): Snapshot {
@@ -180,7 +171,7 @@ export class World implements TimedWorld {
 
   restore(snapshot: Snapshot): void {
     this.events.anew(() => restoreSnapshot(this, snapshot));
-    this.elsewhere?.also('restore', [snapshot]);
+    this.elsewhere?.restored(snapshot);
   }
 
   record(options: RecordOptions = {}): Promise<Timeline> {
@@ -336,10 +327,7 @@ export class World implements TimedWorld {
   on(event: string, listener: Listener): () => void {
     const stop = this.#reporting.on(event, listener);
     this.events.listened(this, event);
-    return () => {
-      stop();
-      this.events.listened(this, event);
-    };
+    return stop;
   }
 
   heard(event: string): boolean {
@@ -367,14 +355,6 @@ export class World implements TimedWorld {
 
   // ---- another thread ---------------------------------------------------------------------------------------------
 
-  awaitsThread(start: () => void): boolean {
-    return awaitsThread(this, start);
-  }
-
-  takeThread(): void {
-    takeThread(this);
-  }
-
   /** Something acts on it that has to do so in its step: from now on it runs on this thread. */
   stay(bound: Bound): void {
     this.bound = bound;
@@ -386,20 +366,9 @@ export class World implements TimedWorld {
   }
 
   async ask(method: string, ...args: unknown[]): Promise<unknown> {
-    if (!ASKED.includes(method)) return this.#refuse(method);
     if (!this.started) await this.ready;
-    return this.elsewhere ? this.elsewhere.ask(method, args) : answer(this, method, args);
-  }
-
-  #refuse(method: unknown): void {
-    this.report({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: 'ask',
-      value: method,
-      used: 'nothing',
-      message: `ask takes ${ASKED.join(', ')}, not ${show(method)}; nothing is asked`,
-    });
+    if (!threads.here) await threads.load();
+    return threads.code.ask(this, method, args);
   }
 
   /** What the colours of the debug drawing mean; nothing while it is off. */

@@ -126,7 +126,9 @@ describe('a world in a worker', () => {
     const { page, world } = await shown(scene(''));
     world.paused = true;
     page.document.getElementById('collection')!.setAttribute('thread', 'worker');
-    expect(world.step(10)).to.be.above(0);
+    // The code of it is fetched meanwhile.
+    await until(() => world.step() > 0);
+    expect(world.mirrored).to.equal(undefined);
     world.reset();
     await until(() => world.mirrored !== undefined);
     await world.ask('step', 30);

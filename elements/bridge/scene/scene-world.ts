@@ -10,7 +10,7 @@ import { loop } from '../drawing/loop.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import type { PageHit, PageWorld, WorldDrawing } from '../nodes/surroundings.js';
 import type { Scopes } from '../scopes/scopes.js';
-import { explanation, type Explanation, type Known } from '../outward/explain.js';
+import { explanation, type Known } from '../outward/explain.js';
 import { logInPage } from '../words/console.js';
 
 /** The longest stretch a world takes at once without calling it lag, seconds. */
@@ -86,17 +86,13 @@ export class SceneWorld extends World implements PageWorld {
 
   /** Of elements `explain` tells all that the function of that name tells. */
   override async ask(method: string, ...args: unknown[]): Promise<unknown> {
-    const [element] = args;
-    if (method === 'explain' && element instanceof Element) return this.#explain(element);
     const answer = await super.ask(method, ...args);
-    const hit = method === 'raycast' && (answer as RayHit | null);
-    return hit ? { ...hit, element: hit.node.host as Element } : answer;
-  }
-
-  async #explain(element: Element): Promise<Explanation> {
+    if (method === 'raycast' && answer)
+      return { ...answer, element: (answer as RayHit).node.host as Element };
+    const [element] = args;
+    if (method !== 'explain' || !(element instanceof Element)) return answer;
     const meant = this.#scopes.meant(element);
-    const known = await super.ask('explain', this.node(element));
-    return explanation(element, meant && ownBinding(meant), known as Known);
+    return explanation(element, meant && ownBinding(meant), answer as Known);
   }
 
   /** By name, or by an element, also one that only stands for another by USE. */

@@ -3,6 +3,7 @@ import { outlines } from '../../effects/debug/debugging.js';
 import { drags } from '../../effects/drag/effects.js';
 import { contacts, joints } from '../../effects/effect/chunks.js';
 import { advice } from '../../nodes/node/advice.js';
+import { threads } from '../../nodes/node/threads.js';
 import { meshes } from '../../shapes/meshes.js';
 
 /** All code that nodes wait for; pages fetch it when it is needed. */
@@ -11,6 +12,8 @@ export const chunks: readonly Chunk<unknown>[] = [
   contacts.comesFrom(() => import('./contact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),
+  // The room that has it says where it is.
+  threads,
 ];
 
 // No node waits for these.

@@ -1,6 +1,7 @@
 import { BulletWorld } from '../../engine/bullet-world.js';
 import type { Engine } from '../../engine/engine.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
+import { threads } from '../../nodes/node/threads.js';
 import type { BodySlots } from '../bodies/body-slots.js';
 import { RANKS } from '../store/edits.js';
 import type { LevelControl } from '../accuracy/level-control.js';
@@ -24,9 +25,6 @@ interface LivingWorld extends NodeWorld {
   readonly control: LevelControl;
   readonly edits: Editing;
   readonly awaiting: Awaiting;
-  /** Whether code of another thread is on its way; then `start` is called. */
-  awaitsThread(start: () => void): boolean;
-  takeThread(): void;
 }
 
 /** How the Bullet world behind the nodes comes, begins anew, and goes. */
@@ -41,14 +39,12 @@ export class Lifecycle {
 
   start(engine: Engine): void {
     const world = this.#world;
-    const later = this.#later(engine);
-    if (world.started || world.awaiting.holds(world.nodes, later)) return;
-    if (world.awaitsThread(later.start)) return;
+    if (world.started || world.awaiting.holds(world.nodes, this.#later(engine))) return;
     world.engine = engine;
     world.events.during(() => {
       this.#build();
       world.flush();
-      world.takeThread();
+      this.#takeThread();
       this.ready.resolve(world);
       world.emit('ready', world);
       world.work();
@@ -103,6 +99,11 @@ export class Lifecycle {
       tellWoken();
       world.emit('reset', world);
     });
+    this.#takeThread();
+  }
+
+  #takeThread(): void {
+    if (threads.here) threads.code.choose(this.#world);
   }
 
   /** The same nodes in a fresh Bullet world. */

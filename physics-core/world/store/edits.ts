@@ -23,12 +23,7 @@ export class Edits {
     return this.#queues.some((queue) => queue.size > 0);
   }
 
-  /** Applies all, lowest rank first. An edit may cause others (a body's shape by its collidable), so it goes round. */
-  applyAll(apply: (node: PhysicsNode) => void): void {
-    while (this.applyNext(apply));
-  }
-
-  /** False: there is none. */
+  /** Applies the next one, lowest rank first: an edit may cause others (a body's shape by its collidable). False: there is none. */
   applyNext(apply: (node: PhysicsNode) => void): boolean {
     const queue = this.#first();
     if (!queue) return false;

@@ -1,7 +1,14 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
-import { contacts, drags, joints, meshes, outlines } from '../../../physics-core/inside.js';
+import {
+  contacts,
+  drags,
+  joints,
+  meshes,
+  outlines,
+  threads,
+} from '../../../physics-core/inside.js';
 
 export const PAGE = 'docs/chunks.md';
 
@@ -27,9 +34,12 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-batch-code', 'eight bodies of one geometry, drawn in one call where they look alike'],
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-measure', '`measureAccuracy()`'],
-  ['x3d-physics.classic.js', 'the same, for its worker'],
+  ['x3d-physics.classic.js', 'the same, and a world with `thread`, for its worker'],
   ['chunk-timeline-code', '`world.record()`, `world.importRun()`'],
   ['chunk-copy', 'a second world made of a snapshot: `measureAccuracy()` and the timeline'],
+  ['chunk-thread-code', `${threads.causes} of a RigidBodyCollection, \`world.ask()\``],
+  ['chunk-deeds', 'the timeline, and worlds in a worker'],
+  ['chunk-worker', 'measurement, and worlds in a worker'],
   ['ui/monitor.js', 'an `<x3d-physics-monitor>` in sight'],
   ['ui/chart.js', 'an `<x3d-accuracy-chart>` in sight'],
   ['ui/chunk-styles', 'either of these two'],
