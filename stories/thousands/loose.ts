@@ -1,8 +1,8 @@
 // Boxes above a floor, close and all turned another way, so that they tumble over each other.
 import { html } from 'lit';
 
-/** Metres. */
-const SIZE = 0.7;
+/** Metres: no farther across than to the next one, however they are turned. */
+const SIZE = 0.6;
 const PITCH = 1.05;
 const ALONG = 18;
 const DEEP = 10;
