@@ -15,6 +15,7 @@ const preview: Preview = {
           'Scenes',
           'Dragging',
           'Drawing',
+          'In a worker',
           'Accuracy',
           'Shortcuts',
           'Looking in',

@@ -13,6 +13,7 @@ const START = {
   markup: 'First steps in markup',
   'cheat-sheet': 'All of it on one page',
   script: 'From a script',
+  thread: 'On another thread',
   frameworks: 'Frameworks',
   devtools: 'Live editing in devtools',
   dragging: 'Dragging',

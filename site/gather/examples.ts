@@ -31,7 +31,7 @@ interface Stories extends Record<string, Story> {
 /** Stories that are pages, or show them: stories/pages has these as files. */
 const PAGES = /^(Scenes|In XHTML|Start here)/;
 /** What shows other scenes, and what no one reads as text. */
-const NOT_HERE = new Set(['Monitor', 'TwoThousandBodies']);
+const NOT_HERE = new Set(['Monitor', 'TwoThousandBodies', 'ManyBoxes']);
 
 /** In the menu by another name than in the stories, where the group's name stands above it. */
 const NAMES: Record<string, string> = {
