@@ -6,10 +6,10 @@ const LATEST = 10_000;
 /** Beside this file, where nobody says otherwise. One file with all that it needs: bundlers copy it as it is. */
 const besides = (): string => new URL('./x3d-physics.classic.js', import.meta.url).href;
 
-/** Scripts of another server are only taken from within one of the page's own. */
+/** Scripts of another server, and all in a sandbox, are only taken from within one of the page's own. */
 function startWorker({ origin, href }: URL, name: string): Worker {
   const options: WorkerOptions = { type: 'module', name };
-  if (origin === location.origin) return new Worker(href, options);
+  if (origin === globalThis.origin) return new Worker(href, options);
   const source = new Blob([`import ${JSON.stringify(href)};`], { type: 'text/javascript' });
   const address = URL.createObjectURL(source);
   const worker = new Worker(address, options);
