@@ -53,6 +53,7 @@ export interface KeptComponent {
 
 /** Solves the joints of one component after the other: finds the velocities that take its bodies to where they are whole. */
 export class ComponentSolve {
+  readonly #simulation: Simulation;
   readonly #system = new RowSystem();
   readonly #ends = new JointEnds();
   readonly bodies: JointedBodies;
@@ -84,6 +85,7 @@ export class ComponentSolve {
 
   /** `of`: it is asked for the velocities that those bodies have when their step is over. */
   constructor(simulation: Simulation, of?: JointedBodies) {
+    this.#simulation = simulation;
     this.bodies = new JointedBodies(simulation, this.#system, of);
     this.#next = new NextPoses(this.#system, this.bodies);
     this.#stabilization = new PostStabilization(simulation, this.#system, this.bodies);
@@ -337,11 +339,18 @@ export class ComponentSolve {
     this.left = 0;
     const open = this.#search.open.has(component);
     if (open || disturbed) {
-      const left = this.#closing.close(component, dt, open ? LEFT_OPEN : DISTURBED);
+      const left = this.#closing.close(component, dt, this.#mayMiss(component, dt));
       // An edit's gap is nothing to tell, nor what whips about.
       if (disturbed && !this.#mended.has(component)) this.left = left;
     }
     return disturbed || torn;
+  }
+
+  /** What closing may leave of it, m or rad: where contacts move loops, by what a step of its level may miss. */
+  #mayMiss(component: Component, dt: number): number {
+    if (!this.#led.has(component)) return this.#search.open.has(component) ? LEFT_OPEN : DISTURBED;
+    const way = dt * this.bodies.fastestOf(component);
+    return Math.min(TORN / 2, Math.max(DISTURBED, this.#simulation.bullet.settings.miss * way));
   }
 
   /** One that slept when the step began, and that Bullet woke in it: where it was moved its joints go along. */

@@ -1,6 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { dot3 } from '../../base/flat-math.js';
 import { copy6, INERTIA, SIDE } from '../../solver/joints/blocks.js';
 import type { Component } from '../../solver/joints/forest.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
@@ -328,6 +329,14 @@ export class JointedBodies {
     let sum = 0;
     for (const i of bodies) for (let x = i * SIDE; x < (i + 1) * SIDE; x++) sum += velocity[x]!;
     return Number.isFinite(sum);
+  }
+
+  /** Of the velocities found, the greatest speed, m/s. */
+  fastestOf({ bodies }: Component): number {
+    const { velocity } = this.#system;
+    let square = 0;
+    for (const i of bodies) square = Math.max(square, dot3(velocity, i * SIDE, velocity, i * SIDE));
+    return Math.sqrt(square);
   }
 
   /** Gives the velocities found to Bullet, less what Bullet itself will add in this step. */
