@@ -13,6 +13,16 @@ const VELOCITY = 6;
 export const originOf = ({ HEAPF32 }: Ammo, body: number, i: number): number =>
   HEAPF32[((body + BODY.origin) >> 2) + i]!;
 
+/** How far apart the centres of mass of two bodies are, metres. */
+export function apartBetween({ HEAPF32 }: Ammo, a: number, b: number): number {
+  const p = (a + BODY.origin) >> 2;
+  const q = (b + BODY.origin) >> 2;
+  const x = HEAPF32[p]! - HEAPF32[q]!;
+  const y = HEAPF32[p + 1]! - HEAPF32[q + 1]!;
+  const z = HEAPF32[p + 2]! - HEAPF32[q + 2]!;
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
 /** How fast the centres of mass of two bodies move against each other, m/s. */
 export function speedBetween({ HEAPF32 }: Ammo, a: number, b: number): number {
   const v = (a + BODY.linearVelocity) >> 2;

@@ -123,8 +123,12 @@ export const SEARCH_ROUNDS = 8;
 /** Rounds, at most, in which joints are brought together after a step. */
 export const CLOSING_ROUNDS = 30;
 
-/** How far rows give way at first, where rounds do not help, and at most: shares of what a row does to its bodies. */
+/**
+ * How far rows give way at first, where rounds do not help, at least, and at most: shares of what a row does to its bodies.
+ * They stop giving way by degrees: at once, every second round is undone again (a net that lands on a ball: 31 rounds, not 9).
+ */
 export const FIRST_GIVE = 1e-5;
+export const LEAST_GIVE = 1e-7;
 export const MOST_GIVE = 10;
 
 /** An error that shrinks by less in a round is hardly worth it, and so many of those are the last. */

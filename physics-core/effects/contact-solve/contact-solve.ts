@@ -8,6 +8,7 @@ import type { Effects } from '../effect/effects.js';
 import { dot3 } from '../../base/flat-math.js';
 import { BULLETS_TURN } from '../../engine/turns.js';
 import { fullTurns } from '../flight/full-turns.js';
+import { jointSolve } from '../joints/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { resting } from '../rest/resting.js';
 import { BounceEnergy } from '../../solver/energy/bounce-energy.js';
@@ -397,6 +398,7 @@ export class ContactSolve extends Effect {
       if (part.stands) this.#standing.readWays(part);
     }
     this.#solved.push(part);
+    if (part.looped) this.#joints.tell(part, this.#effects.get(jointSolve));
     this.#grips.tell(part);
     const { ammo } = this.#simulation.engine;
     for (const i of part.contacts) {

@@ -104,6 +104,15 @@ export class CoupledJoints {
     return this.#numbers[row]!;
   }
 
+  /** The joints of a part are solved here. */
+  tell({ rows }: Part, solve: JointSolve): void {
+    let before: Joint | undefined;
+    for (const i of rows) {
+      const joint = this.ownerOf(i);
+      if (joint !== before) solve.solvedInTouch((before = joint));
+    }
+  }
+
   /** Its rows where its bodies will be; only where they stand. */
   fillAhead(joint: Joint, ahead: Ahead): JointRows {
     this.#joints!.fillAhead(joint, ahead);

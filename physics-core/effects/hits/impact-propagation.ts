@@ -17,6 +17,8 @@ import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import type { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
+import { apartBetween } from '../../engine/body-heap.js';
+import { breakingAt } from '../../engine/manifold.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
 
 type KeptLink = [id: number, carried: boolean, borne: boolean];
@@ -234,11 +236,13 @@ export class ImpactPropagation extends Effect implements ContactListener {
       this.#lookAt(_, a, b);
   };
 
-  readonly #lookAt = (_: number, a: number, b: number): void => {
+  readonly #lookAt = (manifold: number, a: number, b: number): void => {
     const { engine, bullet } = this.#simulation;
     const first = this.#simulation.bodyAt(a);
     const second = this.#simulation.bodyAt(b);
     if (!first || !second || !(isRound(first) || isRound(second))) return;
+    const met = first.reach + second.reach + 2 * breakingAt(engine.ammo, manifold);
+    if (apartBetween(engine.ammo, a, b) > met) return;
     const key = keyOf(first, second);
     if (this.#seen.has(key)) return;
     this.#seen.add(key);

@@ -46,12 +46,14 @@ export interface KeptComponent {
   taut: number;
   mended: number;
   disturbed: boolean;
+  led: boolean;
   /** Joules, packed. */
   account?: string;
 }
 
 /** Solves the joints of one component after the other: finds the velocities that take its bodies to where they are whole. */
 export class ComponentSolve {
+  readonly #simulation: Simulation;
   readonly #system = new RowSystem();
   readonly #ends = new JointEnds();
   readonly bodies: JointedBodies;
@@ -76,11 +78,14 @@ export class ComponentSolve {
   readonly torn = new Set<Component>();
   /** Loops that an edit had torn a few steps ago. */
   readonly #mended = new Recent();
+  /** Those that were led on in the last step: in this one they mostly are again, and round ways are seen to then. */
+  readonly #led = new Set<Component>();
   /** Those that contacts moved in the last step: gaps of theirs are no edit's. */
   readonly #disturbed = new Set<Component>();
 
   /** `of`: it is asked for the velocities that those bodies have when their step is over. */
   constructor(simulation: Simulation, of?: JointedBodies) {
+    this.#simulation = simulation;
     this.bodies = new JointedBodies(simulation, this.#system, of);
     this.#next = new NextPoses(this.#system, this.bodies);
     this.#stabilization = new PostStabilization(simulation, this.#system, this.bodies);
@@ -128,6 +133,7 @@ export class ComponentSolve {
     this.#search.taut.forget();
     this.#mended.forget();
     this.#disturbed.clear();
+    this.#led.clear();
   }
 
   // ---- from step to step ----------------------------------------------------------------------------------------------
@@ -171,15 +177,20 @@ export class ComponentSolve {
     const taut = this.#search.taut.left(component);
     const mended = this.#mended.left(component);
     const disturbed = this.#disturbed.has(component);
+    const led = this.#led.has(component);
     const account = this.#budget.keep(component);
-    if (!taut && !mended && !disturbed && !account) return undefined;
-    return { taut, mended, disturbed, ...(account && { account: pack(account) }) };
+    if (!taut && !mended && !disturbed && !led && !account) return undefined;
+    return { taut, mended, disturbed, led, ...(account && { account: pack(account) }) };
   }
 
-  loadComponent(component: Component, { taut, mended, disturbed, account }: KeptComponent): void {
+  loadComponent(
+    component: Component,
+    { taut, mended, disturbed, led, account }: KeptComponent,
+  ): void {
     this.#search.taut.goOn(component, taut);
     this.#mended.goOn(component, mended);
     if (disturbed) this.#disturbed.add(component);
+    if (led) this.#led.add(component);
     if (account) this.#budget.goOn(component, doublesOf(account));
   }
 
@@ -207,7 +218,9 @@ export class ComponentSolve {
     else this.#budget.forget(component);
     this.bodies.noteStep(component, dt);
     this.#search.setTargets(component, dt, torn ? 0 : 1);
+    this.#search.roughly = !torn && this.#led.has(component);
     const found = this.#find(component, dt, torn ? 0 : 1);
+    this.#search.roughly = false;
     const closed = found && (torn ? this.#repair(component, dt) : this.#land(component, dt));
     const at = this.#repaired.indexOf(component);
     if (!closed) {
@@ -257,6 +270,39 @@ export class ComponentSolve {
     }
   }
 
+  /**
+   * What hangs in loops goes on, once Bullet's solver is through, at those velocities nearest to what contacts made of it that
+   * leave its joints whole: where only the closing after the step sees to that, a net on a ball takes three times the factors.
+   */
+  leadOn(component: Component, dt: number): void {
+    const before = this.#led.delete(component);
+    if (component.loops.length === 0 || this.#repaired.includes(component)) return;
+    const swerved = this.#stabilization.swerved(component);
+    if (!swerved && !before) return;
+    if (swerved) this.bodies.readMomentum(component, dt);
+    this.#system.firm = this.#search.taut.has(component);
+    if (!this.#system.again(component)) return;
+    this.#search.correct(component, dt, 1);
+    if (!this.bodies.sane(component)) return;
+    this.#stabilization.keep(component);
+    if (swerved && !this.#leadPushed(component)) return;
+    this.#stabilization.lead(component, dt);
+  }
+
+  /** Somebody else solves it in this step. */
+  leave(component: Component): void {
+    this.#led.delete(component);
+  }
+
+  /** What it is pushed by is no motion: that is taken back after the step. */
+  #leadPushed(component: Component): boolean {
+    this.bodies.readMomentum(component, 0);
+    if (!this.#system.again(component) || !this.bodies.sane(component)) return false;
+    this.#led.add(component);
+    this.#repaired.push(component);
+    return true;
+  }
+
   /** Visits the stops and motors of joint `k`. */
   eachBound(k: number, visit: (bound: Bound) => void): void {
     this.#bounded.each(k, visit);
@@ -284,7 +330,7 @@ export class ComponentSolve {
 
   /** What contacts did to joints in the step, and what the step itself left open, is brought together here. False: nothing but joints and forces acted. */
   settle(component: Component, dt: number): boolean {
-    const disturbed = this.#stabilization.disturbed(component, dt);
+    const disturbed = this.#led.has(component) || this.#stabilization.disturbed(component, dt);
     if (disturbed) this.#disturbed.add(component);
     else this.#disturbed.delete(component);
     const torn = this.torn.has(component);
@@ -293,11 +339,18 @@ export class ComponentSolve {
     this.left = 0;
     const open = this.#search.open.has(component);
     if (open || disturbed) {
-      const left = this.#closing.close(component, dt, open ? LEFT_OPEN : DISTURBED);
+      const left = this.#closing.close(component, dt, this.#mayMiss(component, dt));
       // An edit's gap is nothing to tell, nor what whips about.
       if (disturbed && !this.#mended.has(component)) this.left = left;
     }
     return disturbed || torn;
+  }
+
+  /** What closing may leave of it, m or rad: where contacts move loops, by what a step of its level may miss. */
+  #mayMiss(component: Component, dt: number): number {
+    if (!this.#led.has(component)) return this.#search.open.has(component) ? LEFT_OPEN : DISTURBED;
+    const way = dt * this.bodies.fastestOf(component);
+    return Math.min(TORN / 2, Math.max(DISTURBED, this.#simulation.bullet.settings.miss * way));
   }
 
   /** One that slept when the step began, and that Bullet woke in it: where it was moved its joints go along. */

@@ -58,6 +58,8 @@ export class JointSolve extends Effect {
   readonly #numbers = new Map<Joint, number>();
   /** Those of this step. */
   readonly #solved = new Set<Component>();
+  /** Those of them that are solved together with what touches them. */
+  readonly #inTouch = new Set<Component>();
   /** Those that slept when this step began. */
   readonly #asleep: Component[] = [];
   readonly #alone = new Set<Body>();
@@ -290,6 +292,7 @@ export class JointSolve extends Effect {
     for (const body of this.#ways.keys()) this.#takeEnds(body);
     this.#solver.begin();
     this.#solved.clear();
+    this.#inTouch.clear();
     this.#asleep.length = 0;
     for (const component of this.#forest.components)
       if (this.on && !this.#bodies.asleep(component)) this.#solve(component, dt);
@@ -297,6 +300,18 @@ export class JointSolve extends Effect {
         this.#sleepingRows.hold(component);
         if (this.on) this.#asleep.push(component);
       }
+  }
+
+  /** This step solves a joint together with what touches its bodies. */
+  solvedInTouch({ body1, body2 }: Joint): void {
+    const component = this.#componentOf.get(body1?.movable ? body1 : body2!);
+    if (component) this.#inTouch.add(component);
+  }
+
+  override solved(dt: number): void {
+    for (const component of this.#solved)
+      if (this.#inTouch.has(component)) this.#solver.leave(component);
+      else this.#solver.leadOn(component, dt);
   }
 
   override settle(dt: number): void {

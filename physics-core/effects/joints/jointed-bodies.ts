@@ -1,6 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { dot3 } from '../../base/flat-math.js';
 import { copy6, INERTIA, SIDE } from '../../solver/joints/blocks.js';
 import type { Component } from '../../solver/joints/forest.js';
 import { MATRIX, writeMatrix } from '../../base/matrix.js';
@@ -271,6 +272,38 @@ export class JointedBodies {
     momentum[p + 5] = zx * x + zy * y + inertia[n + 6]! * z + dt * load[p + 5]!;
   }
 
+  /** In the middle of a step: as contacts left them, and with what pushed them aside if that is to go on for `dt` seconds. */
+  readMomentum({ bodies }: Component, dt: number): void {
+    const { reader } = this.#simulation.engine;
+    const v = this.#out;
+    const pose = this.#pose;
+    for (const i of bodies) {
+      const { body, pointer } = this.bodies[i]!;
+      reader.velocity(body, pointer, v, 0);
+      if (dt > 0) {
+        reader.pose(body, pointer, pose, 0);
+        for (let x = 0; x < 3; x++) v[x]! += (pose[x]! - this.place[i * 3 + x]!) / dt;
+      }
+      this.#writeMomentumOf(i, v);
+    }
+  }
+
+  #writeMomentumOf(i: number, v: Float64Array): void {
+    const { inertia, momentum } = this.#system;
+    const n = i * INERTIA;
+    const p = i * SIDE;
+    for (let x = 0; x < 3; x++) momentum[p + x] = inertia[n]! * v[x]!;
+    const x = v[3]!;
+    const y = v[4]!;
+    const z = v[5]!;
+    const yx = inertia[n + 2]!;
+    const zx = inertia[n + 4]!;
+    const zy = inertia[n + 5]!;
+    momentum[p + 3] = inertia[n + 1]! * x + yx * y + zx * z;
+    momentum[p + 4] = yx * x + inertia[n + 3]! * y + zy * z;
+    momentum[p + 5] = zx * x + zy * y + inertia[n + 6]! * z;
+  }
+
   /** J v of a row by the velocities before the step. */
   rateNow(joint: number, row: number): number {
     return this.#system.rateBy(this.velocity, joint, row);
@@ -296,6 +329,14 @@ export class JointedBodies {
     let sum = 0;
     for (const i of bodies) for (let x = i * SIDE; x < (i + 1) * SIDE; x++) sum += velocity[x]!;
     return Number.isFinite(sum);
+  }
+
+  /** Of the velocities found, the greatest speed, m/s. */
+  fastestOf({ bodies }: Component): number {
+    const { velocity } = this.#system;
+    let square = 0;
+    for (const i of bodies) square = Math.max(square, dot3(velocity, i * SIDE, velocity, i * SIDE));
+    return Math.sqrt(square);
   }
 
   /** Gives the velocities found to Bullet, less what Bullet itself will add in this step. */

@@ -1,5 +1,7 @@
 import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
+import { originOf } from '../../engine/body-heap.js';
+import { writeVelocity } from '../../engine/solver-body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
@@ -55,6 +57,27 @@ export class PostStabilization {
         this.#kept[x] = this.#motion[x] = velocity[x]!;
   }
 
+  /**
+   * The velocities noted, less what Bullet has pushed bodies by already, go to Bullet: they take them to where joints are whole.
+   * Those that are found are what of that is motion.
+   */
+  lead({ bodies }: Component, dt: number): void {
+    const { ammo } = this.#simulation.engine;
+    const { velocity } = this.#system;
+    const now = this.#now;
+    for (const i of bodies) {
+      const { pointer } = this.#jointed.bodies[i]!;
+      for (let x = 0; x < SIDE; x++) now[x] = this.#kept[i * SIDE + x]!;
+      for (let x = 0; x < 3; x++)
+        now[x]! -= (originOf(ammo, pointer, x) - this.#jointed.place[i * 3 + x]!) / dt;
+      writeVelocity(ammo, pointer, now, 0);
+      for (let x = 0; x < SIDE; x++) {
+        this.#motion[i * SIDE + x] = velocity[i * SIDE + x]!;
+        this.#kept[i * SIDE + x] = velocity[i * SIDE + x]! - now[x]!;
+      }
+    }
+  }
+
   /** Those that close joints are found: notes what of them is to be taken back. */
   note({ bodies }: Component): void {
     const { velocity } = this.#system;
@@ -98,6 +121,12 @@ export class PostStabilization {
   /** Whether something else than joints and forces acted on a body in the step. */
   disturbed({ bodies }: Component, dt: number): boolean {
     for (const i of bodies) if (this.#swerved(i) || this.#pushed(i, dt)) return true;
+    return false;
+  }
+
+  /** Whether a body has another velocity than was found. */
+  swerved({ bodies }: Component): boolean {
+    for (const i of bodies) if (this.#swerved(i)) return true;
     return false;
   }
 

@@ -37,6 +37,9 @@ export class VelocitySearch {
   /** Components whose round ways could not be met: the step leaves them open. */
   readonly open = new Set<Component>();
 
+  /** Round ways are seen to later in the step. */
+  roughly = false;
+
   constructor(parts: Parts) {
     this.#parts = parts;
   }
@@ -55,6 +58,7 @@ export class VelocitySearch {
   find(component: Component, dt: number, repair: 0 | 1): boolean {
     const { system, bodies } = this.#parts;
     if (!system.solve(component)) return false;
+    if (this.roughly) return bodies.sane(component);
     this.correct(component, dt, repair);
     if (this.open.has(component) && !system.firm && component.loops.length > 0) {
       this.taut.begin(component);

@@ -3,6 +3,7 @@ import {
   CLOSING_ROUNDS,
   CLOSING_TRIES,
   FIRST_GIVE,
+  LEAST_GIVE,
   MOST_GIVE,
 } from '../tolerances.js';
 
@@ -44,7 +45,7 @@ export class Closing {
       return false;
     }
     if (this.#loops && !this.better) this.give = Math.max(FIRST_GIVE, this.give * 30);
-    else if (this.give > 0) this.give = this.give > FIRST_GIVE ? this.give / 3 : 0;
+    else if (this.give > 0) this.give = this.give > LEAST_GIVE ? this.give / 3 : 0;
     // A round that is undone and tried again with more give says nothing about what is left to gain.
     if (worst <= CLOSING_PROGRESS * this.#least) this.#slow = 0;
     else if (this.#loops && this.better) this.#slow++;
