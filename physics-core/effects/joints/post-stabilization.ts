@@ -1,7 +1,5 @@
 import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
-import { originOf } from '../../engine/body-heap.js';
-import { writeVelocity } from '../../engine/solver-body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { multiply4, writeTurn } from '../../base/flat-math.js';
@@ -62,15 +60,16 @@ export class PostStabilization {
    * Those that are found are what of that is motion.
    */
   lead({ bodies }: Component, dt: number): void {
-    const { ammo } = this.#simulation.engine;
+    const { reader, velocities } = this.#simulation.engine;
     const { velocity } = this.#system;
     const now = this.#now;
     for (const i of bodies) {
-      const { pointer } = this.#jointed.bodies[i]!;
+      const { body, pointer } = this.#jointed.bodies[i]!;
+      reader.pose(body, pointer, this.#pose, 0);
       for (let x = 0; x < SIDE; x++) now[x] = this.#kept[i * SIDE + x]!;
       for (let x = 0; x < 3; x++)
-        now[x]! -= (originOf(ammo, pointer, x) - this.#jointed.place[i * 3 + x]!) / dt;
-      writeVelocity(ammo, pointer, now, 0);
+        now[x]! -= (this.#pose[x]! - this.#jointed.place[i * 3 + x]!) / dt;
+      velocities.write(body, pointer, now, 0);
       for (let x = 0; x < SIDE; x++) {
         this.#motion[i * SIDE + x] = velocity[i * SIDE + x]!;
         this.#kept[i * SIDE + x] = velocity[i * SIDE + x]! - now[x]!;

@@ -81,7 +81,7 @@ export class Lifecycle {
       severity: 'warning',
       used: "Bullet's own settings",
       message:
-        "the memory of this Ammo build is laid out in another way: the parameters of CollisionCollections, the level's solver settings and rest are left out",
+        'the memory of this Ammo build is another: parameters of CollisionCollections, solver settings and rest are left out',
     });
   }
 
