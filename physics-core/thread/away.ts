@@ -3,6 +3,7 @@ import { debugging } from '../effects/debug/debugging.js';
 import type { Drag } from '../effects/drag/drag.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { CollidableNode } from '../nodes/collision/collidable.js';
+import type { ContactNode } from '../nodes/collision/contact-node.js';
 import { CollisionSensorNode } from '../nodes/collision/collision-sensor-node.js';
 import type { PhysicsNode } from '../nodes/node/node.js';
 import { callOf, encode } from '../timeline/calls.js';
@@ -23,8 +24,11 @@ import { Mirror } from './mirror.js';
 import { RemoteStepping } from './remote-stepping.js';
 import { hear } from './words.js';
 
-/** What sensors always tell: their outputs can be read here. */
+/** What sensors always tell: it can be read here. */
 const OF_SENSORS = ['isActive', 'intersections'];
+
+/** What they tell on from when it was first asked for: contacts are many. */
+const ONCE_ASKED = 'contacts';
 
 /** Somebody who waits for an answer. */
 interface Waiting {
@@ -59,6 +63,7 @@ export class Away implements Elsewhere {
   #coming: Promise<void> | undefined;
   readonly #later = new Deeds();
   #lost = false;
+  #passing = false;
 
   /** `open` makes the way to the other thread. */
   constructor(world: World, open: (heard: Heard) => Line) {
@@ -97,8 +102,9 @@ export class Away implements Elsewhere {
 
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T {
     if (method === 'flush') {
-      if (!this.#world.edits.pending) return work();
-      this.place();
+      const { pending } = this.#world.edits;
+      if (pending || !this.#passing) this.place();
+      if (!pending) return work();
     }
     if (args[0] === 'set_contacts')
       this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
@@ -119,7 +125,8 @@ export class Away implements Elsewhere {
       if (OF_STEPS.includes(event)) this.#listen(undefined, event, world.heard(event));
     } else {
       const node = who as PhysicsNode;
-      const always = node instanceof CollisionSensorNode && OF_SENSORS.includes(event);
+      const always =
+        node instanceof CollisionSensorNode && [...OF_SENSORS, ONCE_ASKED].includes(event);
       this.#listen(node.id, event, always || node.heard(event));
     }
   }
@@ -147,6 +154,16 @@ export class Away implements Elsewhere {
 
   place(): void {
     this.#mirror.place();
+  }
+
+  /** Time passes: nobody reads anything. */
+  flush(): void {
+    this.#passing = true;
+    try {
+      this.#world.flush();
+    } finally {
+      this.#passing = false;
+    }
   }
 
   // ---- orders -----------------------------------------------------------------------------------------------------
@@ -248,6 +265,7 @@ export class Away implements Elsewhere {
     if (node instanceof CollisionSensorNode) {
       if (event === 'isActive') node.show(detail as boolean, undefined);
       if (event === 'intersections') node.show(undefined, detail as CollidableNode[]);
+      if (event === ONCE_ASKED) node.showContacts(detail as ContactNode[]);
     }
     const { events } = this.#world;
     events.silent = false;
@@ -298,18 +316,18 @@ export class Away implements Elsewhere {
   }
 
   async #comeBack(): Promise<void> {
-    const snapshot = (await this.ask('snapshot', [])) as Snapshot;
-    if (this.#world.elsewhere !== this) return;
+    // Where there is none to come, that was told.
+    const snapshot = (await this.ask('snapshot', []).catch(() => undefined)) as
+      Snapshot | undefined;
+    if (!snapshot || this.#world.elsewhere !== this) return;
     const isNow = this.#given >= this.#since;
     const { events } = this.#world;
-    const { there, here } = { there: this.#there, here: this.#here };
     this.#leave();
     events.during(() => {
       events.silent = true;
       if (isNow) becomeAs(this.#world, snapshot);
       events.silent = false;
     });
-    here.paused = there.paused;
     this.#later.do();
     this.#world.work();
   }
@@ -327,6 +345,7 @@ export class Away implements Elsewhere {
 
   lost(error: unknown): void {
     this.#lost = true;
+    this.#there.stand();
     const message = `the worker of this world is lost (${String(error)}); it stands still until it is reset`;
     this.#world.report(
       { code: 'thread-lost', severity: 'error', value: String(error), used: 'nothing', message },
@@ -343,6 +362,7 @@ export class Away implements Elsewhere {
   #leave(): void {
     const world = this.#world;
     this.#line.close();
+    this.#mirror.end();
     if (world.elsewhere !== this) return;
     const { paused, timeScale, time } = this.#there;
     world.stepping = this.#here;

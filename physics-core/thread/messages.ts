@@ -82,5 +82,11 @@ export interface Answer {
 /** What the worker says: that it is there, what came of an order, or that it can't go on. */
 export type Message = { ready: true } | { answer: Answer } | { failed: string };
 
-/** Numbers of a body: its id, whether it sleeps, its poses at the last two steps, its velocities. */
-export const STATE = 22;
+/**
+ * Numbers of a body: its id, whether it sleeps, its poses at the last two steps, its velocities, and those that are shown: where
+ * joints hold it they are of the end of the step, and the others of its middle.
+ */
+export const STATE = 28;
+
+/** Where of those the shown ones begin. */
+export const SHOWN = 22;

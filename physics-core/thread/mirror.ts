@@ -1,9 +1,14 @@
+import type { Body } from '../dynamics/body.js';
 import { compose } from '../base/math.js';
+import { grown } from '../base/grown.js';
+import { writeMatrix } from '../base/matrix.js';
 import { POSE } from '../dynamics/poses.js';
-import { VELOCITY } from '../engine/moving-bodies.js';
+import { jointSolve } from '../effects/joints/effects.js';
+import { MovingBodies, VELOCITY } from '../engine/moving-bodies.js';
+import { BODY } from '../engine/offsets.js';
 import type { BodyNode } from '../nodes/body/body.js';
 import type { World } from '../world/world.js';
-import { STATE, type Answer } from './messages.js';
+import { SHOWN, STATE, type Answer } from './messages.js';
 
 /** Shows a world here where it is on another thread. */
 export class Mirror {
@@ -13,15 +18,21 @@ export class Mirror {
   #reviews = -1;
   /** Whose Bullet body stands where it stood. */
   readonly #late = new Set<BodyNode>();
+  /** By slot, linear then angular: those that are shown. */
+  #velocities: Float64Array = new Float64Array(0);
+  readonly #rotation = new Float64Array(9);
 
   constructor(world: World) {
     this.#world = world;
   }
 
   take({ states, count }: Answer): void {
-    const { poses, bodies } = this.#world;
+    const { poses, bodies, registry } = this.#world;
     const { moving } = bodies;
     this.#lookUp();
+    this.#velocities = roomIn(this.#velocities, moving);
+    const joints = registry.find(jointSolve);
+    if (joints) joints.shownOf = this.#shownOf;
     for (let i = 0, at = 0; i < count; i++, at += STATE) {
       const body = this.#byId.get(states[at]!);
       // It was removed here meanwhile.
@@ -32,8 +43,10 @@ export class Mirror {
         poses.previous[slot * POSE + k] = states[at + 2 + k]!;
         poses.current[slot * POSE + k] = states[at + 2 + POSE + k]!;
       }
-      for (let k = 0; k < VELOCITY; k++)
+      for (let k = 0; k < VELOCITY; k++) {
         moving.velocities[slot * VELOCITY + k] = states[at + 2 + 2 * POSE + k]!;
+        this.#velocities[slot * VELOCITY + k] = states[at + SHOWN + k]!;
+      }
       poses.mark(slot);
       this.#late.add(body);
     }
@@ -46,7 +59,12 @@ export class Mirror {
     this.#byId = new Map([...bodies].map((body) => [body.id, body]));
   }
 
-  /** Bullet's bodies stand where they are shown: before something is made, patched or looked at. */
+  readonly #shownOf = ({ slot }: Body): { velocities: Float64Array; at: number } | undefined =>
+    (slot + 1) * VELOCITY <= this.#velocities.length
+      ? { velocities: this.#velocities, at: slot * VELOCITY }
+      : undefined;
+
+  /** Bullet's bodies stand where they are shown: before something is made, patched or read of Bullet. */
   place(): void {
     if (this.#late.size === 0) return;
     for (const body of this.#late) if (body.built) this.#place(body);
@@ -54,12 +72,29 @@ export class Mirror {
     this.#world.rays.moved();
   }
 
+  /** On the heap alone: nothing is simulated from there. */
   #place(node: BodyNode): void {
     const { engine, bodies } = this.#world;
     const { p, q } = compose(node.motion.poseInBullet(), node.centerOfMass);
-    const [vx, vy, vz, wx, wy, wz] = bodies.velocityOf(node);
-    node.body.setCenterOfMassTransform(engine.scratch.transform(p, q));
-    node.body.setLinearVelocity(engine.scratch.vector(vx!, vy!, vz!));
-    node.body.setAngularVelocity(engine.scratch.vector(wx!, wy!, wz!));
+    engine.velocities.write(node.body, node.pointer, bodies.velocityOf(node), 0);
+    if (!engine.heapTrusted)
+      return node.body.setCenterOfMassTransform(engine.scratch.transform(p, q));
+    const { HEAPF32 } = engine.ammo;
+    writeMatrix(this.#rotation, 0, q, 0);
+    const basis = (node.pointer + BODY.basis) >> 2;
+    const origin = (node.pointer + BODY.origin) >> 2;
+    for (let i = 0; i < 3; i++) {
+      HEAPF32[origin + i] = p[i]!;
+      for (let k = 0; k < 3; k++) HEAPF32[basis + 4 * i + k] = this.#rotation[3 * i + k]!;
+    }
+  }
+
+  /** It is simulated here again. */
+  end(): void {
+    const joints = this.#world.registry.find(jointSolve);
+    if (joints) joints.shownOf = undefined;
   }
 }
+
+const roomIn = (velocities: Float64Array, { velocities: all }: MovingBodies): Float64Array =>
+  velocities.length < all.length ? grown(velocities, all.length) : velocities;

@@ -1,7 +1,8 @@
+import { jointSolve } from '../effects/joints/effects.js';
 import { POSE } from '../dynamics/poses.js';
 import { VELOCITY } from '../engine/moving-bodies.js';
 import type { World } from '../world/world.js';
-import { STATE } from './messages.js';
+import { SHOWN, STATE } from './messages.js';
 
 /** Which bodies a page has to hear of, and where they are. */
 export class Moved {
@@ -29,7 +30,8 @@ export class Moved {
     room: Float64Array<ArrayBuffer> = new Float64Array(0),
   ): { states: Float64Array<ArrayBuffer>; count: number } {
     const states = this.#roomFor(world, room);
-    const { poses, bodies } = world;
+    const { poses, bodies, registry } = world;
+    const joints = registry.find(jointSolve);
     let count = 0;
     for (let slot = 0; slot < this.#due.length; slot++) {
       if (!this.#due[slot]) continue;
@@ -43,8 +45,14 @@ export class Moved {
         states[at + 2 + k] = poses.previous[slot * POSE + k]!;
         states[at + 2 + POSE + k] = poses.current[slot * POSE + k]!;
       }
-      for (let k = 0; k < VELOCITY; k++)
-        states[at + 2 + 2 * POSE + k] = bodies.velocities[slot * VELOCITY + k]!;
+      const v = slot * VELOCITY;
+      const shown = joints?.velocityOf(body);
+      for (let k = 0; k < VELOCITY; k++) {
+        states[at + 2 + 2 * POSE + k] = bodies.velocities[v + k]!;
+        states[at + SHOWN + k] = shown
+          ? shown.velocities[shown.at + k]!
+          : bodies.velocities[v + k]!;
+      }
     }
     return { states, count };
   }

@@ -5,6 +5,8 @@ import type { Answer, Stretch } from './messages.js';
 /** What carries the passing of time to the other thread. */
 interface Courier {
   refuse(method: string): null;
+  /** Edits that wait are applied. */
+  flush(): void;
   /** Time passed, or there is something to do. */
   send(): void;
   readonly waits: boolean;
@@ -49,7 +51,7 @@ export class RemoteStepping extends Stepping {
 
   /** Time that passes while an answer is awaited goes with the next order. */
   override frame(seconds: number, seen: boolean): boolean {
-    this.#world.flush();
+    this.#courier.flush();
     this.singly = false;
     const last = this.#stretches.at(-1);
     if (last && last.seen && seen) last.seconds += seconds;
@@ -82,6 +84,11 @@ export class RemoteStepping extends Stepping {
     const { write } = this.ms;
     Object.assign(this.ms, stats.ms, { write });
     if (paused && !this.paused) this.paused = true;
+  }
+
+  /** No answer will come any more. */
+  stand(): void {
+    this.#needsFrame = this.#fresh = false;
   }
 
   /** Something was done here that is to be drawn. */

@@ -122,6 +122,20 @@ describe('a world in a worker', () => {
     expect(steps).to.equal(5);
   });
 
+  it('stays where a ROUTE takes what a sensor sends to physics', async () => {
+    const sensor = `<x3d-collision-sensor def="sensor">
+        <x3d-collision-collection containerfield="collider" collidables="*"></x3d-collision-collection>
+      </x3d-collision-sensor>`;
+    const route =
+      '<route fromnode="sensor" fromfield="isActive" tonode="b0" tofield="enabled"></route>';
+    const text = scene('thread="worker"', sensor).replace('id="b0"', 'def="b0"');
+    const { world } = await shown(text.replace('</scene>', `${route}</scene>`));
+    await until(() => codes(world).includes('thread-main'));
+    await until(() => world.mirrored === undefined);
+    await until(() => world.time > 0.1);
+    expect(codes(world)).to.deep.equal(['thread-main']);
+  });
+
   it('another thread is taken at the next reset', async () => {
     const { page, world } = await shown(scene(''));
     world.paused = true;

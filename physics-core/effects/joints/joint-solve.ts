@@ -218,8 +218,12 @@ export class JointSolve extends Effect {
     }
   }
 
+  /** Where steps are taken on another thread: what is heard from there. */
+  shownOf: JointSolve['velocityOf'] | undefined;
+
   /** The velocity of a body at this moment, from `at` on, where it has another; undefined: it has that. */
   velocityOf(body: Body): { velocities: Float64Array; at: number } | undefined {
+    if (this.shownOf) return this.shownOf(body);
     const component = this.#free(body);
     return component && this.#moments.of(component, body);
   }

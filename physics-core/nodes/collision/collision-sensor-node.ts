@@ -30,7 +30,8 @@ export class CollisionSensorNode extends PhysicsNode implements Sensor {
   /** The contacts of the last step that it watches, each a new node of its own. */
   #readContacts(): ContactNode[] {
     const contacts: ContactNode[] = [];
-    const { registry: effects } = this.world;
+    const { registry: effects, events } = this.world;
+    events.listened(this, 'contacts');
     effects.get(contactReader).eachWatched(this, (point, a, b, first, second) => {
       contacts.push(foundContact(this.world, point, a, b, first, second));
     });
@@ -63,6 +64,10 @@ export class CollisionSensorNode extends PhysicsNode implements Sensor {
     if (!touching) return;
     this.#touching.clear();
     for (const each of touching) this.#touching.add(each);
+  }
+
+  showContacts(contacts: ContactNode[]): void {
+    this.#contacts = contacts;
   }
 
   // ---- after each step --------------------------------------------------------------------------------------------

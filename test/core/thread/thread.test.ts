@@ -26,6 +26,10 @@ async function scene(fields = {}): Promise<World> {
   return made;
 }
 
+/** What is read of Bullet here was made of a quaternion again. */
+const rounded = (_: string, value: unknown): unknown =>
+  typeof value === 'number' ? Math.round(value * 1e5) / 1e5 : value;
+
 const body = (of: World, name: string): Body => of.node(name) as Body;
 
 test('steps on the other side are the same bits', async () => {
@@ -113,6 +117,65 @@ test('sensors tell, and can be read', async () => {
   const [contact] = heard.at(-1) as Node[];
   assert.ok(Math.abs((contact!.get('contactNormal') as Vec3)[1]) > 0.99);
   assert.equal((contact!.get('body1') as Node).world, of);
+  closeWorlds();
+});
+
+test('contacts of a sensor can be read once they were asked for', async () => {
+  const of = await scene();
+  const collider = of.add('CollisionCollection', { collidables: '*' });
+  const sensor = of.add('CollisionSensor', { collider });
+  goAway(of);
+  await of.ask('step', 120);
+  assert.deepEqual(sensor.get('contacts'), []);
+  await of.ask('step', 10);
+  assert.ok((sensor.get('contacts') as Node[]).length > 2);
+  closeWorlds();
+});
+
+test('outputs of joints, velocities and stats are those of the step that came back', async () => {
+  const worlds = [await scene(), await scene()] as const;
+  for (const of of worlds) {
+    const door = of.add('RigidBody', { position: [-6, 3, 0], geometry: [box] }, { name: 'door' });
+    const frame = of.add('RigidBody', { position: [-8, 3, 0], fixed: true, geometry: [box] });
+    const hinge = { body1: frame, body2: door, anchorPoint: [-7, 3, 0], axis: [0, 0, 1] };
+    of.add('SingleAxisHingeJoint', { ...hinge, forceOutput: ['ALL'] }, { name: 'hinge' });
+  }
+  const [here, there] = worlds;
+  goAway(there);
+  here.step(77);
+  await there.ask('step', 77);
+  const outputs = (of: World): unknown[] => {
+    const hinge = of.node('hinge') as Node;
+    const { bodies, awake, joints, contacts } = of.stats;
+    return [
+      ...['angle', 'angleRate', 'body1AnchorPoint', 'body2AnchorPoint'].map((name) =>
+        hinge.get(name),
+      ),
+      body(of, 'door').get('linearVelocity'),
+      body(of, 'bob').get('angularVelocity'),
+      { bodies, awake, joints, contacts },
+    ];
+  };
+  const [one, other] = [outputs(there), outputs(here)].map((all) => JSON.stringify(all, rounded));
+  assert.equal(one, other);
+  closeWorlds();
+});
+
+test('what is lost is told once, stands still, and begins anew by reset()', async () => {
+  const of = await scene();
+  const away = goAway(of);
+  await of.ask('step', 20);
+  const waiting = of.ask('step', 20);
+  away.lost(new Error('no memory'));
+  await assert.rejects(waiting, /no memory/);
+  await assert.rejects(of.ask('step'), /lost/);
+  of.frame(1 / 60);
+  assert.equal(of.stepping.needsFrame, false);
+  claim(of, 'thread-lost');
+  of.reset();
+  assert.equal(of.elsewhere, undefined);
+  of.step(20);
+  assert.ok(of.time > 0.16);
   closeWorlds();
 });
 
