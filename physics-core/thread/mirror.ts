@@ -5,7 +5,7 @@ import { writeMatrix } from '../base/matrix.js';
 import { POSE } from '../dynamics/poses.js';
 import { jointSolve } from '../effects/joints/effects.js';
 import { MovingBodies, VELOCITY } from '../engine/moving-bodies.js';
-import { BODY } from '../engine/offsets.js';
+import { placeBody } from '../engine/place-body.js';
 import type { BodyNode } from '../nodes/body/body.js';
 import type { World } from '../world/world.js';
 import { SHOWN, STATE, type Answer } from './messages.js';
@@ -79,14 +79,8 @@ export class Mirror {
     engine.velocities.write(node.body, node.pointer, bodies.velocityOf(node), 0);
     if (!engine.heapTrusted)
       return node.body.setCenterOfMassTransform(engine.scratch.transform(p, q));
-    const { HEAPF32 } = engine.ammo;
     writeMatrix(this.#rotation, 0, q, 0);
-    const basis = (node.pointer + BODY.basis) >> 2;
-    const origin = (node.pointer + BODY.origin) >> 2;
-    for (let i = 0; i < 3; i++) {
-      HEAPF32[origin + i] = p[i]!;
-      for (let k = 0; k < 3; k++) HEAPF32[basis + 4 * i + k] = this.#rotation[3 * i + k]!;
-    }
+    placeBody(engine.ammo, node.pointer, p, this.#rotation);
   }
 
   /** It is simulated here again. */
