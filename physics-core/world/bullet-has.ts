@@ -24,6 +24,7 @@ export function bulletHas(
   node: PhysicsNode,
   nameOf: NameOf = ({ label }) => label,
 ): Record<string, unknown> | undefined {
+  node.world.flush();
   if (!node.built || !node.world.started) return undefined;
   if (node instanceof BodyNode) return bodyIn(node, nameOf);
   if (isJoint(node)) return node.inBullet;
@@ -90,10 +91,11 @@ function worldIn(collection: CollectionNode): Record<string, unknown> {
   return { level: world.accuracy, timeStep: world.timeStep, ...solver, bodies, joints, contacts };
 }
 
-/** What a body, or a collidable without one, touches now; undefined for other nodes. */
+/** What a body, or a collidable without one, touches now; undefined for other nodes, and where steps are taken elsewhere. */
 export function touchedBy(node: PhysicsNode): PhysicsNode[] | undefined {
   const body = node instanceof CollidableNode ? node.obstacle : node;
   if (!(body instanceof BodyNode) || !body.built || !body.world.started) return undefined;
+  if (body.world.events.silent) return undefined;
   // Without that code there is no second body.
   const others = contacts.here ? contacts.code.touchedBy(body.world, body) : [];
   return [...new Set([...others].map((other) => (other as BodyNode).standsFor))];

@@ -21,7 +21,7 @@ interface Selective extends PhysicsNode {
   outputs?(field: string): boolean;
 }
 
-const FEEDS = 'its ROUTEs lead to physics, and act in the step that sends along them';
+const FEEDS = 'its ROUTEs to physics act within a step';
 
 const bindingOf = ({ element }: PhysicsX3DNode): Binding => ownBinding(element!)!;
 
