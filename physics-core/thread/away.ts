@@ -48,7 +48,7 @@ export class Away implements Elsewhere {
   readonly #mirror: Mirror;
   readonly #line: Line;
   #deeds: Deed[] = [];
-  readonly #drags = new Map<object, number>();
+  readonly #drags = new WeakMap<object, number>();
   #drag = 0;
   #nodes = new Map<number, PhysicsNode>();
   /** Orders that were given, the last one that was answered, and the one from which on answers count. */
@@ -106,6 +106,7 @@ export class Away implements Elsewhere {
       if (pending || !this.#passing) this.place();
       if (!pending) return work();
     }
+    if (this.#lost) return work();
     if (args[0] === 'set_contacts')
       this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
     if (this.#coming) this.#later.putOff({ who, method, args });
@@ -170,6 +171,10 @@ export class Away implements Elsewhere {
 
   get waits(): boolean {
     return !this.#lost && (this.#deeds.length > 0 || this.#answered < this.#given);
+  }
+
+  get begins(): boolean {
+    return this.#given > 0 && this.#answered === 0;
   }
 
   /** One at a time: the next one waits for the answer. */

@@ -1,5 +1,4 @@
 // What a page and the worker of a world say to each other. Orders are numbered, and carried out one after the other.
-import type { LevelName } from '../dynamics/levels.js';
 import type { ProblemReport } from '../base/problems.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { Call } from '../world/recording.js';
@@ -69,8 +68,8 @@ export interface Answer {
   fraction: number;
   time: number;
   taken: number;
-  level: LevelName;
-  paused: boolean;
+  /** It paused of itself: it has no more memory. */
+  stopped: boolean;
   /** Whether it needs another frame. */
   needsFrame: boolean;
   said: Said[];

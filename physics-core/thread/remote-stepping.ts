@@ -10,6 +10,8 @@ interface Courier {
   /** Time passed, or there is something to do. */
   send(): void;
   readonly waits: boolean;
+  /** Nothing was answered yet: the worker is being loaded, and that is no time of the world's. */
+  readonly begins: boolean;
 }
 
 /** How a world passes time whose steps are taken on another thread. */
@@ -53,12 +55,16 @@ export class RemoteStepping extends Stepping {
   override frame(seconds: number, seen: boolean): boolean {
     this.#courier.flush();
     this.singly = false;
-    const last = this.#stretches.at(-1);
-    if (last && last.seen && seen) last.seconds += seconds;
-    else this.#stretches.push({ seconds, seen });
+    this.#note(this.#courier.begins ? 0 : seconds, seen);
     this.#courier.send();
     this.#draw();
     return this.needsFrame;
+  }
+
+  #note(seconds: number, seen: boolean): void {
+    const last = this.#stretches.at(-1);
+    if (last?.seen && seen) last.seconds += seconds;
+    else this.#stretches.push({ seconds, seen });
   }
 
   #draw(): void {
@@ -75,7 +81,7 @@ export class RemoteStepping extends Stepping {
     return stretches;
   }
 
-  take({ time, taken, fraction, needsFrame, stats, paused }: Answer): void {
+  take({ time, taken, fraction, needsFrame, stats, stopped }: Answer): void {
     this.setTime(time);
     this.#taken = taken;
     this.#fraction = fraction;
@@ -83,7 +89,7 @@ export class RemoteStepping extends Stepping {
     this.#fresh = true;
     const { write } = this.ms;
     Object.assign(this.ms, stats.ms, { write });
-    if (paused && !this.paused) this.paused = true;
+    if (stopped) this.paused = true;
   }
 
   /** No answer will come any more. */
