@@ -161,6 +161,35 @@ test('outputs of joints, velocities and stats are those of the step that came ba
   closeWorlds();
 });
 
+test('what is said of pausing holds, whatever was answered meanwhile', async () => {
+  const of = await scene();
+  goAway(of);
+  of.paused = true;
+  of.frame(1 / 60);
+  of.paused = false;
+  await answered(of);
+  assert.equal(of.paused, false);
+  of.frame(1 / 60);
+  of.paused = true;
+  await answered(of);
+  const { time } = of;
+  of.frame(1 / 60);
+  await answered(of);
+  assert.equal(of.paused, true);
+  assert.equal(of.time, time);
+  closeWorlds();
+});
+
+test('the time that the other side takes to begin is no time of the world', async () => {
+  const of = await scene();
+  goAway(of);
+  for (let i = 0; i < 100; i++) of.frame(1 / 60);
+  await answered(of);
+  assert.ok(of.time <= 1 / 60);
+  assert.equal(of.stats.dropped, 0);
+  closeWorlds();
+});
+
 test('what is lost is told once, stands still, and begins anew by reset()', async () => {
   const of = await scene();
   const away = goAway(of);
