@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
 import { worldOf } from '../../../../elements/index.js';
-import { drags, nodeTypes, type Problem } from '../../../../physics-core/inside.js';
+import { drags, nodeTypes, threads, type Problem } from '../../../../physics-core/inside.js';
 import type { NodeData } from '../../../conformance/fact.js';
 import { fieldText, markup, nodesIn, typesByName } from '../../../conformance/markup.js';
 import { kebab, tags } from '../../../conformance/page-driver.js';
@@ -58,7 +58,7 @@ class PageEditor implements Editor {
 
   /** An edit that has code fetched would hold time still. */
   async ready(): Promise<void> {
-    await Promise.all([this.world.ready, drags.load()]);
+    await Promise.all([this.world.ready, drags.load(), threads.load()]);
   }
 
   /** As the walk finds it. */
