@@ -14,22 +14,20 @@ export const originOf = ({ HEAPF32 }: Ammo, body: number, i: number): number =>
   HEAPF32[((body + BODY.origin) >> 2) + i]!;
 
 /** How far apart the centres of mass of two bodies are, metres. */
-export function apartBetween({ HEAPF32 }: Ammo, a: number, b: number): number {
-  const p = (a + BODY.origin) >> 2;
-  const q = (b + BODY.origin) >> 2;
-  const x = HEAPF32[p]! - HEAPF32[q]!;
-  const y = HEAPF32[p + 1]! - HEAPF32[q + 1]!;
-  const z = HEAPF32[p + 2]! - HEAPF32[q + 2]!;
-  return Math.sqrt(x * x + y * y + z * z);
-}
+export const apartBetween = ({ HEAPF32 }: Ammo, a: number, b: number): number =>
+  distance(HEAPF32, a + BODY.origin, b + BODY.origin);
 
 /** How fast the centres of mass of two bodies move against each other, m/s. */
-export function speedBetween({ HEAPF32 }: Ammo, a: number, b: number): number {
-  const v = (a + BODY.linearVelocity) >> 2;
-  const w = (b + BODY.linearVelocity) >> 2;
-  const x = HEAPF32[v]! - HEAPF32[w]!;
-  const y = HEAPF32[v + 1]! - HEAPF32[w + 1]!;
-  const z = HEAPF32[v + 2]! - HEAPF32[w + 2]!;
+export const speedBetween = ({ HEAPF32 }: Ammo, a: number, b: number): number =>
+  distance(HEAPF32, a + BODY.linearVelocity, b + BODY.linearVelocity);
+
+/** Of two triples, by their addresses. */
+function distance(heap: Float32Array, a: number, b: number): number {
+  const p = a >> 2;
+  const q = b >> 2;
+  const x = heap[p]! - heap[q]!;
+  const y = heap[p + 1]! - heap[q + 1]!;
+  const z = heap[p + 2]! - heap[q + 2]!;
   return Math.sqrt(x * x + y * y + z * z);
 }
 

@@ -33,6 +33,8 @@ const ONCE_ASKED = 'contacts';
 /** Somebody who waits for an answer. */
 interface Waiting {
   number: number;
+  method: string;
+  args: readonly unknown[];
   resolve(value: unknown): void;
   reject(error: unknown): void;
 }
@@ -133,7 +135,7 @@ export class Away implements Elsewhere {
   }
 
   #listen(node: number | undefined, event: string, heard: boolean): void {
-    this.#deeds.push({ listening: { node, event, heard } });
+    if (!this.#lost) this.#deeds.push({ listening: { node, event, heard } });
   }
 
   begunAnew(goesOn: boolean): void {
@@ -208,7 +210,9 @@ export class Away implements Elsewhere {
     this.#world.flush();
     if (method === 'step') this.#there.singly = args[0] === undefined || args[0] === 1;
     const number = this.#order({ method, args: args.map(encode) });
-    return new Promise((resolve, reject) => this.#waiting.push({ number, resolve, reject }));
+    return new Promise((resolve, reject) =>
+      this.#waiting.push({ number, method, args, resolve, reject }),
+    );
   }
 
   refuse(method: string): null {
@@ -337,14 +341,15 @@ export class Away implements Elsewhere {
     this.#world.work();
   }
 
-  /** Nobody is there: all that was done was done here, and no time has passed. */
+  /** Nobody is there: all that was done was done here, no time has passed, and what was asked is answered here. */
   missing(error: unknown): void {
     const world = this.#world;
     const why = error instanceof Error ? error.message : String(error);
     world.bound = { why: `no worker can be had (${why})` };
     reportMain(world, world.bound);
     this.#leave();
-    for (const { resolve } of this.#waiting.splice(0)) resolve(undefined);
+    for (const { method, args, resolve } of this.#waiting.splice(0))
+      resolve(world.ask(method, ...args));
     world.work();
   }
 

@@ -5,8 +5,8 @@ interface Deed {
   args: readonly unknown[];
 }
 
-/** What comes about by itself again, or has come about. */
-const NOT_AGAIN = ['add', 'flush', 'remove', 'belongTo'];
+/** What comes about by itself again, or has come about; whoever took hold of a body was told that he holds it no more. */
+const NOT_AGAIN = ['add', 'flush', 'remove', 'belongTo', 'drag', 'move', 'end', 'cancel'];
 
 /** The last word about a field counts. */
 const OF_FIELDS = ['set', 'event', 'unset'];

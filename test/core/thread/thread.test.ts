@@ -190,6 +190,37 @@ test('the time that the other side takes to begin is no time of the world', asyn
   closeWorlds();
 });
 
+test('where no worker can be had the world runs here, and answers what was asked', async () => {
+  const [here, there] = [await scene(), await scene()];
+  const away = goAway(there);
+  body(there, 'b1').set('mass', 3);
+  const asked = there.ask('step', 30);
+  away.missing(new Error('forbidden'));
+  claim(there, 'thread-main');
+  assert.equal(await asked, 0.25);
+  here.flush();
+  body(here, 'b1').set('mass', 3);
+  here.step(30);
+  assert.equal(hashOf(there), hashOf(here));
+  closeWorlds();
+});
+
+test('a body that is held when its world comes back is let go, and nobody holds it unseen', async () => {
+  const of = await scene();
+  goAway(of);
+  await of.ask('step', 10);
+  of.on('beforestep', () => {});
+  const ends: string[] = [];
+  const drag = body(of, 'bob').drag([6, 4, 0], (reason) => ends.push(reason))!;
+  drag.move([6, 9, 0]);
+  await answered(of);
+  claim(of, 'thread-main');
+  assert.deepEqual(ends, ['reset']);
+  assert.equal(drag.held, false);
+  assert.equal(of.effects.find(({ name }) => name === 'dragging')!.active, false);
+  closeWorlds();
+});
+
 test('what is lost is told once, stands still, and begins anew by reset()', async () => {
   const of = await scene();
   const away = goAway(of);
