@@ -358,11 +358,14 @@ export class ComponentSolve {
     if (this.bodies.woken(component)) this.#closing.close(component, dt, DISTURBED);
   }
 
-  /** What was moved together again shall not go on moving. `tell`: where more than that had to be taken, m/s. */
+  /**
+   * What was moved together again shall not go on moving. `tell`: where more than that had to be taken, m/s; what a hit gives a
+   * knot of a net on its way, though its joints would not let it, is no tear.
+   */
   takeBack(tell: (component: Component, speed: number) => void): void {
     for (const component of this.#repaired) {
       const speed = this.#stabilization.takeBack(component, this.torn.has(component));
-      if (speed > 0) tell(component, speed);
+      if (speed > 0 && !this.#led.has(component)) tell(component, speed);
     }
     for (const component of this.torn) this.#tornJoints.turnSpins(component);
   }
