@@ -113,12 +113,23 @@ export class Away implements Elsewhere {
       this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
     if (this.#coming) this.#later.putOff({ who, method, args });
     const number = method === 'drag' ? ++this.#drag : this.#drags.get(who);
-    this.#deeds.push({ call: callOf(this.#world, who, number, 0, method, args) });
-    const result = work();
+    const deed = { call: callOf(this.#world, who, number, 0, method, args) };
+    this.#deeds.push(deed);
+    const result = this.#done(deed, work);
     if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
     if (result instanceof CollisionSensorNode) this.#introduce(result);
     this.#there.done();
     return result;
+  }
+
+  /** What throws is not done there either. */
+  #done<T>(deed: Deed, work: () => T): T {
+    try {
+      return work();
+    } catch (error) {
+      this.#deeds = this.#deeds.filter((each) => each !== deed);
+      throw error;
+    }
   }
 
   listened(who: object, event: string): void {
@@ -172,7 +183,11 @@ export class Away implements Elsewhere {
   // ---- orders -----------------------------------------------------------------------------------------------------
 
   get waits(): boolean {
-    return !this.#lost && (this.#deeds.length > 0 || this.#answered < this.#given);
+    return !this.#lost && this.#answered < this.#given;
+  }
+
+  get due(): boolean {
+    return !this.#lost && (this.#deeds.length > 0 || this.#given === 0);
   }
 
   get begins(): boolean {
@@ -186,15 +201,12 @@ export class Away implements Elsewhere {
   }
 
   #order(ask: Order['ask']): number {
-    const { paused, timeScale } = this.#there;
     const room = this.#room;
     this.#room = undefined;
     const order: Order = {
       number: ++this.#given,
       deeds: this.#deeds,
-      stretches: this.#there.passed(),
-      paused,
-      timeScale,
+      ...this.#there.passed(),
       watched: this.#watched,
       ask,
       room,
@@ -246,9 +258,10 @@ export class Away implements Elsewhere {
   }
 
   #show(answer: Answer): void {
+    const stepped = answer.taken !== this.step;
     this.#last = answer;
     this.#costs = answer.effects ?? this.#costs;
-    this.#mirror.take(answer);
+    this.#mirror.take(answer, stepped);
     this.#there.take(answer);
     if (this.#world.registry.active(debugging)) this.place();
     const { events } = this.#world;

@@ -18,7 +18,9 @@ export class Mirror {
   #reviews = -1;
   /** Whose Bullet body stands where it stood. */
   readonly #late = new Set<BodyNode>();
-  /** By slot, linear then angular: those that are shown. */
+  /** By slot, linear then angular, as they were told. */
+  #told: Float64Array = new Float64Array(0);
+  /** And those that are shown. */
   #velocities: Float64Array = new Float64Array(0);
   readonly #rotation = new Float64Array(9);
 
@@ -26,10 +28,13 @@ export class Mirror {
     this.#world = world;
   }
 
-  take({ states, count }: Answer): void {
+  /** `stepped`: since the last one; what moves is told anew with each step, and the rest stands. */
+  take({ states, count }: Answer, stepped: boolean): void {
     const { poses, bodies, registry } = this.#world;
     const { moving } = bodies;
     this.#lookUp();
+    if (stepped) poses.shift();
+    this.#told = roomIn(this.#told, moving);
     this.#velocities = roomIn(this.#velocities, moving);
     const joints = registry.find(jointSolve);
     if (joints) joints.shownOf = this.#shownOf;
@@ -44,7 +49,8 @@ export class Mirror {
         poses.current[slot * POSE + k] = states[at + 2 + POSE + k]!;
       }
       for (let k = 0; k < VELOCITY; k++) {
-        moving.velocities[slot * VELOCITY + k] = states[at + 2 + 2 * POSE + k]!;
+        const velocity = states[at + 2 + 2 * POSE + k]!;
+        moving.velocities[slot * VELOCITY + k] = this.#told[slot * VELOCITY + k] = velocity;
         this.#velocities[slot * VELOCITY + k] = states[at + SHOWN + k]!;
       }
       poses.mark(slot);
@@ -59,10 +65,14 @@ export class Mirror {
     this.#byId = new Map([...bodies].map((body) => [body.id, body]));
   }
 
-  readonly #shownOf = ({ slot }: Body): { velocities: Float64Array; at: number } | undefined =>
-    (slot + 1) * VELOCITY <= this.#velocities.length
-      ? { velocities: this.#velocities, at: slot * VELOCITY }
-      : undefined;
+  /** Until its velocity is given anew. */
+  readonly #shownOf = ({ slot }: Body): { velocities: Float64Array; at: number } | undefined => {
+    const at = slot * VELOCITY;
+    if (at + VELOCITY > this.#told.length) return undefined;
+    const { velocities } = this.#world.bodies;
+    for (let k = at; k < at + VELOCITY; k++) if (velocities[k] !== this.#told[k]) return undefined;
+    return { velocities: this.#velocities, at };
+  };
 
   /** Bullet's bodies stand where they are shown: before something is made, patched or read of Bullet. */
   place(): void {

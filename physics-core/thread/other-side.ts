@@ -41,9 +41,13 @@ export class OtherSide extends World {
   }
 
   #tellProblem({ element, ...problem }: Problem): void {
-    if (this.#quiet && !OWN.includes(problem.code)) return;
+    if (!this.#tells(problem)) return;
     const value = tell(problem.value);
     this.#say({ node: numberOf(element), problem: { ...problem, value } satisfies ProblemReport });
+  }
+
+  #tells({ code }: Pick<Problem, 'code'>): boolean {
+    return !this.#quiet || OWN.includes(code);
   }
 
   /** It is where it was to be. */
@@ -51,7 +55,10 @@ export class OtherSide extends World {
 
   override settle(about: unknown, attribute?: string, code?: string): void {
     const known = this.problemsOf(about).some(
-      (each) => (!attribute || each.attribute === attribute) && (!code || each.code === code),
+      (each) =>
+        (!attribute || each.attribute === attribute) &&
+        (!code || each.code === code) &&
+        this.#tells(each),
     );
     super.settle(about, attribute, code);
     if (known) this.#say({ node: numberOf(about), settled: { attribute, code } });

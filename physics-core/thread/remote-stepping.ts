@@ -1,6 +1,7 @@
+import { frameCosts } from '../effects/costs/frame-costs.js';
 import { Stepping } from '../world/stepping/stepping.js';
 import type { World } from '../world/world.js';
-import type { Answer, Stretch } from './messages.js';
+import type { Answer, Order, Stretch } from './messages.js';
 
 /** What carries the passing of time to the other thread. */
 interface Courier {
@@ -9,6 +10,8 @@ interface Courier {
   flush(): void;
   /** Time passed, or there is something to do. */
   send(): void;
+  /** Something was done here of which the other side has not heard. */
+  readonly due: boolean;
   readonly waits: boolean;
   /** Nothing was answered yet: the worker is being loaded, and that is no time of the world's. */
   readonly begins: boolean;
@@ -24,6 +27,9 @@ export class RemoteStepping extends Stepping {
   /** Something is to be drawn since the last frame. */
   #fresh = true;
   #fraction = 1;
+  /** What the other side last heard. */
+  #paused = false;
+  #timeScale = 1;
 
   constructor(world: World, courier: Courier) {
     super(world);
@@ -55,10 +61,19 @@ export class RemoteStepping extends Stepping {
   override frame(seconds: number, seen: boolean): boolean {
     this.#courier.flush();
     this.singly = false;
-    this.#note(this.#courier.begins ? 0 : seconds, seen);
-    this.#courier.send();
+    if (this.#goesOn) {
+      this.#note(this.#courier.begins ? 0 : seconds, seen);
+      this.#courier.send();
+    }
     this.#draw();
     return this.needsFrame;
+  }
+
+  /** Where all is at rest, and nothing was done, there is nothing to say. */
+  get #goesOn(): boolean {
+    if (this.#courier.due || this.#courier.waits) return true;
+    if (this.paused !== this.#paused || this.timeScale !== this.#timeScale) return true;
+    return this.running && this.#needsFrame;
   }
 
   #note(seconds: number, seen: boolean): void {
@@ -74,15 +89,19 @@ export class RemoteStepping extends Stepping {
     this.#fresh = false;
   }
 
-  /** What passed since it was asked last. */
-  passed(): Stretch[] {
+  /** What passed since it was asked last, and how time is to go on. */
+  passed(): Pick<Order, 'stretches' | 'paused' | 'timeScale'> {
+    const { paused, timeScale } = this;
     const stretches = this.#stretches;
     this.#stretches = [];
-    return stretches;
+    this.#paused = paused;
+    this.#timeScale = timeScale;
+    return { stretches, paused, timeScale };
   }
 
   take({ time, taken, fraction, needsFrame, stats, stopped }: Answer): void {
     this.setTime(time);
+    if (taken > this.#taken) this.#world.registry.caused(frameCosts)?.afterStep();
     this.#taken = taken;
     this.#fraction = fraction;
     this.#needsFrame = needsFrame;
@@ -108,6 +127,6 @@ export class RemoteStepping extends Stepping {
   }
 
   override get needsFrame(): boolean {
-    return this.#fresh || this.#courier.waits || (this.running && this.#needsFrame);
+    return this.#fresh || this.#goesOn;
   }
 }

@@ -15,14 +15,21 @@ const isPlain = (value: object): boolean => {
 /** An argument that is left out: JSON would make null of it. */
 const LEFT_OUT = { leftOut: true };
 
-export function encode(value: unknown): unknown {
+const PLAIN = ['boolean', 'number', 'string'];
+
+/** What holds itself is no data, either. */
+export const encode = (value: unknown): unknown => encodeIn(value, []);
+
+function encodeIn(value: unknown, holders: readonly object[]): unknown {
+  if (value === null || PLAIN.includes(typeof value)) return value;
   if (value instanceof PhysicsNode) return { nodeId: value.id } satisfies Reference;
-  if (value === undefined || typeof value === 'function') return LEFT_OUT;
-  if (typeof value !== 'object' || value === null) return value;
-  if (Array.isArray(value)) return value.map(encode);
+  if (typeof value !== 'object' || holders.includes(value)) return LEFT_OUT;
   if (ArrayBuffer.isView(value)) return Array.from(value as unknown as ArrayLike<number>);
+  const within = [...holders, value];
+  if (Array.isArray(value)) return value.map((one) => encodeIn(one, within));
   if (!isPlain(value)) return LEFT_OUT;
-  return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, encode(one)]));
+  const entries = Object.entries(value).map(([name, one]) => [name, encodeIn(one, within)]);
+  return Object.fromEntries(entries);
 }
 
 /** `node`: by its number. */
