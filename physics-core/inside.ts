@@ -63,6 +63,7 @@ export async function debugLines(world: World): Promise<DebugLines> {
   return outlines.code.lines(world, {
     flush: () => world.flush(),
     joints: () => [...world.nodes].filter(isJoint),
+    contacts: () => world.elsewhere?.contacts,
   });
 }
 

@@ -1,6 +1,7 @@
 import { levelNamed } from '../dynamics/levels.js';
 import { debugging } from '../effects/debug/debugging.js';
 import type { Drag } from '../effects/drag/drag.js';
+import type { CollisionEnd } from '../effects/contacts/touches.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { CollidableNode } from '../nodes/collision/collidable.js';
 import type { ContactNode } from '../nodes/collision/contact-node.js';
@@ -17,6 +18,7 @@ import type { Stepping } from '../world/stepping/stepping.js';
 import type { Stats } from '../world/store/types.js';
 import type { Bound, Elsewhere } from '../world/threading.js';
 import type { World } from '../world/world.js';
+import { Begun } from './begun.js';
 import { BEFORE_STEP, GIVEN, reportMain } from './bound.js';
 import type { Heard, Line } from './line.js';
 import type { Answer, Deed, EffectCosts, Order, Said } from './messages.js';
@@ -29,6 +31,8 @@ const OF_SENSORS = ['isActive', 'intersections'];
 
 /** What they tell on from when it was first asked for: contacts are many. */
 const ONCE_ASKED = 'contacts';
+
+const NONE = new Float64Array(0);
 
 /** Somebody who waits for an answer. */
 interface Waiting {
@@ -62,8 +66,10 @@ export class Away implements Elsewhere {
   #room: Float64Array<ArrayBuffer> | undefined;
   #costs: EffectCosts = {};
   #watched = false;
+  #marked = false;
   #coming: Promise<void> | undefined;
   readonly #later = new Deeds();
+  readonly #begun = new Begun();
   #lost = false;
   #passing = false;
 
@@ -96,7 +102,8 @@ export class Away implements Elsewhere {
 
   #introduce(node: PhysicsNode): void {
     const sensed = node instanceof CollisionSensorNode ? OF_SENSORS : [];
-    for (const event of new Set([...sensed, ...node.heardEvents]))
+    const begins = node.heard('collisionend') ? ['collisionstart'] : [];
+    for (const event of new Set([...sensed, ...begins, ...node.heardEvents]))
       this.#listen(node.id, event, true);
   }
 
@@ -142,6 +149,9 @@ export class Away implements Elsewhere {
       const always =
         node instanceof CollisionSensorNode && [...OF_SENSORS, ONCE_ASKED].includes(event);
       this.#listen(node.id, event, always || node.heard(event));
+      // Who is told of an end has to be told of it by this world, too, if it goes on here or ends.
+      if (event === 'collisionend')
+        this.#listen(node.id, 'collisionstart', node.heard(event) || node.heard('collisionstart'));
     }
   }
 
@@ -150,7 +160,7 @@ export class Away implements Elsewhere {
   }
 
   begunAnew(goesOn: boolean): void {
-    if (this.#lost || !goesOn) return this.end();
+    if (this.#lost || !goesOn) return this.end('reset');
     this.#deeds.push({ call: callOf(this.#world, undefined, undefined, 0, 'reset', []) });
     this.#forget();
   }
@@ -206,8 +216,9 @@ export class Away implements Elsewhere {
     const order: Order = {
       number: ++this.#given,
       deeds: this.#deeds,
-      ...this.#there.passed(),
+      ...this.#there.news(),
       watched: this.#watched,
+      marked: this.#marked,
       ask,
       room,
     };
@@ -219,12 +230,14 @@ export class Away implements Elsewhere {
   ask(method: string, args: readonly unknown[]): Promise<unknown> {
     if (this.#lost) return Promise.reject(new Error('the worker of this world is lost'));
     if (this.#coming) return this.#coming.then(() => this.#world.ask(method, ...args));
-    this.#world.flush();
     if (method === 'step') this.#there.singly = args[0] === undefined || args[0] === 1;
-    const number = this.#order({ method, args: args.map(encode) });
-    return new Promise((resolve, reject) =>
-      this.#waiting.push({ number, method, args, resolve, reject }),
-    );
+    return new Promise((resolve, reject) => this.#request({ method, args, resolve, reject }));
+  }
+
+  #request(of: Omit<Waiting, 'number'>): void {
+    this.#world.flush();
+    const number = this.#order({ method: of.method, args: of.args.map(encode) });
+    this.#waiting.push({ number, ...of });
   }
 
   refuse(method: string): null {
@@ -293,6 +306,7 @@ export class Away implements Elsewhere {
     events.silent = false;
     node.emit(event, detail);
     events.silent = true;
+    this.#begun.note(node, event, detail);
   }
 
   #goTo({ level, because, p90 }: AccuracyChange): void {
@@ -328,19 +342,29 @@ export class Away implements Elsewhere {
     return this.#world.registry.report().map((one) => ({ ...one, ...this.#costs[one.name] }));
   }
 
+  get contacts(): Float64Array {
+    this.#marked = true;
+    return this.#last?.contacts ?? NONE;
+  }
+
   // ---- the end ----------------------------------------------------------------------------------------------------
 
   comeBack(bound: Bound): Promise<void> {
     if (this.#lost) return Promise.resolve();
     if (!this.#coming) reportMain(this.#world, bound);
-    this.#coming ??= this.#comeBack();
+    this.#coming ??= new Promise((done) => {
+      const land = (snapshot?: unknown): void => {
+        this.#land(snapshot as Snapshot | undefined);
+        done();
+      };
+      // Where there is none to come, that was told.
+      this.#request({ method: 'snapshot', args: [], resolve: land, reject: () => land() });
+    });
     return this.#coming;
   }
 
-  async #comeBack(): Promise<void> {
-    // Where there is none to come, that was told.
-    const snapshot = (await this.ask('snapshot', []).catch(() => undefined)) as
-      Snapshot | undefined;
+  /** Goes on from there. */
+  #land(snapshot: Snapshot | undefined): void {
     if (!snapshot || this.#world.elsewhere !== this) return;
     const isNow = this.#given >= this.#since;
     const { events } = this.#world;
@@ -377,8 +401,10 @@ export class Away implements Elsewhere {
     for (const { reject } of this.#waiting.splice(0)) reject(new Error(message));
   }
 
-  end(): void {
+  end(reason: CollisionEnd): void {
+    const { time } = this.#there;
     this.#leave();
+    this.#begun.end(reason, time);
     for (const { reject } of this.#waiting.splice(0)) reject(new Error('the world has ended'));
   }
 

@@ -40,6 +40,8 @@ export interface Order {
   timeScale: number;
   /** Whether somebody reads what effects cost. */
   watched: boolean;
+  /** Whether somebody draws contact points. */
+  marked: boolean;
   ask?: { method: string; args: unknown[] } | undefined;
   /** Room for states, handed to and fro. */
   room?: Float64Array<ArrayBuffer> | undefined;
@@ -75,6 +77,8 @@ export interface Answer {
   said: Said[];
   stats: Stats;
   effects?: EffectCosts | undefined;
+  /** See `SeenContacts`. */
+  contacts?: Float64Array | undefined;
   asked?: unknown;
 }
 

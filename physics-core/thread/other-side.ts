@@ -1,5 +1,6 @@
 import { PhysicsNode } from '../nodes/node/node.js';
 import type { Problem, ProblemReport } from '../base/problems.js';
+import { seeContacts } from '../effects/debug/contact-marks.js';
 import type { Engine } from '../engine/engine.js';
 import { Redoing } from '../timeline/calls.js';
 import { copyInto } from '../world/snapshot/copy.js';
@@ -85,6 +86,7 @@ export class OtherSide extends World {
       needsFrame: this.stepping.needsFrame,
       said,
       stats: this.stats,
+      contacts: order.marked ? seeContacts(this) : undefined,
       effects: order.watched ? this.#costs() : undefined,
       asked,
     };

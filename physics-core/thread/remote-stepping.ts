@@ -61,6 +61,7 @@ export class RemoteStepping extends Stepping {
   override frame(seconds: number, seen: boolean): boolean {
     this.#courier.flush();
     this.singly = false;
+    this.passed = seen ? seconds : 0;
     if (this.#goesOn) {
       this.#note(this.#courier.begins ? 0 : seconds, seen);
       this.#courier.send();
@@ -90,7 +91,7 @@ export class RemoteStepping extends Stepping {
   }
 
   /** What passed since it was asked last, and how time is to go on. */
-  passed(): Pick<Order, 'stretches' | 'paused' | 'timeScale'> {
+  news(): Pick<Order, 'stretches' | 'paused' | 'timeScale'> {
     const { paused, timeScale } = this;
     const stretches = this.#stretches;
     this.#stretches = [];

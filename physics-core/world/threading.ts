@@ -1,3 +1,4 @@
+import type { CollisionEnd } from '../effects/contacts/touches.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { Snapshot } from './snapshot/snapshot.js';
 import type { Stats } from './store/types.js';
@@ -19,8 +20,10 @@ export interface Elsewhere {
   comeBack(bound: Bound): Promise<void>;
   /** Bullet's bodies stand here where they stand there. */
   place(): void;
-  /** The other thread ends. */
-  end(): void;
+  /** The other thread ends, and what touches there. */
+  end(reason: CollisionEnd): void;
+  /** Contact points, for who draws them: those of the answer that came last, from the next one on. */
+  readonly contacts: Float64Array;
 }
 
 /** Why a world has to run where its page is, and the element that says so. */

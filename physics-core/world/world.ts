@@ -199,7 +199,7 @@ export class World implements TimedWorld {
   }
 
   destroy(): void {
-    this.elsewhere?.end();
+    this.elsewhere?.end('removed');
     this.timeline = this.events.keeper = undefined;
     this.lifecycle.destroy();
   }

@@ -17,9 +17,9 @@ const isQuick = (file) => !isLong(file);
 
 /**
  * In Node, by Node's own runner, shown where it fails; its counts are read from a second, TAP report. `nameOf` says which
- * files share a process.
+ * files share a process; `env`: what they find in their environment.
  */
-const inNode = (nameOf) => async (files, temporary, stage) => {
+const inNode = (nameOf, env) => async (files, temporary, stage) => {
   const report = join(temporary, `${stage}.tap`);
   const args = [
     // Three reporters listen to one stream.
@@ -31,7 +31,7 @@ const inNode = (nameOf) => async (files, temporary, stage) => {
     ...['--test-reporter=tap', `--test-reporter-destination=${report}`],
     ...(await bundleTests(files, { platform: 'node', stage, nameOf })),
   ];
-  const { ok, output } = await runNode(args, { quiet: 'stdout' });
+  const { ok, output } = await runNode(args, { quiet: 'stdout', env });
   if (!ok) console.log(inSources(output));
   const tap = readFileSync(report, 'utf8');
   const count = (word) => Number(tap.match(new RegExp(`^# ${word} (\\d+)$`, 'm'))?.[1] ?? 0);
@@ -154,6 +154,14 @@ export const STAGES = [
 
   { name: 'lint', cores: 1, run: check(LINT) },
   { name: 'format', cores: 1, run: check(FORMAT) },
+
+  {
+    name: 'elsewhere',
+    cores: 1,
+    folders: ['core'],
+    takes: (file) => !file.includes('core/thread/'),
+    run: inNode(TOGETHER, { X3D_ELSEWHERE: 'yes' }),
+  },
 
   // They have two at work by themselves.
   { name: 'soaks', folders: ['soaks'], run: inNode(APART) },

@@ -28,6 +28,8 @@ export interface DebugScene {
   /** Applies edits that wait. */
   flush(): void;
   joints(): Iterable<Joint>;
+  /** Contact points that another thread found; undefined: they are found here. */
+  contacts(): Float64Array | undefined;
 }
 
 /** A world as Bullet has it, as coloured lines in the world's frame: shapes, centres of mass, joints, contacts. */
@@ -52,7 +54,7 @@ export class DebugLines extends LineBuffer {
     for (const body of this.#simulation.bodies) this.#body(body);
     for (const joint of this.#scene.joints())
       if (joint.attached) markJoint(this, this.#simulation, joint);
-    markContacts(this, this.#simulation);
+    markContacts(this, this.#simulation, this.#scene.contacts());
   }
 
   dispose(): void {

@@ -37,7 +37,7 @@ export class Stepping {
   /** Seconds of the clock dropped so far. */
   #lost = 0;
   /** Seconds between the present frame and the last one; 0 where nobody waited for it. */
-  #passed = 0;
+  protected passed = 0;
   /** Whether somebody takes one step after the other, and may speak before each. */
   singly = true;
 
@@ -177,7 +177,7 @@ export class Stepping {
     if (this.running) this.#costs.clear();
     world.flush();
     this.singly = false;
-    this.#passed = seen ? seconds : 0;
+    this.passed = seen ? seconds : 0;
     if (seen && this.#moving) world.control.noteFrame(ms, seconds);
     if (this.#moving) this.#run(seconds);
     const fraction = this.#clock.fraction(world.timeStep, this.#time.last);
@@ -223,7 +223,7 @@ export class Stepping {
   frameOver(start: number, picture?: () => number): void {
     this.#costs.ms.write = 0;
     this.#costs.spent('write', start);
-    this.#world.registry.caused(frameCosts)?.frameOver(this.ms, this.#passed, picture?.());
+    this.#world.registry.caused(frameCosts)?.frameOver(this.ms, this.passed, picture?.());
   }
 
   /** Whether time passes by itself. */

@@ -1,5 +1,6 @@
 import type { World } from '../../../physics-core/inside.js';
 import { Away } from '../../../physics-core/thread/away.js';
+import type { Bound } from '../../../physics-core/world/threading.js';
 import { Line, type Port } from '../../../physics-core/thread/line.js';
 import type { Beginning, Message, Order } from '../../../physics-core/thread/messages.js';
 import { OtherSide } from '../../../physics-core/thread/other-side.js';
@@ -13,7 +14,7 @@ class Twin implements Port {
   onmessage: Port['onmessage'] = null;
   readonly #world: World;
   #said: (Beginning | Order)[] = [];
-  #there: OtherSide | undefined;
+  there: OtherSide | undefined;
   #ended = false;
   asked: unknown;
 
@@ -29,12 +30,12 @@ class Twin implements Port {
   /** Hears what was said, and answers. */
   hear(): void {
     for (let message = this.#said.shift(); message; message = this.#said.shift())
-      if ('snapshot' in message) this.#there = new OtherSide(message.snapshot, this.#world.engine);
+      if ('snapshot' in message) this.there = new OtherSide(message.snapshot, this.#world.engine);
       else if (!this.#ended) this.#answer(message);
   }
 
   #answer(order: Order): void {
-    const answer = this.#there!.take(order);
+    const answer = this.there!.take(order);
     const data: Message = { answer: structuredClone(answer) };
     this.asked = data.answer.asked;
     this.onmessage!({ data } as MessageEvent<Message>);
@@ -42,7 +43,7 @@ class Twin implements Port {
 
   end(): void {
     this.#ended = true;
-    this.#there?.destroy();
+    this.there?.destroy();
   }
 }
 
@@ -51,18 +52,40 @@ class Staying extends Away {
   override begunAnew(): void {
     super.begunAnew(true);
   }
+
+  override comeBack(bound: Bound): Promise<void> {
+    const back = super.comeBack(bound);
+    this.onwords?.();
+    return back;
+  }
+
+  onwords?: () => void;
+}
+
+const twins = new WeakMap<World, Twin>();
+
+/** The world that takes its steps: itself, where nobody else does. */
+export function steppingOf(world: World): World {
+  const twin = twins.get(world);
+  if (!twin || !world.elsewhere) return world;
+  void world.elsewhere.ask('stats', []);
+  twin.hear();
+  return twin.there!;
 }
 
 /** From now on its steps are taken there; what it is asked is answered at once. */
 export function goAwayAtOnce(world: World): void {
   const twin = new Twin(world);
-  new Staying(world, (heard) => {
+  twins.set(world, twin);
+  const away = new Staying(world, (heard) => {
     const line = new Line(heard);
     line.speak(twin, () => twin.end());
     return line;
   });
-  // What effects cost comes with answers from when it is first asked for.
+  away.onwords = () => twin.hear();
+  // They come with answers from when they are first asked for.
   void world.effects;
+  void away.contacts;
   const here = {
     step: world.step,
     raycast: world.raycast,
@@ -72,19 +95,24 @@ export function goAwayAtOnce(world: World): void {
     restore: world.restore,
   };
   type Method = keyof typeof here;
+  /** Facts read of Bullet, too. */
+  const hearAndPlace = (): void => {
+    twin.hear();
+    world.elsewhere?.place();
+  };
   const call = (method: Method, ...args: unknown[]) =>
     (here[method] as (...args: unknown[]) => unknown).apply(world, args);
   const ask = (method: Method, ...args: unknown[]) => {
     if (!world.elsewhere) return call(method, ...args);
     void world.elsewhere.ask(method, args).catch(() => undefined);
-    twin.hear();
+    hearAndPlace();
     return method === 'snapshot' ? twin.asked : hear(twin.asked, world, (id) => world.node(id));
   };
   /** Answers come at once. */
   const then = (method: Method, ...args: unknown[]) => {
     const value = call(method, ...args);
     if (world.elsewhere) void world.elsewhere.ask('stats', []).catch(() => undefined);
-    twin.hear();
+    hearAndPlace();
     return value;
   };
   Object.assign(world, {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { hashOf } from '../../../physics-core/timeline/hash.js';
-import { claim, closeWorlds, told, world, type Body, type Node, type Vec3 } from '../helpers.js';
+import { claim, closeWorlds, fact, told, world, type Body, type Node, type Vec3 } from '../helpers.js';
 import { HASHES, towerRun } from './tower.js';
 
 const box = { type: 'Box', size: [1, 1, 1] };
@@ -200,7 +200,7 @@ test('at the end nothing is gone back to: what was done since the last step stay
   closeWorlds();
 });
 
-test('what is done to a shape that came with its body is run anew', async () => {
+fact('what is done to a shape that came with its body is run anew', async () => {
   const of = await scene();
   const timeline = await recorded(of);
   of.step(10);
@@ -270,7 +270,7 @@ test('marks tell what was done, and when', async () => {
   closeWorlds();
 });
 
-test('an import that is given up leaves the world as it was', async () => {
+fact('an import that is given up leaves the world as it was', async () => {
   const from = await scene();
   await recorded(from);
   from.step(120);

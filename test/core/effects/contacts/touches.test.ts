@@ -1,4 +1,3 @@
-import { contactReader } from '../../../../physics-core/effects/contacts/effects.js';
 import assert from 'node:assert/strict';
 import type { World } from '../../../../physics-core/inside.js';
 import type { Collision } from '../../../../physics-core/effects/contacts/touches.js';
@@ -9,6 +8,7 @@ import {
   box,
   close,
   fact,
+  isColliding,
   sphere,
   world,
   type Body,
@@ -93,7 +93,7 @@ fact('what lies still for 10 s tells nothing more, awake or asleep', async () =>
       rest,
     );
     assert.equal(ball.sleeping, rest === 'auto');
-    assert.equal(w.registry.find(contactReader)?.colliding(ball), true);
+    assert.equal(isColliding(ball), true);
   }
 });
 
@@ -112,7 +112,7 @@ fact('a touch ends by its reason: parted, removed, disabled, reset', async () =>
     w.step(3);
     assert.deepEqual(names(heard).slice(0, 2), ['collisionstart', `collisionend ${reason}`]);
     assert.equal(heard[1]!.detail.other, ball);
-    if (reason !== 'reset') assert.equal(w.registry.find(contactReader)?.colliding(ball), false);
+    if (reason !== 'reset') assert.equal(isColliding(ball), false);
   }
 });
 

@@ -1,0 +1,53 @@
+// Facts that are not run on the other side of a line, by why: all others of the core are, word by word (see at-once.ts).
+const HERE: Record<string, readonly string[]> = {
+  'an answer is told to its end, though who hears it begins the world anew, ends it or stops it': [
+    'reset() in a sleep event leaves nobody asleep in the new run',
+    'reset() in a collision event: who was told of a start is told of its end, and the new run is the first one',
+    'destroy() in a listener: the others hear of whole contacts, and step() says how far it came',
+    'a listener that pauses the world stops it there, and it goes on from there',
+    'of a sensor that was not told to be active nothing is taken back',
+    'a problem of a step is told after it: who hears that a body broke may remove it',
+  ],
+  'what an edit brings about is told with the next answer': [
+    'an edit tells what it brings about when it is over: who is woken finds it done',
+    'a box that nobody forbade to rests after two seconds, tells so, and stands still',
+    'a step asked for by a listener of the step does nothing; ready may ask for some',
+  ],
+  'what a frame draws is as old as an answer, and who listens to steps hears after those of the frame': [
+    'an edit asks for a frame again, and the world calls for it',
+    'the motion is the same, bit for bit, at 30, 60, 144 and 240 frames per second',
+    'accuracy: auto takes the finest level whose frames fit the time budget',
+    'timeBudget: a smaller one makes auto take a coarser level, while it runs',
+  ],
+  'which effects work is known with the next answer': [
+    'nothing is read where nobody listens, and nothing any more when they cease',
+    'suspensionForce: bears a car whose wheels stand on the ground: it sinks by its weight over the stiffness',
+    'sliderForce: acts as long as it is asked for, and no longer',
+    'debug: whoever draws is told when the first collection asks for it, and when the last no longer does',
+  ],
+  'it measures the milliseconds of this thread': [
+    'is measured in one step of 17: in the others effects never look at the clock',
+    'count each millisecond in one phase',
+    'has a measure for each phase while profile is true, and keeps none',
+  ],
+  'it looks into the Bullet world, whose steps are taken elsewhere': [
+    'without the solve the same chain is more than a hundred times as far off',
+    'boxes that slide are asked nothing, and go the same way where each is asked',
+    'touched is what lies against it, without anybody listening',
+    'what a hit passed on is written into no point that Bullet has taken back',
+    'position: a fixed body that is moved along carries what stands on it, and is static again when it stops',
+    'autoDisable: a body at rest that may sleep does so after its time, and wakes when it may not',
+    'contact reading: reads no contact any more from the step on after the last listener has gone',
+    'heapLimit: beyond the limit a body is not made and the world pauses; the rest of it is untouched',
+  ],
+  'its world has come back to this thread, and that is told': [
+    'a listener that throws stops neither the step nor the others',
+    'what is done to a shape that came with its body is run anew',
+    'an import that is given up leaves the world as it was',
+    'thread: where there are no workers it runs here, and says so when it is reset',
+  ],
+};
+
+export const factsHere: ReadonlyMap<string, string> = new Map(
+  Object.entries(HERE).flatMap(([why, facts]) => facts.map((fact) => [fact, why] as const)),
+);
