@@ -118,6 +118,7 @@ export class Away implements Elsewhere {
     if (this.#lost) return work();
     if (args[0] === 'set_contacts')
       this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
+    if (this.#world.elsewhere !== this) return work();
     if (this.#coming) this.#later.putOff({ who, method, args });
     const number = method === 'drag' ? ++this.#drag : this.#drags.get(who);
     const deed = { call: callOf(this.#world, who, number, 0, method, args) };

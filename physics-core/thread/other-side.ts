@@ -21,6 +21,8 @@ export class OtherSide extends World {
   readonly #redoing = new Redoing(this);
   readonly #moved = new Moved();
   readonly #stops = new Map<string, () => void>();
+  /** Problems that the page knows of from here. */
+  readonly #told = new WeakSet<Problem>();
   /** While it does what the page's world did, which tells of that itself. */
   #quiet = false;
 
@@ -41,14 +43,12 @@ export class OtherSide extends World {
     this.#said.push(said);
   }
 
-  #tellProblem({ element, ...problem }: Problem): void {
-    if (!this.#tells(problem)) return;
+  #tellProblem(problem: Problem): void {
+    if (this.#quiet && !OWN.includes(problem.code)) return;
+    this.#told.add(problem);
+    const { element, ...report } = problem;
     const value = tell(problem.value);
-    this.#say({ node: numberOf(element), problem: { ...problem, value } satisfies ProblemReport });
-  }
-
-  #tells({ code }: Pick<Problem, 'code'>): boolean {
-    return !this.#quiet || OWN.includes(code);
+    this.#say({ node: numberOf(element), problem: { ...report, value } satisfies ProblemReport });
   }
 
   /** It is where it was to be. */
@@ -59,7 +59,7 @@ export class OtherSide extends World {
       (each) =>
         (!attribute || each.attribute === attribute) &&
         (!code || each.code === code) &&
-        this.#tells(each),
+        this.#told.has(each),
     );
     super.settle(about, attribute, code);
     if (known) this.#say({ node: numberOf(about), settled: { attribute, code } });

@@ -25,6 +25,15 @@ const HERE: Record<string, readonly string[]> = {
     'sliderForce: acts as long as it is asked for, and no longer',
     'debug: whoever draws is told when the first collection asks for it, and when the last no longer does',
   ],
+  'contacts come from when they are first asked for': [
+    'contacts: has a Contact for the point where a ball touches, a new one with every step, and none when they part',
+  ],
+  'the first list that page code hands over brings its world back: lists act from the next step on': [
+    'bounce: a landing stone bounces by the contact as page code changed it',
+    'contactNormal: points into body1; turned by page code the push turns with it, for that step only',
+    'depth: is the overlap; a greater one from page code is pushed out, without velocity',
+    'frictionCoefficients: a stone on contacts that page code made smooth slides on',
+  ],
   'it measures the milliseconds of this thread': [
     'is measured in one step of 17: in the others effects never look at the clock',
     'count each millisecond in one phase',
