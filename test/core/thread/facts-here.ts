@@ -42,6 +42,7 @@ const HERE: Record<string, readonly string[]> = {
   'it looks into the Bullet world, whose steps are taken elsewhere': [
     'without the solve the same chain is more than a hundred times as far off',
     'boxes that slide are asked nothing, and go the same way where each is asked',
+    'a body without finite numbers goes back to where it was, and its neighbours go on',
     'touched is what lies against it, without anybody listening',
     'what a hit passed on is written into no point that Bullet has taken back',
     'position: a fixed body that is moved along carries what stands on it, and is static again when it stops',
