@@ -163,4 +163,21 @@ describe('a world in a worker', () => {
     await world.ask('step', 10);
     expect(world.mirrored).to.be.above(9);
   });
+
+  it('runs there by itself from a hundred bodies on, and asks for no frame where all rests', async () => {
+    const many = Array.from(
+      { length: 100 },
+      (_, i) =>
+        `<x3d-rigid-body position="${(i % 10) * 1.5 - 8} 0.99 ${Math.floor(i / 10) * 1.5 - 8}"><x3d-collidable-shape><shape><box size=".8 1 .8"></box></shape></x3d-collidable-shape></x3d-rigid-body>`,
+    ).join('');
+    const { world } = await shown(scene('thread="auto"', many));
+    await world.ask('step', 1);
+    expect(world.mirrored).to.be.a('number');
+    await until(() => world.stats.awake === 0);
+    await until(() => !world.stepping.needsFrame);
+    const at = world.mirrored;
+    await wait(300);
+    expect(world.stepping.needsFrame).to.equal(false);
+    expect(world.mirrored).to.equal(at);
+  });
 });

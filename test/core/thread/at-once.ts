@@ -127,7 +127,8 @@ export function goAwayAtOnce(world: World): void {
 
 /** Many steps by hand: who hears of one may speak before the next. */
 function stepSingly(world: World, n: number, step: () => number): number | undefined {
-  const heard = world.heard('afterstep') || [...world.nodes].some((node) => node.heardEvents.length > 0);
+  const heard =
+    world.heard('afterstep') || [...world.nodes].some((node) => node.heardEvents.length > 0);
   if (!Number.isInteger(n) || n < 2 || !world.elsewhere || !heard) return undefined;
   let seconds = 0;
   let count = 0;

@@ -13,12 +13,13 @@ const HERE: Record<string, readonly string[]> = {
     'a box that nobody forbade to rests after two seconds, tells so, and stands still',
     'a step asked for by a listener of the step does nothing; ready may ask for some',
   ],
-  'what a frame draws is as old as an answer, and who listens to steps hears after those of the frame': [
-    'an edit asks for a frame again, and the world calls for it',
-    'the motion is the same, bit for bit, at 30, 60, 144 and 240 frames per second',
-    'accuracy: auto takes the finest level whose frames fit the time budget',
-    'timeBudget: a smaller one makes auto take a coarser level, while it runs',
-  ],
+  'what a frame draws is as old as an answer, and who listens to steps hears after those of the frame':
+    [
+      'an edit asks for a frame again, and the world calls for it',
+      'the motion is the same, bit for bit, at 30, 60, 144 and 240 frames per second',
+      'accuracy: auto takes the finest level whose frames fit the time budget',
+      'timeBudget: a smaller one makes auto take a coarser level, while it runs',
+    ],
   'which effects work is known with the next answer': [
     'nothing is read where nobody listens, and nothing any more when they cease',
     'suspensionForce: bears a car whose wheels stand on the ground: it sinks by its weight over the stiffness',
@@ -28,12 +29,13 @@ const HERE: Record<string, readonly string[]> = {
   'contacts come from when they are first asked for': [
     'contacts: has a Contact for the point where a ball touches, a new one with every step, and none when they part',
   ],
-  'the first list that page code hands over brings its world back: lists act from the next step on': [
-    'bounce: a landing stone bounces by the contact as page code changed it',
-    'contactNormal: points into body1; turned by page code the push turns with it, for that step only',
-    'depth: is the overlap; a greater one from page code is pushed out, without velocity',
-    'frictionCoefficients: a stone on contacts that page code made smooth slides on',
-  ],
+  'the first list that page code hands over brings its world back: lists act from the next step on':
+    [
+      'bounce: a landing stone bounces by the contact as page code changed it',
+      'contactNormal: points into body1; turned by page code the push turns with it, for that step only',
+      'depth: is the overlap; a greater one from page code is pushed out, without velocity',
+      'frictionCoefficients: a stone on contacts that page code made smooth slides on',
+    ],
   'it measures the milliseconds of this thread': [
     'is measured in one step of 17: in the others effects never look at the clock',
     'count each millisecond in one phase',

@@ -2,7 +2,16 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { hashOf } from '../../../physics-core/timeline/hash.js';
-import { claim, closeWorlds, fact, told, world, type Body, type Node, type Vec3 } from '../helpers.js';
+import {
+  claim,
+  closeWorlds,
+  fact,
+  told,
+  world,
+  type Body,
+  type Node,
+  type Vec3,
+} from '../helpers.js';
 import { HASHES, towerRun } from './tower.js';
 
 const box = { type: 'Box', size: [1, 1, 1] };
