@@ -60,7 +60,8 @@ function eachSeen({ bodies }: Simulation, seen: Float64Array, visit: Visit): voi
   const byId = new Map([...bodies].map((body) => [body.id, body]));
   const vectorAt = (at: number): Vec3 => [seen[at]!, seen[at + 1]!, seen[at + 2]!];
   for (let at = 0; at < seen.length; at += SEEN) {
-    const [a, b] = [byId.get(seen[at]!), byId.get(seen[at + 1]!)];
+    const a = byId.get(seen[at]!);
+    const b = byId.get(seen[at + 1]!);
     if (a && b) visit(a, b, vectorAt(at + 2), vectorAt(at + 5), seen[at + 8]!);
   }
 }
