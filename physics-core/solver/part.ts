@@ -20,6 +20,8 @@ export interface Part {
   stands: boolean;
   /** It is near so many others that they make a heap. */
   inHeap: boolean;
+  /** Its level is content with less than what is exact in it. */
+  rough: boolean;
 }
 
 /** The parts of a step. Their arrays are kept from step to step. */
@@ -92,6 +94,7 @@ export class Parts {
       curved: false,
       stands: false,
       inHeap: false,
+      rough: false,
     });
     part.hangs = part.looped = part.curved = part.stands = false;
     part.bodies.length = part.manifolds.length = part.contacts.length = part.rows.length = 0;

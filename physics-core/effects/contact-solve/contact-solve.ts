@@ -31,7 +31,7 @@ import { Sweeps } from '../../solver/methods/sweeps.js';
 import { TouchingParts } from './touching-parts.js';
 import { TurningCorners } from './turning-corners.js';
 import { Ways, type Way } from './ways.js';
-import { MOST_TURN_ROLLING, PAUSE } from '../../solver/tolerances.js';
+import { MANY, MOST_TURN_ROLLING, PAUSE, ROUGH } from '../../solver/tolerances.js';
 
 /** Farther than Bullet's solver looks, metres: what is solved here is not there for it. */
 const ASIDE = 1e24;
@@ -290,13 +290,15 @@ export class ContactSolve extends Effect {
       return;
     }
     this.#contacts.count = this.#rows.count = 0;
-    this.#solvers.matrix.loose = this.#simulation.bullet.settings.miss;
+    const { miss } = this.#simulation.bullet.settings;
+    this.#solvers.matrix.loose = miss;
     this.#reader.begin(dt);
     this.#rolling.begin();
     const { parts, ways } = this.#ways;
     for (let i = 0; i < parts.length; i++) {
       const part = parts[i]!;
       part.inHeap = this.#rolling.isHeap(part);
+      part.rough = miss > ROUGH && (part.inHeap || part.bodies.length > MANY);
       if (!this.#reader.read(part, ways[i] !== 'matrix')) continue;
       this.#rolling.add(part);
       this.#try(part, ways[i]!);

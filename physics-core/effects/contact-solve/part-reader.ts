@@ -20,7 +20,13 @@ export class PartReader {
   readonly #port: ContactPort;
   readonly #joints: CoupledJoints;
   readonly #corners: TurningCorners;
-  readonly #step: ContactStep = { dt: 0, slop: 0, swept: false, written: NONE };
+  readonly #step: ContactStep = {
+    dt: 0,
+    slop: 0,
+    swept: false,
+    rough: false,
+    written: NONE,
+  };
   /** Points that are left to Bullet. */
   #special: ReadonlySet<number> = NONE;
 
@@ -60,6 +66,7 @@ export class PartReader {
     if (!this.#readJoints(part)) return false;
     part.jointed = part.rows.length > 0;
     this.#step.swept = swept && !part.jointed;
+    this.#step.rough = part.rough;
     for (const manifold of part.manifolds) if (!this.#readContacts(manifold, part)) return false;
     return part.contacts.length > 0;
   }

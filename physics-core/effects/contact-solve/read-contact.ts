@@ -8,7 +8,7 @@ import { ALONG } from '../drag/slips.js';
 import { C, speeds, type ConeContacts } from '../../solver/rows/cone-contacts.js';
 import type { TouchingBodies } from './touching-bodies.js';
 import { SIZE } from '../../solver/matrix/block-cholesky.js';
-import { BAND } from '../../solver/tolerances.js';
+import { BAND, ROUGH_STIFFNESS } from '../../solver/tolerances.js';
 
 /** Bullet's solver leaves out what lies farther away, metres. */
 export const LEFT_OUT = 1e18;
@@ -35,6 +35,8 @@ export interface ContactStep {
   slop: number;
   /** They are gone over one at a time. */
   swept: boolean;
+  /** Their part is solved roughly. */
+  rough: boolean;
   /** Points whose distance was written for the solver, by pointer. */
   written: ReadonlySet<number>;
 }
@@ -67,7 +69,7 @@ export class ContactPort {
     this.#readPlace(c, at, a, b);
     this.#readDirections(c, at);
     c[at + C.friction] = point.friction;
-    c[at + C.penalty] = STIFFNESS * this.#mass(p, q);
+    c[at + C.penalty] = (step.rough ? ROUGH_STIFFNESS : STIFFNESS) * this.#mass(p, q);
     this.#readTargets(c, at, p, q, step);
     c[at + C.corner] = point.corner;
     this.#readCarried(c, at, a, b, p, q, step.dt);

@@ -29,6 +29,7 @@ import {
   NEARLY,
   NEWTON_ROUNDS,
   NEWTON_STEPS,
+  ROUGH_STILL,
   ROUNDED,
   SHALLOW,
   STILL,
@@ -53,7 +54,9 @@ export class Newton {
   #miss = MISS;
   #nearly = 0;
   #still = STILL;
-  /** Share of its speed, or of what weight gives in a step, that what hangs together may miss by, besides. */
+  /** A change of velocities that ends a round. */
+  #end = STILL;
+  /** Share of its speed, or of what weight gives in a step, that what hangs together or is rough may miss by, besides. */
   loose = 0;
   /** Matrices that it may factor, and did. */
   #most = Infinity;
@@ -107,12 +110,13 @@ export class Newton {
     this.#matrix.begin(part);
     const many = part.bodies.length > MANY;
     this.#creeping = many ? CREEPING_OF_MANY : CREEPING;
-    const loose = part.jointed ? this.loose : 0;
+    const loose = part.jointed || part.rough ? this.loose : 0;
     const speed = many || loose > 0 ? this.#bodies.fastestOf(part.bodies) : 0;
     this.#miss = many ? MISS_OF_MANY + MISS_SHARE * speed : MISS;
     this.#miss += loose * (speed + FALL);
     this.#nearly = many ? NEARLY * this.#miss : 0;
     this.#still = STILL + STILL_SHARE * speed;
+    this.#end = this.#still + (part.rough ? ROUGH_STILL * this.#miss : 0);
     this.#readMisses();
     const c = this.#contacts.values;
     for (const i of part.contacts) {
@@ -208,13 +212,13 @@ export class Newton {
   #minimise(): boolean {
     this.#readMisses();
     for (let step = 0; step < NEWTON_STEPS; step++) {
-      if (this.#readSlope() < this.#still) return true;
+      if (this.#readSlope() < this.#end) return true;
       if (this.used++ >= this.#most || !this.#matrix.factor()) return false;
       // Newton's direction goes to `change`.
       const size = this.#matrix.solve();
       // However small it is: contacts are stiff, and what it changes in what they push is not.
       this.#go();
-      if (size < this.#still) return true;
+      if (size < this.#end) return true;
     }
     return true;
   }

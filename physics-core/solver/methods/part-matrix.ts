@@ -8,7 +8,12 @@ import { PRODUCTS_PER_BODY } from '../tolerances.js';
 
 /** How what a part's contacts and joints push answers velocities, with the masses: Newton's matrix. */
 export class PartMatrix {
-  readonly #matrix = new SparseCholesky();
+  /**
+   * Parts are numbered as in the step before, and who touches whom in each of them mostly is as it was: what was found of the
+   * pattern of each stands.
+   */
+  readonly #matrices = new WeakMap<Part, SparseCholesky>();
+  #matrix!: SparseCholesky;
   readonly #contacts: ConeContacts;
   readonly #rows: BoundRows;
   readonly #bodies: SolveBodies;
@@ -51,7 +56,7 @@ export class PartMatrix {
 
   /** Masses and what joints hold are the same in all of a step: only once a matrix is needed. */
   #beginMatrix(): boolean {
-    const matrix = this.#matrix;
+    const matrix = (this.#matrix = this.#matrixOf(this.#part));
     const { bodies, rows } = this.#part;
     if (!this.#analyse()) return false;
     matrix.clear();
@@ -59,6 +64,12 @@ export class PartMatrix {
       this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
     for (const i of rows) if (!this.#isBounded(i)) this.#addRow(i);
     return (this.#begun = matrix.factorConstant());
+  }
+
+  #matrixOf(part: Part): SparseCholesky {
+    let matrix = this.#matrices.get(part);
+    if (!matrix) this.#matrices.set(part, (matrix = new SparseCholesky()));
+    return matrix;
   }
 
   #analyse(): boolean {
