@@ -118,6 +118,33 @@ function car(w: World): void {
     });
 }
 
+/** Boxes that tumble over a mesh of many triangles, which stands beside a box in one body. */
+function rubble(w: World): void {
+  const side = 12;
+  const coord = Array.from({ length: side * side }, (_, i) => [
+    (i % side) * 0.3 - 1.8,
+    Math.sin(i * 1.7) * 0.08,
+    Math.floor(i / side) * 0.3 - 1.8,
+  ]).flat();
+  const index: number[] = [];
+  for (let i = 0; i < side * (side - 1); i++)
+    if (i % side < side - 1) index.push(i, i + side, i + 1, i + 1, i + side, i + side + 1);
+  addBody(w, {
+    fixed: true,
+    geometry: [
+      { type: 'IndexedTriangleSet', coord, index, translation: [0, 0.1, 0] },
+      { type: 'Box', size: [1, 0.4, 1], translation: [3, 0, 0] },
+    ],
+  });
+  for (let i = 0; i < 5; i++)
+    addBody(w, {
+      position: [i * 0.6 - 1.2, 0.7, 0.3 * (i % 3) - 0.3],
+      linearVelocity: [1.5, 0, 0.5],
+      angularVelocity: [0, 1, 4],
+      geometry: [box(0.4)],
+    });
+}
+
 const round = [box(0.5), sphere(0.3), { type: 'Cylinder', radius: 0.25, height: 0.6 }];
 
 for (const [name, level, seconds, restores, build] of [
@@ -125,6 +152,7 @@ for (const [name, level, seconds, restores, build] of [
   ['boxes that tumble at standard', 'standard', 0.6, 2, (w) => heap(w, 24)],
   ['a heap of boxes, balls and cylinders', 'standard', 1, 2, (w) => heap(w, 15, round)],
   ['ragdolls', 'standard', 0.5, 2, ragdolls],
+  ['boxes on a mesh that is a part of a body', 'game', 0.6, 2, rubble],
   ['a car on its suspension', 'standard', 0.7, 10, car],
   ['a car on its suspension at game', 'game', 0.7, 2, car],
 ] as [string, string, number, number, (w: World) => void][])
