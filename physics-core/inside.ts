@@ -10,6 +10,7 @@ import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
 import { recordings } from './world/recording.js';
 import { threads } from './nodes/node/threads.js';
+import { dense } from './world/snapshot/dense.js';
 import { World } from './world/world.js';
 
 export { loadEngine as loadBullet } from './engine/engine.js';
@@ -69,12 +70,13 @@ export async function debugLines(world: World): Promise<DebugLines> {
 
 /** The engine, and the code of all effects: nothing that is made of them waits. */
 export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  const all = [advice, recordings, ...chunks].map((chunk) => chunk.load());
+  const all = [advice, recordings, dense, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadBullet(options), ...all]);
   return engine;
 }
 
 recordings.comesFrom(() => import('./timeline/timeline-code.js'));
+dense.comesFrom(() => import('./world/snapshot/dense/dense-code.js'));
 threads.comesFrom(() => import('./thread/thread-code.js'));
 
 measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);

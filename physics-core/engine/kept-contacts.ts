@@ -1,5 +1,5 @@
 import type { Ammo } from './ammo.js';
-import { bodyAAt, bodyBAt, partsKey, partsKeyAt, pointAt, pointCountAt } from './manifold.js';
+import { bodyAAt, bodyBAt, partsKey, pointAt, pointCountAt } from './manifold.js';
 import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
 
 // Contact points as they stand on the heap, to the last bit: Bullet's next step begins with them.
@@ -181,8 +181,13 @@ function placeOnA(floats: Float32Array, point: number): void {
 }
 
 const NORMAL = COLUMNS.indexOf(POINT.normalB / 4);
-const INDEX0 = COLUMNS.indexOf(POINT.index0 / 4);
-const INDEX1 = COLUMNS.indexOf(POINT.index1 / 4);
+
+/** Of A and of B: what a point lies on, and whether that is a triangle, whose number stands there in place of its mesh's. */
+const SIDES = [
+  [POINT.index0 / 4, POINT.part0 / 4],
+  [POINT.index1 / 4, POINT.part1 / 4],
+] as const;
+const ON_MESH = 2 ** 23;
 
 function match(ammo: Ammo, each: (visit: Visit) => void, kept: Int32Array, value: Values): Load[] {
   const rankOf = (body: number): number => ammo.HEAP32[(body + BODY.rank) >> 2]!;
@@ -201,19 +206,27 @@ function match(ammo: Ammo, each: (visit: Visit) => void, kept: Int32Array, value
     const b = Math.floor(kept[at + 1]! / MOST_POINTS);
     const count = 1 + (kept[at + 1]! % MOST_POINTS);
     const those = found.get(keyOf(kept[at]!, b)) ?? [];
-    const manifold = takeOut(ammo, those, value(INDEX0, first), value(INDEX1, first));
+    const manifold = takeOut(ammo, those, (word) => value(COLUMNS.indexOf(word), first));
     loads.push({ manifold, first, count, b });
     first += count;
   }
   return loads;
 }
 
-/** Of several of one pair the one of the same parts. */
-function takeOut(ammo: Ammo, those: number[], index0: number, index1: number): number | undefined {
+/** Of several of one pair the one of the same parts; of meshes the triangles may be others. */
+function takeOut(ammo: Ammo, those: number[], said: (word: number) => number): number | undefined {
   const [first] = those;
   if (first === undefined) return undefined;
-  const key = partsKey(ammo, bodyAAt(ammo, first), bodyBAt(ammo, first), index0, index1);
-  const same = those.findIndex((manifold) => partsKeyAt(ammo, manifold) === key);
-  const empty = those.findIndex((manifold) => pointCountAt(ammo, manifold) === 0);
-  return same < 0 && empty < 0 ? undefined : those.splice(same >= 0 ? same : empty, 1)[0];
+  const keyOf = (of: typeof said): number => {
+    const [a, b] = SIDES.map(([index, part]) => (of(part) < 0 ? of(index) : ON_MESH));
+    return partsKey(ammo, bodyAAt(ammo, first), bodyBAt(ammo, first), a!, b!);
+  };
+  const empty = (manifold: number) => pointCountAt(ammo, manifold) === 0;
+  const key = keyOf(said);
+  const same = those.findIndex(
+    (manifold) =>
+      !empty(manifold) && keyOf((word) => ammo.HEAP32[(pointAt(manifold, 0) >> 2) + word]!) === key,
+  );
+  const taken = same < 0 ? those.findIndex(empty) : same;
+  return taken < 0 ? undefined : those.splice(taken, 1)[0];
 }

@@ -90,10 +90,8 @@ export class Away implements Elsewhere {
   #begin(): void {
     const world = this.#world;
     // The other world listens for this one, to what it is told.
-    const { nodes, ...snapshot } = takeSnapshot(world);
-    const unheard = nodes.map(({ heard: _, ...node }) => node);
     this.#line.say({
-      snapshot: { ...snapshot, nodes: unheard },
+      snapshot: { ...takeSnapshot(world), heard: [] },
       program: world.engine.source.program,
     });
     for (const node of world.nodes) this.#introduce(node);

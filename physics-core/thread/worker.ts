@@ -1,4 +1,5 @@
 // Where a world runs that is shown by a page: a classic script, which is whole by itself, as a worker.
+import { dense } from '../world/snapshot/dense.js';
 import { loadEngine } from '../engine/engine.js';
 import { chunks } from '../world/chunks/all.js';
 import { isWorkerNamed } from '../world/worker.js';
@@ -25,7 +26,7 @@ export function runWorld(port: WorldPort): () => void {
 }
 
 async function begin({ snapshot, program }: Beginning): Promise<OtherSide> {
-  const code = chunks.map((chunk) => chunk.load());
+  const code = [dense, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadEngine({ program }), ...code]);
   return new OtherSide(snapshot, engine);
 }

@@ -5,6 +5,7 @@ import type { Watching } from '../world/measuring.js';
 import { faultOf as faultIn } from '../world/snapshot/check.js';
 import { loadNode } from '../world/snapshot/load.js';
 import { Lookup } from '../world/snapshot/lookup.js';
+import { nodesOf, statesIn } from '../world/snapshot/states.js';
 import { goneIn } from '../world/snapshot/restore.js';
 import type { World } from '../world/world.js';
 import { isCall } from './calls.js';
@@ -63,7 +64,7 @@ const NONE = { step: -1, time: 0, hash: '' };
 /** An empty world gets the nodes of the run. */
 function bear(world: World, { start }: Run): void {
   const born = new Map([...world.nodes].map((node) => [node.id, node]));
-  for (const { id, type, name, version, collection } of start.nodes) {
+  for (const { id, type, name, version, collection } of statesIn(start)) {
     const group = collection === undefined ? undefined : born.get(collection);
     if (!born.has(id)) born.set(id, world.add(type, {}, { id, name, version, collection: group }));
   }
@@ -83,10 +84,7 @@ function faultOf(world: World, run: unknown): string | undefined {
     calls!.every(isCall) &&
     Array.isArray(start?.nodes);
   if (!whole) return 'parts of this run are missing, or are no numbers';
-  const nodes = isEmpty(world)
-    ? start!.nodes.map(({ id, type }) => ({ id, type: { name: type } }))
-    : world.nodes;
-  return faultIn(start, nodes, world.bullet.kept);
+  return faultIn(start, isEmpty(world) ? undefined : nodesOf(world), world.bullet.kept);
 }
 
 const isEmpty = ({ bodies }: World): boolean => [...bodies].length === 0;

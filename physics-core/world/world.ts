@@ -36,6 +36,7 @@ import {
   type Timeline,
 } from './recording.js';
 import { Reporting } from './store/reporting.js';
+import { dense } from './snapshot/dense.js';
 import { restoreSnapshot } from './snapshot/restore.js';
 import type { Snapshot } from './snapshot/snapshot.js';
 import { takeSnapshot } from './snapshot/take.js';
@@ -166,6 +167,8 @@ export class World implements TimedWorld {
 
   snapshot(): Snapshot {
     if (this.elsewhere) return this.elsewhere.refuse('snapshot') as unknown as Snapshot;
+    // The next one is dense.
+    void dense.load().catch(() => {});
     return this.timeline?.looking ? this.timeline.snapshot() : takeSnapshot(this);
   }
 
@@ -181,7 +184,7 @@ export class World implements TimedWorld {
   /** Does something with that code: at once where it is here. */
   async #recording<T>(work: (code: typeof recordings.code) => T): Promise<Awaited<T>> {
     if (!this.started) await this.ready;
-    if (!recordings.here) await recordings.load();
+    if (!recordings.here) await Promise.all([recordings.load(), dense.load()]);
     await this.elsewhere?.comeBack({ why: 'it is recorded' });
     return await work(recordings.code);
   }

@@ -5,28 +5,22 @@ import { BOX, STATE, saveState } from '../../engine/kept-bodies.js';
 import type { BodyNode } from '../../nodes/body/body.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { BodySlots } from '../bodies/body-slots.js';
-import { ASLEEP, AWAKE, PARKED, type Snapshot } from './snapshot.js';
+import { dense } from './dense.js';
+import { ASLEEP, AWAKE, HOW, NO_LIST, PARKED, type Moment, type Snapshot } from './snapshot.js';
 
 /** A world of bodies. */
 export interface BodiesWorld extends NodeWorld {
   readonly bodies: BodySlots;
 }
 
-/** Bits of a flag for how a body is; above them lies the list that it stands in, 3 for none. */
-const HOW = 4;
-const NO_LIST = 3;
-
 const byId = (bodies: Iterable<BodyNode>): BodyNode[] => [...bodies].sort((a, b) => a.id - b.id);
-
-/** By its flag. */
-export const isParked = (flag: number): boolean => flag % HOW === PARKED;
 
 /** How many of them have boxes. */
 export const boxesIn = (flags: Uint8Array): number =>
   flags.filter((flag) => Math.floor(flag / HOW) !== NO_LIST).length;
 
 /** Bodies and what touches, as they stand in Bullet. */
-export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'contacts'> {
+export function takeBodies(world: BodiesWorld): Moment {
   const { bullet, engine } = world;
   const bodies = byId(world.bodies);
   const states = new Float32Array(bodies.length * STATE);
@@ -47,16 +41,37 @@ export function takeBodies(world: BodiesWorld): Pick<Snapshot, 'bodies' | 'conta
     if (list >= 0) bullet.kept!.saveBox(body.pointer, boxes, BOX * used++);
   });
   return {
-    bodies: {
-      ids: bodies.map(({ id }) => id),
-      flags: pack(flags),
-      states: pack(states),
-      boxes: pack(boxes.subarray(0, BOX * used)),
-      placed,
-      poses: pack(Float64Array.from(poses)),
-      list: bullet.kept?.list ?? 0,
-    },
-    contacts: pack(bullet.kept?.saveContacts() ?? new Int32Array(0)),
+    ids: bodies.map(({ id }) => id),
+    flags,
+    states,
+    boxes: boxes.subarray(0, BOX * used),
+    placed,
+    poses: Float64Array.from(poses),
+    contacts: bullet.kept?.saveContacts() ?? new Int32Array(0),
+    list: bullet.kept?.list ?? 0,
+  };
+}
+
+/** `dt`: seconds of a step. */
+export const keptMoment = (moment: Moment, dt: number): Snapshot['bodies'] =>
+  dense.here
+    ? dense.code.pack(moment, dt)
+    : (Object.fromEntries(Object.entries(moment).map(asText)) as never);
+
+const asText = ([name, value]: [string, unknown]): [string, unknown] => [
+  name,
+  ArrayBuffer.isView(value) ? pack(value as Int32Array) : value,
+];
+
+export function momentIn({ bodies }: Snapshot): Moment {
+  if (typeof bodies === 'string') return dense.code.unpack(bodies);
+  return {
+    ...bodies,
+    flags: bytesOf(bodies.flags),
+    states: floatsOf(bodies.states),
+    boxes: floatsOf(bodies.boxes),
+    poses: doublesOf(bodies.poses),
+    contacts: wordsOf(bodies.contacts),
   };
 }
 
@@ -74,27 +89,20 @@ function howIs(body: BodyNode): number {
 }
 
 /** Puts bodies there and has them touch as they did. `slept`: those that were asleep before, and are not said to fall asleep. */
-export function loadBodies(
-  world: BodiesWorld,
-  { bodies: kept, contacts }: Snapshot,
-  slept?: ReadonlySet<BodyNode>,
-): void {
+export function loadBodies(world: BodiesWorld, kept: Moment, slept?: ReadonlySet<BodyNode>): void {
   const { bullet } = world;
-  const states = floatsOf(kept.states);
-  const flags = bytesOf(kept.flags);
-  const boxes = floatsOf(kept.boxes);
-  const poses = doublesOf(kept.poses);
+  const { ids, flags, states, boxes, poses, contacts, list: current } = kept;
   const placed = new Map(kept.placed.map((id, i) => [id, poseAt(poses, i * POSE)]));
   const found = new Map([...world.bodies].map((body) => [body.id, body]));
   for (const body of found.values()) if (body.kinematic) body.standStill();
   const awaited: { body: BodyNode; list: number; box: number }[] = [];
   let box = 0;
-  kept.ids.forEach((id, i) => {
+  ids.forEach((id, i) => {
     const list = Math.floor(flags[i]! / HOW);
     const body = found.get(id);
     if (body) {
       world.bodies.load(body, states, i * STATE, placed.get(id));
-      if (isParked(flags[i]!)) body.presence.park();
+      if (flags[i]! % HOW === PARKED) body.presence.park();
       else if (list !== NO_LIST && body.active) awaited.push({ body, list, box });
     }
     if (list !== NO_LIST) box += BOX;
@@ -102,9 +110,9 @@ export function loadBodies(
   bullet.kept?.goBack(
     awaited.map(({ body }) => body),
     awaited.map(({ list }) => list),
-    { boxes, at: awaited.map((each) => each.box), contacts: wordsOf(contacts), list: kept.list },
+    { boxes, at: awaited.map((each) => each.box), contacts, list: current },
   );
-  kept.ids.forEach((id, i) => {
+  ids.forEach((id, i) => {
     const body = found.get(id);
     if (!body?.active || !body.movable) return;
     if (flags[i]! % HOW !== ASLEEP) body.wake();

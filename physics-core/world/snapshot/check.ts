@@ -1,22 +1,20 @@
-import { bytesOf, doublesOf, floatsOf, wordsOf } from '../../base/packed.js';
 import { POSE } from '../../dynamics/poses.js';
 import { levelNames } from '../../dynamics/levels.js';
 import { BOX, STATE } from '../../engine/kept-bodies.js';
 import type { KeptWorld } from '../../engine/kept-world.js';
 import { MOST_PARTS } from '../../solver/tolerances.js';
-import { boxesIn } from './bodies.js';
-import { FORMAT, type BodyStates, type Snapshot } from './snapshot.js';
+import { boxesIn, momentIn } from './bodies.js';
+import { alike } from './same.js';
+import { statesIn } from './states.js';
+import { FORMAT, type Moment, type NodeState, type Snapshot } from './snapshot.js';
 
-/** A node of the world, as far as it is to be known again. */
-interface Known {
-  readonly id: number;
-  readonly type: { readonly name: string };
-}
-
-/** What is wrong with what is to be restored, for people; undefined: nothing. Looked at before anything is touched. */
+/**
+ * What is wrong with what is to be restored, for people; undefined: nothing. Looked at before anything is touched. `here`:
+ * the nodes that it is to be of; undefined: any.
+ */
 export function faultOf(
   given: unknown,
-  nodes: Iterable<Known>,
+  here: Snapshot['nodes'] | undefined,
   kept: KeptWorld | undefined,
 ): string | undefined {
   if (!isRecord(given) || typeof given.x3dPhysics !== 'number')
@@ -26,10 +24,11 @@ export function faultOf(
   const snapshot = given as unknown as Snapshot;
   try {
     if (!isWhole(snapshot, kept)) return 'parts of this snapshot are missing, or are no numbers';
+    if (alike(here, snapshot.nodes) || isOf(statesIn(snapshot), here)) return undefined;
   } catch {
     return 'parts of this snapshot can’t be read';
   }
-  return isOf(snapshot, nodes) ? undefined : 'this snapshot is of another scene';
+  return 'this snapshot is of another scene';
 }
 
 const isRecord = (value: unknown): value is Record<string, unknown> =>
@@ -37,34 +36,28 @@ const isRecord = (value: unknown): value is Record<string, unknown> =>
 
 /** JSON makes null of what is no number, and what is cut in half has less. */
 function isWhole(snapshot: Snapshot, kept: KeptWorld | undefined): boolean {
-  const { level, parts, bodies, contacts, extent } = snapshot;
+  const { level, parts, extent } = snapshot;
+  const moment = momentIn(snapshot);
   return (
     extentOf(snapshot) === extent &&
     isSound(snapshot) &&
     levelNames.includes(level) &&
     parts >= 1 &&
     parts <= MOST_PARTS &&
-    areBodies(bodies) &&
-    (kept?.areContacts(wordsOf(contacts), bodies.ids.length) ?? true)
+    areBodies(moment) &&
+    (kept?.areContacts(moment.contacts, moment.ids.length) ?? true)
   );
 }
 
-function areBodies({ ids, flags, states, boxes, placed, poses, list }: BodyStates): boolean {
-  const how = bytesOf(flags);
-  const numbers = floatsOf(states);
-  const sides = floatsOf(boxes);
-  const places = doublesOf(poses);
-  return (
-    how.length === ids.length &&
-    numbers.length === STATE * ids.length &&
-    sides.length === BOX * boxesIn(how) &&
-    numbers.every(Number.isFinite) &&
-    sides.every(Number.isFinite) &&
-    places.length === POSE * placed.length &&
-    places.every(Number.isFinite) &&
-    (list === 0 || list === 1)
-  );
-}
+const areBodies = ({ ids, flags, states, boxes, placed, poses, list }: Moment): boolean =>
+  flags.length === ids.length &&
+  states.length === STATE * ids.length &&
+  boxes.length === BOX * boxesIn(flags) &&
+  states.every(Number.isFinite) &&
+  boxes.every(Number.isFinite) &&
+  poses.length === POSE * placed.length &&
+  poses.every(Number.isFinite) &&
+  (list === 0 || list === 1);
 
 /** Whether all numbers in it are numbers: JSON makes null of NaN. */
 function isSound(value: unknown): boolean {
@@ -86,11 +79,12 @@ export function extentOf(value: unknown): number {
 }
 
 /** Whether its nodes are those of this world, as far as they are still there. */
-function isOf({ nodes }: Snapshot, here: Iterable<Known>): boolean {
-  const types = new Map([...here].map((node) => [node.id, node.type.name]));
-  const known = nodes.filter(({ id }) => types.has(id));
+function isOf(states: readonly NodeState[], here: Snapshot['nodes'] | undefined): boolean {
+  if (!here) return true;
+  const types = new Map(statesIn({ nodes: here }).map(({ id, type }) => [id, type]));
+  const known = states.filter(({ id }) => types.has(id));
   return (
-    (known.length > 0 || nodes.length === 0) &&
+    (known.length > 0 || states.length === 0) &&
     known.every(({ id, type }) => types.get(id) === type)
   );
 }

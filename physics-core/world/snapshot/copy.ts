@@ -1,5 +1,7 @@
 import type { Engine } from '../../engine/engine.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
+import { momentIn } from './bodies.js';
+import { statesIn } from './states.js';
 import { loadNode, loadState } from './load.js';
 import { Lookup } from './lookup.js';
 import { goneIn, type RestoredWorld } from './restore.js';
@@ -16,18 +18,20 @@ export function* copyInto(
   settings: Record<string, unknown> = {},
 ): Generator<void> {
   const born = new Map<number, PhysicsNode>();
-  for (const { id, type, name, version, collection, start } of snapshot.nodes) {
+  const states = statesIn(snapshot);
+  for (const { id, type, name, version, collection, start } of states) {
     const group = collection === undefined ? undefined : born.get(collection);
     born.set(id, world.add(type, {}, { id, name, version, collection: group, start }));
     yield;
   }
   const found = new Lookup(world.nodes, snapshot, goneIn(world));
   const elsewhere = Object.keys(settings).length > 0;
-  for (const { id, heard, collection } of snapshot.nodes) {
+  const heard = new Map(snapshot.heard);
+  for (const { id, collection } of states) {
     // It may have been born after those that belong to it.
     if (collection !== undefined) born.get(id)!.collection = born.get(collection);
     loadNode(born.get(id)!, found, elsewhere);
-    for (const event of heard ?? []) born.get(id)!.on(event, () => {});
+    for (const event of heard.get(id) ?? []) born.get(id)!.on(event, () => {});
     yield;
   }
   for (const [name, value] of Object.entries(settings)) world.set(name, value);
@@ -36,5 +40,5 @@ export function* copyInto(
   yield* world.lifecycle.starting(engine);
   world.bodies.countFrom(undefined);
   world.stepping.resume(snapshot.time, snapshot.taken);
-  loadState(world, snapshot);
+  loadState(world, snapshot, momentIn(snapshot));
 }

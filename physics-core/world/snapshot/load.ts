@@ -7,7 +7,7 @@ import { FieldState } from '../../nodes/node/field-state.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
 import { loadBodies, type BodiesWorld } from './bodies.js';
 import type { Lookup } from './lookup.js';
-import { authoredIn, isKept, type Snapshot } from './snapshot.js';
+import { authoredIn, isKept, type Moment, type Snapshot } from './snapshot.js';
 
 /** What is asked of its fields. `elsewhere`: at another level, at which joints have other rows. */
 export function loadNode(node: PhysicsNode, found: Lookup, elsewhere = false): void {
@@ -25,15 +25,17 @@ export function loadNode(node: PhysicsNode, found: Lookup, elsewhere = false): v
   for (const [name, value] of state.beforeEvent ?? [])
     fields.beforeEvent.set(name, found.decode(value));
   node.load(fields);
-  if (!isJoint(node) || !state.joint) return;
-  const { rows, ...zero } = structuredClone(state.joint);
+  const joint = found.joints.get(node.id);
+  if (!isJoint(node) || !joint) return;
+  const { rows, ...zero } = structuredClone(joint);
   node.kept = elsewhere ? zero : { ...zero, rows };
 }
 
 /** What the next step asks of those before it: bodies, what touches, and what effects know. */
 export function loadState(
   world: BodiesWorld,
-  snapshot: Snapshot,
+  { effects }: Snapshot,
+  moment: Moment,
   slept?: ReadonlySet<BodyNode>,
 ): void {
   for (const node of world.nodes)
@@ -42,13 +44,13 @@ export function loadState(
       node.stops.forEach((stop, i) => (stop.at = metAt(stops?.[i])));
       node.kept = undefined;
     }
-  loadBodies(world, snapshot, slept);
-  world.registry.load(snapshot.effects, nodesOf(world));
+  loadBodies(world, moment, slept);
+  world.registry.load(effects, numbered(world));
 }
 
 const metAt = (at = UNMET): Stop['at'] => (at === UNMET ? undefined : (at as Stop['at']));
 
-function nodesOf({ bodies, nodes }: BodiesWorld): Numbered {
+function numbered({ bodies, nodes }: BodiesWorld): Numbered {
   const byId = new Map([...bodies].map((body) => [body.id, body]));
   const joints = new Map([...nodes].filter(isJoint).map((joint) => [joint.id, joint]));
   return { body: (id) => byId.get(id), joint: (id) => joints.get(id) };

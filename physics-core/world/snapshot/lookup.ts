@@ -1,10 +1,12 @@
 import type { Value } from '../../fields/types.js';
 import type { PhysicsNode } from '../../nodes/node/node.js';
-import { cloned, type NodeState, type Reference, type Snapshot } from './snapshot.js';
+import { cloned, isReference, type JointState, type NodeState, type Snapshot } from './snapshot.js';
+import { statesIn } from './states.js';
 
 /** The nodes of a world and their states in a snapshot, by id. */
 export class Lookup {
   readonly states: Map<number, NodeState>;
+  readonly joints: Map<number, JointState>;
   readonly #nodes: Map<number, PhysicsNode>;
 
   /** Stands for a body that was gone already when the snapshot was taken: its joints hold nothing, and not on to the world. */
@@ -12,7 +14,8 @@ export class Lookup {
 
   constructor(nodes: Iterable<PhysicsNode>, snapshot: Snapshot, gone: (id: number) => PhysicsNode) {
     this.#gone = gone;
-    this.states = new Map(snapshot.nodes.map((state) => [state.id, state]));
+    this.states = new Map(statesIn(snapshot).map((state) => [state.id, state]));
+    this.joints = new Map(snapshot.joints);
     this.#nodes = new Map([...nodes].map((node) => [node.id, node]));
   }
 
@@ -36,6 +39,3 @@ export class Lookup {
     return { type: gone.type, ...Object.fromEntries(fields) };
   }
 }
-
-const isReference = (value: unknown): value is Reference =>
-  typeof value === 'object' && value !== null && 'nodeId' in value;

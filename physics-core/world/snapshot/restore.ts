@@ -5,11 +5,13 @@ import type { Stepping } from '../stepping/stepping.js';
 import type { AddOptions } from '../store/types.js';
 import type { LevelName } from '../../dynamics/levels.js';
 import { isJoint } from '../../nodes/joints/is-joint.js';
-import type { BodiesWorld } from './bodies.js';
+import { momentIn, type BodiesWorld } from './bodies.js';
+import { dense } from './dense.js';
 import { loadNode, loadState } from './load.js';
 import { Lookup } from './lookup.js';
 import { faultOf } from './check.js';
 import { isSame } from './same.js';
+import { nodesOf } from './states.js';
 import type { Snapshot } from './snapshot.js';
 
 /** The world that goes back to a snapshot, or becomes one. */
@@ -23,6 +25,13 @@ export interface RestoredWorld extends BodiesWorld {
 }
 
 export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void {
+  const now = (): void => restoreNow(world, snapshot);
+  // A kept one, of a page that had its code.
+  if (typeof snapshot?.bodies === 'string' && !dense.here) void dense.load().then(now, now);
+  else now();
+}
+
+function restoreNow(world: RestoredWorld, snapshot: Snapshot): void {
   if (!world.started || !isSnapshot(world, snapshot)) return;
   world.flush();
   const tellWoken = world.bodies.sleepers();
@@ -34,18 +43,19 @@ export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void 
 /** Nobody is told. */
 export function becomeAs(world: RestoredWorld, snapshot: Snapshot): void {
   const slept = new Set([...world.bodies].filter((body) => body.sleeping));
-  if (isSame(world, snapshot)) begin(world, snapshot);
+  const moment = momentIn(snapshot);
+  if (isSame(world, snapshot, moment)) begin(world, snapshot);
   else rebuild(world, snapshot);
   world.stepping.resume(snapshot.time, snapshot.taken);
-  loadState(world, snapshot, slept);
+  loadState(world, snapshot, moment, slept);
 }
 
 /** All that is made stays. */
-function begin(world: RestoredWorld, { nodes }: Snapshot): void {
+function begin(world: RestoredWorld, { joints }: Snapshot): void {
   world.registry.reset('reset');
   world.bodies.forgetSleep();
-  const states = new Map(nodes.map((state) => [state.id, state]));
-  for (const node of world.nodes) if (isJoint(node)) node.kept = states.get(node.id)?.joint;
+  const states = new Map(joints);
+  for (const node of world.nodes) if (isJoint(node)) node.kept = states.get(node.id);
 }
 
 function rebuild(world: RestoredWorld, snapshot: Snapshot): void {
@@ -66,7 +76,7 @@ export const goneIn = (world: RestoredWorld) => (id: number) => {
 };
 
 function isSnapshot(world: RestoredWorld, snapshot: Snapshot): boolean {
-  const fault = faultOf(snapshot, world.nodes, world.bullet.kept);
+  const fault = faultOf(snapshot, nodesOf(world), world.bullet.kept);
   if (fault === undefined) return true;
   world.report({
     code: 'bad-value',

@@ -11,6 +11,7 @@ import {
   world,
 } from '../helpers.js';
 import { authoredIn } from '../../../physics-core/world/snapshot/snapshot.js';
+import { statesIn } from '../../../physics-core/world/snapshot/states.js';
 import { busy, pendulum } from './scenes.js';
 
 fact('what is torn and what cannot hold shows in the joint error', async () => {
@@ -27,7 +28,7 @@ fact('what is torn and what cannot hold shows in the joint error', async () => {
 fact('what is listened to switches the same effects on where it is measured', async () => {
   const w = await busy();
   const copied = structuredClone(w.snapshot());
-  const heard = copied.nodes.filter((node) => node.heard?.includes('collisionstart'));
+  const heard = copied.heard.filter(([, events]) => events.includes('collisionstart'));
   assert.equal(heard.length, 12);
 });
 
@@ -39,7 +40,7 @@ fact('contacts that page code once handed over do not act again where it is meas
   w.settings.event('set_contacts', []);
   w.step();
   w.advance(0.5);
-  const state = w.snapshot().nodes.find(({ type }) => type === 'RigidBodyCollection')!;
+  const state = statesIn(w.snapshot()).find(({ type }) => type === 'RigidBodyCollection')!;
   assert.ok(!authoredIn(state).includes('set_contacts'));
   const [row] = await w.measureAccuracy({ seconds: 0.2, levels: ['standard'] });
   below(row!.error.penetration, 2e-4, 'm: nothing sank in');

@@ -35,6 +35,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-sketch', 'debug of a RigidBodyCollection'],
   ['chunk-measure', '`measureAccuracy()`'],
   ['x3d-physics.classic.js', 'the same, and a world with `thread`, for its worker'],
+  ['chunk-dense-code', '`world.snapshot()`, `world.record()`'],
   ['chunk-timeline-code', '`world.record()`, `world.importRun()`'],
   ['chunk-copy', 'a second world made of a snapshot: `measureAccuracy()` and the timeline'],
   ['chunk-thread-code', `${threads.causes} of a RigidBodyCollection, \`world.ask()\``],

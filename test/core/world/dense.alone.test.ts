@@ -1,0 +1,50 @@
+// No world is made by `createWorld` before the first fact is over: that has the code of dense snapshots come.
+import assert from 'node:assert/strict';
+import { chunks, loadBullet, World } from '../../../physics-core/inside.js';
+import { dense } from '../../../physics-core/world/snapshot/dense.js';
+import { fact } from '../helpers.js';
+
+const COUNT = 40;
+
+const stateOf = ({ bodies }: World): number[] =>
+  [...bodies].flatMap((body) => [
+    ...body.readPose(new Float64Array(7)),
+    ...bodies.velocityOf(body),
+  ]);
+
+function runOf(world: World): number[][] {
+  return Array.from({ length: 10 }, () => (world.step(), stateOf(world)));
+}
+
+async function heap(): Promise<World> {
+  const [engine] = await Promise.all([loadBullet(), ...chunks.map((chunk) => chunk.load())]);
+  const world = new World();
+  world.add('RigidBody', { fixed: true, geometry: [{ type: 'Box', size: [20, 1, 20] }] });
+  for (let i = 0; i < COUNT; i++)
+    world.add('RigidBody', {
+      position: [(i % 4) * 0.55, 0.8 + Math.floor(i / 4) * 0.6, (i % 3) * 0.1],
+      geometry: [{ type: 'Box', size: [0.5, 0.5, 0.5] }],
+    });
+  world.start(engine);
+  world.step(60);
+  return world;
+}
+
+const bytesOf = (value: unknown): number => JSON.stringify(value).length;
+
+fact('the first snapshot is written without its code, the next ones in half of that', async () => {
+  const world = await heap();
+  assert.equal(dense.here, false);
+  const plain = JSON.parse(JSON.stringify(world.snapshot())) as ReturnType<World['snapshot']>;
+  assert.equal(typeof plain.bodies, 'object');
+  await dense.load();
+  const short = world.snapshot();
+  assert.equal(typeof short.bodies, 'string');
+  assert.ok(2 * bytesOf(short) < bytesOf(plain), `${bytesOf(short)} of ${bytesOf(plain)} bytes`);
+  const seen = runOf(world);
+  for (const one of [plain, short]) {
+    world.restore(one);
+    assert.deepEqual(runOf(world), seen);
+  }
+  world.destroy();
+});
