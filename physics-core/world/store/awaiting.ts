@@ -68,6 +68,17 @@ export class Awaiting {
     return true;
   }
 
+  /** Time stands still until that is here, and it is done. */
+  stand(code: Promise<void>, then: () => void): void {
+    this.#waits = true;
+    const over = (): void => {
+      this.#waits = false;
+      then();
+      this.#world.work();
+    };
+    void code.then(over, over);
+  }
+
   *#missing(nodes: Iterable<PhysicsNode>): Generator<Missing> {
     for (const node of nodes) {
       for (const chunk of node.needs) if (!chunk.here) yield { node, chunk };

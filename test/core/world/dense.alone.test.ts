@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { chunks, loadBullet, World } from '../../../physics-core/inside.js';
 import { dense } from '../../../physics-core/world/snapshot/dense.js';
-import { fact } from '../helpers.js';
+import { codes, fact } from '../helpers.js';
 
 const COUNT = 40;
 
@@ -37,7 +37,12 @@ fact('the first snapshot is written without its code, the next ones in half of t
   assert.equal(dense.here, false);
   const plain = JSON.parse(JSON.stringify(world.snapshot())) as ReturnType<World['snapshot']>;
   assert.equal(typeof plain.bodies, 'object');
+  world.restore({ ...plain, bodies: 'of a page that had its code' as never });
+  assert.equal(world.step(5), 0, 'time stands still until it is here');
   await dense.load();
+  assert.deepEqual(codes(world), ['bad-value']);
+  assert.equal(world.step(0), 0);
+  world.restore(plain);
   const short = world.snapshot();
   assert.equal(typeof short.bodies, 'string');
   assert.ok(2 * bytesOf(short) < bytesOf(plain), `${bytesOf(short)} of ${bytesOf(plain)} bytes`);
