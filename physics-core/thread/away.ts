@@ -400,7 +400,7 @@ export class Away implements Elsewhere {
     for (const { reject } of this.#waiting.splice(0)) reject(new Error(message));
   }
 
-  end(reason: CollisionEnd): void {
+  end(reason: CollisionEnd = 'removed'): void {
     const { time } = this.#there;
     this.#leave();
     this.#begun.end(reason, time);

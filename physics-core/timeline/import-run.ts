@@ -2,6 +2,7 @@ import { inSlices } from '../accuracy/slices.js';
 import { levels } from '../dynamics/levels.js';
 import { RUN_FORMAT, type Run, type Timeline } from '../world/recording.js';
 import type { Watching } from '../world/measuring.js';
+import { dense } from '../world/snapshot/dense.js';
 import { faultOf as faultIn } from '../world/snapshot/check.js';
 import { loadNode } from '../world/snapshot/load.js';
 import { Lookup } from '../world/snapshot/lookup.js';
@@ -22,6 +23,7 @@ export async function importRun(
   run: Run,
   watching: Watching,
 ): Promise<Timeline | undefined> {
+  await dense.load();
   const fault = faultOf(world, run);
   if (fault) return refuse(world, fault, run);
   const twin = new Twin(run.calls);

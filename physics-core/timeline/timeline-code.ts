@@ -1,13 +1,16 @@
 // The chunk `timeline`.
 import { show } from '../base/show.js';
 import type { RecordOptions, Timeline, recordings } from '../world/recording.js';
+import { dense } from '../world/snapshot/dense.js';
 import type { World } from '../world/world.js';
 import { importRun } from './import-run.js';
 import { Recording, SECONDS } from './recording.js';
 
 export const provide = (): typeof recordings.code => ({ record, importRun });
 
-function record(world: World, { seconds = SECONDS }: RecordOptions): Timeline {
+/** Its snapshots are dense. */
+async function record(world: World, { seconds = SECONDS }: RecordOptions): Promise<Timeline> {
+  await dense.load();
   world.timeline?.stop();
   world.flush();
   const recording = new Recording(world, accepted(world, seconds)).follow(world);

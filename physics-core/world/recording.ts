@@ -100,7 +100,7 @@ export interface Recorder extends Timeline, StepRecorder {
 
 /** Code of its own, in a room above that of worlds. */
 interface RecordingCode {
-  record(world: World, options: RecordOptions): Timeline;
+  record(world: World, options: RecordOptions): Promise<Timeline>;
   importRun(world: World, run: Run, watching: Watching): Promise<Timeline | undefined>;
 }
 

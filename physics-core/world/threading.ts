@@ -21,7 +21,7 @@ export interface Elsewhere {
   /** Bullet's bodies stand here where they stand there. */
   place(): void;
   /** The other thread ends, and what touches there. */
-  end(reason: CollisionEnd): void;
+  end(reason?: CollisionEnd): void;
   /** Contact points, for who draws them: those of the answer that came last, from the next one on. */
   readonly contacts: Float64Array;
 }

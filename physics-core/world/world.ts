@@ -184,7 +184,7 @@ export class World implements TimedWorld {
   /** Does something with that code: at once where it is here. */
   async #recording<T>(work: (code: typeof recordings.code) => T): Promise<Awaited<T>> {
     if (!this.started) await this.ready;
-    if (!recordings.here) await Promise.all([recordings.load(), dense.load()]);
+    if (!recordings.here) await recordings.load();
     await this.elsewhere?.comeBack({ why: 'it is recorded' });
     return await work(recordings.code);
   }
@@ -202,7 +202,7 @@ export class World implements TimedWorld {
   }
 
   destroy(): void {
-    this.elsewhere?.end('removed');
+    this.elsewhere?.end();
     this.timeline = this.events.keeper = undefined;
     this.lifecycle.destroy();
   }

@@ -20,15 +20,17 @@ export function faultOf(
   if (!isRecord(given) || typeof given.x3dPhysics !== 'number')
     return 'restore takes what snapshot() gave';
   if (given.x3dPhysics !== FORMAT)
-    return `this snapshot is of another version of x3d-physics (it is written in ${given.x3dPhysics}, here ${FORMAT} is read)`;
+    return `this snapshot is of another version of x3d-physics (${given.x3dPhysics}, not ${FORMAT})`;
   const snapshot = given as unknown as Snapshot;
   try {
-    if (!isWhole(snapshot, kept)) return 'parts of this snapshot are missing, or are no numbers';
-    if (alike(here, snapshot.nodes) || isOf(statesIn(snapshot), here)) return undefined;
+    if (isWhole(snapshot, kept))
+      return alike(here, snapshot.nodes) || isOf(statesIn(snapshot), here)
+        ? undefined
+        : 'this snapshot is of another scene';
   } catch {
-    return 'parts of this snapshot can’t be read';
+    // It can't be read at all.
   }
-  return 'this snapshot is of another scene';
+  return 'parts of this snapshot are missing, or are no numbers';
 }
 
 const isRecord = (value: unknown): value is Record<string, unknown> =>
