@@ -1,8 +1,8 @@
 // No world is made by `createWorld` before the first fact is over: that has the code of dense snapshots come.
 import assert from 'node:assert/strict';
-import { chunks, loadBullet, World } from '../../../physics-core/inside.js';
-import { dense } from '../../../physics-core/world/snapshot/dense.js';
-import { codes, fact } from '../helpers.js';
+import { chunks, loadBullet, World } from '../../../../physics-core/inside.js';
+import { dense } from '../../../../physics-core/world/snapshot/dense.js';
+import { codes, fact } from '../../../core/helpers.js';
 
 const COUNT = 40;
 
