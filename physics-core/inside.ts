@@ -64,7 +64,6 @@ export async function debugLines(world: World): Promise<DebugLines> {
   return outlines.code.lines(world, {
     flush: () => world.flush(),
     joints: () => [...world.nodes].filter(isJoint),
-    contacts: () => world.elsewhere?.contacts,
   });
 }
 
@@ -77,7 +76,8 @@ export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
 
 recordings.comesFrom(() => import('./timeline/timeline-code.js'));
 dense.comesFrom(() => import('./world/snapshot/dense/dense-code.js'));
-threads.comesFrom(() => import('./thread/thread-code.js'));
+// What comes back from another thread is dense.
+threads.comesFrom(() => dense.load().then(() => import('./thread/thread-code.js')));
 
 measureWith(async () => (await import('./accuracy/measure.js')).measureAccuracy);
 

@@ -13,13 +13,19 @@ export class Begun {
       else this.#active.delete(node);
     }
     if (event === 'collisionstart') this.#touchesOf(node).add((detail as Collision).other);
-    if (event === 'collisionend') this.#touchesOf(node).delete((detail as Collision).other);
+    if (event === 'collisionend') this.#ended(node, (detail as Collision).other);
   }
 
   #touchesOf(node: PhysicsNode): Set<unknown> {
     const known = this.#touches.get(node) ?? new Set();
     this.#touches.set(node, known);
     return known;
+  }
+
+  #ended(node: PhysicsNode, other: unknown): void {
+    const others = this.#touches.get(node);
+    others?.delete(other);
+    if (others?.size === 0) this.#touches.delete(node);
   }
 
   end(reason: CollisionEnd, time: number): void {

@@ -27,8 +27,12 @@ const scene = (attributes: string, more = ''): string => `<!doctype html>
     <transform id="drawn" translation="8 9 6"><shape><sphere></sphere></shape></transform>
   </scene></x3d>`;
 
+/** Of the pages: nobody else hears them. */
+const errors: string[] = [];
+
 async function shown(text: string): Promise<{ page: PageWindow; world: World }> {
   const page = await openText(text);
+  page.addEventListener('error', ({ message }) => errors.push(message));
   const body = page.document.querySelector('x3d-rigid-body') as unknown as { world?: World };
   await until(() => body.world !== undefined);
   return { page, world: await body.world!.ready };
@@ -46,6 +50,8 @@ async function begun(world: World): Promise<void> {
 }
 
 describe('a world in a worker', () => {
+  afterEach(() => expect(errors.splice(0)).to.deep.equal([]));
+
   it('goes the way it goes on the page’s own thread, to the bit, edits included', async () => {
     const ways: string[] = [];
     const steps: unknown[] = [];
@@ -120,6 +126,7 @@ describe('a world in a worker', () => {
     expect(bits(world)).to.equal(before);
     world.step(5);
     expect(steps).to.equal(5);
+    expect(world.events.silent).to.equal(false);
   });
 
   it('stays where a ROUTE takes what a sensor sends to physics', async () => {

@@ -28,19 +28,22 @@ export interface DebugScene {
   /** Applies edits that wait. */
   flush(): void;
   joints(): Iterable<Joint>;
-  /** Contact points that another thread found; undefined: they are found here. */
-  contacts(): Float64Array | undefined;
+}
+
+/** A world whose steps another thread may take, which finds its contact points, too. */
+export interface DrawnSimulation extends Simulation {
+  readonly elsewhere: { readonly contacts: Float64Array } | undefined;
 }
 
 /** A world as Bullet has it, as coloured lines in the world's frame: shapes, centres of mass, joints, contacts. */
 export class DebugLines extends LineBuffer {
-  readonly #simulation: Simulation;
+  readonly #simulation: DrawnSimulation;
   readonly #scene: DebugScene;
   readonly #outlines: Outlines;
   readonly #byBody = new WeakMap<Body, Outline>();
   readonly #pose = new Float64Array(POSE);
 
-  constructor(simulation: Simulation, scene: DebugScene) {
+  constructor(simulation: DrawnSimulation, scene: DebugScene) {
     super();
     this.#simulation = simulation;
     this.#scene = scene;
@@ -54,7 +57,7 @@ export class DebugLines extends LineBuffer {
     for (const body of this.#simulation.bodies) this.#body(body);
     for (const joint of this.#scene.joints())
       if (joint.attached) markJoint(this, this.#simulation, joint);
-    markContacts(this, this.#simulation, this.#scene.contacts());
+    markContacts(this, this.#simulation, this.#simulation.elsewhere?.contacts);
   }
 
   dispose(): void {

@@ -2,11 +2,11 @@ import { Chunk } from '../../base/chunk.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
 import type { ColorMeaning } from './colors.js';
-import type { DebugLines, DebugScene } from './debug-lines.js';
+import type { DebugLines, DebugScene, DrawnSimulation } from './debug-lines.js';
 
 /** What only a world needs that is drawn as Bullet has it. */
 interface DebugCode {
-  lines(simulation: Simulation, scene: DebugScene): DebugLines;
+  lines(simulation: DrawnSimulation, scene: DebugScene): DebugLines;
   readonly legend: readonly ColorMeaning[];
 }
 

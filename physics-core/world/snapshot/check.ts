@@ -20,7 +20,7 @@ export function faultOf(
   if (!isRecord(given) || typeof given.x3dPhysics !== 'number')
     return 'restore takes what snapshot() gave';
   if (given.x3dPhysics !== FORMAT)
-    return `this snapshot is of another version of x3d-physics (${given.x3dPhysics}, not ${FORMAT})`;
+    return `this snapshot is of another version (${given.x3dPhysics}, not ${FORMAT})`;
   const snapshot = given as unknown as Snapshot;
   try {
     if (isWhole(snapshot, kept))
@@ -55,10 +55,8 @@ const areBodies = ({ ids, flags, states, boxes, placed, poses, list }: Moment): 
   flags.length === ids.length &&
   states.length === STATE * ids.length &&
   boxes.length === BOX * boxesIn(flags) &&
-  states.every(Number.isFinite) &&
-  boxes.every(Number.isFinite) &&
   poses.length === POSE * placed.length &&
-  poses.every(Number.isFinite) &&
+  [states, boxes, poses].every((numbers) => numbers.every(Number.isFinite)) &&
   (list === 0 || list === 1);
 
 /** Whether all numbers in it are numbers: JSON makes null of NaN. */

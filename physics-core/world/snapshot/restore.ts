@@ -22,13 +22,14 @@ export interface RestoredWorld extends BodiesWorld {
   readonly lifecycle: Lifecycle;
   readonly stepping: Stepping;
   readonly control: LevelControl;
-  readonly awaiting: { stand(code: Promise<void>, then: () => void): void };
+  readonly awaiting: { stand(code: Promise<void>, then: () => void): Promise<void> };
 }
 
 export function restoreSnapshot(world: RestoredWorld, snapshot: Snapshot): void {
   const now = (): void => restoreNow(world, snapshot);
   // A kept one, of a page that had its code.
-  if (typeof snapshot?.bodies === 'string' && !dense.here) world.awaiting.stand(dense.load(), now);
+  if (typeof snapshot?.bodies === 'string' && !dense.here)
+    void world.awaiting.stand(dense.load(), now);
   else now();
 }
 

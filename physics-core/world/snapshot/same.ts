@@ -19,7 +19,7 @@ export function isSame(
     world.accuracy === level &&
     world.control.parts === parts &&
     alike(world.poses.origin, origin) &&
-    alike(nodesOf(world), nodes) &&
+    alike(nodesOf(world, nodes), nodes) &&
     // Wherever their stops were met.
     alike(jointsOf(world).map(placed), joints.map(placed)) &&
     ids.length === built.size &&

@@ -3,11 +3,20 @@ import { BodyNode } from '../../nodes/body/body.js';
 import { isJoint } from '../../nodes/joints/is-joint.js';
 import { PhysicsNode } from '../../nodes/node/node.js';
 import { dense, type NodesWorld } from './dense.js';
-import { cloned, isLasting, type NodeState, type Reference, type Snapshot } from './snapshot.js';
+import {
+  cloned,
+  isLasting,
+  type NodeKind,
+  type NodeState,
+  type Reference,
+  type Snapshot,
+} from './snapshot.js';
 
-/** What is asked of the nodes of a world. */
-export function nodesOf(world: NodesWorld): Snapshot['nodes'] {
-  if (dense.here) return dense.code.kindsOf(world);
+const isDense = (nodes: Snapshot['nodes']): nodes is NodeKind[] => 'ids' in (nodes[0] ?? {});
+
+/** What is asked of the nodes of a world; `like`: to be compared with. */
+export function nodesOf(world: NodesWorld, like?: Snapshot['nodes']): Snapshot['nodes'] {
+  if (dense.here && (!like || isDense(like))) return dense.code.kindsOf(world);
   const nodes = [...world.nodes];
   const children = new Set(nodes.flatMap((node) => node.children.all));
   return nodes.map((node) => stateOf(node, children.has(node)));
@@ -19,7 +28,7 @@ export const jointsOf = ({ nodes }: NodesWorld): Snapshot['joints'] =>
 
 /** Node by node. */
 export const statesIn = ({ nodes }: Pick<Snapshot, 'nodes'>): NodeState[] =>
-  'ids' in (nodes[0] ?? {}) ? dense.code.statesIn(nodes as never) : (nodes as NodeState[]);
+  isDense(nodes) ? dense.code.statesIn(nodes) : nodes;
 
 function stateOf(node: PhysicsNode, child: boolean): NodeState {
   const { id, type, name, version, collection } = node;
@@ -43,7 +52,7 @@ function stateOf(node: PhysicsNode, child: boolean): NodeState {
     // What was only sent in is spent; mostly authors wrote just what is asked.
     ...(String(written) !== String(said.map(([name]) => name)) && { authored: written }),
     ...(before.length > 0 && { beforeEvent: before }),
-    ...(start && { start: structuredClone(start) }),
+    ...(start && { start: cloned(start) }),
   };
 }
 

@@ -69,14 +69,12 @@ export class Awaiting {
   }
 
   /** Time stands still until that is here, and it is done. */
-  stand(code: Promise<void>, then: () => void): void {
+  async stand(code: Promise<void>, then: () => void): Promise<void> {
     this.#waits = true;
-    const over = (): void => {
-      this.#waits = false;
-      then();
-      this.#world.work();
-    };
-    void code.then(over, over);
+    await code.catch(() => {});
+    this.#waits = false;
+    then();
+    this.#world.work();
   }
 
   *#missing(nodes: Iterable<PhysicsNode>): Generator<Missing> {

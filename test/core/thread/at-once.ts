@@ -130,17 +130,11 @@ function stepSingly(world: World, n: number, step: () => number): number | undef
   const heard =
     world.heard('afterstep') || [...world.nodes].some((node) => node.heardEvents.length > 0);
   if (!Number.isInteger(n) || n < 2 || !world.elsewhere || !heard) return undefined;
-  let seconds = 0;
-  let count = 0;
-  let length = 0;
+  // By their length, which a listener may change: added up one by one they would round.
+  const taken = new Map<number, number>();
   for (let i = 0; i < n && world.started; i++) {
-    const taken = step();
-    if (taken !== length) {
-      seconds += count * length;
-      count = 0;
-      length = taken;
-    }
-    count++;
+    const seconds = step();
+    taken.set(seconds, (taken.get(seconds) ?? 0) + 1);
   }
-  return seconds + count * length;
+  return [...taken].reduce((sum, [seconds, count]) => sum + count * seconds, 0);
 }
