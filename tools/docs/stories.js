@@ -1,6 +1,5 @@
 // The stories: built once for `npm start` and for their test.
 import { BIN, runNode } from '../processes.js';
-import { serve } from './static-files.js';
 
 export const STORIES = 'storybook-static';
 
@@ -18,5 +17,3 @@ export async function buildStories(folder = STORIES, { calm = false } = {}) {
   const stories = await runNode([BIN.storybook, ...args], options);
   if (!stories.ok) throw new Error(`${stories.output}\nThe stories did not build: see above.`);
 }
-
-export const serveStories = (port) => serve(STORIES, port);

@@ -67,22 +67,21 @@ export const PLATFORMS = {
   },
 };
 
-/** Tests that need a process, or a page, in which nothing has run before. */
-const isAlone = (file) => /\.(alone|long)\.test\.ts$/.test(file);
+/** Tests that need a process, or a page, in which nothing has run before; a page shows what takes long by itself, too. */
+const ALONE = { node: /\.alone\.test\.ts$/, browser: /\.(alone|long)\.test\.ts$/ };
 
 /**
  * Which files share a process or a page: the engine is loaded, and code compiled, once for all of them. By the bundle's
  * name; `nameOf` says where a file goes.
  */
-function grouped(files, nameOf) {
+function grouped(files, nameOf, alone) {
   const groups = {};
   for (const [i, file] of files.entries())
-    (groups[isAlone(file) ? file : nameOf(file, i / files.length)] ??= []).push(file);
+    (groups[alone.test(file) ? file : nameOf(file, i / files.length)] ??= []).push(file);
   return groups;
 }
 
-/** Each file by itself; all of them together; those of a folder; in as many parts as let one see how far a browser is. */
-export const APART = (file) => file;
+/** All of them together; those of a folder; in as many parts as let one see how far a browser is. */
 export const TOGETHER = () => 'test/all.test.ts';
 export const BY_FOLDER = (file) => file.replace(/\/[^/]+$/, '.test.ts');
 const PARTS = 3;
@@ -110,8 +109,8 @@ export const sourceOf = (bundle) => bundle.split('/').slice(2).join('/').replace
 export async function bundleTests(files, { platform, stage, nameOf }) {
   const outdir = `${BUNDLES}/${stage}`;
   rmSync(outdir, { recursive: true, force: true });
-  const groups = grouped(files, nameOf);
   const { plugins, before = [], ...options } = PLATFORMS[platform];
+  const groups = grouped(files, nameOf, ALONE[platform]);
   await build({
     ...options,
     plugins: [entries(groups, before), ...plugins],

@@ -3,7 +3,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { canShowWindows, findFirefox, findWebKit } from './browsers.js';
-import { APART, BY_FOLDER, bundleTests, IN_PARTS, TOGETHER } from './bundle-tests.js';
+import { BY_FOLDER, bundleTests, IN_PARTS, TOGETHER } from './bundle-tests.js';
 import { add, none } from './count-reporter.js';
 import { FORMAT, LINT } from '../check/checks.js';
 import { BIN, runNode } from '../processes.js';
@@ -59,6 +59,19 @@ const script =
     if (!ok) console.log(output);
     return { ok, passed, failed, faults: ok ? [] : lastLines(output) };
   };
+
+/** Whether the site was built in this run: those that follow look at the same. */
+let isSiteBuilt = false;
+
+/** Builds the site, and looks at it. */
+async function site() {
+  const result = await script(['--import', 'tsx', 'test/site/run.ts'])();
+  isSiteBuilt = true;
+  return result;
+}
+
+/** Looks at the site, or at its stories, which it builds where that was not done yet. */
+const inSite = (args) => () => script(isSiteBuilt ? [...args, '--built'] : args)();
 
 const HARD_CASES = ['--import', 'tsx', 'test/stability/run.ts'];
 
@@ -149,11 +162,13 @@ const check = (args) => async () => {
  */
 export const STAGES = [
   // A browser that draws leaves some of two cores to the core's tests.
-  { name: 'core', quick: true, cores: 1, folders: IN_NODE, run: inNode(TOGETHER) },
+  { name: 'core', quick: true, cores: 1, folders: IN_NODE, takes: isQuick, run: inNode(TOGETHER) },
   { name: 'chromium', quick: true, cores: 1, folders: ['browser'], takes: isQuick, run: QUICKLY },
 
   { name: 'lint', cores: 1, run: check(LINT) },
   { name: 'format', cores: 1, run: check(FORMAT) },
+
+  { name: 'core-long', cores: 1, folders: IN_NODE, takes: isLong, run: inNode(TOGETHER) },
 
   {
     name: 'elsewhere',
@@ -164,9 +179,9 @@ export const STAGES = [
   },
 
   // They have two at work by themselves.
-  { name: 'soaks', folders: ['soaks'], run: inNode(APART) },
+  { name: 'soaks', folders: ['soaks'], run: inNode(BY_FOLDER) },
   { name: 'stability', run: hardCases },
-  { name: 'docs', run: script(['--import', 'tsx', 'test/site/run.ts']) },
+  { name: 'docs', run: site },
   { name: 'package', run: script(['tools/test/package.js']) },
   { name: 'examples', run: script(['tools/test/examples.js']) },
 
@@ -202,9 +217,9 @@ export const STAGES = [
   {
     name: 'playground',
     cores: 1,
-    run: script(['--import', 'tsx', 'test/site/playground/run.ts']),
+    run: inSite(['--import', 'tsx', 'test/site/playground/run.ts']),
   },
-  { name: 'stories', cores: 1, run: script(['tools/test/stories-test.js']) },
+  { name: 'stories', cores: 1, run: inSite(['tools/test/stories-test.js']) },
   { name: 'content', cores: 1, folders: ['content'], missing: noContent, run: CHROMIUM },
   {
     name: 'content-firefox',

@@ -1,10 +1,13 @@
 // What `npm start` opens: the stories build, the first page shows a scene that moves, and the files that it leads to are
 // there; stories fill their frames, with controls only where there are any. dist/ must be built.
+//   --built     as they lie in the built site
 /* global document, fetch, requestAnimationFrame */
 import assert from 'node:assert/strict';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium } from './browsers.js';
-import { buildStories, serveStories } from '../docs/stories.js';
+import { FOLDER } from '../docs/site.js';
+import { serve } from '../docs/static-files.js';
+import { buildStories, STORIES } from '../docs/stories.js';
 
 const PORT = 6106;
 const WIDE = { width: 1280, height: 800 };
@@ -142,8 +145,9 @@ async function holds(browser, baseURL, fact) {
 }
 
 async function main() {
-  if (!process.argv.includes('--built')) await buildStories();
-  const { port, close } = await serveStories(PORT);
+  const isBuilt = process.argv.includes('--built');
+  if (!isBuilt) await buildStories();
+  const { port, close } = await serve(isBuilt ? `${FOLDER}/stories` : STORIES, PORT);
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
   let failed = 0;

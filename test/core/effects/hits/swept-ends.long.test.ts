@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import { levelNames } from '../../../../../physics-core/dynamics/levels.js';
-import type { World } from '../../../../../physics-core/inside.js';
+import { levelNames } from '../../../../physics-core/dynamics/levels.js';
+import type { World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   below,
@@ -12,7 +12,7 @@ import {
   WEIGHTLESS,
   world,
   type Body,
-} from '../../../../core/helpers.js';
+} from '../../helpers.js';
 
 // The ends of what is thin and turns fast strike what they pass.
 

@@ -1,5 +1,5 @@
-import { move } from '../../../../../references/mechanism.js';
-import { slidingRod } from '../../../../../references/sliding-rod.js';
+import { move } from '../../../../references/mechanism.js';
+import { slidingRod } from '../../../../references/sliding-rod.js';
 import {
   above,
   addBody,
@@ -12,8 +12,8 @@ import {
   world,
   type Body,
   type Vec3,
-} from '../../../../core/helpers.js';
-import { G } from '../../../../core/effects/contact-solve/scenes.js';
+} from '../../helpers.js';
+import { G } from './scenes.js';
 
 // What turns about an edge or a corner: where it is after so many frames, against the truth in double precision.
 
