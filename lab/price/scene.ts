@@ -6,7 +6,7 @@ export interface PriceScene {
   /** Fits over a panel of the picture. */
   name: string;
   size: number;
-  /** Of the same kind, cheap enough for tests and for the compiler's warm-up. */
+  /** Of the same kind, cheap enough for tests. */
   small: number;
   /** What its picture shows: how deep bodies overlap, or how far joints gape. */
   judged: 'overlap' | 'gap';
