@@ -131,7 +131,7 @@ async function measured(
   const ammo = runs.find(({ engine }) => engine === 'ammo');
   const sides = runs.map((run): [string, Side] => [run.engine, sideOf(run, ammo)]);
   const step = runs[0]!.running.timeStep;
-  for (const run of runs) run.running.destroy();
+  destroy(runs);
   return { step, sides: { ...Object.fromEntries(sides), ...lacking } };
 }
 
@@ -141,15 +141,25 @@ async function measured(
  */
 const WARM_UP = 8;
 
-/** From its beginning, time and again: what moves there is what is measured. */
-async function warmUp(scene: CaseScene, level: string, turns: number): Promise<void> {
+/**
+ * From its beginning, time and again: what moves there is what is measured. The worlds made last are handed back alive: with
+ * the last objects of their shapes V8 drops, at the next full collection, all code that it has compiled for them.
+ */
+async function warmUp(scene: CaseScene, level: string, turns: number): Promise<Run[]> {
   const end = performance.now() + 1000 * WARM_UP;
-  while (performance.now() < end) {
-    const { runs } = await begin(scene, level, false);
+  let last: Run[] = [];
+  do {
+    const before = last;
+    last = (await begin(scene, level, false)).runs;
+    destroy(before);
     for (let turn = 0; turn < turns && performance.now() < end; turn++)
-      for (const run of runs) takeTurn(run);
-    for (const run of runs) run.running.destroy();
-  }
+      for (const run of last) takeTurn(run);
+  } while (performance.now() < end);
+  return last;
+}
+
+function destroy(runs: readonly Run[]): void {
+  for (const { running } of runs) running.destroy();
 }
 
 export async function measureCell(
@@ -161,8 +171,9 @@ export async function measureCell(
   const drives = driven !== undefined;
   const scene = build(size);
   progress('warming up');
-  await warmUp(scene, level, turns);
+  const warm = await warmUp(scene, level, turns);
   const { step, sides } = await measured(scene, level, drives, turns, progress);
+  destroy(warm);
   return {
     scene: id,
     level,
