@@ -47,6 +47,11 @@ export class Carrying extends Effect {
     this.need(body, 'position');
   }
 
+  /** Whether it was told since the last step already: all that it touches is awake. */
+  wasTold(body: Body): boolean {
+    return this.#carried.get(body)?.since === this.#simulation.time;
+  }
+
   override reset(): void {
     this.#riders.reset();
     for (const body of [...this.#carried.keys()]) this.release(body);

@@ -10,6 +10,7 @@ import {
   rotate,
   subtract,
   type Pose,
+  type Quaternion,
 } from '../../base/math.js';
 import { show } from '../../base/show.js';
 import type { Velocity } from '../../dynamics/body.js';
@@ -41,13 +42,19 @@ export class BodyMotion {
   // ---- pose -------------------------------------------------------------------------------------------------------
 
   startPose(): Pose {
+    return { p: this.startPlace, q: this.startTurn };
+  }
+
+  get startPlace(): Vec3 {
     const node = this.#node;
-    const { p, q } = this.#soundStart();
-    const own = (field: string): boolean => node.authored(field) || !this.start;
-    return {
-      p: own('position') ? [...node.asked<Vec3>('position')] : p,
-      q: own('orientation') ? quaternionOf(node.asked<Rotation>('orientation')) : q,
-    };
+    if (this.start && !node.authored('position')) return this.#soundStart().p;
+    return [...node.asked<Vec3>('position')];
+  }
+
+  get startTurn(): Quaternion {
+    const node = this.#node;
+    if (this.start && !node.authored('orientation')) return this.#soundStart().q;
+    return quaternionOf(node.asked<Rotation>('orientation'));
   }
 
   /** What it stands for may be anywhere, also where no number of single precision reaches. */
@@ -132,13 +139,15 @@ export class BodyMotion {
       this.moveTo(pose);
       return;
     }
+    const carriers = node.world.registry.get(carrying);
     const from = compose(this.poseInBullet(), node.centerOfMass);
-    this.#wakeTouching();
-    this.goAlong();
+    // Position and orientation come one after the other.
+    if (!this.kinematic || !carriers.wasTold(node)) {
+      this.#wakeTouching();
+      this.goAlong();
+    }
     this.place(pose);
-    node.world.registry
-      .get(carrying)
-      .carry(node, from, compose(this.#inBullet(pose), node.centerOfMass));
+    carriers.carry(node, from, compose(this.#inBullet(pose), node.centerOfMass));
   }
 
   /** It is kinematic from now on. */
