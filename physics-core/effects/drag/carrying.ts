@@ -4,6 +4,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
+import { wakeTouching } from '../rest/touching.js';
 import { Carried, type KeptMove } from './carried.js';
 import { Riders, type KeptRide } from './riders.js';
 import type { Grip } from './slips.js';
@@ -38,18 +39,16 @@ export class Carrying extends Effect {
     this.#riders = new Riders(simulation);
   }
 
-  /** Poses of the centre of mass: where it stands, and where it is to be. */
+  /** It is about to be elsewhere. Poses of the centre of mass: where it stands, and where it is to be. */
   carry(body: Body, from: Pose, to: Pose): void {
     const { time, timeStep, stepping } = this.#simulation;
     let carried = this.#carried.get(body);
     if (!carried) this.#carried.set(body, (carried = new Carried(from)));
+    // Position and orientation come one after the other: by then all that it touches is awake.
+    if (carried.since !== time) wakeTouching(this.#simulation, this.#effects, body);
+    body.goAlong();
     carried.tell(to, time, stepping.turn, timeStep);
     this.need(body, 'position');
-  }
-
-  /** Whether it was told since the last step already: all that it touches is awake. */
-  wasTold(body: Body): boolean {
-    return this.#carried.get(body)?.since === this.#simulation.time;
   }
 
   override reset(): void {

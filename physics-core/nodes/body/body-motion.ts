@@ -10,7 +10,6 @@ import {
   rotate,
   subtract,
   type Pose,
-  type Quaternion,
 } from '../../base/math.js';
 import { show } from '../../base/show.js';
 import type { Velocity } from '../../dynamics/body.js';
@@ -42,19 +41,14 @@ export class BodyMotion {
   // ---- pose -------------------------------------------------------------------------------------------------------
 
   startPose(): Pose {
-    return { p: this.startPlace, q: this.startTurn };
-  }
-
-  get startPlace(): Vec3 {
     const node = this.#node;
-    if (this.start && !node.authored('position')) return this.#soundStart().p;
-    return [...node.asked<Vec3>('position')];
-  }
-
-  get startTurn(): Quaternion {
-    const node = this.#node;
-    if (this.start && !node.authored('orientation')) return this.#soundStart().q;
-    return quaternionOf(node.asked<Rotation>('orientation'));
+    const own = (field: string): boolean => node.authored(field) || !this.start;
+    return {
+      p: own('position') ? [...node.asked<Vec3>('position')] : this.#soundStart().p,
+      q: own('orientation')
+        ? quaternionOf(node.asked<Rotation>('orientation'))
+        : this.#soundStart().q,
+    };
   }
 
   /** What it stands for may be anywhere, also where no number of single precision reaches. */
@@ -115,15 +109,20 @@ export class BodyMotion {
       return;
     }
     this.loadChanges();
-    this.#wakeTouching();
-    if (this.kinematic) this.#letGo();
+    const { world } = node;
+    wakeTouching(world, world.registry, node);
+    if (this.kinematic) {
+      // It goes no further on its way.
+      world.registry.find(carrying)?.release(node);
+      this.standStill();
+    }
     const velocity = this.velocityAtOrigin();
     this.place(pose);
-    node.world.registry.find(gyroscopic)?.forget(node);
+    world.registry.find(gyroscopic)?.forget(node);
     if (node.centerOfMass.p.some(Boolean)) this.setVelocityAtOrigin(velocity);
     node.wake();
     // What never wakes is to be drawn there all the same.
-    node.world.work();
+    world.work();
   }
 
   /**
@@ -139,15 +138,10 @@ export class BodyMotion {
       this.moveTo(pose);
       return;
     }
-    const carriers = node.world.registry.get(carrying);
     const from = compose(this.poseInBullet(), node.centerOfMass);
-    // Position and orientation come one after the other.
-    if (!this.kinematic || !carriers.wasTold(node)) {
-      this.#wakeTouching();
-      this.goAlong();
-    }
+    const to = compose(this.#inBullet(pose), node.centerOfMass);
+    node.world.registry.get(carrying).carry(node, from, to);
     this.place(pose);
-    carriers.carry(node, from, compose(this.#inBullet(pose), node.centerOfMass));
   }
 
   /** It is kinematic from now on. */
@@ -156,17 +150,6 @@ export class BodyMotion {
     this.kinematic = true;
     node.object.setFlags();
     keepAwake(node.body);
-  }
-
-  /** It goes no further on its way. */
-  #letGo(): void {
-    this.#node.world.registry.find(carrying)?.release(this.#node);
-    this.standStill();
-  }
-
-  #wakeTouching(): void {
-    const { world } = this.#node;
-    wakeTouching(world, world.registry, this.#node);
   }
 
   /** Carried no longer: static again. */

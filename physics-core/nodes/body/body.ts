@@ -223,8 +223,8 @@ export class BodyNode extends PhysicsNode implements Body {
   override get(name: string): Value {
     const value = super.get(name);
     if (this.built || !this.motion.start) return value;
-    if (name === 'position') return this.motion.startPlace;
-    return name === 'orientation' ? rotationOf(this.motion.startTurn) : value;
+    if (name === 'position') return this.motion.startPose().p;
+    return name === 'orientation' ? rotationOf(this.motion.startPose().q) : value;
   }
 
   pose(): Pose {

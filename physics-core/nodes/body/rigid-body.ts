@@ -1,5 +1,5 @@
 import { DRAG_MODES } from '../../dynamics/body.js';
-import { rotationOf, type Pose } from '../../base/math.js';
+import { rotationOf } from '../../base/math.js';
 import { LEAST_MASS } from '../../fields/bounds.js';
 import { geometryTypes, type Geometry } from '../../shapes/geometry.js';
 import { codeFor } from '../../shapes/meshes.js';
@@ -13,20 +13,14 @@ const damping = (body: BodyNode): void => body.loads.updateDamping();
 const forces = (body: BodyNode): void => body.loads.updateForces();
 
 /** Only the part that was asked for goes there at once; the other stays where the simulation has it. */
-const placed = (body: BodyNode): void => {
-  if (!body.authored('position') && body.motion.start) return;
-  moveTo(body, { ...body.motion.pose(), p: body.motion.startPlace });
-};
-
-const turned = (body: BodyNode): void => {
-  if (!body.authored('orientation') && body.motion.start) return;
-  moveTo(body, { ...body.motion.pose(), q: body.motion.startTurn });
-};
-
-function moveTo(body: BodyNode, pose: Pose): void {
-  body.carryTo(pose);
-  body.presence.unpark();
-}
+const placed =
+  (part: 'p' | 'q') =>
+  (body: BodyNode): void => {
+    const field = part === 'p' ? 'position' : 'orientation';
+    if (!body.authored(field) && body.motion.start) return;
+    body.carryTo({ ...body.pose(), [part]: body.motion.startPose()[part] });
+    body.presence.unpark();
+  };
 
 const moved = (): string => 'teleport() moves it';
 
@@ -118,7 +112,7 @@ export const rigidBody = defineNode<BodyNode>({
       default: [0, 0, 0],
       dimension: { length: 1 },
       edit: 'live',
-      patch: placed,
+      patch: placed('p'),
       read: (body) => body.pose().p,
       instead: moved,
       doc: `Position, metres, world frame. ${LIVE}: teleport() always moves it.`,
@@ -129,7 +123,7 @@ export const rigidBody = defineNode<BodyNode>({
       default: [0, 0, 1, 0],
       dimension: { angle: 1 },
       edit: 'live',
-      patch: turned,
+      patch: placed('q'),
       read: (body) => rotationOf(body.pose().q),
       instead: moved,
       doc: `Orientation, axis and angle, radians. ${LIVE}: teleport() always turns it.`,
