@@ -1,4 +1,4 @@
-// npm run write -- types: writes the TypeScript types that come from the field tables; test/tools/generated-types.test.ts holds them.
+// npm run write -- types: writes the TypeScript types that come from the field tables; test/tools/generated-types.long.test.ts holds them.
 import { writeFileSync } from 'node:fs';
 import { format, resolveConfig } from 'prettier';
 import { nodeTypes, type NodeType } from '../../physics-core/inside.js';
