@@ -8,6 +8,7 @@ export const GALLERY = {
   crane: 'Crane',
   'wrecking-ball': 'Wrecking ball',
   dominoes: 'Dominoes',
+  vase: 'What happened here?',
   'ragdoll-stairs': 'Ragdoll on stairs',
   gears: 'Gears',
   cradle: 'Newton’s cradle',

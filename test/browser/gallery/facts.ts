@@ -39,6 +39,20 @@ export const FACTS: Record<string, Fact> = {
     seconds: 26,
     holds: `all('.stone').length === 90 && all('.stone').every(({ position }) => position[1] < 0.27)`,
   },
+  vase: {
+    says: 'blue strikes the vase, which falls; looked back at it stands, and played on it falls to the same place',
+    seconds: 3,
+    holds: `(() => {
+      const { timeline } = world;
+      const place = () => body('vase').position.join();
+      const [end, [, high], [way]] = [place(), body('vase').position, moved([body('blue')])];
+      timeline.seek(timeline.from);
+      const [, before] = body('vase').position;
+      world.resume();
+      world.advance(3 - world.time);
+      return way > 0.5 && before > 1.2 && high < 0.3 && place() === end;
+    })()`,
+  },
   gears: {
     says: 'speeds go as the numbers of teeth, to and fro',
     seconds: 8,
