@@ -42,12 +42,11 @@ export class BodyMotion {
 
   startPose(): Pose {
     const node = this.#node;
+    const { p, q } = this.#soundStart();
     const own = (field: string): boolean => node.authored(field) || !this.start;
     return {
-      p: own('position') ? [...node.asked<Vec3>('position')] : this.#soundStart().p,
-      q: own('orientation')
-        ? quaternionOf(node.asked<Rotation>('orientation'))
-        : this.#soundStart().q,
+      p: own('position') ? [...node.asked<Vec3>('position')] : p,
+      q: own('orientation') ? quaternionOf(node.asked<Rotation>('orientation')) : q,
     };
   }
 
