@@ -4,7 +4,16 @@ import { bulletHas, touchedBy } from '../world/bullet-has.js';
 import type { World } from '../world/world.js';
 
 /** What can be asked of a world on whichever thread it runs. */
-const ASKED = ['advance', 'effects', 'explain', 'raycast', 'snapshot', 'stats', 'step'];
+const ASKED = [
+  'advance',
+  'effects',
+  'explain',
+  'exportRun',
+  'raycast',
+  'snapshot',
+  'stats',
+  'step',
+];
 
 export async function ask(
   world: World,

@@ -10,7 +10,8 @@ import type { PhysicsNode } from '../nodes/node/node.js';
 import { callOf, encode } from '../timeline/calls.js';
 import { Deeds } from '../timeline/deeds.js';
 import type { AccuracyChange } from '../world/accuracy/level-control.js';
-import { becomeAs } from '../world/snapshot/restore.js';
+import type { Run, Timeline } from '../world/recording.js';
+import { becomeAs, restoreSnapshot } from '../world/snapshot/restore.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { takeSnapshot } from '../world/snapshot/take.js';
 import { statsOf } from '../world/stats.js';
@@ -21,8 +22,9 @@ import type { World } from '../world/world.js';
 import { Begun } from './begun.js';
 import { BEFORE_STEP, GIVEN, reportMain } from './bound.js';
 import type { Heard, Line } from './line.js';
-import type { Answer, Deed, EffectCosts, Order, Said } from './messages.js';
+import type { Answer, Deed, EffectCosts, Look, Order, Said } from './messages.js';
 import { Mirror } from './mirror.js';
+import { RemoteRecording } from './remote-recording.js';
 import { RemoteStepping } from './remote-stepping.js';
 import { hear } from './words.js';
 
@@ -42,6 +44,12 @@ interface Waiting {
   resolve(value: unknown): void;
   reject(error: unknown): void;
 }
+
+/** They go on from where somebody looks. */
+const OF_TIME = ['advance', 'step'];
+
+/** What only this world asks. */
+const OF_OURS = ['record', 'resume'];
 
 /** Of the world's own events, those that come about where it runs. */
 const OF_STEPS = ['afterstep'];
@@ -70,6 +78,11 @@ export class Away implements Elsewhere {
   #coming: Promise<void> | undefined;
   readonly #later = new Deeds();
   readonly #begun = new Begun();
+  #recording: RemoteRecording | undefined;
+  /** It is about to go on from where somebody looked. */
+  #resuming = false;
+  /** What was done there already is done here again. */
+  #again = false;
   #lost = false;
   #passing = false;
 
@@ -116,8 +129,11 @@ export class Away implements Elsewhere {
     if (this.#lost) return work();
     if (args[0] === 'set_contacts')
       this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
-    if (this.#world.elsewhere !== this) return work();
-    if (this.#coming) this.#later.putOff({ who, method, args });
+    if (this.#world.elsewhere !== this || this.#again) return work();
+    if (method === 'drag') this.#recording?.resume();
+    // He would hold what is about to be put where it was.
+    if (method === 'drag' && this.#resuming) return undefined as T;
+    if (this.#coming || this.#resuming) this.#later.putOff({ who, method, args });
     const number = method === 'drag' ? ++this.#drag : this.#drags.get(who);
     const deed = { call: callOf(this.#world, who, number, 0, method, args) };
     this.#deeds.push(deed);
@@ -159,13 +175,18 @@ export class Away implements Elsewhere {
   }
 
   begunAnew(goesOn: boolean): void {
-    if (this.#lost || !goesOn) return this.end('reset');
+    if (this.#lost || !goesOn) {
+      this.end('reset');
+      return this.#recordHere();
+    }
     this.#deeds.push({ call: callOf(this.#world, undefined, undefined, 0, 'reset', []) });
+    this.#recording?.leave();
     this.#forget();
   }
 
   restored(snapshot: Snapshot): void {
     this.#deeds.push({ restore: snapshot });
+    this.#recording?.leave();
     this.#forget();
   }
 
@@ -218,6 +239,7 @@ export class Away implements Elsewhere {
       ...this.#there.news(),
       watched: this.#watched,
       marked: this.#marked,
+      remembered: this.#recording?.remembered ?? false,
       ask,
       room,
     };
@@ -229,8 +251,16 @@ export class Away implements Elsewhere {
   ask(method: string, args: readonly unknown[]): Promise<unknown> {
     if (this.#lost) return Promise.reject(new Error('the worker of this world is lost'));
     if (this.#coming) return this.#coming.then(() => this.#world.ask(method, ...args));
+    if (OF_TIME.includes(method)) this.#recording?.resume();
     if (method === 'step') this.#there.singly = args[0] === undefined || args[0] === 1;
-    return new Promise((resolve, reject) => this.#request({ method, args, resolve, reject }));
+    return new Promise((resolve, reject) => this.#request({ method, args, resolve, reject })).then(
+      (value) => this.#exported(method, value),
+    );
+  }
+
+  #exported(method: string, value: unknown): unknown {
+    if (method !== 'exportRun' || !value) return value;
+    return this.#recording?.exported(value as Run) ?? value;
   }
 
   #request(of: Omit<Waiting, 'number'>): void {
@@ -250,6 +280,57 @@ export class Away implements Elsewhere {
     return null;
   }
 
+  // ---- what is recorded --------------------------------------------------------------------------------------------
+
+  async record(seconds: number): Promise<Timeline> {
+    if (this.#coming) {
+      await this.#coming;
+      return this.#world.record({ seconds });
+    }
+    await new Promise((resolve, reject) =>
+      this.#request({ method: 'record', args: [seconds], resolve, reject }),
+    );
+    // Where there is no worker it is recorded here.
+    if (this.#world.elsewhere !== this) return this.#world.record({ seconds });
+    const recording = new RemoteRecording(this.#world, this, seconds);
+    recording.take(this.#last!);
+    return (this.#world.timeline = this.#recording = recording);
+  }
+
+  get next(): number {
+    return this.#given + 1;
+  }
+
+  look(look: Look): void {
+    this.#deeds.push({ look });
+    this.#world.work();
+  }
+
+  /** What is done until it has is done there in its turn, and here again. */
+  goOn(): void {
+    this.#resuming = true;
+    const resolve = (snapshot: unknown): void => this.#resumed(snapshot as Snapshot);
+    this.#request({ method: 'resume', args: [], resolve, reject: () => {} });
+  }
+
+  #resumed(snapshot: Snapshot | undefined): void {
+    this.#resuming = false;
+    if (!snapshot || this.#world.elsewhere !== this) return;
+    this.#again = true;
+    this.#world.events.anew(() => restoreSnapshot(this.#world, snapshot));
+    this.#later.do();
+    this.#again = false;
+    this.#world.work();
+  }
+
+  /** What it was is kept no more; what is to come is. */
+  #recordHere(): void {
+    const recording = this.#recording;
+    if (!recording || this.#world.timeline !== recording) return;
+    this.#world.timeline = undefined;
+    void this.#world.record({ seconds: recording.seconds });
+  }
+
   // ---- answers ----------------------------------------------------------------------------------------------------
 
   answered(answer: Answer): void {
@@ -263,7 +344,9 @@ export class Away implements Elsewhere {
 
   /** Snapshots name nodes by number, and go on doing so. */
   #isPlain = (asked: unknown): boolean =>
-    typeof asked === 'object' && asked !== null && 'x3dPhysics' in asked;
+    typeof asked === 'object' &&
+    asked !== null &&
+    ('x3dPhysics' in asked || 'x3dPhysicsRun' in asked);
 
   #settle(number: number, how: (one: Waiting) => void): void {
     while (this.#waiting[0] && this.#waiting[0].number <= number) how(this.#waiting.shift()!);
@@ -275,6 +358,7 @@ export class Away implements Elsewhere {
     this.#costs = answer.effects ?? this.#costs;
     this.#mirror.take(answer, stepped);
     this.#there.take(answer);
+    this.#recording?.take(answer);
     if (this.#world.registry.active(debugging)) this.place();
     const { events } = this.#world;
     events.during(() => {
@@ -374,6 +458,7 @@ export class Away implements Elsewhere {
       events.silent = false;
     });
     this.#later.do();
+    this.#recordHere();
     this.#world.work();
   }
 
@@ -385,12 +470,13 @@ export class Away implements Elsewhere {
     reportMain(world, world.bound);
     this.#leave();
     for (const { method, args, resolve } of this.#waiting.splice(0))
-      resolve(world.ask(method, ...args));
+      resolve(OF_OURS.includes(method) ? undefined : world.ask(method, ...args));
     world.work();
   }
 
   lost(error: unknown): void {
     this.#lost = true;
+    this.#world.timeline = this.#recording = undefined;
     this.#there.stand();
     const message = `the worker of this world is lost (${String(error)}); it stands still until it is reset`;
     this.#world.report(

@@ -13,7 +13,6 @@ export const THERE: Bound = { why: 'it runs in a worker' };
 /** What keeps a world on the page's own thread. */
 export function boundHere(world: World): Bound | undefined {
   if (world.heard('beforestep')) return BEFORE_STEP;
-  if (world.timeline) return { why: 'it is recorded' };
   for (const node of world.nodes)
     if (node.authored('set_contacts')) return { why: GIVEN, host: node.host };
   return world.bound ?? ('Worker' in globalThis ? undefined : { why: 'there are no workers here' });

@@ -1,7 +1,7 @@
 // What a page and the worker of a world say to each other. Orders are numbered, and carried out one after the other.
 import type { ProblemReport } from '../base/problems.js';
 import type { EffectReport } from '../effects/effect/report.js';
-import type { Call } from '../world/recording.js';
+import type { Call, StepHash, TimelineMark } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Stats } from '../world/store/types.js';
 
@@ -28,8 +28,15 @@ export interface Stretch {
   seen: boolean;
 }
 
+/** What somebody does to look at what is recorded there. */
+export interface Look {
+  method: 'seek' | 'play' | 'pause' | 'stop';
+  args: number[];
+}
+
 /** What was done to the world, in order. */
-export type Deed = { call: Call } | { listening: Listening } | { restore: Snapshot };
+export type Deed =
+  { call: Call } | { listening: Listening } | { restore: Snapshot } | { look: Look };
 
 export interface Order {
   number: number;
@@ -42,6 +49,8 @@ export interface Order {
   watched: boolean;
   /** Whether somebody draws contact points. */
   marked: boolean;
+  /** Whether somebody asked what was done while it was recorded. */
+  remembered: boolean;
   ask?: { method: string; args: unknown[] } | undefined;
   /** Room for states, handed to and fro. */
   room?: Float64Array<ArrayBuffer> | undefined;
@@ -61,6 +70,18 @@ export type Said =
 /** What effects cost, by name. */
 export type EffectCosts = Record<string, Pick<EffectReport, 'active' | 'ms' | 'calls'>>;
 
+/** What is shown of a recording, as in `Timeline`. */
+export interface Recorded {
+  from: number;
+  to: number;
+  at: number | undefined;
+  playing: boolean;
+  /** Where they are others than in the answer before. */
+  hashes?: readonly StepHash[] | undefined;
+  /** Where they were asked for. */
+  marks?: readonly TimelineMark[] | undefined;
+}
+
 export interface Answer {
   number: number;
   /** STATE numbers for each body that moved; the room may be larger. */
@@ -79,6 +100,8 @@ export interface Answer {
   effects?: EffectCosts | undefined;
   /** See `SeenContacts`. */
   contacts?: Float64Array | undefined;
+  /** While it is recorded. */
+  recorded?: Recorded | undefined;
   asked?: unknown;
 }
 

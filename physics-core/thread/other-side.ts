@@ -4,16 +4,29 @@ import { seeContacts } from '../effects/debug/contact-marks.js';
 import type { Engine } from '../engine/engine.js';
 import { Redoing } from '../timeline/calls.js';
 import { copyInto } from '../world/snapshot/copy.js';
+import { recordings, type StepHash } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { World } from '../world/world.js';
 import { answer as answerHere } from './asking.js';
-import type { Answer, Deed, EffectCosts, Listening, Order, Said } from './messages.js';
+import type {
+  Answer,
+  Deed,
+  EffectCosts,
+  Listening,
+  Look,
+  Order,
+  Recorded,
+  Said,
+} from './messages.js';
 import { THERE } from './bound.js';
 import { Moved } from './moved.js';
 import { tell } from './words.js';
 
 /** What both worlds know of is told by the page's; only this one knows how much memory it has. */
 const OWN = ['heap-low', 'heap-exhausted', 'edit-failed'];
+
+/** What is answered in numbers of nodes, and stays so. */
+const PLAIN = ['snapshot', 'resume', 'exportRun'];
 
 /** A world that does what another is asked for, takes its steps, and says what comes of it. */
 export class OtherSide extends World {
@@ -23,6 +36,8 @@ export class OtherSide extends World {
   readonly #stops = new Map<string, () => void>();
   /** Problems that the page knows of from here. */
   readonly #told = new WeakSet<Problem>();
+  /** The last hash that was told. */
+  #hash: StepHash | undefined;
   /** While it does what the page's world did, which tells of that itself. */
   #quiet = false;
 
@@ -88,6 +103,7 @@ export class OtherSide extends World {
       stats: this.stats,
       contacts: order.marked ? seeContacts(this) : undefined,
       effects: order.watched ? this.#costs() : undefined,
+      recorded: this.#recorded(order.remembered),
       asked,
     };
   }
@@ -104,7 +120,26 @@ export class OtherSide extends World {
   #do(deed: Deed): void {
     if ('call' in deed) this.#redoing.do(deed.call);
     else if ('restore' in deed) this.restore(deed.restore);
+    else if ('look' in deed) this.#look(deed.look);
     else this.#listen(deed.listening);
+  }
+
+  #look({ method, args }: Look): void {
+    this.timeline?.[method](args[0]!);
+  }
+
+  #recorded(remembered: boolean): Recorded | undefined {
+    const { timeline } = this;
+    if (!timeline) return undefined;
+    const { from, to, at, playing, hashes } = timeline;
+    const last = hashes.at(-1);
+    const others = last !== this.#hash;
+    this.#hash = last;
+    return {
+      ...{ from, to, at, playing },
+      hashes: others ? hashes : undefined,
+      marks: remembered ? timeline.marks : undefined,
+    };
   }
 
   #listen({ node: id, event, heard }: Listening): void {
@@ -125,10 +160,17 @@ export class OtherSide extends World {
   }
 
   #answer({ method, args }: NonNullable<Order['ask']>): unknown {
-    const answered = answerHere(this, method, this.#redoing.decoded(args));
+    const answered = this.#answered(method, this.#redoing.decoded(args));
     // What steps by hand moved is drawn, too.
     this.#pass(0, false);
-    return method === 'snapshot' ? answered : tell(answered);
+    return PLAIN.includes(method) ? answered : tell(answered);
+  }
+
+  #answered(method: string, args: readonly unknown[]): unknown {
+    if (method === 'record') return void recordings.code.begin(this, args[0] as number);
+    if (method !== 'resume') return answerHere(this, method, args);
+    this.resume();
+    return this.snapshot();
   }
 
   #costs(): EffectCosts {

@@ -74,7 +74,7 @@ export class RemoteStepping extends Stepping {
   get #goesOn(): boolean {
     if (this.#courier.due || this.#courier.waits) return true;
     if (this.paused !== this.#paused || this.timeScale !== this.#timeScale) return true;
-    return this.running && this.#needsFrame;
+    return this.#needsFrame && (this.running || !!this.#world.timeline?.playing);
   }
 
   #note(seconds: number, seen: boolean): void {
@@ -123,8 +123,8 @@ export class RemoteStepping extends Stepping {
   }
 
   override get running(): boolean {
-    const { started, control } = this.#world;
-    return started && control.enabled && !this.paused && this.timeScale > 0;
+    const { started, control, timeline } = this.#world;
+    return started && !timeline?.looking && control.enabled && !this.paused && this.timeScale > 0;
   }
 
   override get needsFrame(): boolean {

@@ -29,13 +29,16 @@ function choose(world: World): void {
   if (wanted && !world.elsewhere) leave(world);
 }
 
-/** The world goes on there from where it is, unless something keeps it here. */
+/** The world goes on there from where it is, and its recording anew, unless something keeps it here. */
 function leave(world: World): void {
   const bound = boundHere(world);
   if (bound) return reportMain(world, bound);
-  new Away(world, (heard) => {
+  const seconds = world.timeline?.seconds;
+  world.timeline?.stop();
+  const away = new Away(world, (heard) => {
     const line = new Line(heard);
     void line.call(world.engine.source.workerUrl);
     return line;
   });
+  if (seconds) void away.record(seconds);
 }

@@ -2,6 +2,7 @@
 import { dense } from '../world/snapshot/dense.js';
 import { loadEngine } from '../engine/engine.js';
 import { chunks } from '../world/chunks/all.js';
+import { recordings } from '../world/recording.js';
 import { isWorkerNamed } from '../world/worker.js';
 import { NAME, type Beginning, type Message, type Order } from './messages.js';
 import { OtherSide } from './other-side.js';
@@ -26,7 +27,7 @@ export function runWorld(port: WorldPort): () => void {
 }
 
 async function begin({ snapshot, program }: Beginning): Promise<OtherSide> {
-  const code = [dense, ...chunks].map((chunk) => chunk.load());
+  const code = [dense, recordings, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadEngine({ program }), ...code]);
   return new OtherSide(snapshot, engine);
 }

@@ -24,6 +24,7 @@ export async function importRun(
   watching: Watching,
 ): Promise<Timeline | undefined> {
   await dense.load();
+  await world.elsewhere?.comeBack({ why: 'a run is imported' });
   const fault = faultOf(world, run);
   if (fault) return refuse(world, fault, run);
   const twin = new Twin(run.calls);

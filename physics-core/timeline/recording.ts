@@ -1,4 +1,3 @@
-import { show } from '../base/show.js';
 import { FRAME } from '../dynamics/levels.js';
 import { POSE } from '../dynamics/poses.js';
 import type { Drag } from '../effects/drag/drag.js';
@@ -13,6 +12,7 @@ import { hashOf } from './hash.js';
 import { History } from './history.js';
 import { marksOf } from './marks.js';
 import { Twin, type Beginning } from './twin.js';
+import { reportWrongTime } from './wrong-time.js';
 
 /** Simulated seconds that are kept, where nobody says how many. */
 export const SECONDS = 10;
@@ -188,7 +188,7 @@ export class Recording implements Recorder {
   }
 
   seek(time: number): void {
-    if (!Number.isFinite(time)) return this.#refuse(time);
+    if (!Number.isFinite(time)) return reportWrongTime(this.#world, time);
     this.#clock = undefined;
     this.#leave();
     this.#show(this.#history.pictures.nearest(time));
@@ -200,17 +200,6 @@ export class Recording implements Recorder {
     this.#world.flush();
     const { pictures, steps } = this.#history;
     if (pictures.at(pictures.length - 1).step < steps) this.#quietly(() => this.#picture(false));
-  }
-
-  #refuse(time: unknown): void {
-    this.#world.report({
-      code: 'bad-value',
-      severity: 'warning',
-      attribute: 'seek',
-      value: time,
-      used: 'nothing',
-      message: `seek takes a time in seconds, not ${show(time)}; nothing is done`,
-    });
   }
 
   #show(look: number): void {

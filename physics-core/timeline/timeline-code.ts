@@ -6,14 +6,19 @@ import type { World } from '../world/world.js';
 import { importRun } from './import-run.js';
 import { Recording, SECONDS } from './recording.js';
 
-export const provide = (): typeof recordings.code => ({ record, importRun });
+export const provide = (): typeof recordings.code => ({ record, begin, importRun });
 
-/** Its snapshots are dense. */
+/** Its snapshots are dense. Where its steps are taken it is kept. */
 async function record(world: World, { seconds = SECONDS }: RecordOptions): Promise<Timeline> {
   await dense.load();
+  const kept = accepted(world, seconds);
+  return world.elsewhere ? world.elsewhere.record(kept) : begin(world, kept);
+}
+
+function begin(world: World, seconds: number): Timeline {
   world.timeline?.stop();
   world.flush();
-  const recording = new Recording(world, accepted(world, seconds)).follow(world);
+  const recording = new Recording(world, seconds).follow(world);
   recording.begin();
   return recording;
 }

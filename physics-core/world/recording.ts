@@ -91,16 +91,20 @@ export interface Run {
 
 /** What follows a world while it is recorded. */
 export interface Recorder extends Timeline, StepRecorder {
+  /** Simulated seconds that are kept. */
+  readonly seconds: number;
   /** A method is called from outside. */
   keep<T>(who: object, method: string, args: readonly unknown[], work: () => T): T;
   /** Of where one looks. */
   snapshot(): Snapshot;
-  exportRun(): Run;
+  exportRun(): Run | undefined;
 }
 
 /** Code of its own, in a room above that of worlds. */
 interface RecordingCode {
   record(world: World, options: RecordOptions): Promise<Timeline>;
+  /** What it needs is here: that of dense snapshots. */
+  begin(world: World, seconds: number): Timeline;
   importRun(world: World, run: Run, watching: Watching): Promise<Timeline | undefined>;
 }
 

@@ -1,5 +1,6 @@
 import type { CollisionEnd } from '../effects/contacts/touches.js';
 import type { EffectReport } from '../effects/effect/report.js';
+import type { Timeline } from './recording.js';
 import type { Snapshot } from './snapshot/snapshot.js';
 import type { Stats } from './store/types.js';
 
@@ -16,6 +17,8 @@ export interface Elsewhere {
   begunAnew(goesOn: boolean): void;
   /** This world was restored. */
   restored(snapshot: Snapshot): void;
+  /** Keeps there what it does, so many simulated seconds of it. */
+  record(seconds: number): Promise<Timeline>;
   /** Goes on here from where it is there; settles when it does. */
   comeBack(bound: Bound): Promise<void>;
   /** Bullet's bodies stand here where they stand there. */

@@ -185,7 +185,6 @@ export class World implements TimedWorld {
   async #recording<T>(work: (code: typeof recordings.code) => T): Promise<Awaited<T>> {
     if (!this.started) await this.ready;
     if (!recordings.here) await recordings.load();
-    await this.elsewhere?.comeBack({ why: 'it is recorded' });
     return await work(recordings.code);
   }
 

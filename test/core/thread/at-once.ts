@@ -1,5 +1,6 @@
-import type { World } from '../../../physics-core/inside.js';
+import { World } from '../../../physics-core/inside.js';
 import { Away } from '../../../physics-core/thread/away.js';
+import type { Recorder } from '../../../physics-core/world/recording.js';
 import type { Bound } from '../../../physics-core/world/threading.js';
 import { Line, type Port } from '../../../physics-core/thread/line.js';
 import type { Beginning, Message, Order } from '../../../physics-core/thread/messages.js';
@@ -111,9 +112,12 @@ export function goAwayAtOnce(world: World): void {
   /** Answers come at once. */
   const then = (method: Method, ...args: unknown[]) => {
     const value = call(method, ...args);
+    answerAtOnce();
+    return value;
+  };
+  const answerAtOnce = (): void => {
     if (world.elsewhere) void world.elsewhere.ask('stats', []).catch(() => undefined);
     hearAndPlace();
-    return value;
   };
   Object.assign(world, {
     step: (n = 1) => stepSingly(world, n, () => ask('step') as number) ?? ask('step', n),
@@ -122,7 +126,22 @@ export function goAwayAtOnce(world: World): void {
     frame: (...time: unknown[]) => then('frame', ...time),
     reset: () => then('reset'),
     restore: (snapshot: unknown) => then('restore', snapshot),
+    exportRun: () => structuredClone(World.prototype.exportRun.call(steppingOf(world))),
   });
+  const { record } = world;
+  world.record = async (options) => {
+    const timeline = await record.call(world, options);
+    const { seek, play, pause, stop, resume } = timeline as Recorder;
+    const looks = { seek, play, pause, stop, resume };
+    for (const [name, look] of Object.entries(looks))
+      Object.assign(timeline, {
+        [name]: (...args: [number]) => {
+          look.apply(timeline as Recorder, args);
+          answerAtOnce();
+        },
+      });
+    return timeline;
+  };
 }
 
 /** Many steps by hand: who hears of one may speak before the next. */

@@ -29,6 +29,9 @@ const HERE: Record<string, readonly string[]> = {
   'contacts come from when they are first asked for': [
     'contacts: has a Contact for the point where a ball touches, a new one with every step, and none when they part',
   ],
+  'what was done while it was recorded comes with the answer after somebody asked': [
+    'marks tell what was done, and when',
+  ],
   'the first list that page code hands over brings its world back: lists act from the next step on':
     [
       'bounce: a landing stone bounces by the contact as page code changed it',
@@ -54,7 +57,6 @@ const HERE: Record<string, readonly string[]> = {
   ],
   'its world has come back to this thread, and that is told': [
     'a listener that throws stops neither the step nor the others',
-    'what is done to a shape that came with its body is run anew',
     'an import that is given up leaves the world as it was',
     'thread: where there are no workers it runs here, and says so when it is reset',
   ],

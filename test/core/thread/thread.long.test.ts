@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { World } from '../../../physics-core/inside.js';
+import type { Run, World } from '../../../physics-core/inside.js';
 import { hashOf } from '../../../physics-core/timeline/hash.js';
 import { claim, closeWorlds, world, type Body, type Node, type Vec3 } from '../helpers.js';
 import { answered, goAway } from './sides.js';
@@ -290,14 +290,151 @@ test('who listens before each step has the world back, and it goes on to the bit
   closeWorlds();
 });
 
-test('who is recorded has the world back', async () => {
+test('what is recorded there is shown here, and gone on from to the bit', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  await there.ask('step', 50);
+  here.step(50);
+  const [mine, timeline] = [await here.record(), await there.record()];
+  assert.equal(timeline.from, mine.from);
+  const bob = (on: World): number[] => body(on, 'bob').get('position') as number[];
+  here.step(250);
+  await there.ask('step', 250);
+  body(here, 'b2').set('mass', 3);
+  body(there, 'b2').set('mass', 3);
+  for (const each of [mine, timeline]) each.seek(1.5);
+  assert.equal(timeline.at, 1.5);
+  await answered(there);
+  assert.equal(timeline.at, mine.at);
+  assert.equal(timeline.to, mine.to);
+  assert.deepEqual(timeline.hashes, mine.hashes);
+  assert.deepEqual(bob(there), bob(here));
+  for (const each of [here, there]) each.resume();
+  assert.equal(timeline.at, undefined);
+  await answered(there);
+  assert.equal(there.time, here.time);
+  here.step(200);
+  await there.ask('step', 200);
+  assert.equal(hashOf(there), hashOf(here));
+  assert.notEqual(there.elsewhere, undefined);
+  closeWorlds();
+});
+
+test('what is done before it has gone on from where one looked is done once', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  const timelines = [await here.record(), await there.record()];
+  here.step(240);
+  await there.ask('step', 240);
+  body(here, 'b0').set('fixed', true);
+  body(there, 'b0').set('fixed', true);
+  for (const each of timelines) each.seek(1);
+  await answered(there);
+  for (const each of [here, there]) {
+    each.resume();
+    body(each, 'b3').applyImpulse([4, 3, 0]);
+    body(each, 'bob').set('mass', 6);
+  }
+  await answered(there);
+  for (const each of [here, there]) {
+    assert.equal(body(each, 'b0').get('fixed'), false);
+    assert.equal(body(each, 'bob').get('mass'), 6);
+  }
+  here.step(100);
+  await there.ask('step', 100);
+  assert.equal(hashOf(there), hashOf(here));
+  closeWorlds();
+});
+
+test('what is recorded there plays here while time stands, and paused it stays', async () => {
   const of = await scene();
   goAway(of);
-  await of.ask('step', 50);
   const timeline = await of.record();
-  assert.equal(of.elsewhere, undefined);
+  await of.ask('step', 240);
+  timeline.play();
+  assert.ok(timeline.playing && timeline.at === 0 && of.stepping.needsFrame);
+  for (let i = 0; i < 30; i++) {
+    of.frame(1 / 60);
+    await answered(of);
+  }
+  assert.ok(Math.abs(timeline.at - 0.5) < 0.04, String(timeline.at));
+  assert.equal(of.time, 2);
+  timeline.pause();
+  await answered(of);
+  const { at } = timeline;
+  of.frame(1);
+  await answered(of);
+  assert.equal(timeline.at, at);
+  assert.equal(timeline.playing, false);
+  closeWorlds();
+});
+
+test('who takes hold of a body while looking at another thread’s past goes on from there, and takes hold again', async () => {
+  const of = await scene();
+  goAway(of);
+  const timeline = await of.record();
+  await of.ask('step', 240);
+  timeline.seek(1);
+  await answered(of);
+  assert.equal(body(of, 'bob').drag([6, 4, 0]), undefined);
+  assert.equal(timeline.at, undefined);
+  await answered(of);
+  assert.equal(of.time, 1);
+  assert.ok(body(of, 'bob').drag(body(of, 'bob').get('position') as Vec3)!.held);
+  closeWorlds();
+});
+
+test('a run that was recorded there is asked for, and runs anew in another world', async () => {
+  const of = await scene();
+  goAway(of);
+  await of.record();
+  await of.ask('step', 100);
+  body(of, 'b4').applyImpulse([2, 0, 0]);
+  await of.ask('step', 100);
+  assert.equal(of.exportRun(), undefined);
+  claim(of, 'asynchronous');
+  void of.timeline!.marks;
+  const run = JSON.parse(JSON.stringify(await of.ask('exportRun'))) as Run;
+  assert.ok(of.timeline!.marks.some(({ text }) => text.includes('applyImpulse')));
+  const to = await scene();
+  const timeline = await to.importRun(run);
+  assert.deepEqual(timeline!.hashes, of.timeline!.hashes);
+  assert.equal(hashOf(to), hashOf(of));
+  closeWorlds();
+});
+
+test('stopped, nothing is kept there; who looked goes on from where he did', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  for (const each of [here, there]) await each.record();
+  here.step(240);
+  await there.ask('step', 240);
+  for (const each of [here, there]) {
+    each.timeline!.seek(1);
+    each.timeline!.stop();
+    assert.equal(each.timeline, undefined);
+  }
+  here.step(60);
+  await there.ask('step', 60);
+  assert.equal(hashOf(there), hashOf(here));
+  assert.equal(await there.ask('exportRun'), undefined);
+  closeWorlds();
+});
+
+test('a world that comes back is recorded on, from then on', async () => {
+  const of = await scene();
+  goAway(of);
+  await of.record({ seconds: 3 });
+  await of.ask('step', 120);
+  const stop = of.on('beforestep', () => {});
+  await answered(of);
+  await answered(of);
   claim(of, 'thread-main');
-  assert.ok(Math.abs(timeline.from - 50 / 120) < 1e-9);
+  assert.equal(of.elsewhere, undefined);
+  assert.equal(of.timeline!.from, 1);
+  of.step(60);
+  assert.equal(of.timeline!.to, 1.5);
+  stop();
   closeWorlds();
 });
 

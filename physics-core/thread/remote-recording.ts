@@ -1,0 +1,140 @@
+import { reportWrongTime } from '../timeline/wrong-time.js';
+import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
+import type { World } from '../world/world.js';
+import type { Answer, Look } from './messages.js';
+
+/** What carries to the other thread what somebody looks at. */
+interface Courier {
+  /** The number of the next order. */
+  readonly next: number;
+  look(look: Look): void;
+  /** The world goes on from where somebody looks. */
+  goOn(): void;
+  refuse(method: string): null;
+}
+
+/** What is recorded on another thread, as it is shown here. */
+export class RemoteRecording implements Recorder {
+  readonly #world: World;
+  readonly #courier: Courier;
+  readonly seconds: number;
+  from = 0;
+  to = 0;
+  at: number | undefined = undefined;
+  playing = false;
+  hashes: readonly StepHash[] = [];
+  #marks: readonly TimelineMark[] = [];
+  /** Somebody has read the marks since they came. */
+  #read = false;
+  /** The order from which on answers know where one looks. */
+  #since = 0;
+  /** One that was asked for. */
+  #run: Run | undefined;
+
+  constructor(world: World, courier: Courier, seconds: number) {
+    this.#world = world;
+    this.#courier = courier;
+    this.seconds = seconds;
+  }
+
+  take({ number, recorded }: Answer): void {
+    if (!recorded) return;
+    this.from = recorded.from;
+    this.to = recorded.to;
+    this.hashes = recorded.hashes ?? this.hashes;
+    this.#marks = recorded.marks ?? this.#marks;
+    if (number < this.#since) return;
+    this.at = recorded.at;
+    this.playing = recorded.playing;
+  }
+
+  /** Those of the answer that follows when they are read: they may be many. */
+  get marks(): readonly TimelineMark[] {
+    this.#read = true;
+    return this.#marks;
+  }
+
+  /** Whether the next answer is to bring them. */
+  get remembered(): boolean {
+    const read = this.#read;
+    this.#read = false;
+    return read;
+  }
+
+  get looking(): boolean {
+    return this.at !== undefined;
+  }
+
+  seek(time: number): void {
+    if (!Number.isFinite(time)) return reportWrongTime(this.#world, time);
+    this.#look('seek', Math.min(Math.max(time, this.from), this.to), false, [time]);
+  }
+
+  play(): void {
+    const { at = this.to } = this;
+    this.#look('play', at >= this.to ? this.from : at, true);
+  }
+
+  pause(): void {
+    this.#look('pause', this.at, false);
+  }
+
+  /** Shown at once, until there is an answer. */
+  #look(
+    method: Look['method'],
+    at: number | undefined,
+    playing: boolean,
+    args: number[] = [],
+  ): void {
+    this.at = at;
+    this.playing = playing;
+    this.#since = this.#courier.next;
+    this.#courier.look({ method, args });
+  }
+
+  stop(): void {
+    this.resume();
+    this.#courier.look({ method: 'stop', args: [] });
+    this.#world.timeline = undefined;
+  }
+
+  resume(): void {
+    if (!this.looking) return;
+    this.leave();
+    this.#courier.goOn();
+  }
+
+  /** Nobody looks back any more. */
+  leave(): void {
+    this.at = undefined;
+    this.playing = false;
+    this.#since = this.#courier.next;
+  }
+
+  /** What `world.ask('exportRun')` is told goes by here, for what worlds of a page add to it. */
+  exported(run: Run): Run {
+    this.#run = run;
+    const exported = this.#world.exportRun()!;
+    this.#run = undefined;
+    return exported;
+  }
+
+  exportRun(): Run | undefined {
+    return this.#run ?? this.#courier.refuse('exportRun') ?? undefined;
+  }
+
+  snapshot(): Snapshot {
+    return this.#courier.refuse('snapshot') as unknown as Snapshot;
+  }
+
+  // Steps are taken and followed there.
+
+  keep<T>(_: object, __: string, ___: readonly unknown[], work: () => T): T {
+    return work();
+  }
+
+  stepped(): void {}
+
+  frame(): void {}
+}
