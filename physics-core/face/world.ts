@@ -39,6 +39,7 @@ export interface Answers {
   advance: { args: [seconds: number]; answer: number };
   raycast: { args: [from: Vector, to: Vector]; answer: RayHit | null };
   snapshot: { args: []; answer: Snapshot };
+  exportRun: { args: []; answer: Run | undefined };
   stats: { args: []; answer: Stats };
   effects: { args: []; answer: EffectReport[] };
   explain: { args: [node: unknown]; answer: unknown };
@@ -120,7 +121,8 @@ export interface World {
   /**
    * Keeps what it does from now on, for so many simulated seconds: 60 pictures a second, what is done to it, and a snapshot
    * each second. Asked again it begins anew. `reset()` and `restore()` begin it anew, too. Settles when its code is here;
-   * where that is, in the core always, it keeps the very next step.
+   * where that is, in the core always, it keeps the very next step. What runs in a worker is recorded there: `timeline` shows
+   * the answer that came back last, `marks` those of the answer after they were last read.
    * @example
    * await world.record({ seconds: 20 });
    * // ... something falls over
@@ -199,9 +201,9 @@ export interface World {
 
   /**
    * Asks on whichever thread it runs, with the arguments of the method of that name: `step` and `advance` (seconds advanced),
-   * `raycast`, `snapshot`, `stats`, `effects`, and `explain` with a node (in a page: an element). Rejects where the worker is
-   * lost or the world ends. In a worker `step`, `advance`, `raycast` and `snapshot` themselves report `asynchronous`, and
-   * return 0 or null.
+   * `raycast`, `snapshot`, `exportRun`, `stats`, `effects`, and `explain` with a node (in a page: an element). Rejects where
+   * the worker is lost or the world ends. In a worker `step`, `advance`, `raycast`, `snapshot` and `exportRun` themselves
+   * report `asynchronous`, and return 0, null or undefined.
    * @example
    * await world.ask('step', 60);
    * const hit = await world.ask('raycast', [0, 9, 0], [0, -9, 0]);

@@ -45,6 +45,8 @@ interface Waiting {
   reject(error: unknown): void;
 }
 
+const LOST = 'the worker of this world is lost';
+
 /** They go on from where somebody looks. */
 const OF_TIME = ['advance', 'step'];
 
@@ -249,7 +251,7 @@ export class Away implements Elsewhere {
   }
 
   ask(method: string, args: readonly unknown[]): Promise<unknown> {
-    if (this.#lost) return Promise.reject(new Error('the worker of this world is lost'));
+    if (this.#lost) return Promise.reject(new Error(LOST));
     if (this.#coming) return this.#coming.then(() => this.#world.ask(method, ...args));
     if (OF_TIME.includes(method)) this.#recording?.resume();
     if (method === 'step') this.#there.singly = args[0] === undefined || args[0] === 1;
@@ -283,6 +285,7 @@ export class Away implements Elsewhere {
   // ---- what is recorded --------------------------------------------------------------------------------------------
 
   async record(seconds: number): Promise<Timeline> {
+    if (this.#lost) throw new Error(LOST);
     if (this.#coming) {
       await this.#coming;
       return this.#world.record({ seconds });
@@ -293,7 +296,7 @@ export class Away implements Elsewhere {
     // Where there is no worker it is recorded here.
     if (this.#world.elsewhere !== this) return this.#world.record({ seconds });
     const recording = new RemoteRecording(this.#world, this, seconds);
-    recording.take(this.#last!);
+    if (this.#last) recording.take(this.#last);
     return (this.#world.timeline = this.#recording = recording);
   }
 

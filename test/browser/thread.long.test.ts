@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import './console.js';
 import { open, openText, worldIn, type PageWindow } from './page.js';
 import { drawnAt, until, wait } from './scene.js';
-import type { World } from './inside.js';
+import type { Run, World } from './inside.js';
 
 // Worlds in a worker, in pages of the build: the worker's script is the classic one beside it.
 
@@ -98,6 +98,46 @@ describe('a world in a worker', () => {
     await world.ask('step', 1200);
     expect(heard).to.deep.equal(['collisionstart floor', 'sleep']);
     expect(ball.matches(':state(sleeping)')).to.equal(true);
+  });
+
+  it('is recorded there: what it was is drawn, gone on from, and exported with its markup', async () => {
+    const { page, world } = await shown(scene('thread="worker"'));
+    await begun(world);
+    const timeline = await world.record();
+    await world.ask('step', 120);
+    const ball = page.document.getElementById('ball')!;
+    ball.setAttribute('linearvelocity', '-6 0 0');
+    await wait(50);
+    await world.ask('step', 120);
+    const drawn = page.document.getElementById('drawn')!;
+    timeline.seek(0.5);
+    await until(() => Math.abs(drawnAt(drawn)[1]! - (9 - (9.8 * 0.5 ** 2) / 2)) < 0.03);
+    expect(timeline.at).to.be.closeTo(0.5, 1e-6);
+    timeline.play();
+    await until(() => !timeline.playing);
+    expect(timeline.at).to.be.closeTo(2, 1e-6);
+    const run = JSON.parse(JSON.stringify(await world.ask('exportRun'))) as Run;
+    expect(run.markup).to.match(/^<scene.*id="ball"/is);
+    expect(run.steps).to.equal(240);
+    timeline.seek(1);
+    world.resume();
+    await world.ask('stats');
+    expect(world.time).to.be.closeTo(1, 1e-6);
+    expect(world.mirrored).to.be.a('number');
+    expect(codes(world)).to.deep.equal([]);
+  });
+
+  it('is recorded on where it is taken to a worker', async () => {
+    const { page, world } = await shown(scene(''));
+    await begun(world);
+    await world.record({ seconds: 5 });
+    page.document.getElementById('collection')!.setAttribute('thread', 'worker');
+    await wait(50);
+    world.reset();
+    await world.ask('step', 60);
+    await until(() => world.timeline?.to === 0.5);
+    expect(world.mirrored).to.be.a('number');
+    expect(codes(world)).to.deep.equal([]);
   });
 
   it('answers what is asked with elements', async () => {

@@ -195,9 +195,11 @@ test('where no worker can be had the world runs here, and answers what was asked
   const away = goAway(there);
   body(there, 'b1').set('mass', 3);
   const asked = there.ask('step', 30);
+  const kept = there.record();
   away.missing(new Error('forbidden'));
   claim(there, 'thread-main');
   assert.equal(await asked, 0.25);
+  assert.equal((await kept).from, 0.25);
   here.flush();
   body(here, 'b1').set('mass', 3);
   here.step(30);
@@ -225,10 +227,13 @@ test('what is lost is told once, stands still, and begins anew by reset()', asyn
   const of = await scene();
   const away = goAway(of);
   await of.ask('step', 20);
+  await of.record();
   const waiting = of.ask('step', 20);
   away.lost(new Error('no memory'));
   await assert.rejects(waiting, /no memory/);
   await assert.rejects(of.ask('step'), /lost/);
+  await assert.rejects(of.record(), /lost/);
+  assert.equal(of.timeline, undefined);
   of.frame(1 / 60);
   assert.equal(of.stepping.needsFrame, false);
   claim(of, 'thread-lost');
