@@ -21,14 +21,19 @@ function judge(which: StabilityCase, measured: number, why: string | undefined):
   return { holds, measured, ...(why && { why }) };
 }
 
-/** One cell of the matrix. */
-export async function runCell(which: StabilityCase, level: LevelName): Promise<Cell> {
+/** One cell of the matrix. `begun` is told of its world while that is empty. */
+export async function runCell(
+  which: StabilityCase,
+  level: LevelName,
+  begun?: (world: World) => void,
+): Promise<Cell> {
   const world = await createWorld({
     console: false,
     rest: 'never',
     accuracy: level,
     ...which.world,
   });
+  begun?.(world);
   const { now } = performance;
   // Steps are counted, not milliseconds: a busy machine makes no frame drop any.
   performance.now = () => 0;

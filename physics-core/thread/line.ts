@@ -16,11 +16,16 @@ export interface Heard {
   lost(error: unknown): void;
 }
 
+/** Workers that worlds of this page have now. */
+let workers = 0;
+
+export const workersNow = (): number => workers;
+
 /** The way to the other thread: what is said before somebody is there waits. */
 export class Line {
   #port: Port | undefined;
   #waiting: { message: Beginning | Order; room: Transferable[] }[] = [];
-  #close = (): void => {};
+  #close: () => unknown = () => {};
   #closed = false;
   readonly #heard: Heard;
 
@@ -30,6 +35,8 @@ export class Line {
 
   /** Speaks with a worker of this library. */
   async call(workerUrl: string | URL | undefined): Promise<void> {
+    workers++;
+    this.#close = () => workers--;
     try {
       const worker = await loadedWorker(workerUrl, NAME);
       if (this.#closed) return worker.terminate();
@@ -37,7 +44,10 @@ export class Line {
         event.preventDefault();
         this.#lost(event.message);
       };
-      this.speak(worker as Port, () => worker.terminate());
+      this.speak(worker as Port, () => {
+        workers--;
+        worker.terminate();
+      });
     } catch (error) {
       if (!this.#closed) this.#heard.missing(error);
     }
@@ -69,6 +79,7 @@ export class Line {
   }
 
   close(): void {
+    if (this.#closed) return;
     this.#closed = true;
     this.#close();
   }

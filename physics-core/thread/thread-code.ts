@@ -4,7 +4,7 @@ import type { World } from '../world/world.js';
 import { ask } from './asking.js';
 import { Away } from './away.js';
 import { boundHere, reportMain, THERE } from './bound.js';
-import { Line } from './line.js';
+import { Line, workersNow } from './line.js';
 
 export const provide = (): typeof threads.code => ({
   choose: (world) => choose(world as World),
@@ -22,6 +22,12 @@ function isForWorker({ settings, nodes }: World): boolean {
   return bodies >= MANY;
 }
 
+/** `auto` leaves a core to the page, and each worker one; who asks for a worker has one. */
+function hasCore({ settings }: World): boolean {
+  const free = Math.max(1, navigator.hardwareConcurrency - 1) - workersNow();
+  return free > 0 || settings.asked<string>('thread') === 'worker';
+}
+
 function choose(world: World): void {
   if (world.bound === THERE) return;
   const wanted = isForWorker(world);
@@ -33,6 +39,7 @@ function choose(world: World): void {
 function leave(world: World): void {
   const bound = boundHere(world);
   if (bound) return reportMain(world, bound);
+  if (!hasCore(world)) return;
   const seconds = world.timeline?.seconds;
   world.timeline?.stop();
   const away = new Away(world, (heard) => {

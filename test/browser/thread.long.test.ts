@@ -27,6 +27,13 @@ const scene = (attributes: string, more = ''): string => `<!doctype html>
     <transform id="drawn" translation="8 9 6"><shape><sphere></sphere></shape></transform>
   </scene></x3d>`;
 
+/** A hundred boxes at rest on the floor. */
+const many = Array.from(
+  { length: 100 },
+  (_, i) =>
+    `<x3d-rigid-body position="${(i % 10) * 1.5 - 8} 0.99 ${Math.floor(i / 10) * 1.5 - 8}"><x3d-collidable-shape><shape><box size=".8 1 .8"></box></shape></x3d-collidable-shape></x3d-rigid-body>`,
+).join('');
+
 /** Of the pages: nobody else hears them. */
 const errors: string[] = [];
 
@@ -212,11 +219,6 @@ describe('a world in a worker', () => {
   });
 
   it('runs there by itself from a hundred bodies on, and asks for no frame where all rests', async () => {
-    const many = Array.from(
-      { length: 100 },
-      (_, i) =>
-        `<x3d-rigid-body position="${(i % 10) * 1.5 - 8} 0.99 ${Math.floor(i / 10) * 1.5 - 8}"><x3d-collidable-shape><shape><box size=".8 1 .8"></box></shape></x3d-collidable-shape></x3d-rigid-body>`,
-    ).join('');
     const { world } = await shown(scene('thread="auto"', many));
     await world.ask('step', 1);
     expect(world.mirrored).to.be.a('number');
@@ -226,5 +228,45 @@ describe('a world in a worker', () => {
     await wait(300);
     expect(world.stepping.needsFrame).to.equal(false);
     expect(world.mirrored).to.equal(at);
+  });
+
+  it('has a worker by auto while there is a core beside the page’s, and by worker always', async () => {
+    const cores =
+      '<script>Object.defineProperty(navigator, "hardwareConcurrency", { value: 2 })</script>';
+    const collection = (attributes: string, bodies: string): string =>
+      `<x3d-rigid-body-collection gravity="0 0 0" ${attributes}>${bodies}</x3d-rigid-body-collection>`;
+    const collections = [
+      collection('id="first" thread="auto"', many),
+      collection('id="second" thread="auto"', many),
+      collection('id="third"', '<x3d-rigid-body></x3d-rigid-body>'),
+    ];
+    const text = scene('')
+      .replace('<x3d ', `${cores}<x3d `)
+      .replace('</scene>', `${collections.join('')}</scene>`);
+    const { page } = await shown(text);
+    const worlds = await Promise.all(
+      ['first', 'second', 'third'].map((id) => {
+        const { world } = page.document.getElementById(id) as unknown as { world: World };
+        return world.ready;
+      }),
+    );
+    const [first, second, third] = worlds as [World, World, World];
+    const isThere = (world: World): boolean => world.mirrored !== undefined;
+    const [there, here] = isThere(first) ? [first, second] : [second, first];
+    const begin = (world: World, thread: string): void => {
+      world.set('thread', thread);
+      world.reset();
+    };
+    expect([there, here].map(isThere)).to.deep.equal([true, false]);
+    begin(third, 'worker');
+    expect(isThere(third)).to.equal(true);
+    begin(there, 'main');
+    begin(here, 'auto');
+    expect([there, here].map(isThere)).to.deep.equal([false, false]);
+    begin(third, 'main');
+    begin(here, 'auto');
+    expect(isThere(here)).to.equal(true);
+    await here.ask('step', 10);
+    expect(worlds.flatMap(codes)).not.to.include('thread-main');
   });
 });

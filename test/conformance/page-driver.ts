@@ -5,6 +5,7 @@ import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { markup, nodesIn, typesByName, type Spelling } from './markup.js';
 import { plain } from './plain.js';
 import { worldOf } from '../browser/inside.js';
+import type { Thread } from '../browser/threads.js';
 
 export const kebab = (type: string): string =>
   type.replace(/(?<=[a-z])[A-Z]|^[A-Z]/g, (capital, at) => (at ? '-' : '') + capital.toLowerCase());
@@ -59,10 +60,12 @@ class PageStage implements Stage {
   readonly #x3d: Element;
   readonly #spelling: Spelling;
   readonly #worlds: World[];
+  readonly #thread: Thread;
 
-  constructor(x3d: Element, scene: NodeData[], spelling: Spelling) {
+  constructor(x3d: Element, scene: NodeData[], spelling: Spelling, thread: Thread) {
     this.#x3d = x3d;
     this.#spelling = spelling;
+    this.#thread = thread;
     const names = scene.filter(({ type }) => type === 'RigidBodyCollection').map(({ DEF }) => DEF!);
     this.#worlds = names.map((name) => worldOf(this.#element(name))! as unknown as World);
   }
@@ -131,6 +134,7 @@ class PageStage implements Stage {
   }
 
   async advance(seconds: number): Promise<void> {
+    if (this.#thread === 'worker') return this.#ask(seconds);
     const frames = Math.round(seconds / FRAME);
     timeless(() => {
       for (const world of this.#worlds) {
@@ -141,18 +145,32 @@ class PageStage implements Stage {
     });
   }
 
+  /** The same steps, on the other thread. */
+  async #ask(seconds: number): Promise<void> {
+    for (const world of this.#worlds)
+      await world.ask('step', Math.round(seconds / FRAME) * Math.round(FRAME / world.timeStep));
+  }
+
   async close(): Promise<void> {
     this.#x3d.remove();
   }
 }
 
+/** Collections whose worlds run there. */
+const on = (thread: Thread, scene: NodeData[]): NodeData[] =>
+  scene.map((node) => (node.type === 'RigidBodyCollection' ? { ...node, thread } : node));
+
 /** Shows a fact's scene in this page. */
-export async function openInPage(fact: Fact, tag: Spelling['tag']): Promise<Stage> {
-  const scene = ownScene(fact);
+export async function openInPage(
+  fact: Fact,
+  tag: Spelling['tag'],
+  thread: Thread = 'main',
+): Promise<Stage> {
+  const scene = thread === 'main' ? ownScene(fact) : on(thread, ownScene(fact));
   const spelling = { types: typesByName(scene), tag };
   const nodes = scene.map((node) => markup(node, spelling)).join('');
   document.body.innerHTML = `<x3d width="16px" height="16px"><scene>${nodes}</scene></x3d>`;
-  const stage = new PageStage(document.body.firstElementChild!, scene, spelling);
+  const stage = new PageStage(document.body.firstElementChild!, scene, spelling, thread);
   await stage.ready();
   return stage;
 }

@@ -1,5 +1,6 @@
 // node --import tsx test/stability/run.ts: each hard case at the lowest level that promises it, in Node and in
-// browsers, side by side. It holds everywhere, and comes to the same bits.
+// browsers, side by side. It holds everywhere, and comes to the same bits; in Node also with its steps taken on the other
+// side of a line, but for those of cases-here.ts.
 //   --browsers chromium,firefox   beside Node, all three if nothing is said
 //   --alone                       what is left to Node: what takes long, and further levels
 //   S1 'S9 box'                   these cases alone
@@ -7,11 +8,14 @@ import { parseArgs } from 'node:util';
 import { CellPage } from '../../lab/stability/browsers/page.js';
 import type { Cell, StabilityCase } from '../../lab/stability/case.js';
 import { stabilityCases } from '../../lab/stability/cases/index.js';
+import { toText } from '../../lab/stability/json.js';
 import { runCell } from '../../lab/stability/run.js';
 import { wordsOf } from '../../lab/stability/table.js';
 import type { LevelName } from '../../physics-core/inside.js';
 // @ts-expect-error plain JavaScript
 import { BROWSERS } from '../../tools/docs/open-browser.js';
+import { goAwayAtOnce } from '../core/thread/at-once.js';
+import { casesHere } from './cases-here.js';
 
 const { values, positionals: ids } = parseArgs({
   options: { browsers: { type: 'string' }, alone: { type: 'boolean', default: false } },
@@ -41,6 +45,11 @@ function objection(which: StabilityCase, there: Cell, { bits }: Cell): string | 
   if (there.bits !== bits) return `${there.bits} and not ${bits}, as in Node`;
 }
 
+/** What is wrong with its steps taken on the other side, if anything: each number is the same. */
+function otherwise(which: StabilityCase, sides: Cell, here: Cell): string | undefined {
+  if (toText(sides) !== toText(here)) return `${toText(sides)} and not ${toText(here)}, as here`;
+}
+
 /** A cell in Node, which nothing reaches meanwhile, as soon as it has begun in all pages. */
 async function runEverywhere(which: StabilityCase, level: LevelName) {
   const begun: Promise<void>[] = [];
@@ -56,12 +65,15 @@ async function runEverywhere(which: StabilityCase, level: LevelName) {
   });
   await Promise.all(begun);
   const here = await runCell(which, level);
-  return { here, there: await Promise.all(there) };
+  const onBothSides = !alone && !casesHere.has(which.id);
+  const sides = onBothSides ? await runCell(which, level, goAwayAtOnce) : undefined;
+  return { here, sides, there: await Promise.all(there) };
 }
 
 async function look(which: StabilityCase, level: LevelName) {
-  const { here, there } = await runEverywhere(which, level);
+  const { here, sides, there } = await runEverywhere(which, level);
   count('Node', which, level, here.holds ? undefined : wordsOf(which, here));
+  if (sides) count('Node, on the other side', which, level, otherwise(which, sides, here));
   for (const [i, { name }] of pages.entries())
     count(name, which, level, objection(which, there[i]!, here));
 }

@@ -1,5 +1,6 @@
-import type { Vec3 } from '../../../../physics-core/inside.js';
+import type { RayHit, Vec3 } from '../../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../../nodes/binding.js';
+import type { PageWorld } from '../../nodes/surroundings.js';
 import type { Stage } from '../stage.js';
 import type { DraggableBody } from '../body.js';
 import type { Sight } from './view.js';
@@ -30,7 +31,7 @@ export function pick(stage: Stage, sight: Sight): Picked | undefined {
   let picked: Picked | undefined;
   for (const metres of lengths(bodies)) {
     for (const world of stage.worlds.all) {
-      const hit = world.raycast(scaled(sight.from, metres), scaled(sight.to, metres));
+      const hit = shownBy(world, scaled(sight.from, metres), scaled(sight.to, metres));
       if (!hit || hit.fraction >= nearest) continue;
       const body = hit.node as DraggableBody;
       const binding = bindingOf(body);
@@ -41,6 +42,12 @@ export function pick(stage: Stage, sight: Sight): Picked | undefined {
     }
   }
   return picked;
+}
+
+/** Where a world runs in a worker, that is what came back from there last: nobody can aim at anything else. */
+function shownBy(world: PageWorld, from: Vec3, to: Vec3): RayHit | null {
+  world.elsewhere?.place();
+  return world.rays.cast(from, to);
 }
 
 function lengths(bodies: Iterable<DraggableBody>): Set<number> {

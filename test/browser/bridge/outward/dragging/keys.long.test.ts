@@ -2,21 +2,23 @@ import { expect } from 'chai';
 import { sendKeys } from '@web/test-runner-commands';
 import { camera, draggable, listen, names, pixelOf, position } from './hand.js';
 import { show, until, wait } from '../../../scene.js';
+import { on, THREADS, type Thread } from '../../../threads.js';
 
 const box = '<shape><box size="1 1 1"></box></shape>';
 const body = (name: string, x: number, attributes = ''): string =>
   `<transform translation="${x} 0 0">${box}<x3d-rigid-body ${name} ${attributes}></x3d-rigid-body></transform>`;
 
-async function stage(mode = 'teleport') {
+async function stage(mode = 'teleport', thread: Thread = 'main') {
   const { x3d, world } = await show(
     `<viewpoint position="0 0 10" orientation="0 1 0 0"></viewpoint>
-    <x3d-rigid-body-collection default gravity="0 0 0" draggable-body drag-mode="${mode}"></x3d-rigid-body-collection>
+    <x3d-rigid-body-collection default gravity="0 0 0" draggable-body drag-mode="${mode}" thread="${thread}"></x3d-rigid-body-collection>
     ${body('id="b1" title="The crate"', -2)}${body('id="b2"', 0)}${body('', 2)}`,
     '#b2',
   );
   // Where Tab goes on to: behind the last thing of a page the focus would leave it.
   document.body.append(document.createElement('button'));
   await draggable(x3d);
+  await world.ask('stats');
   const root = x3d.querySelector('.x3d-physics-handles')!.shadowRoot!;
   return { x3d, world, root, events: listen(x3d), crate: world.node('b1')! };
 }
@@ -50,34 +52,35 @@ describe('dragging by keyboard', () => {
     expect(focused(root)).to.equal('The crate');
   });
 
-  it('takes hold, moves in the plane before the viewer and away, and lets go', async () => {
-    const { x3d, root, events, crate } = await stage();
-    const seen = camera(x3d);
-    const scrolled = window.scrollY;
-    await tabIn(root);
-    await press('Enter');
-    expect(pressed(root)).to.equal('true');
-    expect(said(root)).to.equal('The crate held');
-    expect(crate.host).to.satisfy((element: Element) => element.matches(':state(dragging)'));
-    // A fortieth of the picture's height: 8.28 m at the bodies' distance.
-    const step = (2 * 10 * Math.tan(Math.PI / 8)) / 40;
-    await press('ArrowRight', 'ArrowRight', 'ArrowUp');
-    const [x, y, z] = position(crate);
-    expect(x).to.be.closeTo(-2 + 2 * step, 0.01);
-    expect(y).to.be.closeTo(step, 0.01);
-    expect(z).to.be.closeTo(0, 0.001);
-    await press('PageUp');
-    expect(position(crate)[2]).to.be.closeTo(-step, 0.01);
-    await press('PageDown');
-    expect(position(crate)[2]).to.be.closeTo(0, 0.02);
-    await press('Enter');
-    expect(pressed(root)).to.equal('false');
-    expect(said(root)).to.equal('The crate released');
-    expect(names(events)).to.deep.equal(['bodydragstart', 'bodydrag', 'bodydragend']);
-    expect(events[0]!.detail.by).to.equal('keyboard');
-    expect(camera(x3d)).to.equal(seen);
-    expect(window.scrollY).to.equal(scrolled);
-  });
+  for (const thread of THREADS)
+    it(`takes hold, moves in the plane before the viewer and away, and lets go${on(thread)}`, async () => {
+      const { x3d, root, events, crate } = await stage('teleport', thread);
+      const seen = camera(x3d);
+      const scrolled = window.scrollY;
+      await tabIn(root);
+      await press('Enter');
+      expect(pressed(root)).to.equal('true');
+      expect(said(root)).to.equal('The crate held');
+      expect(crate.host).to.satisfy((element: Element) => element.matches(':state(dragging)'));
+      // A fortieth of the picture's height: 8.28 m at the bodies' distance.
+      const step = (2 * 10 * Math.tan(Math.PI / 8)) / 40;
+      await press('ArrowRight', 'ArrowRight', 'ArrowUp');
+      const [x, y, z] = position(crate);
+      expect(x).to.be.closeTo(-2 + 2 * step, 0.01);
+      expect(y).to.be.closeTo(step, 0.01);
+      expect(z).to.be.closeTo(0, 0.001);
+      await press('PageUp');
+      expect(position(crate)[2]).to.be.closeTo(-step, 0.01);
+      await press('PageDown');
+      expect(position(crate)[2]).to.be.closeTo(0, 0.02);
+      await press('Enter');
+      expect(pressed(root)).to.equal('false');
+      expect(said(root)).to.equal('The crate released');
+      expect(names(events)).to.deep.equal(['bodydragstart', 'bodydrag', 'bodydragend']);
+      expect(events[0]!.detail.by).to.equal('keyboard');
+      expect(camera(x3d)).to.equal(seen);
+      expect(window.scrollY).to.equal(scrolled);
+    });
 
   it('puts back with Escape, and lets go when the focus leaves', async () => {
     const { root, events, crate } = await stage('kinematic');
@@ -90,12 +93,13 @@ describe('dragging by keyboard', () => {
     expect(position(crate)[1]).to.be.above(0.1);
   });
 
-  it('moves by a spring, too', async () => {
-    const { root, crate } = await stage('spring');
-    await tabIn(root);
-    await press('Enter', 'ArrowUp', 'ArrowUp');
-    await until(() => position(crate)[1]! > 0.35);
-  });
+  for (const thread of THREADS)
+    it(`moves by a spring, too${on(thread)}`, async () => {
+      const { root, crate } = await stage('spring', thread);
+      await tabIn(root);
+      await press('Enter', 'ArrowUp', 'ArrowUp');
+      await until(() => position(crate)[1]! > 0.35);
+    });
 
   it('shows which body has the focus, around it, while it moves', async () => {
     const { x3d, root, crate } = await stage();

@@ -16,7 +16,12 @@ import {
   position,
 } from './hand.js';
 import { place, until, wait } from '../../../scene.js';
-import { CAMERA, box, WEIGHTLESS, one, stage, dragTo } from './scenes.js';
+import { on, THREADS } from '../../../threads.js';
+import { CAMERA, box, collection, WEIGHTLESS, one, stage, dragTo } from './scenes.js';
+
+/** Each with the steps taken on either thread. */
+const withThreads = <T>(facts: readonly T[]) =>
+  THREADS.flatMap((thread) => facts.map((fact) => [thread, fact] as const));
 
 /** The point so far before the body's origin. */
 function ahead(body: X3DRigidBodyElement, way: number): number[] {
@@ -30,10 +35,10 @@ function ahead(body: X3DRigidBodyElement, way: number): number[] {
 afterEach(() => mouse.up());
 
 describe('dragging with the mouse', () => {
-  for (const mode of ['spring', 'kinematic', 'teleport'])
-    it(`moves a body with the pointer, and not the camera: ${mode}`, async () => {
+  for (const [thread, mode] of withThreads(['spring', 'kinematic', 'teleport']))
+    it(`moves a body with the pointer, and not the camera: ${mode}${on(thread)}`, async () => {
       const { x3d, world, element, events } = await stage(
-        one(`draggable-body drag-mode="${mode}"`),
+        one(`draggable-body drag-mode="${mode}"`, thread),
       );
       const seen = camera(x3d);
       const before = objects(world);
@@ -56,6 +61,17 @@ describe('dragging with the mouse', () => {
       expect(objects(world)).to.deep.equal(before);
       expect(camera(x3d)).to.equal(seen);
       expect(world.effects.find(({ name }) => name === 'dragging')!.active).to.be.false;
+    });
+
+  for (const thread of THREADS)
+    it(`takes hold of a body where it has come to${on(thread)}`, async () => {
+      const content = one('draggable-body linearVelocity="2 0 0"', thread);
+      const { x3d, world, events } = await stage(content);
+      world.paused = true;
+      world.reset();
+      await world.ask('step', 120);
+      await dragTo(x3d, [2, 0, 0.5], [2, 1, 0.5]);
+      expect(names(events)).to.deep.equal(['bodydragstart', 'bodydrag']);
     });
 
   it('leaves the navigation alone where it begins beside the bodies, and where they are not draggable', async () => {
@@ -88,12 +104,12 @@ describe('dragging with the mouse', () => {
     expect(names(events)).to.deep.equal(['bodydragstart']);
   });
 
-  for (const [mode, back] of [
+  for (const [thread, [mode, back]] of withThreads([
     ['spring', false],
     ['kinematic', true],
-  ] as const)
-    it(`ends by Escape: ${mode}`, async () => {
-      const { x3d, body, events } = await stage(one(`draggable-body drag-mode="${mode}"`));
+  ] as const))
+    it(`ends by Escape: ${mode}${on(thread)}`, async () => {
+      const { x3d, body, events } = await stage(one(`draggable-body drag-mode="${mode}"`, thread));
       await dragTo(x3d, [0, 0, 0.5], [2, 0, 0.5]);
       await until(() => position(body)[0]! > 0.5);
       await sendKeys({ press: 'Escape' });
@@ -197,47 +213,50 @@ describe('what is dragged', () => {
     expect(position(detail.node)[0]).to.be.above(0.8);
   });
 
-  it('may hang on joints: its end is yanked without opening them', async () => {
-    const links = [0, 1, 2, 3].map(
-      (
-        i,
-      ) => `<transform translation="0 ${3 - i} 0">${i === 3 ? box('s') : '<shape><sphere radius="0.2"></sphere></shape>'}<x3d-rigid-body id="${i === 3 ? 'b' : `l${i}`}" ${i === 0 ? 'fixed' : ''} ${i === 3 ? 'draggable-body mass="5"' : ''}></x3d-rigid-body></transform>
+  for (const thread of THREADS)
+    it(`may hang on joints: its end is yanked without opening them${on(thread)}`, async () => {
+      const links = [0, 1, 2, 3].map(
+        (
+          i,
+        ) => `<transform translation="0 ${3 - i} 0">${i === 3 ? box('s') : '<shape><sphere radius="0.2"></sphere></shape>'}<x3d-rigid-body id="${i === 3 ? 'b' : `l${i}`}" ${i === 0 ? 'fixed' : ''} ${i === 3 ? 'draggable-body mass="5"' : ''}></x3d-rigid-body></transform>
         ${i > 0 ? `<x3d-ball-joint id="j${i}" body1="l${i - 1}" body2="${i === 3 ? 'b' : `l${i}`}" anchorPoint="0 ${3.5 - i} 0"></x3d-ball-joint>` : ''}`,
-    );
-    const { x3d, world, body, events } = await stage(CAMERA + links.join(''));
-    const before = objects(world);
-    const start = pixelOf(x3d, [0, 0, 0.5]);
-    await mouse.move(start);
-    await mouse.down();
-    let widest = 0;
-    let farthest = 0;
-    const look = (): void => {
-      for (const name of ['j1', 'j2', 'j3'])
-        widest = Math.max(widest, (world.node(name) as unknown as { gap: number }).gap);
-    };
-    for (const [dx, dy] of [
-      [90, 0],
-      [-90, -40],
-      [60, 60],
-      [-60, 20],
-    ]) {
-      await mouse.move([start[0] + dx!, start[1] + dy!]);
-      const { time } = world;
-      // Of the world's own time.
-      await until(() => {
-        look();
-        farthest = Math.max(farthest, Math.abs(position(body)[0]!));
-        return world.time > time + 0.4;
-      });
-    }
-    expect(names(events)).to.deep.equal(['bodydragstart', 'bodydrag']);
-    expect(farthest).to.be.above(0.3);
-    expect(widest).to.be.below(0.01);
-    expect(objects(world)).to.deep.equal(before);
-    await mouse.up();
-    await wait(100);
-    look();
-    expect(widest).to.be.below(0.01);
-    expect(objects(world)).to.deep.equal(before);
-  });
+      );
+      const { x3d, world, body, events } = await stage(
+        CAMERA + collection(`thread="${thread}"`) + links.join(''),
+      );
+      const before = objects(world);
+      const start = pixelOf(x3d, [0, 0, 0.5]);
+      await mouse.move(start);
+      await mouse.down();
+      let widest = 0;
+      let farthest = 0;
+      const look = (): void => {
+        for (const name of ['j1', 'j2', 'j3'])
+          widest = Math.max(widest, (world.node(name) as unknown as { gap: number }).gap);
+      };
+      for (const [dx, dy] of [
+        [90, 0],
+        [-90, -40],
+        [60, 60],
+        [-60, 20],
+      ]) {
+        await mouse.move([start[0] + dx!, start[1] + dy!]);
+        const { time } = world;
+        // Of the world's own time.
+        await until(() => {
+          look();
+          farthest = Math.max(farthest, Math.abs(position(body)[0]!));
+          return world.time > time + 0.4;
+        });
+      }
+      expect(names(events)).to.deep.equal(['bodydragstart', 'bodydrag']);
+      expect(farthest).to.be.above(0.3);
+      expect(widest).to.be.below(0.01);
+      expect(objects(world)).to.deep.equal(before);
+      await mouse.up();
+      await wait(100);
+      look();
+      expect(widest).to.be.below(0.01);
+      expect(objects(world)).to.deep.equal(before);
+    });
 });
