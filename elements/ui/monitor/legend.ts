@@ -18,7 +18,7 @@ export function legend(world: World): TemplateResult | typeof nothing {
 /** A ghost is drawn without the rest, too. */
 function meaningsIn(world: World): readonly Meaning[] {
   const { debugLegend, timeline } = world;
-  const alone = timeline?.apart !== undefined && !world.get('debug');
+  const alone = timeline?.ghostLevel && timeline.at !== undefined && !world.get('debug');
   return alone ? debugLegend.filter(({ name }) => name === 'ghost') : debugLegend;
 }
 

@@ -13,7 +13,7 @@ const TABLE = {
   limit: { color: [1, 0.5, 0.8], means: 'stops of a joint' },
   contact: { color: [0.95, 0.75, 0], means: 'contact with its normal' },
   near: { color: [0.6, 0.5, 0.25], means: 'near, not touching' },
-  ghost: { color: [0.6, 0.35, 1], means: 'ghost: the recorded run at another level' },
+  ghost: { color: [0.55, 0.2, 1], means: 'ghost: the recorded run at another level' },
 } as const satisfies Record<string, { color: Color; means: string }>;
 
 type Name = keyof typeof TABLE;
