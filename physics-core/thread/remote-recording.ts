@@ -1,4 +1,5 @@
-import { reportWrongTime } from '../timeline/wrong-time.js';
+import { A_TIME, refuse } from '../timeline/refuse.js';
+import type { LevelName } from '../dynamics/levels.js';
 import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
@@ -67,7 +68,7 @@ export class RemoteRecording implements Recorder {
   }
 
   seek(time: number): void {
-    if (!Number.isFinite(time)) return reportWrongTime(this.#world, time);
+    if (!Number.isFinite(time)) return refuse(this.#world, 'seek', A_TIME, time);
     this.#look('seek', Math.min(Math.max(time, this.from), this.to), false, [time]);
   }
 
@@ -126,6 +127,28 @@ export class RemoteRecording implements Recorder {
 
   snapshot(): Snapshot {
     return this.#courier.refuse('snapshot') as unknown as Snapshot;
+  }
+
+  /** Its bodies would have to come with each answer. */
+  ghost(level?: LevelName): Promise<void> {
+    if (level)
+      this.#world.report({
+        code: 'asynchronous',
+        severity: 'warning',
+        attribute: 'ghost',
+        value: level,
+        used: 'nothing',
+        message:
+          "there is no ghost of what a worker recorded; world.importRun(await world.ask('exportRun')) has it here, with ghosts",
+      });
+    return Promise.resolve();
+  }
+
+  readonly ghostLevel = undefined;
+  readonly apart = undefined;
+
+  eachGhost(): boolean {
+    return false;
   }
 
   // Steps are taken and followed there.

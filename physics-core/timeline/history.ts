@@ -8,11 +8,17 @@ import {
 import { Pictures } from './pictures.js';
 import type { Beginning } from './twin.js';
 
+/** With when it was made and how long a step was then, simulated seconds: at another level that is another step. */
+export interface KeptCall extends Call {
+  time: number;
+  timeStep: number;
+}
+
 /** What is kept of a world's past. */
 export class History {
   readonly pictures = new Pictures();
   beginnings: Beginning[] = [];
-  calls: Call[] = [];
+  calls: KeptCall[] = [];
   hashes: StepHash[] = [];
   problems: TimelineMark[] = [];
   /** Steps since it begins. */
@@ -63,7 +69,7 @@ export class History {
       start: snapshot,
       drags: [...drags],
       steps: this.steps - from,
-      calls: since(this.calls),
+      calls: since(this.calls).map(({ time: _, timeStep: __, ...call }) => call),
       hashes: since(this.hashes),
     };
   }

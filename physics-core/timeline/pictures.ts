@@ -1,4 +1,4 @@
-import { POSE, type Poses } from '../dynamics/poses.js';
+import { POSE } from '../dynamics/poses.js';
 
 /** A body, as far as pictures show it. */
 interface Shown {
@@ -7,7 +7,7 @@ interface Shown {
 }
 
 /** The end of a step. */
-interface Moment {
+export interface Moment {
   readonly step: number;
   /** Simulated seconds. */
   readonly time: number;
@@ -36,9 +36,15 @@ export class Pictures {
     return this.#all[i]!;
   }
 
-  add(moment: Moment, bodies: readonly Shown[], poses: Poses): void {
-    this.#makeRoom(poses.current.length);
-    const moved = bodies.filter((body) => this.#take(body, poses.current) || moment.whole);
+  /** Without what they show. */
+  get moments(): Moment[] {
+    return this.#all.map(({ step, time, whole }) => ({ step, time, whole }));
+  }
+
+  /** `poses`: of all slots, seen from Bullet's origin. */
+  add(moment: Moment, bodies: readonly Shown[], poses: Float64Array): void {
+    this.#makeRoom(poses.length);
+    const moved = bodies.filter((body) => this.#take(body, poses) || moment.whole);
     const picture = {
       ...moment,
       ids: Int32Array.from(moved, ({ id }) => id),

@@ -1,18 +1,22 @@
-import { FRAME } from '../dynamics/levels.js';
+import { hypot } from '../base/exact/index.js';
+import { FRAME, levelNames, levels, type LevelName } from '../dynamics/levels.js';
 import { POSE } from '../dynamics/poses.js';
+import { debugging } from '../effects/debug/debugging.js';
 import type { Drag } from '../effects/drag/drag.js';
 import type { Problem } from '../base/problems.js';
 import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
+import type { Watching } from '../world/measuring.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
 import { callOf } from './calls.js';
 import { Deeds } from './deeds.js';
 import { reportDiverged } from './diverged.js';
+import { Ghost } from './ghost.js';
 import { hashOf } from './hash.js';
 import { History } from './history.js';
 import { marksOf } from './marks.js';
+import { A_TIME, refuse } from './refuse.js';
 import { Twin, type Beginning } from './twin.js';
-import { reportWrongTime } from './wrong-time.js';
 
 /** Simulated seconds that are kept, where nobody says how many. */
 export const SECONDS = 10;
@@ -36,6 +40,7 @@ export class Recording implements Recorder {
   /** Simulated seconds that are shown, while that plays. */
   #clock: number | undefined;
   #later = new Deeds();
+  #ghost: Ghost | undefined;
   /** At work of its own, which is not recorded. */
   #busy = false;
   #stops: (() => void)[] = [];
@@ -52,6 +57,7 @@ export class Recording implements Recorder {
     this.#history = new History();
     this.#look = this.#clock = undefined;
     this.#later = new Deeds();
+    this.#ghost?.cut(-1);
     this.#quietly(() => this.#picture(true));
   }
 
@@ -81,6 +87,7 @@ export class Recording implements Recorder {
 
   stop(): void {
     if (this.looking) this.resume();
+    this.#ghost = undefined;
     this.#letGo();
     this.#world.work();
   }
@@ -123,7 +130,8 @@ export class Recording implements Recorder {
     args: readonly unknown[],
   ): void {
     const { calls, steps } = this.#history;
-    calls.push(callOf(this.#world, who, drag, steps, method, args));
+    const { time, timeStep } = this.#world;
+    calls.push({ ...callOf(this.#world, who, drag, steps, method, args), time, timeStep });
   }
 
   stepped(): void {
@@ -144,7 +152,7 @@ export class Recording implements Recorder {
     const world = this.#world;
     if (whole) this.#history.beginnings.push(this.#beginning());
     const moment = { step: this.#history.steps, time: world.time, whole };
-    this.#history.pictures.add(moment, [...world.bodies], world.poses);
+    this.#history.pictures.add(moment, [...world.bodies], world.poses.current);
   }
 
   #beginning(): Beginning {
@@ -188,15 +196,20 @@ export class Recording implements Recorder {
   }
 
   seek(time: number): void {
-    if (!Number.isFinite(time)) return reportWrongTime(this.#world, time);
+    if (!Number.isFinite(time)) return refuse(this.#world, 'seek', A_TIME, time);
     this.#clock = undefined;
-    this.#leave();
+    this.#lookAt(time);
+  }
+
+  #lookAt(time: number): void {
+    const { looking } = this;
+    if (!looking) this.#pictureEnd();
     this.#show(this.#history.pictures.nearest(time));
+    if (!looking) this.#raiseGhost();
   }
 
   /** The last picture is that of the running world. */
-  #leave(): void {
-    if (this.looking) return;
+  #pictureEnd(): void {
     this.#world.flush();
     const { pictures, steps } = this.#history;
     if (pictures.at(pictures.length - 1).step < steps) this.#quietly(() => this.#picture(false));
@@ -216,10 +229,9 @@ export class Recording implements Recorder {
   }
 
   play(): void {
-    this.#leave();
-    const { at } = this;
-    this.#clock = at === undefined || at >= this.to ? this.from : at;
-    this.#show(this.#history.pictures.nearest(this.#clock));
+    const { at = Infinity } = this;
+    this.#clock = at < this.to ? at : this.from;
+    this.#lookAt(this.#clock);
   }
 
   pause(): void {
@@ -235,6 +247,69 @@ export class Recording implements Recorder {
     this.#world.poses.interpolate(1);
   }
 
+  // ---- the same at another level ----------------------------------------------------------------------------------
+
+  async ghost(name?: LevelName, watching: Watching = {}): Promise<void> {
+    const level = levels.find((one) => one.name === name);
+    if (name !== undefined && !level)
+      return refuse(this.#world, 'ghost', `one of ${levelNames.join(', ')}`, name);
+    watching.signal?.throwIfAborted();
+    if (!this.looking) this.#pictureEnd();
+    const ghost = level && new Ghost(this.#history, level);
+    this.#ghost = ghost;
+    this.#drawGhost();
+    if (!ghost) return;
+    const isWanted = (): boolean => this.#ghost === ghost && this.#world.timeline === this;
+    try {
+      await ghost.run(this.#world, watching, isWanted);
+    } catch (error) {
+      if (isWanted()) this.#ghost = undefined;
+      throw error;
+    }
+    if (isWanted()) this.#drawGhost();
+  }
+
+  get ghostLevel(): LevelName | undefined {
+    return this.#ghost?.level.name;
+  }
+
+  get apart(): number | undefined {
+    let most = 0;
+    const there = this.eachGhost((_, [x, y, z], own) => {
+      most = Math.max(most, hypot(x! - own[0]!, y! - own[1]!, z! - own[2]!));
+    });
+    return there ? most : undefined;
+  }
+
+  eachGhost(put: (id: number, pose: Float32Array, own: Float32Array) => void): boolean {
+    if (this.#look === undefined || !this.#ghost) return false;
+    const { pictures } = this.#history;
+    const own = new Map<number, Float32Array>();
+    pictures.show(this.#look, (id, pose) => own.set(id, pose));
+    // Pictures may still show what is gone.
+    const seen = new Set([...this.#world.bodies].map(({ id }) => id));
+    return this.#ghost.show(pictures.at(this.#look).step, (id, pose) => {
+      if (seen.has(id) && own.has(id)) put(id, pose, own.get(id)!);
+    });
+  }
+
+  /** Somebody begins to look: what came since it was run is to be run, too. */
+  #raiseGhost(): void {
+    const { level, end } = this.#ghost ?? {};
+    if (level && end! < this.#history.steps) void this.ghost(level.name);
+    else this.#drawGhost();
+  }
+
+  /** It is drawn because of the bodies that have one, while somebody looks. */
+  #drawGhost(): void {
+    const { registry, bodies } = this.#world;
+    for (const body of bodies)
+      if (this.looking && this.#ghost?.whole && body.movable)
+        registry.get(debugging).need(body, 'its ghost in the timeline');
+      else registry.find(debugging)?.release(body);
+    this.#world.work();
+  }
+
   // ---- going on ---------------------------------------------------------------------------------------------------
 
   resume(): void {
@@ -242,6 +317,7 @@ export class Recording implements Recorder {
     const look = this.#look;
     this.#look = this.#clock = undefined;
     this.#quietly(() => this.#goTo(look));
+    this.#drawGhost();
     this.#later.do();
     this.#world.work();
   }
@@ -264,7 +340,9 @@ export class Recording implements Recorder {
 
   #goTo(look: number): void {
     this.#world.restore(this.#snapshotAt(look));
-    this.#history.cut(this.#history.pictures.at(look).step);
+    const { step } = this.#history.pictures.at(look);
+    this.#history.cut(step);
+    this.#ghost?.cut(step);
   }
 
   /** Whether all bodies are where a picture has them. */

@@ -1,4 +1,5 @@
 import { copyInto } from '../world/snapshot/copy.js';
+import type { Level } from '../dynamics/levels.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Call, HeldDrag } from '../world/recording.js';
 import { World } from '../world/world.js';
@@ -17,19 +18,24 @@ export interface Beginning {
  * it destroys it.
  */
 export class Twin {
-  readonly world = new World({ console: false });
+  readonly world: World;
+  readonly #level: Level | undefined;
   #redoing!: Redoing;
   #step = 0;
   #next = 0;
   readonly #calls: readonly Call[];
 
-  constructor(calls: readonly Call[]) {
+  /** `level`: another than that of the world, whatever is asked for. */
+  constructor(calls: readonly Call[], level?: Level) {
+    this.world = new World({ console: false, ...(level && { level }) });
+    this.#level = level;
     this.#calls = calls;
   }
 
   /** Becomes what the other was; each `next` goes on by a node. */
   *begin({ engine }: World, { step, snapshot, drags }: Beginning): Generator<number, void> {
-    for (const _ of copyInto(this.world, snapshot, engine)) yield 0;
+    const elsewhere = this.#level !== undefined && this.#level.name !== snapshot.level;
+    for (const _ of copyInto(this.world, snapshot, engine, {}, elsewhere)) yield 0;
     this.#redoing = new Redoing(this.world);
     for (const { drag, body, point } of drags) this.#redoing.hold(drag, body, point);
     this.#step = step;

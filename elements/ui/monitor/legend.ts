@@ -4,14 +4,22 @@ import { html, nothing, svg, type TemplateResult } from '../lit.js';
 type Meaning = World['debugLegend'][number];
 
 /** What the colours of the debug drawing mean, while it is on. */
-export function legend({ debugLegend }: World): TemplateResult | typeof nothing {
-  if (debugLegend.length === 0) return nothing;
+export function legend(world: World): TemplateResult | typeof nothing {
+  const meanings = meaningsIn(world);
+  if (meanings.length === 0) return nothing;
   return html`<div>
     <h3 id="legend">Colours of the debug drawing</h3>
     <ul part="legend" aria-labelledby="legend">
-      ${debugLegend.map(item)}
+      ${meanings.map(item)}
     </ul>
   </div>`;
+}
+
+/** A ghost is drawn without the rest, too. */
+function meaningsIn(world: World): readonly Meaning[] {
+  const { debugLegend, timeline } = world;
+  const alone = timeline?.ghostLevel && timeline.at !== undefined && !world.get('debug');
+  return alone ? debugLegend.filter(({ name }) => name === 'ghost') : debugLegend;
 }
 
 const item = ({ color, means }: Meaning): TemplateResult =>

@@ -1,5 +1,7 @@
 import type { Timeline, World } from '../../../physics-core/inside.js';
 import { html, nothing, type TemplateResult } from '../lit.js';
+import { distance } from './numbers.js';
+import { ghost } from './ghost.js';
 
 /** Seconds from one picture of a timeline to the next: an arrow key's step. */
 const PICTURE = 1 / 60;
@@ -28,17 +30,19 @@ export function timeline(world: World, refresh: () => void): TemplateResult {
     }
     ${recorded.at === undefined ? nothing : button('Go on from here', () => world.resume())}
     ${button('Stop recording', () => recorded.stop())}
+    ${world.mirrored === undefined ? ghost(world, recorded, refresh) : nothing}
   </div>`;
 }
 
 function slider(recorded: Timeline, refresh: () => void): TemplateResult {
-  const { from, to, marks } = recorded;
+  const { from, to, marks, apart } = recorded;
   const at = recorded.at ?? to;
   const seek = ({ currentTarget }: Event): void => {
     recorded.seek((currentTarget as HTMLInputElement).valueAsNumber);
     refresh();
   };
   const last = marks.findLast(({ time }) => time <= at);
+  const beside = apart === undefined ? '' : `, the ghost ${distance(apart)} away`;
   return html`<label>
       Look at
       <input
@@ -48,7 +52,7 @@ function slider(recorded: Timeline, refresh: () => void): TemplateResult {
         max=${to}
         step=${PICTURE}
         .value=${String(at)}
-        aria-valuetext=${`${at.toFixed(2)} of ${to.toFixed(2)} seconds`}
+        aria-valuetext=${`${at.toFixed(2)} of ${to.toFixed(2)} seconds${beside}`}
         @input=${seek}
       />
     </label>

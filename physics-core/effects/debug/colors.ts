@@ -13,16 +13,22 @@ const TABLE = {
   limit: { color: [1, 0.5, 0.8], means: 'stops of a joint' },
   contact: { color: [0.95, 0.75, 0], means: 'contact with its normal' },
   near: { color: [0.6, 0.5, 0.25], means: 'near, not touching' },
+  ghost: { color: [0.55, 0.2, 1], means: 'ghost: the recorded run at another level' },
 } as const satisfies Record<string, { color: Color; means: string }>;
 
 type Name = keyof typeof TABLE;
 
 export interface ColorMeaning {
+  /** What has it, in a word. */
+  readonly name: string;
   readonly color: Color;
   readonly means: string;
 }
 
-export const legend: readonly ColorMeaning[] = Object.values(TABLE);
+export const legend: readonly ColorMeaning[] = Object.entries(TABLE).map(([name, entry]) => ({
+  name,
+  ...entry,
+}));
 
 export const COLOR = Object.fromEntries(
   Object.entries(TABLE).map(([name, { color }]) => [name, color]),

@@ -2,7 +2,7 @@ import { hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Joint } from '../../dynamics/joint.js';
-import { add, AXES, rotate, scale, type Pose } from '../../base/math.js';
+import { add, AXES, compose, rotate, scale, type Pose } from '../../base/math.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { COLOR, type Color } from './colors.js';
@@ -33,6 +33,9 @@ export interface DebugScene {
 /** A world whose steps another thread may take, which finds its contact points, too. */
 export interface DrawnSimulation extends Simulation {
   readonly elsewhere: { readonly contacts: Float64Array } | undefined;
+  /** What it did, and where another run has its bodies while somebody looks at that, seen from Bullet's origin. */
+  readonly timeline:
+    { eachGhost(put: (id: number, pose: Float32Array) => void): boolean } | undefined;
 }
 
 /** A world as Bullet has it, as coloured lines in the world's frame: shapes, centres of mass, joints, contacts. */
@@ -58,6 +61,13 @@ export class DebugLines extends LineBuffer {
     for (const joint of this.#scene.joints())
       if (joint.attached) markJoint(this, this.#simulation, joint);
     markContacts(this, this.#simulation, this.#simulation.elsewhere?.contacts);
+    this.#ghosts();
+  }
+
+  /** Draws only the ghosts anew: it may be that nobody asked for the rest. */
+  updateGhosts(): void {
+    this.clear();
+    this.#ghosts();
   }
 
   dispose(): void {
@@ -97,6 +107,19 @@ export class DebugLines extends LineBuffer {
     if (!body.movable) return;
     const axes = AXES.map((axis) => scale(rotate(pose.q, axis), MARK * reach));
     this.cross(pose.p, axes, COLOR.mass);
+  }
+
+  /** Outlines of what moves. A pose of those is of a body's own frame. */
+  #ghosts(): void {
+    const { bodies, poses, timeline } = this.#simulation;
+    if (!timeline) return;
+    const byId = new Map([...bodies].map((body) => [body.id, body]));
+    timeline.eachGhost((id, [x, y, z, ...q]) => {
+      const body = byId.get(id);
+      if (!body?.movable) return;
+      const frame = { p: add([x, y, z], poses.origin), q } as Pose;
+      this.#place(this.#outlineOf(body).lines, compose(frame, body.centerOfMass), COLOR.ghost);
+    });
   }
 
   /** Lines of a frame, in the world's. */

@@ -10,12 +10,14 @@ import type { Snapshot } from './snapshot.js';
 /**
  * Makes an empty world as the one a snapshot was taken of, in any engine: what it needs is all plain data. In pieces, so
  * that nobody need be held up: each `next` goes on by one node. `settings`: fields of its collection that are others here.
+ * `elsewhere`: at another level.
  */
 export function* copyInto(
   world: RestoredWorld,
   snapshot: Snapshot,
   engine: Engine,
   settings: Record<string, unknown> = {},
+  elsewhere = Object.keys(settings).length > 0,
 ): Generator<void> {
   const born = new Map<number, PhysicsNode>();
   const states = statesIn(snapshot);
@@ -25,7 +27,6 @@ export function* copyInto(
     yield;
   }
   const found = new Lookup(world.nodes, snapshot, goneIn(world));
-  const elsewhere = Object.keys(settings).length > 0;
   const heard = new Map(snapshot.heard);
   for (const { id, collection } of states) {
     // It may have been born after those that belong to it.

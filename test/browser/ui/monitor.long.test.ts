@@ -10,6 +10,16 @@ const falling = `<x3d-rigid-body-collection id="collection">
   </x3d-rigid-body-collection>
   <transform id="shape"><shape><sphere></sphere></shape></transform>`;
 
+/** Two boxes that swing on each other: a millimetre apart after a second of `game`. */
+const swinging = `<x3d-rigid-body-collection>
+    <x3d-rigid-body id="ball" def="ball" for="shape"></x3d-rigid-body>
+    <x3d-rigid-body id="other" for="second"></x3d-rigid-body>
+    <x3d-ball-joint body1="ball" anchorpoint="0 9 0"></x3d-ball-joint>
+    <x3d-ball-joint body1="ball" body2="other" anchorpoint="2 9 0"></x3d-ball-joint>
+  </x3d-rigid-body-collection>
+  <transform id="shape" translation="2 9 0"><shape><box size=".4 .4 .4"></box></shape></transform>
+  <transform id="second" translation="4 9.5 0"><shape><box size=".4 .4 .4"></box></shape></transform>`;
+
 const monitorEffect = (world: ReturnType<typeof worldOf>) =>
   world!.effects.find(({ name }) => name === 'monitor')!;
 
@@ -62,6 +72,58 @@ describe('the monitor', () => {
     await until(() => world.timeline!.at === world.timeline!.to && !world.timeline!.playing);
     shown.button(/Stop recording/).click();
     expect(world.timeline).to.equal(undefined);
+  });
+
+  it('has a ghost of the run at another level beside its slider, and says how far apart they are', async () => {
+    const { world } = await show(swinging);
+    world.paused = true;
+    const shown = addMonitor('for="ball"');
+    await until(() => shown.button(/Record/) !== undefined && !shown.button(/Record/).disabled);
+    expect(shown.select('Ghost')).to.equal(undefined);
+    shown.button(/Record/).click();
+    await until(() => world.timeline !== undefined);
+    world.step(120);
+    await until(() => shown.select('Ghost') !== undefined);
+    const select = shown.select('Ghost')!;
+    expect([...select.options].map(({ value }) => value)).to.eql([
+      '',
+      'game',
+      'fine',
+      'precise',
+      'reference',
+    ]);
+    expect(select.tabIndex).to.equal(0);
+    expect(shown.text).to.not.contain('apart');
+    select.focus();
+    select.value = 'game';
+    select.dispatchEvent(new Event('change'));
+    await until(() => shown.text.includes('Look back to see it.'));
+    const slider = shown.root.querySelector<HTMLInputElement>('input[type=range]')!;
+    const seek = (time: number): void => {
+      slider.value = String(time);
+      slider.dispatchEvent(new Event('input'));
+    };
+    await until(() => Number(slider.max) > 0.9);
+    seek(Number(slider.max));
+    await until(() => /Farthest apart: [\d.]+ mm/.test(shown.text));
+    expect(slider.getAttribute('aria-valuetext')).to.match(/, the ghost [\d.]+ mm away$/);
+    expect(shown.root.activeElement).to.equal(select);
+    // Of the colours it has that of the ghost alone.
+    await until(() => shown.part('legend')?.children.length === 1);
+    expect(shown.part('legend')!.textContent).to.contain('ghost');
+    seek(0);
+    await until(() => shown.text.includes('Farthest apart: 0'));
+    world.set('debug', true);
+    world.step(0);
+    await until(() => (shown.part('legend')?.children.length ?? 0) > 5);
+    world.set('debug', false);
+    world.step(0);
+    select.value = '';
+    select.dispatchEvent(new Event('change'));
+    await until(() => !shown.text.includes('apart'));
+    expect(world.timeline!.ghostLevel).to.equal(undefined);
+    await until(() => !shown.part('legend'));
+    world.timeline!.stop();
   });
 
   it('without for shows the nearest x3d', async () => {

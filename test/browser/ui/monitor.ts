@@ -43,6 +43,13 @@ export class Shown {
     return [...this.root.querySelectorAll('button')].find((each) => name.test(each.textContent!))!;
   }
 
+  /** By its label. */
+  select(name: string): HTMLSelectElement | undefined {
+    const labels = [...this.root.querySelectorAll('label')];
+    const label = labels.find((each) => each.textContent!.trim().startsWith(name));
+    return label?.control as HTMLSelectElement | undefined;
+  }
+
   async shows(term: string, value: string): Promise<void> {
     await until(() => this.count(term) === value);
   }

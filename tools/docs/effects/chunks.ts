@@ -32,7 +32,7 @@ const FILES: readonly [name: string, causes: string][] = [
     'an ElevationGrid, an Extrusion, a set of fans, strips or quads, a Rectangle2D or a Disk2D, where x3dom lacks it',
   ],
   ['chunk-batch-code', 'eight bodies of one geometry, drawn in one call where they look alike'],
-  ['chunk-sketch', 'debug of a RigidBodyCollection'],
+  ['chunk-sketch', 'debug of a RigidBodyCollection, or a ghost of the timeline'],
   ['chunk-measure', '`measureAccuracy()`'],
   ['x3d-physics.classic.js', 'the same, and a world with `thread`, for its worker'],
   ['chunk-dense-code', '`world.snapshot()`, `world.record()`'],

@@ -22,13 +22,21 @@ export class Sketch {
 
   draw(): void {
     const start = performance.now();
-    this.#lines.update();
+    if (this.#isAsked) this.#lines.update();
+    else this.#lines.updateGhosts();
     this.#inFileUnits();
     this.#stand()?.show(this.#lines);
     this.#stage.requestRender();
     const { cost } = this.#world.registry.get(debugging);
     cost.add(start);
     cost.note();
+  }
+
+  /** Whether a collection asks for it; bodies do for their ghosts alone. */
+  get #isAsked(): boolean {
+    const { registry, collections } = this.#world;
+    const effect = registry.get(debugging);
+    return [...collections].some(({ node }) => node && effect.isNeededBy(node));
   }
 
   #inFileUnits(): void {

@@ -184,6 +184,35 @@ describe('debug drawing', () => {
     expect(quiet).to.be.above(20);
   });
 
+  it('has the ghost of a recorded run alone, while one looks back, and nothing once it goes on or ends', async () => {
+    const { x3d, world } = await show(hanging('custom').replace('0 0 0', '0 -9.8 0'));
+    world.paused = true;
+    world.reset();
+    const timeline = await world.record();
+    world.step(60);
+    await timeline.ghost('game');
+    await drawn();
+    expect(sketches(x3d).length).to.equal(0);
+    timeline.seek(0.25);
+    // Twelve edges, without a cross.
+    await until(() => positions(x3d).length === 12 * 6);
+    expect(least(x3d, 1)).to.be.closeTo(2 - 1 - 4.9 / 16, 1e-3);
+    const because = world.effects.find(({ name }) => name === 'debug drawing')!.because!;
+    expect(because.element).to.equal(x3d.querySelector('#body'));
+    timeline.seek(0.5);
+    await until(() => Math.abs(least(x3d, 1) - (2 - 1 - 4.9 / 4)) < 1e-3);
+    const collection = x3d.querySelector('x3d-rigid-body-collection')!;
+    collection.setAttribute('debug', '');
+    world.resume();
+    await until(() => positions(x3d).length === (12 + 3) * 6);
+    collection.removeAttribute('debug');
+    await until(() => sketches(x3d).length === 0);
+    timeline.seek(0.25);
+    await until(() => sketches(x3d).length === 1);
+    collection.remove();
+    await until(() => sketches(x3d).length === 0);
+  });
+
   it('stands once when it is switched on and off quickly', async () => {
     const x3d = place(hanging('custom', 'debug'));
     const collection = x3d.querySelector('x3d-rigid-body-collection')!;
