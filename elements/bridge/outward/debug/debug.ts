@@ -12,14 +12,12 @@ export class Debug {
     this.#stage = stage;
   }
 
-  /** The first collection of a world asks for it, or the last one no longer does. */
+  /** The first of a world asks for it, a collection or a body with a ghost, or the last one no longer does. */
   listen(world: PageWorld): void {
-    world.on('debug', (on) => this.#turn(world, on as boolean));
-  }
-
-  #turn(world: PageWorld, on: boolean): void {
-    if (on) this.#begin(world).catch((error: unknown) => reportMissing(world, error));
-    else this.#end(world);
+    world.on('debug', (on) => {
+      if (on) this.#begin(world).catch((error: unknown) => reportMissing(world, error));
+      else this.#end(world);
+    });
   }
 
   async #begin(world: PageWorld): Promise<void> {
