@@ -25,8 +25,7 @@ import type { View } from './view.js';
 
 const RECORDING = 'Recorded from the beginning: Share takes it along, and Record ends it.';
 const ENDED = 'No longer recorded: the text has other nodes now.';
-const LOOKING =
-  'What was recorded, at its beginning: Play shows it, and Record goes on from there.';
+const LOOKING = 'A recorded run: Play shows it, and Record goes on from where one looks.';
 
 export class Playground {
   private readonly view: View;

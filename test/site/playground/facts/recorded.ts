@@ -119,7 +119,7 @@ async function chosen(tab: Tab, text: string): Promise<void> {
 }
 
 const waitUntilShown = (tab: Tab): Promise<unknown> =>
-  tab.page.getByText('What was recorded, at its beginning').waitFor();
+  tab.page.getByText('A recorded run: Play shows it').waitFor();
 
 /** A scene that falls, and what it tells of a file or an address; it goes on all the same. */
 async function refused(tab: Tab): Promise<string> {
