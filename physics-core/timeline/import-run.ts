@@ -6,6 +6,7 @@ import { dense } from '../world/snapshot/dense.js';
 import { faultOf as faultIn } from '../world/snapshot/check.js';
 import { loadNode } from '../world/snapshot/load.js';
 import { Lookup } from '../world/snapshot/lookup.js';
+import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { nodesOf, statesIn } from '../world/snapshot/states.js';
 import { goneIn } from '../world/snapshot/restore.js';
 import type { World } from '../world/world.js';
@@ -87,7 +88,16 @@ function faultOf(world: World, run: unknown): string | undefined {
     calls!.every(isCall) &&
     Array.isArray(start?.nodes);
   if (!whole) return 'parts of this run are missing, or are no numbers';
-  return faultIn(start, isEmpty(world) ? undefined : nodesOf(world), world.bullet.kept);
+  if (isEmpty(world)) return faultIn(start, undefined, world.bullet.kept);
+  const fault = faultIn(start, nodesOf(world), world.bullet.kept);
+  return fault ?? (isOf(world, start!) ? undefined : 'this run is of another scene');
+}
+
+/** Whether all that was there then is here, by the same numbers and names. */
+function isOf({ nodes }: World, start: Snapshot): boolean {
+  const named = (type: string, name: string | undefined) => `${type} ${name ?? ''}`;
+  const here = new Map([...nodes].map(({ id, type, name }) => [id, named(type.name, name)]));
+  return statesIn(start).every(({ id, type, name }) => here.get(id) === named(type, name));
 }
 
 const isEmpty = ({ bodies }: World): boolean => [...bodies].length === 0;

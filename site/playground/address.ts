@@ -1,5 +1,6 @@
 // Markup in an address. `#example=…` names an example of the menu, and `#edits=…` what was changed of it, so that it stays
-// short; `#shared=…` is a whole text compressed, `#markup=…` as it is. Nothing of it is sent to a server.
+// short; `#shared=…` is a whole text compressed, `#markup=…` as it is; `&run=…` behind any of them is what was recorded of
+// it. Nothing of it is sent to a server.
 import { deflated, inflated, fromBase64, textOf, toBase64 } from './packed.js';
 import { editsBetween, withEdits } from './text/edits.js';
 
@@ -31,11 +32,29 @@ export async function sharedHash(markup: string, example?: Named): Promise<strin
   return edited.length < whole.length ? edited : whole;
 }
 
-/** The markup that an address has behind its #, and the example it is of; undefined where there is none. */
+export interface Found {
+  markup: string;
+  /** The one it is of. */
+  example?: Named;
+  /** What was recorded, packed. */
+  run?: string;
+}
+
+/** What an address has behind its #; undefined where that is no markup. */
+export async function foundIn(
+  hash: string,
+  examples: readonly Named[] = [],
+): Promise<Found | undefined> {
+  const [text, run] = hash.split('&run=') as [string, string | undefined];
+  const found = await markupIn(text, examples);
+  return found && run !== undefined ? { ...found, run } : found;
+}
+
+/** The same, without what was recorded. */
 export async function markupIn(
   hash: string,
   examples: readonly Named[] = [],
-): Promise<{ markup: string; example?: Named } | undefined> {
+): Promise<Found | undefined> {
   const [, id, packed] = /^#example=([^&]*)(?:&edits=(.*))?$/s.exec(hash) ?? [];
   if (id !== undefined) return ofExample(id, packed, examples);
   const [, kind, value] = /^#(markup|shared)=(.*)$/s.exec(hash) ?? [];

@@ -21,6 +21,15 @@ export const ofLeftOut = ({ from, to, message }: LeftOut): Diagnostic => ({
 export const isOfText = ({ said, source }: Said<Problem>): boolean =>
   !!source || said.severity === 'error';
 
+/** Of what was recorded, and of no place in the text. */
+export const ofRunFault = (message: string): Diagnostic => ({
+  ...{ from: 0, to: 0, message },
+  severity: 'error',
+});
+
+/** It goes another way here than it went. */
+export const isOfRun = ({ said }: Said<Problem>): boolean => said.code === 'run-diverged';
+
 const START: Place = { from: 0, to: 0 };
 
 /** At the attribute concerned, else at the opening tag, else at the text's first character. */

@@ -32,14 +32,14 @@ const NAME_LIBRARY = `
   document.head.append(map);
 `;
 
-export async function pageOf(roots: readonly TreeNode[], site: string): Promise<string> {
+export async function pageOf(roots: readonly TreeNode[], site: string): Promise<Blob> {
   parts ??= Promise.all(PARTS.map((part) => textAt(site + part)));
   // The next press tries again.
   parts.catch(() => (parts = undefined));
   const [x3domCss, x3dom, library, css] = (await parts) as [string, string, string, string];
   const markup = print(roots);
   const naming = markup.includes('x3d-physics') ? `<script>{${NAME_LIBRARY}}</script>\n` : '';
-  return `<!doctype html>
+  const page = `<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
@@ -56,11 +56,12 @@ ${naming}
 ${markup}
 </html>
 `;
+  return new Blob([page], { type: 'text/html' });
 }
 
-export function save(name: string, text: string): void {
+export function save(name: string, file: Blob): void {
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([text], { type: 'text/html' }));
+  link.href = URL.createObjectURL(file);
   link.download = name;
   link.click();
   // The browser has taken it by then.

@@ -10,8 +10,8 @@ export const inflated = async (packed: string): Promise<string> => {
   return textOf(await bytesOf(stream.pipeThrough(new DecompressionStream('deflate-raw'))));
 };
 
-/** More than any scene: a few bytes can be made to unfold into gigabytes. */
-const LIMIT = 4e6;
+/** Bytes, more than any scene and most runs: a few can be made to unfold into gigabytes. */
+export const LIMIT = 4e6;
 
 async function bytesOf(stream: ReadableStream<Uint8Array>): Promise<Uint8Array<ArrayBuffer>> {
   const parts: BlobPart[] = [];

@@ -1,11 +1,20 @@
 // The text, the scene and the buttons, and what each does to the others.
 import type { Diagnostic } from '@codemirror/lint';
-import { exampleHash, markupIn, sharedHash } from './address.js';
-import { isOfText, ofFault, ofLeftOut, ofProblem, ofScript } from './diagnostics.js';
+import { exampleHash, foundIn, sharedHash } from './address.js';
+import {
+  isOfRun,
+  isOfText,
+  ofFault,
+  ofLeftOut,
+  ofProblem,
+  ofRunFault,
+  ofScript,
+} from './diagnostics.js';
 import { pageOf, save } from './download.js';
 import { createEditor, type Editor } from './editor/editor.js';
 import { Vocabulary, type Manifest } from './editor/vocabulary.js';
 import { fillMenu, type Example } from './examples.js';
+import { chooseFile, fileOf, LONGEST, runsIn, sharedIn, takeDropped, withRuns } from './run.js';
 import { Stage } from './scene/stage.js';
 import { showScripts } from './script-list.js';
 import type { LeftOut } from './text/left-out.js';
@@ -13,6 +22,10 @@ import { parse, type Fault } from './text/parse.js';
 import type { TreeNode } from './text/tree.js';
 import { showTold } from './told.js';
 import type { View } from './view.js';
+
+const RECORDING = 'Recorded from the beginning: Share takes it along, and Record ends it.';
+const ENDED = 'No longer recorded: the text has other nodes now.';
+const LOOKING = 'A recorded run: Play shows it, and Record goes on from where one looks.';
 
 export class Playground {
   private readonly view: View;
@@ -26,6 +39,8 @@ export class Playground {
   private rootsText = '';
   private leftOut: LeftOut[] = [];
   private fault: Fault | undefined;
+  /** Why what was recorded is not shown. */
+  private runFault: string | undefined;
   private isOpening = false;
   private shown = '';
 
@@ -35,10 +50,13 @@ export class Playground {
     this.site = site;
     this.examples = examples;
     this.vocabulary = new Vocabulary(manifest);
-    this.stage = new Stage(view.scene, site, this.vocabulary.names, () => this.look());
+    const { names } = this.vocabulary;
+    const openFile = (file: File) => void this.openFile(file);
+    this.stage = new Stage(view.scene, site, names, () => this.look(), openFile);
     this.editor = createEditor(view.text, this.vocabulary, (text) => this.textChanged(text));
     fillMenu(view.menu, examples, site);
     this.listen();
+    takeDropped(view.scene.closest('.x3d-playground')!, openFile);
   }
 
   async openScene(): Promise<void> {
@@ -48,13 +66,14 @@ export class Playground {
   /** What the address holds; where it holds nothing, `otherwise`. */
   async openAddress(otherwise?: Example): Promise<void> {
     try {
-      const found = await markupIn(location.hash, this.examples);
+      const found = await foundIn(location.hash, this.examples);
       const { markup } = found ?? otherwise ?? {};
       if (markup === undefined) return;
       this.open(markup);
       const example = this.exampleOf(markup) ?? found?.example;
       this.view.menu.value = example?.id ?? '';
-      if (found && markup === example?.markup) this.putAddress(exampleHash(example));
+      if (found?.run !== undefined) void this.showRuns(runsIn(found.run));
+      else if (found && markup === example?.markup) this.putAddress(exampleHash(example));
     } catch (error) {
       if (otherwise) this.openExample(otherwise);
       this.tell((error as Error).message);
@@ -81,6 +100,32 @@ export class Playground {
     this.view.menu.value = example.id;
   }
 
+  /** What was saved as a file; where it can't be read, the scene is as it was. */
+  private async openFile(file: File): Promise<void> {
+    try {
+      const { markup, runs } = await sharedIn(file);
+      this.open(markup);
+      this.view.menu.value = this.exampleOf(markup)?.id ?? '';
+      await this.showRuns(runs);
+    } catch (error) {
+      this.runFault = (error as Error).message;
+      this.look();
+    }
+  }
+
+  /** Stands at the beginning of what was recorded, or says why it does not. */
+  private async showRuns(runs: unknown[] | Promise<unknown[]>): Promise<void> {
+    const { roots } = this;
+    const fault = await Promise.resolve(runs)
+      .then((all) => this.stage.showRuns(all))
+      .catch((error: Error) => error.message);
+    // Another text may have been opened meanwhile.
+    if (roots !== this.roots) return;
+    this.runFault = fault;
+    if (!fault) this.tell(LOOKING);
+    this.look();
+  }
+
   private exampleOf(markup: string): Example | undefined {
     return this.examples.find((each) => each.markup === markup);
   }
@@ -94,14 +139,17 @@ export class Playground {
   }
 
   private listen(): void {
-    const { menu, pause, step, reset, panel, share, download } = this.view;
+    const { menu, pause, step, reset, record, play, panel, share, download, open } = this.view;
     menu.addEventListener('change', () => this.chosen(menu.value));
     pause.addEventListener('click', () => this.pause(!this.stage.paused));
     step.addEventListener('click', () => this.step());
     reset.addEventListener('click', () => this.reset());
+    record.addEventListener('click', () => this.record(!this.stage.recording));
+    play.addEventListener('click', () => this.stage.play(!this.stage.playing));
     panel.addEventListener('click', () => this.showPanel(!this.stage.panel));
     share.addEventListener('click', () => void this.share());
     download.addEventListener('click', () => void this.download());
+    open.addEventListener('click', () => chooseFile((file) => void this.openFile(file)));
   }
 
   private chosen(id: string): void {
@@ -118,7 +166,7 @@ export class Playground {
       this.roots = roots;
       this.rootsText = text;
       this.editor.mark();
-      if (!this.isOpening) this.leftOut = this.stage.bringTo(roots);
+      if (!this.isOpening) this.bringTo(roots);
     }
     // Undo may have led back to one.
     const example = this.exampleOf(text);
@@ -126,20 +174,32 @@ export class Playground {
     this.look();
   }
 
+  private bringTo(roots: TreeNode[]): void {
+    const { recording } = this.stage;
+    this.leftOut = this.stage.bringTo(roots);
+    if (recording && !this.stage.recording) this.tell(ENDED);
+  }
+
   /** An edit of CodeMirror is over before the next can be made: the marks come a moment later. */
   private look(): void {
     queueMicrotask(() => {
-      const diagnostics = this.diagnostics();
-      const now = JSON.stringify(diagnostics);
-      if (now !== this.shown) this.show(diagnostics);
+      const all = [this.ofRun(), this.ofText()] as const;
+      const now = JSON.stringify(all);
+      if (now !== this.shown) this.show(...all);
       this.shown = now;
       this.showScripts();
+      this.showRecording();
       this.view.time.textContent = `${this.stage.time.toFixed(2)} s`;
     });
   }
 
+  private ofRun(): Diagnostic[] {
+    const faults = this.runFault ? [ofRunFault(this.runFault)] : [];
+    return [...faults, ...this.stage.problems.filter(isOfRun).map(ofProblem)];
+  }
+
   /** Those of the scene are of the text that it was brought to last. */
-  private diagnostics(): Diagnostic[] {
+  private ofText(): Diagnostic[] {
     const ofScene = [
       ...this.leftOut.map(ofLeftOut),
       ...this.stage.problems.filter(isOfText).map(ofProblem),
@@ -153,13 +213,23 @@ export class Playground {
     return all.sort((a, b) => a.from - b.from);
   }
 
-  private show(diagnostics: Diagnostic[]): void {
-    this.editor.show(diagnostics);
-    const lines = diagnostics.map((diagnostic) => ({
-      number: this.editor.lineAt(diagnostic.from),
-      diagnostic,
-    }));
+  private show(ofRun: Diagnostic[], ofText: Diagnostic[]): void {
+    this.editor.show(ofText);
+    const lines = [
+      ...ofRun.map((diagnostic) => ({ number: undefined, diagnostic })),
+      ...ofText.map((diagnostic) => ({
+        number: this.editor.lineAt(diagnostic.from),
+        diagnostic,
+      })),
+    ];
     showTold(this.view.told, lines, (diagnostic) => this.editor.goTo(diagnostic));
+  }
+
+  private showRecording(): void {
+    const { record, play } = this.view;
+    record.setAttribute('aria-pressed', String(this.stage.recording));
+    play.hidden = !this.stage.recording;
+    play.textContent = this.stage.playing ? 'Hold' : 'Play';
   }
 
   private showScripts(): void {
@@ -184,7 +254,16 @@ export class Playground {
   }
 
   private reset(): void {
+    this.runFault = undefined;
     this.leftOut = this.stage.beginAnew(this.roots);
+    this.look();
+  }
+
+  /** Begins anew, so that nodes get the numbers that they get wherever the text is opened. */
+  private record(on: boolean): void {
+    if (on) this.reset();
+    this.stage.record(on);
+    this.tell(on ? RECORDING : '');
     this.look();
   }
 
@@ -196,13 +275,36 @@ export class Playground {
 
   private async share(): Promise<void> {
     const example = this.examples.find(({ id }) => id === this.view.menu.value);
+    if (this.stage.recording) return this.shareRun(example);
     this.putAddress(await sharedHash(this.editor.text, example));
+    await this.copyAddress('the whole text');
+  }
+
+  /** The scene is that of the last text that was well-formed. */
+  private async shareRun(example: Example | undefined): Promise<void> {
+    try {
+      const [markup, runs] = [this.rootsText, await this.stage.runs()];
+      const hash = await withRuns(await sharedHash(markup, example), runs);
+      const { length } = new URL(hash, location.href).href;
+      if (length <= LONGEST) {
+        this.putAddress(hash);
+        await this.copyAddress('the whole text and what was recorded');
+        return;
+      }
+      save('scene-and-run.json', fileOf({ markup, runs }));
+      this.tell(`Saved as a file, for Open run: its address would have ${length} letters.`);
+    } catch (error) {
+      this.tell((error as Error).message);
+    }
+  }
+
+  private async copyAddress(what: string): Promise<void> {
     try {
       await navigator.clipboard.writeText(location.href);
-      this.tell(`Copied: an address of ${location.href.length} letters that holds the whole text.`);
+      this.tell(`Copied: an address of ${location.href.length} letters that holds ${what}.`);
     } catch {
       // No clipboard without HTTPS, except at localhost.
-      this.tell("The page's address now holds the whole text: copy it from the address bar.");
+      this.tell(`The page's address now holds ${what}: copy it from the address bar.`);
     }
   }
 

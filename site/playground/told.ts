@@ -4,7 +4,8 @@ import type { Diagnostic } from '@codemirror/lint';
 const WORDS = { error: 'Error', warning: 'Warning', info: 'Note', hint: 'Note' } as const;
 
 export interface Line {
-  number: number;
+  /** Undefined: it is of no place in the text. */
+  number: number | undefined;
   diagnostic: Diagnostic;
 }
 
@@ -20,24 +21,25 @@ export function showTold(
   for (const [i, item] of items.entries()) {
     if (list.children[i] !== item) list.insertBefore(item, list.children[i] ?? null);
     const { diagnostic } = lines[i]!;
-    item.querySelector('button')!.onclick = () => goTo(diagnostic);
+    const button = item.querySelector('button');
+    if (button) button.onclick = () => goTo(diagnostic);
   }
 }
 
 const keyOf = (item: Element): string => item.textContent;
 
 const textOf = ({ number, diagnostic: { severity, message } }: Line): string =>
-  `${WORDS[severity]} in line ${number}: ${message}`;
+  `${WORDS[severity]}${number === undefined ? '' : ` in line ${number}`}: ${message}`;
 
 function itemOf(line: Line): Element {
   const item = document.createElement('li');
-  const button = document.createElement('button');
-  button.type = 'button';
+  const words = document.createElement(line.number === undefined ? 'span' : 'button');
+  if (words instanceof HTMLButtonElement) words.type = 'button';
   const [head] = textOf(line).split(': ', 1);
   const strong = document.createElement('strong');
   strong.textContent = `${head}:`;
-  button.append(strong, textOf(line).slice(strong.textContent.length));
+  words.append(strong, textOf(line).slice(strong.textContent.length));
   item.className = line.diagnostic.severity;
-  item.append(button);
+  item.append(words);
   return item;
 }

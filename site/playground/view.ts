@@ -7,9 +7,12 @@ const PAGE = `
   <button type="button" data-part="pause" aria-pressed="false">Pause</button>
   <button type="button" data-part="step" title="One step of the simulation; pauses first">Step</button>
   <button type="button" data-part="reset" title="Begin anew from the text">Reset</button>
+  <button type="button" data-part="record" aria-pressed="false" title="Begins anew, and keeps what happens and what you do: the last 30 seconds">Record</button>
+  <button type="button" data-part="play" title="Shows what was recorded" hidden>Play</button>
   <button type="button" data-part="panel" aria-pressed="false" title="Cost, accuracy, and which effects run because of what">Look inside</button>
-  <button type="button" data-part="share" title="Copies an address that holds the text">Share</button>
+  <button type="button" data-part="share" title="Copies an address that holds the text, and what was recorded">Share</button>
   <button type="button" data-part="download" title="One page, which runs by double click and without a network">Download</button>
+  <button type="button" data-part="open" title="A scene and what was recorded of it, from a file; or drop the file here">Open run</button>
   <output data-part="time" aria-live="off"></output>
 </div>
 <div class="panes">
@@ -30,9 +33,12 @@ const PARTS = [
   'pause',
   'step',
   'reset',
+  'record',
+  'play',
   'panel',
   'share',
   'download',
+  'open',
   'time',
   'text',
   'told',

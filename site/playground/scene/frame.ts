@@ -7,14 +7,19 @@ import type { Made } from './live.js';
 /** What a scene's page tells. Scripts of the text stand beside who tells it: it is shown as words, and nothing else. */
 export interface Told {
   state?: State;
-  words?: X3domWords;
+  answer?: { number: number; value: unknown };
   fault?: ScriptFault;
+  /** Dropped on the scene. */
+  file?: File;
 }
 
 export interface State {
   /** Seconds. */
   time: number;
   problems: Problem[];
+  /** Whether it is recorded, or a run is looked at. */
+  recording: boolean;
+  playing: boolean;
   /** The last request that is done. */
   done: number;
 }
@@ -45,9 +50,13 @@ export interface X3domWords {
 }
 
 export interface Request {
-  ask: 'edit' | 'clear' | 'pause' | 'step' | 'panel' | 'scheme' | 'words';
+  ask: 'edit' | 'clear' | 'pause' | 'step' | 'panel' | 'scheme' | Recording | Question;
   what?: unknown;
+  number: number;
 }
+
+type Recording = 'record' | 'play';
+type Question = 'words' | 'runs' | 'show';
 
 /** With what a page begins. */
 export interface Begin {
@@ -101,6 +110,7 @@ export class ScenePage {
   private readonly heard: (told: Told) => void;
   private port: MessagePort | undefined;
   private waiting: Request[] = [];
+  private readonly answered = new Map<number, (value: never) => void>();
   private asked = 0;
   private done = 0;
   /** When its own script runs. */
@@ -123,9 +133,16 @@ export class ScenePage {
   }
 
   ask(ask: Request['ask'], what?: unknown): void {
-    this.waiting.push({ ask, what });
-    this.asked++;
+    this.waiting.push({ ask, what, number: ++this.asked });
     this.send();
+  }
+
+  /** A page that is closed answers nothing. */
+  answer<T>(question: Question, what?: unknown): Promise<T> {
+    return new Promise((resolve) => {
+      this.ask(question, what);
+      this.answered.set(this.asked, resolve);
+    });
   }
 
   close(): void {
@@ -135,7 +152,7 @@ export class ScenePage {
 
   private send(): void {
     if (!this.port || this.waiting.length === 0) return;
-    this.port.postMessage({ all: this.waiting, number: this.asked });
+    this.port.postMessage(this.waiting);
     this.waiting = [];
   }
 
@@ -156,7 +173,9 @@ export class ScenePage {
   }
 
   private listen(told: Told): void {
-    if (told.state) this.done = told.state.done;
+    const { state, answer } = told;
+    if (state) this.done = state.done;
+    if (answer) this.answered.get(answer.number)?.(answer.value as never);
     this.heard(told);
   }
 }

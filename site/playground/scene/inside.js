@@ -1,7 +1,7 @@
 // Runs in the scene's page, before any script of the text: makes the page's elements, does the edits that come from the
 // playground, and tells it how the scene is. Read as text (`?raw`) and put into the page: the page is in a sandbox, where
 // neither side sees into the other, and may import nothing.
-/* global addEventListener, document, MessageChannel, parent, window */
+/* global addEventListener, document, MessageChannel, parent, performance, window */
 (() => {
   const { nonce, library, ownTags, roots, paused: isPaused, panel, scheme } = given();
   const { port1: port, port2 } = new MessageChannel();
@@ -13,9 +13,15 @@
   const strays = new Set();
   let paused = isPaused;
   let done = 0;
+  /** Whether worlds are recorded, those that come later, too. */
+  let recording = false;
 
   /** Milliseconds between two looks at the worlds. */
   const LOOK = 250;
+  /** Milliseconds for which a run waits for worlds. */
+  const PATIENCE = 5000;
+  /** Simulated seconds that are recorded: of a thousand bodies they take some 100 MB. */
+  const SECONDS = 30;
   /** What leads to every world: its collections, and what may stand outside any. */
   const IN_WORLDS =
     'x3d, inline, x3d-rigid-body-collection, rigidbodycollection, x3d-rigid-body, rigidbody';
@@ -102,6 +108,48 @@
     for (const world of worlds()) world.paused = on;
   }
 
+  // ---- what is recorded ----------------------------------------------------------------------------------------------
+
+  function record() {
+    // What a world can't start for is told by itself.
+    for (const world of worlds())
+      if (!world.timeline) world.record({ seconds: SECONDS }).catch(() => {});
+  }
+
+  const timelines = () => worlds().flatMap(({ timeline }) => timeline ?? []);
+
+  /** Without its markup: that is the text's. */
+  const runOf = (world) => ({ ...world.exportRun(), markup: undefined });
+
+  /** All worlds of a scene come at once. */
+  async function startedWorlds() {
+    const end = performance.now() + PATIENCE;
+    while (worlds().length === 0 && performance.now() < end)
+      await new Promise((go) => setTimeout(go, LOOK / 10));
+    const all = worlds();
+    await Promise.allSettled(all.map(({ ready }) => ready));
+    return all;
+  }
+
+  /** Runs anew what was recorded, and stands at its beginning; answers why it does not. */
+  async function show(runs) {
+    const all = await startedWorlds();
+    if (all.length !== runs.length) return 'This run is of another scene: that has other worlds.';
+    for (const world of all) world.paused = true;
+    const shown = await Promise.all(
+      all.map((world, i) => world.importRun(runs[i]).catch(() => {})),
+    );
+    pause(paused);
+    for (const timeline of shown) timeline?.seek(timeline.from);
+    recording = shown.every(Boolean);
+    if (recording) return undefined;
+    const problems = all.flatMap((world) => world.problems);
+    const refused = problems.find(({ attribute }) => attribute === 'importRun');
+    return refused?.message ?? 'The scene has not started.';
+  }
+
+  // ---- what is wrong -------------------------------------------------------------------------------------------------
+
   /** A problem names its element, or the name of a node that has none. */
   const elementOf = ({ element: of }) => (typeof of === 'object' ? of : null);
 
@@ -135,8 +183,9 @@
     const all = worlds();
     const inWorlds = all.flatMap(({ problems }) => problems);
     const problems = [...inWorlds, ...standingStrays(inWorlds)].map(plain);
-    const time = Math.max(0, ...all.map((world) => world.time));
-    const state = { time, problems, done };
+    const time = Math.max(0, ...all.map((world) => world.timeline?.at ?? world.time));
+    const playing = timelines().some((timeline) => timeline.playing);
+    const state = { time, problems, recording, playing, done };
     const now = JSON.stringify(state);
     if (now !== told) port.postMessage({ state });
     told = now;
@@ -147,7 +196,7 @@
   let aside;
 
   /** Beside the body, so that scripts of the text find nothing in it that they did not write. */
-  function show(open) {
+  function showPanel(open) {
     aside?.remove();
     aside = open ? document.createElement('aside') : undefined;
     if (!aside) return;
@@ -167,13 +216,29 @@
       for (const edit of list) edits[edit.do](edit);
       pause(paused);
     },
-    clear: () => document.body.replaceChildren(),
+    clear() {
+      recording = false;
+      document.body.replaceChildren();
+    },
     pause,
     step() {
       pause(true);
       for (const world of worlds()) world.step(1);
     },
-    panel: show,
+    record(on) {
+      recording = on;
+      if (on) record();
+      else for (const timeline of timelines()) timeline.stop();
+    },
+    play(on) {
+      for (const timeline of timelines()) timeline[on ? 'play' : 'pause']();
+    },
+    runs: () =>
+      worlds()
+        .filter(({ timeline }) => timeline)
+        .map(runOf),
+    show,
+    panel: showPanel,
     scheme: (scheme) => (document.documentElement.style.colorScheme = scheme),
     /** Tags in lower case, nodes in X3D's case with their fields as text. */
     words() {
@@ -181,15 +246,34 @@
       const named = Object.keys(nodeTypes).filter((name) => !NO_TAG.test(name));
       const asText = ([name, value]) => [name, String(value ?? '')];
       const all = named.map((name) => [name, fieldsOf(name).map(asText)]);
-      port.postMessage({ words: { tags: Object.keys(nodeTypesLC), nodes: all } });
+      return { tags: Object.keys(nodeTypesLC), nodes: all };
     },
   };
 
+  async function answer(number, value) {
+    port.postMessage({ answer: { number, value: await value } });
+    tell();
+  }
+
   port.onmessage = ({ data }) => {
-    for (const { ask, what } of data.all) asked[ask](what);
-    done = data.number;
+    for (const { ask, what, number } of data) {
+      const value = asked[ask](what);
+      done = number;
+      if (value !== undefined) void answer(number, value);
+    }
     tell();
   };
+
+  /** Runs are dropped on the scene, too. */
+  addEventListener('dragover', (event) => {
+    if (event.dataTransfer.types.includes('Files')) event.preventDefault();
+  });
+  addEventListener('drop', (event) => {
+    const [file] = event.dataTransfer.files;
+    if (!file) return;
+    event.preventDefault();
+    port.postMessage({ file });
+  });
 
   // ---- the start -----------------------------------------------------------------------------------------------------
 
@@ -224,11 +308,14 @@
   nameLibrary();
   asked.scheme(scheme);
   window.worldOf = window.X3DPhysics.worldOf;
-  // A world that comes later waits as the others do.
-  document.addEventListener('physicsready', () => pause(paused));
+  // A world that comes later waits, and is recorded, as the others are.
+  document.addEventListener('physicsready', () => {
+    pause(paused);
+    if (recording) record();
+  });
   document.addEventListener('physicsproblem', ({ detail }) => strays.add(detail));
   // One by one: a script finds what stands above it.
   for (const root of roots) document.body.append(make(root));
-  show(panel);
+  showPanel(panel);
   setInterval(tell, LOOK);
 })();

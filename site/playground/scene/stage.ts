@@ -11,7 +11,7 @@ import {
   type Told,
   type X3domWords,
 } from './frame.js';
-import { LiveTree } from './live.js';
+import { LiveTree, type Edit } from './live.js';
 
 /** What is said of the scene, and what the text has of it. */
 export interface Said<T> {
@@ -29,6 +29,9 @@ const isSame =
   ({ message, id, line }: ScriptFault) =>
   (other: ScriptFault): boolean =>
     message === other.message && id === other.id && line === other.line;
+
+/** Nodes come, go or move. */
+const isOfNodes = ({ do: what }: Edit): boolean => what !== 'set' && what !== 'write';
 
 /** What makes scripts other ones. */
 const signOf = (scripts: readonly ElementNode[]): string =>
@@ -50,10 +53,10 @@ export class Stage {
   private readonly site: string;
   private readonly ownTags: readonly string[];
   private readonly told: () => void;
+  private readonly dropped: (file: File) => void;
   private readonly live: LiveTree;
   private page: ScenePage;
   private tags: ReadonlySet<string> = new Set();
-  private wordsCame: (words: X3domWords) => void = () => {};
   private roots: TreeNode[] = [];
   private running = '[]';
   private restart: ReturnType<typeof setTimeout> | undefined;
@@ -67,18 +70,23 @@ export class Stage {
   });
   /** Seconds. */
   time = 0;
+  /** Whether it is recorded, or a run is looked at. */
+  recording = false;
+  playing = false;
 
-  /** `told`: the scene told something. */
+  /** `told`: the scene told something; `dropped`: a file was dropped on it. */
   constructor(
     parent: HTMLElement,
     site: string,
     ownTags: readonly string[],
-    told: () => void = () => {},
+    told: () => void,
+    dropped: (file: File) => void,
   ) {
     this.parent = parent;
     this.site = site;
     this.ownTags = ownTags;
     this.told = told;
+    this.dropped = dropped;
     const own = new Set(ownTags);
     this.live = new LiveTree((tag) => own.has(tag));
     this.page = this.open([]);
@@ -88,10 +96,7 @@ export class Stage {
   /** What x3dom knows; until then nothing of a text is shown. */
   async words(): Promise<X3domWords> {
     await this.page.ready;
-    const words = await new Promise<X3domWords>((resolve) => {
-      this.wordsCame = resolve;
-      this.page.ask('words');
-    });
+    const words = await this.page.answer<X3domWords>('words');
     this.tags = new Set([...words.tags, ...this.ownTags]);
     return words;
   }
@@ -115,6 +120,7 @@ export class Stage {
     this.restart = undefined;
     if (hadScripts || this.scripts.length > 0) this.restartNow();
     else {
+      this.recording = this.playing = false;
       this.page.ask('clear');
       this.live.begin([]);
       this.patch();
@@ -153,6 +159,27 @@ export class Stage {
     this.markBusy();
   }
 
+  record(on: boolean): void {
+    this.recording = on;
+    this.page.ask('record', on);
+    this.markBusy();
+  }
+
+  play(on: boolean): void {
+    this.page.ask('play', on);
+    this.markBusy();
+  }
+
+  /** Of each world, what was recorded. */
+  runs(): Promise<unknown[]> {
+    return this.page.answer('runs');
+  }
+
+  /** Stands at the beginning of what was recorded elsewhere; answers why it does not. */
+  showRuns(runs: unknown[]): Promise<string | undefined> {
+    return this.page.answer('show', runs);
+  }
+
   /** Those of the text that was given last. */
   get scripts(): ElementNode[] {
     return scriptsIn(this.roots);
@@ -180,6 +207,8 @@ export class Stage {
 
   private patch(): void {
     const edits = this.live.bringTo(this.roots);
+    // Nodes have other numbers in a page that begins with the text as it is now: a run would not fit.
+    if (this.recording && edits.some(isOfNodes)) this.record(false);
     if (edits.length > 0) this.page.ask('edit', edits);
   }
 
@@ -194,6 +223,7 @@ export class Stage {
     this.running = signOf(scriptsIn(roots));
     this.faults = [];
     this.time = 0;
+    this.recording = this.playing = false;
     this.all = [];
     const begin = {
       roots: this.live.begin(roots),
@@ -209,11 +239,14 @@ export class Stage {
     return page;
   }
 
-  private hear({ state, words, fault }: Told): void {
-    if (state) [this.time, this.all] = [state.time, state.problems];
+  private hear({ state, fault, file }: Told): void {
+    if (state) {
+      ({ time: this.time, recording: this.recording, playing: this.playing } = state);
+      this.all = state.problems;
+    }
     if (fault && this.faults.length < MOST && !this.faults.some(isSame(fault)))
       this.faults.push(fault);
-    if (words) this.wordsCame(words);
+    if (file) this.dropped(file);
     this.markBusy();
     this.told();
   }

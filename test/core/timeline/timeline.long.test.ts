@@ -346,6 +346,25 @@ test('a run that goes another way says at which step', async () => {
   closeWorlds();
 });
 
+test('a run of another scene is told, and nothing is done', async () => {
+  const from = await scene();
+  await recorded(from);
+  from.step(60);
+  const few = await world();
+  few.add('RigidBody', { geometry: [box] }, { name: 'b1' });
+  const others = await scene();
+  others.node('b4')!.remove();
+  for (const to of [few, others]) {
+    claim(to, 'bad-value');
+    to.step(1);
+    const before = hashOf(to);
+    assert.equal(await to.importRun(from.exportRun()!), undefined);
+    assert.match(told(to, 'bad-value')[0]!, /^this run is of another scene/);
+    assert.equal(hashOf(to), before);
+  }
+  closeWorlds();
+});
+
 test('what is no run, no time and no number of seconds is told, and nothing is done', async () => {
   const of = await scene();
   claim(of, 'bad-value');

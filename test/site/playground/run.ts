@@ -10,6 +10,7 @@ import { examples } from './facts/examples.js';
 import { harmless } from './facts/harmless.js';
 import { looks } from './facts/looks.js';
 import { panel } from './facts/panel.js';
+import { recordedRuns } from './facts/recorded.js';
 import { scripts } from './facts/scripts.js';
 import { telling } from './facts/telling.js';
 import { wholePages } from './facts/whole-pages.js';
@@ -26,6 +27,7 @@ const { values: options } = parseArgs({
 
 const all: Facts = {
   ...{ ...editing, ...telling, ...scripts, ...panel },
+  ...recordedRuns,
   ...{ ...wholePages, ...harmless, ...looks, ...examples },
 };
 
