@@ -47,3 +47,7 @@ export function shareOf(pairs: readonly (readonly [number, number])[]): Share {
   const share = (of: typeof pairs): number => sum(0, of) / sum(1, of);
   return { mean: share(pairs), ...intervalOf(pairs, share) };
 }
+
+/** What 95 of 100 do not exceed. */
+export const ninetyFive = (values: readonly number[]): number =>
+  values.toSorted((a, b) => a - b)[Math.ceil(0.95 * values.length) - 1]!;

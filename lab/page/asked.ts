@@ -1,4 +1,5 @@
 import type { FrameCost } from './in-page/frames.js';
+import type { Seen } from './in-page/probe.js';
 
 /** Which library in which kind of page, and where that lies. */
 export type PageAt = readonly [side: string, address: string];
@@ -8,6 +9,10 @@ interface Questions {
   script: { pages: readonly PageAt[]; warmUp: number; turns: number; frames: number; most: number };
   /** What a visitor gets. */
   frames: { page: PageAt; warmUp: number; seconds: number };
+  /** How late an edit is seen: steady frames, each of which has what other threads answer to the one before. */
+  edits: { page: PageAt; warmUp: number; frames: number };
+  /** Which frames the page's own thread keeps, and how late an edit is seen; alone: nothing is simulated. */
+  kept: { page: PageAt; warmUp: number; seconds: number; alone: boolean };
   /** How soon something moves. */
   start: { page: PageAt };
 }
@@ -28,8 +33,17 @@ export interface FramesFound {
   frames: FrameCost[];
 }
 
+export interface EditsFound {
+  seen: Seen[];
+}
+
+export interface KeptFound extends EditsFound {
+  frames: FrameCost[];
+}
+
 export interface StartFound {
   ms: number;
 }
 
-export type Found = ScriptFound | FramesFound | StartFound | { failed: string };
+export type Found =
+  ScriptFound | FramesFound | EditsFound | KeptFound | StartFound | { failed: string };

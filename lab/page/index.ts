@@ -3,6 +3,8 @@
 //   --browser <name>   only in this one: chromium, firefox or webkit
 //   --quick            few sizes, printed and not kept
 //   --cell <cell>      only this scene of this size, as in boxes:500; printed and not kept
+//   --threads          only what physics costs the page's own thread, there and in a worker, into lab/report/threads.json;
+//                      with --cell that size alone, kept
 //   --draw             measure nothing: pictures and tables of the numbers of last time
 import { parseArgs } from 'node:util';
 // @ts-expect-error plain JavaScript
@@ -11,14 +13,18 @@ import type { AskedPages } from '../run/asked-browser.js';
 import { drawPages } from './draw.js';
 import { emptyPages, FRAMES, measureCell, measureStart, TURNS, WARM_UP } from './measure.js';
 import { readPages, writePages, type BrowserPages, type PageNumbers } from './numbers.js';
-import { makePages, MeasuredBrowser } from './pages.js';
+import { asking, makePages } from './pages.js';
 import { cellText, startText } from './text.js';
+import { measureThreads } from './threads/index.js';
+import { readThreads } from './threads/numbers.js';
+import { COUNTS } from './threads/measure.js';
 
 const { values: options } = parseArgs({
   options: {
     browser: { type: 'string' },
     quick: { type: 'boolean', default: false },
     cell: { type: 'string' },
+    threads: { type: 'boolean', default: false },
     draw: { type: 'boolean', default: false },
   },
 });
@@ -32,21 +38,12 @@ function sizes(): Record<string, readonly number[]> {
   return { [scene!]: [Number(count)] };
 }
 
+/** With and without a worker. */
+const threadSizes = (): readonly number[] => (options.cell ? (sizes().boxes ?? []) : COUNTS);
+
 const isKept = !options.quick && !options.cell;
 
 const say = (line: string): void => void process.stderr.write(`${line}\n`);
-
-/** Asks a browser that is opened for it: one that has shown dozens of pages has gigabytes of them left, and may hang. */
-async function asking<T>(
-  name: string,
-  pages: AskedPages,
-  ask: (browser: MeasuredBrowser) => Promise<T>,
-) {
-  const browser = await MeasuredBrowser.open(name, pages);
-  const found = await ask(browser);
-  await browser.close();
-  return { found, version: browser.version };
-}
 
 /** What is found in a browser is kept at once. */
 async function measure(name: string, pages: AskedPages, keep: (found: BrowserPages) => void) {
@@ -75,16 +72,22 @@ function before(): PageNumbers['browsers'] {
   }
 }
 
-if (!options.draw) {
-  const pages = await makePages();
+const browsers = options.browser ? [options.browser] : (BROWSERS as string[]);
+
+async function measureLibraries(pages: AskedPages): Promise<void> {
   const numbers = { warmUp: WARM_UP, turns: TURNS, frames: FRAMES, browsers: before() };
-  for (const name of options.browser ? [options.browser] : (BROWSERS as string[]))
+  for (const name of browsers)
     await measure(name, pages, (found) => {
       if (!isKept) return;
       numbers.browsers[name] = found;
       writePages(numbers);
     });
 }
-if (isKept) drawPages(readPages());
+if (!options.draw) {
+  const pages = await makePages();
+  if (!options.threads) await measureLibraries(pages);
+  if (options.threads || isKept) await measureThreads(browsers, pages, threadSizes());
+}
+if (isKept || options.threads) drawPages(readPages(), readThreads());
 // A browser that was opened may take a while to go.
 process.exit(0);

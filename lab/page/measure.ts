@@ -19,19 +19,19 @@ const [BEFORE, SECONDS] = [1, 2];
 /** Pages that are opened one after the other, and those that are measured. */
 const [UNCOUNTED, ROUNDS] = [1, 15];
 
-const IN_SCRIPT = ['ours', 'ours-awake', 'ours-xhtml', 'x-ite', 'a-frame', 'ammo'];
-const IN_FRAMES = ['ours', 'ours-xhtml', 'x-ite', 'a-frame'];
+const IN_SCRIPT = ['ours', 'ours-awake', 'ours-worker', 'ours-xhtml', 'x-ite', 'a-frame', 'ammo'];
+const IN_FRAMES = ['ours', 'ours-worker', 'ours-xhtml', 'x-ite', 'a-frame'];
 const AT_START = ['ours', 'ours-classic', 'ours-xhtml', 'x-ite', 'a-frame'];
 /** Boxes of the scene that starts. */
 const FEW = 10;
 
-const pageOf = (library: string, scene: string, count: number): PageAt => [
+export const pageOf = (library: string, scene: string, count: number): PageAt => [
   library,
   addressOf({ library, scene, count }),
 ];
 
 /** What was found, or why nothing was. */
-async function asked<T extends Found>(answer: Promise<Found>): Promise<T | string> {
+export async function asked<T extends Found>(answer: Promise<Found>): Promise<T | string> {
   const found = await answer;
   return 'failed' in found ? found.failed : (found as T);
 }

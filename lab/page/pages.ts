@@ -84,3 +84,15 @@ export class MeasuredBrowser {
     return this.#browser.close();
   }
 }
+
+/** Asks a browser that is opened for it: one that has shown dozens of pages has gigabytes of them left, and may hang. */
+export async function asking<T>(
+  name: string,
+  pages: AskedPages,
+  ask: (browser: MeasuredBrowser) => Promise<T>,
+) {
+  const browser = await MeasuredBrowser.open(name, pages);
+  const found = await ask(browser);
+  await browser.close();
+  return { found, version: browser.version };
+}

@@ -11,7 +11,7 @@ export const provide = (): typeof threads.code => ({
   ask: (world, method, args) => ask(world as World, method, args),
 });
 
-/** Bodies from which on `auto` takes a worker: below a hundred a page gains nothing by one. */
+/** Bodies from which on `auto` takes a worker: below a hundred most pages have room for the steps themselves. */
 const MANY = 100;
 
 function isForWorker({ settings, nodes }: World): boolean {

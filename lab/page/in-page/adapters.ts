@@ -1,20 +1,30 @@
 // What is asked of each library in its page.
 import * as ammo from './ammo.js';
-import { watchMethod } from './frames.js';
+import { watchMethod, type FrameCost } from './frames.js';
 
 export interface Adapter {
   /** Called until it answers true: the scene is there, and what its physics costs is watched. */
   ready(): boolean;
-  /** Milliseconds of physics in the last frame, where the library tells them itself. */
-  physics?(): number;
+  /** Milliseconds of physics in the last frame, where no method of the library is watched. */
+  physics?(cost: FrameCost): number;
+  /** Whether all is here that was asked of another thread. */
+  answered?(): boolean;
   /** Of the first thing, metres. */
   height(): number | undefined;
 }
 
 const page = window as any;
 
+let ticks = false;
+/** X3DOM's own frame is watched. */
+function watchTicks(): boolean {
+  const canvas = page.x3dom.canvases[0];
+  if (canvas && !ticks) watchMethod(canvas, 'tick', 'tick');
+  return (ticks ||= Boolean(canvas));
+}
+
 const ours: Adapter = {
-  ready: () => Boolean(ourWorld()?.started),
+  ready: () => Boolean(ourWorld()?.started) && watchTicks(),
   physics() {
     const { step, read, write, events } = ourWorld().stats.ms;
     return step + read + write + events;
@@ -22,7 +32,15 @@ const ours: Adapter = {
   height: () => ourWorld()?.node('b0')?.get('position')[1],
 };
 
-const ourWorld = () => document.querySelector<any>('x3d-rigid-body')?.world;
+const oursInWorker: Adapter = {
+  ...ours,
+  ready: () => ours.ready() && ourWorld().mirrored > 0,
+  // What it tells is of the worker.
+  physics: ({ script, tick }) => script - tick,
+  answered: () => !ourWorld().elsewhere.waits,
+};
+
+export const ourWorld = () => document.querySelector<any>('x3d-rigid-body')?.world;
 
 let watched = false;
 const xIteNode = (name: string) => {
@@ -62,6 +80,12 @@ const aFrame: Adapter = {
   height: () => document.querySelector<any>('#b0')?.object3D?.position.y,
 };
 
-export const adapters: Record<string, Adapter> = { ours, 'x-ite': xIte, 'a-frame': aFrame, ammo };
+export const adapters: Record<string, Adapter> = {
+  ours,
+  'ours-worker': oursInWorker,
+  'x-ite': xIte,
+  'a-frame': aFrame,
+  ammo,
+};
 
 if (page.scene) void ammo.begin(page.scene);

@@ -1,6 +1,14 @@
 // Bundled for the page that a browser is opened at: shows the measured pages in frames, measures what it is asked for
 // and tells what it found, until there is no more.
-import type { Asked, Found, FramesFound, ScriptFound, StartFound } from '../asked.js';
+import type {
+  Asked,
+  EditsFound,
+  Found,
+  FramesFound,
+  KeptFound,
+  ScriptFound,
+  StartFound,
+} from '../asked.js';
 import type { Bench } from './hooks.js';
 import type { FrameCost } from './frames.js';
 
@@ -43,7 +51,7 @@ async function show(side: string, address: string): Promise<Shown> {
 
 /** Not in the tasks of each other. */
 async function turn({ bench }: Shown, count: number): Promise<FrameCost> {
-  const cost = bench.turn(count);
+  const cost = await bench.turn(count);
   await wait(0);
   return cost;
 }
@@ -85,13 +93,36 @@ async function frames({ page, warmUp, seconds }: Asked<'frames'>): Promise<Frame
   return { frames: await bench.watch(seconds) };
 }
 
+/** Steady frames of one page, in which a body is edited. */
+async function edits({ page, warmUp, frames: count }: Asked<'edits'>): Promise<EditsFound> {
+  const shown = await show(page[0], page[1]);
+  const { bench } = shown;
+  bench.hold();
+  bench.drawNothing();
+  for (let i = 0; i < warmUp; i++) await turn(shown, 1);
+  bench.edit();
+  for (let i = 0; i < count; i++) await turn(shown, 1);
+  return { seen: bench.seen() };
+}
+
+/** Frames as the browser gives them, with nothing drawn, while a body is edited; or drawing alone. */
+async function kept({ page, warmUp, seconds, alone }: Asked<'kept'>): Promise<KeptFound> {
+  const { bench } = await show(page[0], page[1]);
+  bench.drawNothing();
+  if (alone) await bench.playBack(warmUp + seconds);
+  else bench.edit();
+  await bench.watch(warmUp);
+  bench.seen();
+  return { frames: await bench.watch(seconds), seen: bench.seen() };
+}
+
 /** Milliseconds from asking for a page to the first frame in which something has moved. */
 async function start({ page }: Asked<'start'>): Promise<StartFound> {
   const frame = open(page[1]);
   return { ms: await until(frame, (bench) => bench.firstMove()) };
 }
 
-const KINDS = { script, frames, start };
+const KINDS = { script, frames, edits, kept, start };
 
 async function answer(asked: Asked): Promise<Found> {
   try {

@@ -4,6 +4,8 @@
 export interface FrameCost {
   script: number;
   physics: number;
+  /** X3DOM's own frame. */
+  tick: number;
   /** From the last frame to this one. */
   gap: number;
 }
@@ -22,20 +24,24 @@ let next = 1;
 let [base, begun] = [0, 0];
 let steady = false;
 let before = 0;
-let physics = 0;
+const watched = { physics: 0, tick: 0 };
+/** Since the last frame: what workers answered. */
+let between = 0;
 
 const clock = (): number => base + realNow() - begun;
 
-/** Calls back whoever waits for a frame; what that takes is its script. */
+/** Calls back whoever waits for a frame; what that takes is its script, and what was done since the last one. */
 function run(now: number): FrameCost {
   const callbacks = due;
   due = new Map();
-  physics = 0;
+  Object.assign(watched, { physics: 0, tick: 0 });
   const start = realNow();
   [base, begun] = [now, start];
   for (const callback of callbacks.values()) callback(now);
-  const cost = { script: realNow() - start, physics, gap: now - before };
+  const script = realNow() - start + between;
+  const cost = { ...watched, script, gap: now - before };
   before = now;
+  between = 0;
   return cost;
 }
 
@@ -57,12 +63,34 @@ export function install(): void {
     return next++;
   };
   window.cancelAnimationFrame = (id) => void due.delete(id);
+  timeAnswers();
   realRequest(pump);
+}
+
+/** What workers answer is script of this page. */
+function timeAnswers(): void {
+  const onmessage = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage')!;
+  Object.defineProperty(Worker.prototype, 'onmessage', {
+    ...onmessage,
+    set(this: Worker, hear: (event: MessageEvent) => void) {
+      onmessage.set!.call(this, (event: MessageEvent) => {
+        const start = realNow();
+        hear.call(this, event);
+        between += realNow() - start;
+      });
+    },
+  });
 }
 
 /** From now on frames come when they are asked for, each a sixtieth of a second after the last one. */
 export function hold(): void {
   steady = true;
+}
+
+/** Frames are the browser's again. */
+export function release(): void {
+  steady = false;
+  realRequest(pump);
 }
 
 export const steadyFrame = (): FrameCost => run(base + STEADY);
@@ -71,15 +99,19 @@ export const listen = (hear: typeof listener): void => {
   listener = hear;
 };
 
-/** What this method takes in a frame is physics. */
-export function watchMethod(owner: Record<string, any>, name: string): void {
+/** What this method takes in a frame is physics, or X3DOM's frame. */
+export function watchMethod(
+  owner: Record<string, any>,
+  name: string,
+  part: keyof typeof watched = 'physics',
+): void {
   const method = owner[name] as (...values: unknown[]) => unknown;
   owner[name] = function (...values: unknown[]) {
     const start = realNow();
     try {
       return method.apply(this, values);
     } finally {
-      physics += realNow() - start;
+      watched[part] += realNow() - start;
     }
   };
 }

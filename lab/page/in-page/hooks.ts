@@ -2,6 +2,8 @@
 import { adapters } from './adapters.js';
 import { hold, install, listen, realNow, steadyFrame, type FrameCost } from './frames.js';
 import { drawNothing } from './no-drawing.js';
+import { playBack } from './play-back.js';
+import { Probe } from './probe.js';
 
 const library = document.currentScript!.dataset.library!;
 const adapter = adapters[library]!;
@@ -15,7 +17,15 @@ addEventListener('unhandledrejection', ({ reason }) => errors.push(String(reason
 
 /** With what the library tells of its physics itself. */
 const told = (cost: FrameCost): FrameCost =>
-  adapter.physics ? { ...cost, physics: adapter.physics() } : cost;
+  adapter.physics ? { ...cost, physics: adapter.physics(cost) } : cost;
+
+/** Until all is here that was asked of another thread: it counts in the next frame. */
+async function answered(): Promise<void> {
+  while (adapter.answered && !adapter.answered())
+    await new Promise((resolve) => setTimeout(resolve, 0));
+}
+
+let probe: Probe | undefined;
 
 /** Milliseconds after the page was asked for; undefined until something moves. */
 let firstMove: number | undefined;
@@ -34,18 +44,30 @@ const bench = {
   firstMove: () => firstMove,
   hold,
   drawNothing,
+  playBack,
 
   /** Frames in a row: their mean. */
-  turn(count: number): FrameCost {
-    const sum = { script: 0, physics: 0, gap: 0 };
+  async turn(count: number): Promise<FrameCost> {
+    const sum = { script: 0, physics: 0, tick: 0, gap: 0 };
     for (let i = 0; i < count; i++) {
-      const { script, physics, gap } = told(steadyFrame());
+      const { script, physics, tick, gap } = told(steadyFrame());
       sum.script += script / count;
       sum.physics += physics / count;
+      sum.tick += tick / count;
       sum.gap += gap / count;
+      probe?.look(gap);
+      if (adapter.answered) await answered();
     }
     return sum;
   },
+
+  /** From now on a body is edited again and again, while frames are watched. */
+  edit(): void {
+    probe = new Probe();
+  },
+
+  /** How late that was seen since it was asked last. */
+  seen: () => probe?.seen.splice(0) ?? [],
 
   /** The frames that the browser gives in so many seconds. */
   watch(seconds: number): Promise<FrameCost[]> {
@@ -54,6 +76,7 @@ const bench = {
       const end = realNow() + seconds * 1000;
       listen((cost) => {
         costs.push(told(cost));
+        probe?.look(cost.gap);
         if (realNow() < end) return;
         listen(undefined);
         resolve(costs);

@@ -1,12 +1,13 @@
 import { aFrame } from './a-frame.js';
 import { ammo } from './ammo.js';
 import type { Library } from './library.js';
-import { ours, oursAwake, oursClassic, oursXhtml } from './ours.js';
+import { ours, oursAwake, oursClassic, oursInWorker, oursXhtml } from './ours.js';
 import { xIte } from './x-ite.js';
 
 export const libraries: readonly Library[] = [
   ours,
   oursAwake,
+  oursInWorker,
   oursClassic,
   oursXhtml,
   xIte,

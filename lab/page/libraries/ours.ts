@@ -42,9 +42,9 @@ const MODULE = `<script type="module" src="/dist/x3d-physics.js"></script>`;
 const CLASSIC = `<script src="/dist/x3d-physics.classic.js"></script>`;
 
 const html =
-  (script: string, world = '') =>
+  (script: string, world = '', adapter = 'ours') =>
   (scene: PageScene) =>
-    `<!DOCTYPE html><meta charset="utf-8" />${HOOKS('ours')}${STYLE}${X3DOM}${script}<body>${sceneOf(scene, world)}</body>`;
+    `<!DOCTYPE html><meta charset="utf-8" />${HOOKS(adapter)}${STYLE}${X3DOM}${script}<body>${sceneOf(scene, world)}</body>`;
 
 const xhtml = (scene: PageScene): string =>
   `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>Scene</title>${HOOKS('ours')}${STYLE}${X3DOM}${CLASSIC}</head><body>${sceneOf(scene, '')}</body></html>`;
@@ -65,6 +65,14 @@ export const oursAwake: Library = {
   name: 'x3d-physics, rest never',
   says: 'the same with `rest="never"`: what lies still is calculated, too',
   page: html(MODULE, 'rest="never"'),
+};
+
+export const oursInWorker: Library = {
+  ...ours,
+  id: 'ours-worker',
+  name: 'x3d-physics, on a worker',
+  says: 'the same with `thread="worker"`: what its answers cost the page is script, and its steps are not',
+  page: html(MODULE, 'thread="worker"', 'ours-worker'),
 };
 
 export const oursClassic: Library = {
