@@ -39,7 +39,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-timeline-code', '`world.record()`, `world.importRun()`'],
   ['chunk-copy', 'a second world made of a snapshot: `measureAccuracy()` and the timeline'],
   ['chunk-thread-code', `${threads.causes} of a RigidBodyCollection, \`world.ask()\``],
-  ['chunk-deeds', 'the timeline, and worlds in a worker'],
+  ['chunk-refuse', 'the timeline, and worlds in a worker'],
   ['chunk-worker', 'measurement, and worlds in a worker'],
   ['ui/monitor.js', 'an `<x3d-physics-monitor>` in sight'],
   ['ui/chart.js', 'an `<x3d-accuracy-chart>` in sight'],
