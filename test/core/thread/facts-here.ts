@@ -48,6 +48,12 @@ const HERE: Record<string, readonly string[]> = {
     'aborted in the middle, nothing of it is left',
     'a later call takes the place of one that is under way, which settles',
     'while a ghost is on its way the world goes on as it would have, and ends as it would',
+    'what came after it was run is run the next time one looks',
+    'gone on from an earlier moment, the ghost is one of what has been',
+    'a reset begins the ghost anew, too',
+    'what is no level is told, and the ghost that is there stays',
+    'an exported run says nothing of ghosts',
+    'the debug drawing has ghosts of what moves, in a colour of their own, and can draw nothing else',
   ],
   'what was done while it was recorded comes with the answer after somebody asked': [
     'marks tell what was done, and when',

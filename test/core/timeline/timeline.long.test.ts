@@ -267,7 +267,7 @@ test('a reset begins the recording anew', async () => {
   closeWorlds();
 });
 
-test('marks tell what was done, and when', async () => {
+fact('marks tell what was done, and when', async () => {
   const of = await scene();
   const timeline = await recorded(of);
   of.step(60);
