@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
 import { bothSpellings } from '../../forms.js';
-import { drawn, drawnAt, place, show, position, wait } from '../../scene.js';
+import { drawn, drawnAt, place, show, position, until, wait } from '../../scene.js';
 import { explain } from '../../../../elements/index.js';
 import { worldOf } from '../../inside.js';
 
@@ -219,8 +219,8 @@ describe('a collidable without a body', () => {
       const user = x3d.querySelector('#user')!;
       const parent = user.parentElement!;
       user.remove();
-      await wait(30);
       claim('unused-collidable');
+      await until(() => world.problems.length > 0);
       expect(world.problems.map(({ code }) => code)).to.eql(['unused-collidable']);
       parent.append(user);
       world.step(0);
