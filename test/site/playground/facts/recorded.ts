@@ -195,6 +195,10 @@ export const recordedRuns: Facts = {
     assert.equal(at, from);
     assert.match(await tab.page.locator('[data-part=time]').innerText(), /^0\.0\d s$/);
     await tab.page.getByRole('button', { name: 'Play' }).press('Enter');
+    await tab.scene.waitForFunction(
+      (start) => (window as any).worldOf(document.querySelector('x3d')).timeline.at > start,
+      from,
+    );
     await tab.page.getByRole('button', { name: 'Hold' }).press('Enter');
     await tab.page.getByRole('button', { name: 'Play' }).waitFor();
     const held = (await looked(tab))!.at!;
