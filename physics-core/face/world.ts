@@ -203,7 +203,7 @@ export interface World {
    * Asks on whichever thread it runs, with the arguments of the method of that name: `step` and `advance` (seconds advanced),
    * `raycast`, `snapshot`, `exportRun`, `stats`, `effects`, and `explain` with a node (in a page: an element). Rejects where
    * the worker is lost or the world ends. In a worker `step`, `advance`, `raycast`, `snapshot` and `exportRun` themselves
-   * report `asynchronous`, and return 0, null or undefined.
+   * report `asynchronous`, and return 0 or null.
    * @example
    * await world.ask('step', 60);
    * const hit = await world.ask('raycast', [0, 9, 0], [0, -9, 0]);

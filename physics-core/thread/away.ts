@@ -11,7 +11,7 @@ import { callOf, encode } from '../timeline/calls.js';
 import { Deeds } from '../timeline/deeds.js';
 import type { AccuracyChange } from '../world/accuracy/level-control.js';
 import type { Run, Timeline } from '../world/recording.js';
-import { becomeAs, restoreSnapshot } from '../world/snapshot/restore.js';
+import { becomeAs } from '../world/snapshot/restore.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { takeSnapshot } from '../world/snapshot/take.js';
 import { statsOf } from '../world/stats.js';
@@ -22,7 +22,15 @@ import type { World } from '../world/world.js';
 import { Begun } from './begun.js';
 import { BEFORE_STEP, GIVEN, reportMain } from './bound.js';
 import type { Heard, Line } from './line.js';
-import type { Answer, Deed, EffectCosts, Look, Order, Said } from './messages.js';
+import {
+  PLAIN,
+  type Answer,
+  type Deed,
+  type EffectCosts,
+  type Look,
+  type Order,
+  type Said,
+} from './messages.js';
 import { Mirror } from './mirror.js';
 import { RemoteRecording } from './remote-recording.js';
 import { RemoteStepping } from './remote-stepping.js';
@@ -81,10 +89,6 @@ export class Away implements Elsewhere {
   readonly #later = new Deeds();
   readonly #begun = new Begun();
   #recording: RemoteRecording | undefined;
-  /** It is about to go on from where somebody looked. */
-  #resuming = false;
-  /** What was done there already is done here again. */
-  #again = false;
   #lost = false;
   #passing = false;
 
@@ -131,11 +135,13 @@ export class Away implements Elsewhere {
     if (this.#lost) return work();
     if (args[0] === 'set_contacts')
       this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
-    if (this.#world.elsewhere !== this || this.#again) return work();
-    if (method === 'drag') this.#recording?.resume();
+    const recording = this.#recording;
+    if (this.#world.elsewhere !== this || recording?.again) return work();
+    if (method === 'drag') recording?.resume();
     // He would hold what is about to be put where it was.
-    if (method === 'drag' && this.#resuming) return undefined as T;
-    if (this.#coming || this.#resuming) this.#later.putOff({ who, method, args });
+    if (method === 'drag' && recording?.resuming) return undefined as T;
+    if (this.#coming) this.#later.putOff({ who, method, args });
+    recording?.done({ who, method, args });
     const number = method === 'drag' ? ++this.#drag : this.#drags.get(who);
     const deed = { call: callOf(this.#world, who, number, 0, method, args) };
     this.#deeds.push(deed);
@@ -309,21 +315,8 @@ export class Away implements Elsewhere {
     this.#world.work();
   }
 
-  /** What is done until it has is done there in its turn, and here again. */
-  goOn(): void {
-    this.#resuming = true;
-    const resolve = (snapshot: unknown): void => this.#resumed(snapshot as Snapshot);
+  goOn(resolve: (snapshot: unknown) => void): void {
     this.#request({ method: 'resume', args: [], resolve, reject: () => {} });
-  }
-
-  #resumed(snapshot: Snapshot | undefined): void {
-    this.#resuming = false;
-    if (!snapshot || this.#world.elsewhere !== this) return;
-    this.#again = true;
-    this.#world.events.anew(() => restoreSnapshot(this.#world, snapshot));
-    this.#later.do();
-    this.#again = false;
-    this.#world.work();
   }
 
   /** What it was is kept no more; what is to come is. */
@@ -341,15 +334,11 @@ export class Away implements Elsewhere {
     this.#answered = number;
     this.#room = states;
     if (number >= this.#since) this.#show(answer);
-    this.#settle(number, (one) => one.resolve(this.#isPlain(asked) ? asked : this.#heard(asked)));
+    this.#settle(number, ({ method, resolve }) =>
+      resolve(PLAIN.includes(method) ? asked : this.#heard(asked)),
+    );
     this.#world.work();
   }
-
-  /** Snapshots name nodes by number, and go on doing so. */
-  #isPlain = (asked: unknown): boolean =>
-    typeof asked === 'object' &&
-    asked !== null &&
-    ('x3dPhysics' in asked || 'x3dPhysicsRun' in asked);
 
   #settle(number: number, how: (one: Waiting) => void): void {
     while (this.#waiting[0] && this.#waiting[0].number <= number) how(this.#waiting.shift()!);

@@ -38,6 +38,9 @@ export interface Look {
 export type Deed =
   { call: Call } | { listening: Listening } | { restore: Snapshot } | { look: Look };
 
+/** What is answered in numbers of nodes, and stays so. */
+export const PLAIN = ['snapshot', 'resume', 'exportRun'];
+
 export interface Order {
   number: number;
   deeds: Deed[];

@@ -8,15 +8,16 @@ import { recordings, type StepHash } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import { World } from '../world/world.js';
 import { answer as answerHere } from './asking.js';
-import type {
-  Answer,
-  Deed,
-  EffectCosts,
-  Listening,
-  Look,
-  Order,
-  Recorded,
-  Said,
+import {
+  PLAIN,
+  type Answer,
+  type Deed,
+  type EffectCosts,
+  type Listening,
+  type Look,
+  type Order,
+  type Recorded,
+  type Said,
 } from './messages.js';
 import { THERE } from './bound.js';
 import { Moved } from './moved.js';
@@ -24,9 +25,6 @@ import { tell } from './words.js';
 
 /** What both worlds know of is told by the page's; only this one knows how much memory it has. */
 const OWN = ['heap-low', 'heap-exhausted', 'edit-failed'];
-
-/** What is answered in numbers of nodes, and stays so. */
-const PLAIN = ['snapshot', 'resume', 'exportRun'];
 
 /** A world that does what another is asked for, takes its steps, and says what comes of it. */
 export class OtherSide extends World {

@@ -1,6 +1,8 @@
+import { Deeds } from '../timeline/deeds.js';
 import { A_TIME, refuse } from '../timeline/refuse.js';
 import type { LevelName } from '../dynamics/levels.js';
 import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
+import { restoreSnapshot } from '../world/snapshot/restore.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
 import type { Answer, Look } from './messages.js';
@@ -10,8 +12,8 @@ interface Courier {
   /** The number of the next order. */
   readonly next: number;
   look(look: Look): void;
-  /** The world goes on from where somebody looks. */
-  goOn(): void;
+  /** The world goes on from where somebody looks; it is told what it is then. */
+  goOn(resolve: (snapshot: unknown) => void): void;
   refuse(method: string): null;
 }
 
@@ -32,6 +34,11 @@ export class RemoteRecording implements Recorder {
   #since = 0;
   /** One that was asked for. */
   #run: Run | undefined;
+  /** It is about to go on from where somebody looked. */
+  resuming = false;
+  /** What was done there in its turn is done here again. */
+  again = false;
+  readonly #later = new Deeds();
 
   constructor(world: World, courier: Courier, seconds: number) {
     this.#world = world;
@@ -103,7 +110,26 @@ export class RemoteRecording implements Recorder {
   resume(): void {
     if (!this.looking) return;
     this.leave();
-    this.#courier.goOn();
+    this.resuming = true;
+    this.#courier.goOn((snapshot) => this.#resumed(snapshot as Snapshot | undefined));
+  }
+
+  /** Somebody did something. */
+  done(deed: Parameters<Deeds['putOff']>[0]): void {
+    if (this.resuming) this.#later.putOff(deed);
+  }
+
+  #resumed(snapshot: Snapshot | undefined): void {
+    this.resuming = false;
+    if (!snapshot) return;
+    this.again = true;
+    try {
+      this.#world.events.anew(() => restoreSnapshot(this.#world, snapshot));
+      this.#later.do();
+    } finally {
+      this.again = false;
+    }
+    this.#world.work();
   }
 
   /** Nobody looks back any more. */
@@ -121,8 +147,8 @@ export class RemoteRecording implements Recorder {
     return exported;
   }
 
-  exportRun(): Run | undefined {
-    return this.#run ?? this.#courier.refuse('exportRun') ?? undefined;
+  exportRun(): Run {
+    return this.#run ?? (this.#courier.refuse('exportRun') as unknown as Run);
   }
 
   snapshot(): Snapshot {

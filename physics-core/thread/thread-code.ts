@@ -47,5 +47,6 @@ function leave(world: World): void {
     void line.call(world.engine.source.workerUrl);
     return line;
   });
-  if (seconds) void away.record(seconds);
+  // One that ends meanwhile is recorded no more.
+  if (seconds) away.record(seconds).catch(() => {});
 }

@@ -122,7 +122,7 @@ export interface Recorder extends Timeline, StepRecorder {
    * origin. False: there is no ghost of that moment.
    */
   eachGhost(put: (id: number, pose: Float32Array, own: Float32Array) => void): boolean;
-  exportRun(): Run | undefined;
+  exportRun(): Run;
 }
 
 /** Code of its own, in a room above that of worlds. */

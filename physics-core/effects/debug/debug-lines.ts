@@ -113,8 +113,9 @@ export class DebugLines extends LineBuffer {
   #ghosts(): void {
     const { bodies, poses, timeline } = this.#simulation;
     if (!timeline) return;
-    const byId = new Map([...bodies].map((body) => [body.id, body]));
+    let byId: Map<number, Body> | undefined;
     timeline.eachGhost((id, [x, y, z, ...q]) => {
+      byId ??= new Map([...bodies].map((body) => [body.id, body]));
       const body = byId.get(id);
       if (!body?.movable) return;
       const frame = { p: add([x, y, z], poses.origin), q } as Pose;

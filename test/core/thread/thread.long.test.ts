@@ -396,7 +396,7 @@ test('a run that was recorded there is asked for, and runs anew in another world
   await of.ask('step', 100);
   body(of, 'b4').applyImpulse([2, 0, 0]);
   await of.ask('step', 100);
-  assert.equal(of.exportRun(), undefined);
+  assert.equal(of.exportRun(), null);
   claim(of, 'asynchronous');
   void of.timeline!.marks;
   const run = JSON.parse(JSON.stringify(await of.ask('exportRun'))) as Run;
