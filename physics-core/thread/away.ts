@@ -241,6 +241,7 @@ export class Away implements Elsewhere {
   #order(ask: Order['ask']): number {
     const room = this.#room;
     this.#room = undefined;
+    if (this.due) this.#mirror.note(this.#given + 1);
     const order: Order = {
       number: ++this.#given,
       deeds: this.#deeds,
@@ -348,6 +349,7 @@ export class Away implements Elsewhere {
     const stepped = answer.taken !== this.step;
     this.#last = answer;
     this.#costs = answer.effects ?? this.#costs;
+    if (this.due) this.#mirror.note(this.#given + 1);
     this.#mirror.take(answer, stepped);
     this.#there.take(answer);
     this.#recording?.take(answer);

@@ -22,14 +22,34 @@ export class Mirror {
   #told: Float64Array = new Float64Array(0);
   /** And those that are shown. */
   #velocities: Float64Array = new Float64Array(0);
+  /** By slot: where it stood when it was looked at last. */
+  #stood: Float64Array = new Float64Array(0);
+  /** By slot: the order by which the other side hears of where it was put here. */
+  #orders: Float64Array = new Float64Array(0);
   readonly #rotation = new Float64Array(9);
 
   constructor(world: World) {
     this.#world = world;
   }
 
+  /** An order tells the other side where bodies were put here: what is answered to earlier ones is older than that. */
+  note(order: number): void {
+    const { current } = this.#world.poses;
+    const slots = current.length / POSE;
+    if (this.#orders.length < slots) {
+      this.#stood = grown(this.#stood, current.length);
+      this.#orders = grown(this.#orders, slots);
+    }
+    for (let slot = 0; slot < slots; slot++)
+      for (let k = slot * POSE; k < (slot + 1) * POSE; k++)
+        if (current[k] !== this.#stood[k]) {
+          this.#stood[k] = current[k]!;
+          this.#orders[slot] = order;
+        }
+  }
+
   /** `stepped`: since the last one; what moves is told anew with each step, and the rest stands. */
-  take({ states, count }: Answer, stepped: boolean): void {
+  take({ number, states, count }: Answer, stepped: boolean): void {
     const { poses, bodies, registry } = this.#world;
     const { moving } = bodies;
     this.#lookUp();
@@ -44,10 +64,12 @@ export class Mirror {
       if (!body || body.slot < 0) continue;
       const { slot } = body;
       moving.asleep[slot] = states[at + 1]!;
-      for (let k = 0; k < POSE; k++) {
-        poses.previous[slot * POSE + k] = states[at + 2 + k]!;
-        poses.current[slot * POSE + k] = states[at + 2 + POSE + k]!;
-      }
+      if (!(this.#orders[slot]! > number))
+        for (let k = 0; k < POSE; k++) {
+          poses.previous[slot * POSE + k] = states[at + 2 + k]!;
+          poses.current[slot * POSE + k] = this.#stood[slot * POSE + k] =
+            states[at + 2 + POSE + k]!;
+        }
       for (let k = 0; k < VELOCITY; k++) {
         const velocity = states[at + 2 + 2 * POSE + k]!;
         moving.velocities[slot * VELOCITY + k] = this.#told[slot * VELOCITY + k] = velocity;

@@ -64,6 +64,26 @@ test('what is done here is done there, in its order', async () => {
   closeWorlds();
 });
 
+test('what is put somewhere here stays there until the other side has heard of it', async () => {
+  const there = await scene();
+  goAway(there);
+  await there.ask('step', 30);
+  const seen: number[] = [];
+  const place = (): number => (body(there, 'b3').get('position') as Vec3)[0];
+  // Both are under way when it is put there, and know nothing of it.
+  const steps = [there.ask('step', 1), there.ask('step', 1)];
+  body(there, 'b3').teleport([9, 5, 0]);
+  for (const step of steps) {
+    await step;
+    seen.push(place());
+  }
+  await there.ask('step', 1);
+  seen.push(place());
+  assert.deepEqual(seen, [9, 9, 9]);
+  assert.ok((body(there, 'b3').get('position') as Vec3)[1] < 5);
+  closeWorlds();
+});
+
 test('frames go by the same clock', async () => {
   const [here, there] = [await scene(), await scene()];
   goAway(there);
