@@ -13,11 +13,13 @@ import { SHOWN, STATE, type Answer } from './messages.js';
 /** Shows a world here where it is on another thread. */
 export class Mirror {
   readonly #world: World;
-  #byId = new Map<number, BodyNode>();
+  /** By the number of a body. */
+  #slots = new Map<number, number>();
   /** What that was made of. */
   #reviews = -1;
-  /** Whose Bullet body stands where it stood. */
-  readonly #late = new Set<BodyNode>();
+  /** By slot: 1 where the Bullet body stands where it stood. */
+  #late = new Uint8Array(0);
+  #anyLate = false;
   /** By slot, linear then angular, as they were told. */
   #told: Float64Array = new Float64Array(0);
   /** And those that are shown. */
@@ -59,10 +61,9 @@ export class Mirror {
     const joints = registry.find(jointSolve);
     if (joints) joints.shownOf = this.#shownOf;
     for (let i = 0, at = 0; i < count; i++, at += STATE) {
-      const body = this.#byId.get(states[at]!);
+      const slot = this.#slots.get(states[at]!);
       // It was removed here meanwhile.
-      if (!body || body.slot < 0) continue;
-      const { slot } = body;
+      if (slot === undefined) continue;
       moving.asleep[slot] = states[at + 1]!;
       if (!(this.#orders[slot]! > number))
         for (let k = 0; k < POSE; k++) {
@@ -76,15 +77,20 @@ export class Mirror {
         this.#velocities[slot * VELOCITY + k] = states[at + SHOWN + k]!;
       }
       poses.mark(slot);
-      this.#late.add(body);
+      this.#late[slot] = 1;
     }
+    this.#anyLate ||= count > 0;
   }
 
   #lookUp(): void {
     const { bodies } = this.#world;
     if (this.#reviews === bodies.moving.reviews) return;
     this.#reviews = bodies.moving.reviews;
-    this.#byId = new Map([...bodies].map((body) => [body.id, body]));
+    this.#slots = new Map([...bodies].map(({ id, slot }) => [id, slot]));
+    if (this.#late.length >= bodies.moving.slots) return;
+    const late = new Uint8Array(bodies.moving.asleep.length);
+    late.set(this.#late);
+    this.#late = late;
   }
 
   /** Until its velocity is given anew. */
@@ -98,9 +104,11 @@ export class Mirror {
 
   /** Bullet's bodies stand where they are shown: before something is made, patched or read of Bullet. */
   place(): void {
-    if (this.#late.size === 0) return;
-    for (const body of this.#late) if (body.built) this.#place(body);
-    this.#late.clear();
+    if (!this.#anyLate) return;
+    this.#anyLate = false;
+    for (const body of this.#world.bodies)
+      if (this.#late[body.slot] && body.built) this.#place(body);
+    this.#late.fill(0);
     this.#world.rays.moved();
   }
 

@@ -51,6 +51,8 @@ export class Strand {
   readonly #transforms: X3DTransform[];
   /** Those above the one that is moved, from below to above. */
   readonly #outer: X3DTransform[];
+  /** Nothing but the one that is moved. */
+  readonly #alone: boolean;
   /** How far it reaches in the frame of the Transform that is moved. */
   #inside!: number[];
   /** The last thing in it. */
@@ -73,6 +75,7 @@ export class Strand {
     this.nodes.unshift(...outer.toReversed());
     this.#outer = outer.filter(({ _trafo }) => _trafo) as X3DTransform[];
     this.#transforms = this.nodes.filter(({ _trafo }) => _trafo) as X3DTransform[];
+    this.#alone = this.#transforms.length === 1;
   }
 
   measure(): void {
@@ -82,6 +85,10 @@ export class Strand {
 
   /** `local`: the matrix of the Transform that is moved, `above`: that of what all of it stands in. */
   place(local: Affine, above: Affine, instances: Instances, at: number): void {
+    if (this.#alone) {
+      instances.reach(at, local, this.#inside);
+      return instances.place(at, multiply(above, local, product));
+    }
     let matrix = local;
     let box = this.#inside;
     // x3dom takes the bounds of the bounds at each of them.
