@@ -56,6 +56,21 @@ async function begun(world: World): Promise<void> {
   await world.ask('stats');
 }
 
+/** Edits of boxes, each of which the next one of its kind undoes. */
+function turns(document: Document): (i: number) => void {
+  const kinds: ((i: number) => [name: string, value: string])[] = [
+    (i) => ['linearvelocity', `${Math.sin(i)} ${Math.cos(i)} 0`],
+    (i) => ['position', `${i % 3} ${2 + (i % 11)} ${Math.sin(i)}`],
+    (i) => ['mass', String(1 + (i % 7))],
+    (i) => ['fixed', String(i % 5 === 0)],
+    (i) => ['angularvelocity', `0 ${i % 13} 0`],
+  ];
+  return (i) => {
+    const [name, value] = kinds[i % kinds.length]!(i);
+    document.getElementById(`b${i % 12}`)!.setAttribute(name, value);
+  };
+}
+
 describe('a world in a worker', () => {
   afterEach(() => expect(errors.splice(0)).to.deep.equal([]));
 
@@ -80,6 +95,23 @@ describe('a world in a worker', () => {
       expect(world.problems.map(({ message }) => message)).to.deep.equal([]);
     }
     expect(steps).to.deep.equal([undefined, 180]);
+    expect(ways[1]).to.equal(ways[0]);
+  });
+
+  it('hears a thousand edits in a second of the scene, each in its turn', async () => {
+    const ways: string[] = [];
+    for (const attributes of ['', 'thread="worker"']) {
+      const { page, world } = await shown(scene(attributes));
+      await begun(world);
+      const edits = turns(page.document);
+      for (let step = 0; step < 60; step++) {
+        for (let i = 0; i < 17; i++) edits(17 * step + i);
+        await wait(0);
+        await world.ask('step', 1);
+      }
+      ways.push(bits(world));
+      expect(codes(world)).to.deep.equal([]);
+    }
     expect(ways[1]).to.equal(ways[0]);
   });
 
