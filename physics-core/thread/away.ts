@@ -241,7 +241,7 @@ export class Away implements Elsewhere {
   #order(ask: Order['ask']): number {
     const room = this.#room;
     this.#room = undefined;
-    if (this.due) this.#mirror.note(this.#given + 1);
+    this.#note();
     const order: Order = {
       number: ++this.#given,
       deeds: this.#deeds,
@@ -255,6 +255,11 @@ export class Away implements Elsewhere {
     this.#deeds = [];
     this.#line.say(order, room ? [room.buffer] : []);
     return this.#given;
+  }
+
+  /** What was done here since the last order is told by the next one. */
+  #note(): void {
+    if (this.due) this.#mirror.note(this.next);
   }
 
   ask(method: string, args: readonly unknown[]): Promise<unknown> {
@@ -349,7 +354,7 @@ export class Away implements Elsewhere {
     const stepped = answer.taken !== this.step;
     this.#last = answer;
     this.#costs = answer.effects ?? this.#costs;
-    if (this.due) this.#mirror.note(this.#given + 1);
+    this.#note();
     this.#mirror.take(answer, stepped);
     this.#there.take(answer);
     this.#recording?.take(answer);

@@ -63,7 +63,7 @@ export class Mirror {
     for (let i = 0, at = 0; i < count; i++, at += STATE) {
       const slot = this.#slots.get(states[at]!);
       // It was removed here meanwhile.
-      if (slot === undefined) continue;
+      if (slot === undefined || !bodies.in(slot)) continue;
       moving.asleep[slot] = states[at + 1]!;
       if (!(this.#orders[slot]! > number))
         for (let k = 0; k < POSE; k++) {
@@ -106,8 +106,11 @@ export class Mirror {
   place(): void {
     if (!this.#anyLate) return;
     this.#anyLate = false;
-    for (const body of this.#world.bodies)
-      if (this.#late[body.slot] && body.built) this.#place(body);
+    const { bodies } = this.#world;
+    for (let slot = 0; slot < this.#late.length; slot++) {
+      const body = this.#late[slot] ? bodies.in(slot) : undefined;
+      if (body?.built) this.#place(body);
+    }
     this.#late.fill(0);
     this.#world.rays.moved();
   }
