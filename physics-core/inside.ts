@@ -49,6 +49,7 @@ export type { FramePace } from './effects/costs/pace.js';
 export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { drags } from './effects/drag/effects.js';
+export { particleSystems } from './effects/particles/effects.js';
 export { debugging, outlines } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/effects.js';
 export type { EffectReport } from './effects/effect/report.js';

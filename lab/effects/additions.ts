@@ -193,6 +193,22 @@ export const additions: readonly Addition[] = [
     },
   },
   {
+    effect: 'particles',
+    by: 'a thousand particles that fall beside them',
+    without: drifting,
+    with: {
+      ...drifting,
+      also: (world) => {
+        world.add('ParticleSystem', {
+          emitter: { type: 'ConeEmitter', speed: 4, mass: 0.001 },
+          physics: [{ type: 'ForcePhysicsModel', force: [0, -0.0098, 0] }],
+          maxParticles: 1000,
+          particleLifetime: 1,
+        });
+      },
+    },
+  },
+  {
     effect: 'dragging',
     by: 'a hand that holds one body',
     without: drifting,

@@ -15,6 +15,7 @@ import { gyroscopic } from './flight/gyroscopic.js';
 import { continuousCollision, impactPropagation, sweptEnds } from './hits/effects.js';
 import { jointSolve, motors, stops, suspension } from './joints/effects.js';
 import { contactShapes } from './manifolds/effects.js';
+import { particles } from './particles/effects.js';
 import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
 
@@ -39,6 +40,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   givenContacts,
   contactSolve,
   carrying,
+  particles,
   contactReader,
   meshShapes,
   resting,

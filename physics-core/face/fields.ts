@@ -1,6 +1,6 @@
 // Written by `npm run write -- types` from the tables in physics-core/nodes.
 import type { Rotation, Vec3 } from '../fields/types.js';
-import type { Geometry } from '../shapes/geometry.js';
+import type { Coordinate, Geometry } from '../shapes/geometry.js';
 import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
 import type { NumberLists, Numbers, Several, Strings } from './values.js';
 
@@ -753,6 +753,377 @@ export interface MotorJointValues {
   metadata: unknown;
 }
 
+/** What may be said of a ParticleSystem (ISO/IEC 19775-1, 40.4.5); what is left out has its default. */
+export interface ParticleSystemFields {
+  /** What its particles are drawn with. (SFNode) */
+  appearance?: unknown;
+  /** Whether its particles cast shadows. (SFBool) Default true. */
+  castShadow?: boolean;
+  /** Colours that particles are drawn in, one for each colorKey. (SFNode) */
+  color?: unknown;
+  /** Ages of particles, seconds, at which they have the colours of color. Range [0, Infinity]. (MFFloat) */
+  colorKey?: Numbers;
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  createParticles?: boolean;
+  /** FALSE: it has no particles. (SFBool) Default true. */
+  enabled?: boolean;
+  /** What each particle is drawn as where geometryType is GEOMETRY. (SFNode) */
+  geometry?: Geometry | null;
+  /** What particles are drawn as: QUAD, LINE, POINT, SPRITE, TRIANGLE, or GEOMETRY, which is that of geometry. (SFString) Default QUAD. */
+  geometryType?: 'QUAD' | 'LINE' | 'POINT' | 'SPRITE' | 'TRIANGLE' | 'GEOMETRY';
+  /** Greatest share of particleLifetime by which a particle lives longer or less long, evenly spread. Range [0, 1]. (SFFloat) Default 0.25. */
+  lifetimeVariation?: number;
+  /** How many particles may live at once. Range [0, Infinity]. (SFInt32) Default 200. */
+  maxParticles?: number;
+  /** How long a particle lives, seconds. Range [0, Infinity]. (SFFloat) Default 5. */
+  particleLifetime?: number;
+  /** Width and height of a particle, metres. Range [0, Infinity]. (SFVec2f) Default 0.02 0.02. */
+  particleSize?: Numbers;
+  /** Texture coordinates that particles are drawn with, a set for each texCoordKey. (SFNode) */
+  texCoord?: unknown;
+  /** Ages of particles, seconds, from which on they have the next set of texCoord. Range [0, Infinity]. (MFFloat) */
+  texCoordKey?: Numbers;
+  /** Where particles are born, and how; NULL: none are. (SFNode) */
+  emitter?: NodeInput<
+    | 'ConeEmitter'
+    | 'ExplosionEmitter'
+    | 'PointEmitter'
+    | 'PolylineEmitter'
+    | 'SurfaceEmitter'
+    | 'VolumeEmitter'
+  > | null;
+  /** What moves particles: all of these models act together. (MFNode) */
+  physics?: Several<NodeInput<'BoundedPhysicsModel' | 'ForcePhysicsModel' | 'WindPhysicsModel'>>;
+  /** TRUE: particles bounce off bodies. (SFBool) Default false. */
+  collides?: boolean;
+  /** TRUE: particles that bounce off bodies push them by their mass. (SFBool) Default false. */
+  pushes?: boolean;
+  /** Share of the approach speed that comes back when a particle meets a body. Range [0, 1]. (SFFloat) Default 0. */
+  bounce?: number;
+  /** Coulomb friction of particles on bodies. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  friction?: number;
+  /** What is random about particles follows from it: the same number gives the same particles. (SFInt32) Default 0. */
+  seed?: number;
+  /** Share of its speed that a particle loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  damping?: number;
+  /** The body that its emitter stands on and moves with; NULL: the emitter stands in the world. (SFNode) */
+  body?: NodeInput<'RigidBody'> | null;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a ParticleSystem answers. */
+export interface ParticleSystemValues {
+  appearance: unknown;
+  castShadow: boolean;
+  color: unknown;
+  colorKey: number[];
+  createParticles: boolean;
+  enabled: boolean;
+  geometry: Geometry | null;
+  geometryType: 'QUAD' | 'LINE' | 'POINT' | 'SPRITE' | 'TRIANGLE' | 'GEOMETRY';
+  lifetimeVariation: number;
+  maxParticles: number;
+  particleLifetime: number;
+  particleSize: [number, number];
+  isActive: boolean;
+  texCoord: unknown;
+  texCoordKey: number[];
+  emitter:
+    | NodeHandles['ConeEmitter']
+    | NodeHandles['ExplosionEmitter']
+    | NodeHandles['PointEmitter']
+    | NodeHandles['PolylineEmitter']
+    | NodeHandles['SurfaceEmitter']
+    | NodeHandles['VolumeEmitter']
+    | null;
+  physics: (
+    | NodeHandles['BoundedPhysicsModel']
+    | NodeHandles['ForcePhysicsModel']
+    | NodeHandles['WindPhysicsModel']
+  )[];
+  collides: boolean;
+  pushes: boolean;
+  bounce: number;
+  friction: number;
+  seed: number;
+  damping: number;
+  body: NodeHandles['RigidBody'] | null;
+  positions: Vec3[];
+  count: number;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a ConeEmitter (ISO/IEC 19775-1, 40.4.2); what is left out has its default. */
+export interface ConeEmitterFields {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  on?: boolean;
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  variation?: number;
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  mass?: number;
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  surfaceArea?: number;
+  /** Where particles are born, metres, in the frame of their system. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  direction?: Numbers;
+  /** Greatest angle between direction and the way of a particle, radians. Range [0, 3.141592653589793]. (SFFloat) Default 0.7853981633974483. */
+  angle?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a ConeEmitter answers. */
+export interface ConeEmitterValues {
+  on: boolean;
+  speed: number;
+  variation: number;
+  mass: number;
+  surfaceArea: number;
+  position: Vec3;
+  direction: Vec3;
+  angle: number;
+  metadata: unknown;
+}
+
+/** What may be said of a ExplosionEmitter (ISO/IEC 19775-1, 40.4.3); what is left out has its default. */
+export interface ExplosionEmitterFields {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  on?: boolean;
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  variation?: number;
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  mass?: number;
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  surfaceArea?: number;
+  /** Where particles are born, metres, in the frame of their system. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a ExplosionEmitter answers. */
+export interface ExplosionEmitterValues {
+  on: boolean;
+  speed: number;
+  variation: number;
+  mass: number;
+  surfaceArea: number;
+  position: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a PointEmitter (ISO/IEC 19775-1, 40.4.6); what is left out has its default. */
+export interface PointEmitterFields {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  on?: boolean;
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  variation?: number;
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  mass?: number;
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  surfaceArea?: number;
+  /** Where particles are born, metres, in the frame of their system. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  direction?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a PointEmitter answers. */
+export interface PointEmitterValues {
+  on: boolean;
+  speed: number;
+  variation: number;
+  mass: number;
+  surfaceArea: number;
+  position: Vec3;
+  direction: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a PolylineEmitter (ISO/IEC 19775-1, 40.4.7); what is left out has its default. */
+export interface PolylineEmitterFields {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  on?: boolean;
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  variation?: number;
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  mass?: number;
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  surfaceArea?: number;
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  direction?: Numbers;
+  /** Its points, metres, in the frame of the system: a Coordinate, or the flat list of its numbers. (SFNode) */
+  coord?: Coordinate | NumberLists | null;
+  /** Which points make a line, counted from 0, with -1 after each line; -1 alone: all in order make one. Range [-1, Infinity]. (MFInt32) Default -1. */
+  coordIndex?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a PolylineEmitter answers. */
+export interface PolylineEmitterValues {
+  on: boolean;
+  speed: number;
+  variation: number;
+  mass: number;
+  surfaceArea: number;
+  direction: Vec3;
+  coord: Coordinate | null;
+  coordIndex: number[];
+  metadata: unknown;
+}
+
+/** What may be said of a SurfaceEmitter (ISO/IEC 19775-1, 40.4.8); what is left out has its default. */
+export interface SurfaceEmitterFields {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  on?: boolean;
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  variation?: number;
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  mass?: number;
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  surfaceArea?: number;
+  /** The geometry on which particles are born; NULL: none are. (SFNode) */
+  surface?: Geometry | null;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a SurfaceEmitter answers. */
+export interface SurfaceEmitterValues {
+  on: boolean;
+  speed: number;
+  variation: number;
+  mass: number;
+  surfaceArea: number;
+  surface: Geometry | null;
+  metadata: unknown;
+}
+
+/** What may be said of a VolumeEmitter (ISO/IEC 19775-1, 40.4.9); what is left out has its default. */
+export interface VolumeEmitterFields {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  on?: boolean;
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  variation?: number;
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  mass?: number;
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  surfaceArea?: number;
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  direction?: Numbers;
+  /** Its points, metres, in the frame of the system: a Coordinate, or the flat list of its numbers. (SFNode) */
+  coord?: Coordinate | NumberLists | null;
+  /** Which points make a face, counted from 0, with -1 after each face: together they are closed. Range [-1, Infinity]. (MFInt32) Default -1. */
+  coordIndex?: Numbers;
+  /** TRUE: particles are born anywhere inside; FALSE: only on the surface. (SFBool) Default true. */
+  internal?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a VolumeEmitter answers. */
+export interface VolumeEmitterValues {
+  on: boolean;
+  speed: number;
+  variation: number;
+  mass: number;
+  surfaceArea: number;
+  direction: Vec3;
+  coord: Coordinate | null;
+  coordIndex: number[];
+  internal: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a BoundedPhysicsModel (ISO/IEC 19775-1, 40.4.1); what is left out has its default. */
+export interface BoundedPhysicsModelFields {
+  /** FALSE: it does nothing to particles. (SFBool) Default true. */
+  enabled?: boolean;
+  /** The geometry that particles bounce off, in the frame of their system. (SFNode) */
+  geometry?: Geometry | null;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a BoundedPhysicsModel answers. */
+export interface BoundedPhysicsModelValues {
+  enabled: boolean;
+  geometry: Geometry | null;
+  metadata: unknown;
+}
+
+/** What may be said of a ForcePhysicsModel (ISO/IEC 19775-1, 40.4.4); what is left out has its default. */
+export interface ForcePhysicsModelFields {
+  /** FALSE: it does nothing to particles. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Force on each particle, newtons, in the frame of their system; divided by its mass it is an acceleration. (SFVec3f) Default 0 -9.8 0. */
+  force?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a ForcePhysicsModel answers. */
+export interface ForcePhysicsModelValues {
+  enabled: boolean;
+  force: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a WindPhysicsModel (ISO/IEC 19775-1, 40.4.10); what is left out has its default. */
+export interface WindPhysicsModelFields {
+  /** FALSE: it does nothing to particles. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Where the wind blows, in the frame of the system, whatever its length; 0 0 0: each time elsewhere. (SFVec3f) Default 1 0 0. */
+  direction?: Numbers;
+  /** Speed of the wind between gusts, m/s. Range [0, Infinity]. (SFFloat) Default 0.1. */
+  speed?: number;
+  /** Greatest share of the speed by which that of a gust is more or less. Range [0, Infinity]. (SFFloat) Default 0.1. */
+  gustiness?: number;
+  /** How far particles are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere. Range [0, 1]. (SFFloat) Default 0. */
+  turbulence?: number;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a WindPhysicsModel answers. */
+export interface WindPhysicsModelValues {
+  enabled: boolean;
+  direction: Vec3;
+  speed: number;
+  gustiness: number;
+  turbulence: number;
+  metadata: unknown;
+}
+
 /** What may be said of each type of node. */
 export interface NodeFields {
   RigidBodyCollection: RigidBodyCollectionFields;
@@ -769,6 +1140,16 @@ export interface NodeFields {
   SliderJoint: SliderJointFields;
   UniversalJoint: UniversalJointFields;
   MotorJoint: MotorJointFields;
+  ParticleSystem: ParticleSystemFields;
+  ConeEmitter: ConeEmitterFields;
+  ExplosionEmitter: ExplosionEmitterFields;
+  PointEmitter: PointEmitterFields;
+  PolylineEmitter: PolylineEmitterFields;
+  SurfaceEmitter: SurfaceEmitterFields;
+  VolumeEmitter: VolumeEmitterFields;
+  BoundedPhysicsModel: BoundedPhysicsModelFields;
+  ForcePhysicsModel: ForcePhysicsModelFields;
+  WindPhysicsModel: WindPhysicsModelFields;
 }
 
 /** What each type of node answers. */
@@ -787,6 +1168,16 @@ export interface NodeValues {
   SliderJoint: SliderJointValues;
   UniversalJoint: UniversalJointValues;
   MotorJoint: MotorJointValues;
+  ParticleSystem: ParticleSystemValues;
+  ConeEmitter: ConeEmitterValues;
+  ExplosionEmitter: ExplosionEmitterValues;
+  PointEmitter: PointEmitterValues;
+  PolylineEmitter: PolylineEmitterValues;
+  SurfaceEmitter: SurfaceEmitterValues;
+  VolumeEmitter: VolumeEmitterValues;
+  BoundedPhysicsModel: BoundedPhysicsModelValues;
+  ForcePhysicsModel: ForcePhysicsModelValues;
+  WindPhysicsModel: WindPhysicsModelValues;
 }
 
 /** X3D's names of the types. */

@@ -59,6 +59,15 @@ export type Geometry = Placement &
     | { type: 'Mesh'; points?: number[]; index?: number[] }
   );
 
+/** X3D's Coordinate as plain data: points alone, flat xyz, metres. */
+export interface Coordinate {
+  type: 'Coordinate';
+  point?: number[];
+}
+
+/** What is plain data, and stays it in a field of nodes: no node is made of it. */
+export type Plain = Geometry | Coordinate;
+
 /** Points (flat xyz) and triangles (three indices each). */
 export interface Mesh {
   points: number[];
@@ -100,14 +109,17 @@ const OWN_FIELDS = {
 
 const PLACEMENT = { translation: 'SFVec3f', rotation: 'SFRotation', linear: 'SFMatrix3f' } as const;
 
+const FIELDS = { ...OWN_FIELDS, Coordinate: { point: 'MFVec3f' } } as const;
+
 export type GeometryType = keyof typeof OWN_FIELDS;
 
 export const geometryTypes = Object.keys(OWN_FIELDS) as GeometryType[];
 
 export const isGeometry = (type: string): type is GeometryType => Object.hasOwn(OWN_FIELDS, type);
+export const isPlain = (type: string): type is Plain['type'] => Object.hasOwn(FIELDS, type);
 
-/** Every field of a geometry, and its X3D type. */
-export const geometryFields = (type: GeometryType): Record<string, FieldType> => ({
-  ...OWN_FIELDS[type],
+/** Every field of plain data, and its X3D type. */
+export const geometryFields = (type: Plain['type']): Record<string, FieldType> => ({
+  ...FIELDS[type],
   ...PLACEMENT,
 });

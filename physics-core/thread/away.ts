@@ -20,7 +20,7 @@ import type { Stats } from '../world/store/types.js';
 import type { Bound, Elsewhere } from '../world/threading.js';
 import type { World } from '../world/world.js';
 import { Begun } from './begun.js';
-import { BEFORE_STEP, GIVEN, reportMain } from './bound.js';
+import { BEFORE_STEP, reportMain, whyHere } from './bound.js';
 import type { Heard, Line } from './line.js';
 import {
   PLAIN,
@@ -133,8 +133,8 @@ export class Away implements Elsewhere {
       if (!pending) return work();
     }
     if (this.#lost) return work();
-    if (args[0] === 'set_contacts')
-      this.#world.stay({ why: GIVEN, host: (who as PhysicsNode).host });
+    const why = whyHere(method, args[0]);
+    if (why) this.#world.stay({ why, host: (who as PhysicsNode).host });
     const recording = this.#recording;
     if (this.#world.elsewhere !== this || recording?.again) return work();
     if (method === 'drag') recording?.resume();

@@ -60,6 +60,7 @@ const INSIDE = {
   joints: 'Joints that do not stretch',
   contacts: 'Contacts that hold',
   price: 'What a step costs',
+  particles: 'Particles',
   stability: 'What stays stable',
   effects: 'Effects',
   chunks: 'Files',

@@ -44,6 +44,7 @@ const READ: Record<string, string> = {
 };
 
 const isGeometry = (types: readonly string[]): boolean => types.includes('Box');
+const isPoints = (types: readonly string[]): boolean => types.includes('Coordinate');
 const isCollidable = (types: readonly string[]): boolean =>
   types.length === 2 && types.every((type) => type.startsWith('Collidable'));
 
@@ -54,9 +55,11 @@ function given(field: Field): string {
   if (!nodes) return 'unknown';
   const one = isGeometry(nodes)
     ? 'Geometry'
-    : isCollidable(nodes)
-      ? 'CollidableInput'
-      : `NodeInput<${union(nodes)}>`;
+    : isPoints(nodes)
+      ? 'Coordinate | NumberLists'
+      : isCollidable(nodes)
+        ? 'CollidableInput'
+        : `NodeInput<${union(nodes)}>`;
   if (type === 'SFNode') return `${one} | null`;
   return `Several<${one}>${takesAll ? " | '*'" : ''}`;
 }
@@ -67,7 +70,9 @@ function read({ type, nodes, values, takesAll }: Field): string {
   if (!nodes) return 'unknown';
   const one = isGeometry(nodes)
     ? 'Geometry'
-    : nodes.map((name) => `NodeHandles['${name}']`).join(' | ');
+    : isPoints(nodes)
+      ? 'Coordinate'
+      : nodes.map((name) => `NodeHandles['${name}']`).join(' | ');
   if (type === 'SFNode') return `${one} | null`;
   return `(${one})[]${takesAll ? " | '*'" : ''}`;
 }
@@ -102,7 +107,7 @@ const mapOf = (name: string, doc: string, types: readonly NodeType[], ending: st
 export const coreFieldTypes = (types: readonly NodeType[]): string =>
   [
     `${HEAD}import type { Rotation, Vec3 } from '../fields/types.js';
-import type { Geometry } from '../shapes/geometry.js';
+import type { Coordinate, Geometry } from '../shapes/geometry.js';
 import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
 import type { NumberLists, Numbers, Several, Strings } from './values.js';`,
     ...types.map(coreTypes),

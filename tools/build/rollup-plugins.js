@@ -40,11 +40,12 @@ const REASONS = 'after';
 
 /** What tables and descriptors say to people: the manifest and the docs read it from the sources. */
 const FOR_PEOPLE = {
-  '/physics-core/nodes/': ['doc', 'clause'],
+  '/physics-core/nodes/': ['doc', 'clause', 'causes'],
+  '/physics-core/world/': ['causes'],
   [EFFECTS]: ['causes'],
   '/physics-core/shapes/': ['causes'],
   '/words/event-types.ts': ['doc', 'detail'],
-  '/elements/': ['doc'],
+  '/elements/': ['doc', 'causes'],
   '/elements/x3d-': ['doc', 'parts'],
 };
 /** Leaves such out of every page. Blanks keep all else where the source map has it. */

@@ -2,13 +2,14 @@
 import { writeFileSync } from 'node:fs';
 import { format, resolveConfig } from 'prettier';
 import { nodeTypes, type NodeType } from '../../physics-core/inside.js';
+import { particleTypes } from '../../physics-core/nodes/particles/index.js';
 import { coreFieldTypes, elementPropertyTypes } from './field-types.js';
 
 /** The files and what stands in them. */
 export async function generatedTypes(): Promise<Record<string, string>> {
   const types = Object.values(nodeTypes as Record<string, NodeType>);
   const texts = {
-    'physics-core/face/fields.ts': coreFieldTypes(types),
+    'physics-core/face/fields.ts': coreFieldTypes([...types, ...Object.values(particleTypes)]),
     'elements/properties.ts': elementPropertyTypes(types),
   };
   const written = Object.entries(texts).map(async ([file, text]) => {

@@ -49,7 +49,15 @@ export interface EffectDescriptor<E extends Effect = Effect> {
 }
 
 /** Stages of a step in which effects act. */
-export const STAGES = ['beforeStep', 'found', 'solve', 'solved', 'settle', 'afterStep'] as const;
+export const STAGES = [
+  'beforeStep',
+  'found',
+  'solve',
+  'solved',
+  'settle',
+  'afterStep',
+  'stepOver',
+] as const;
 export type Stage = (typeof STAGES)[number];
 
 /** Something a plain scene of falling bodies can do without. It is called while at least one node causes it, and only then. */
@@ -123,8 +131,8 @@ export abstract class Effect {
   settle?(dt: number): void;
   /** After each step of Bullet, when poses and velocities are read. */
   afterStep?(dt: number): void;
-  /** After the last part of a step: once, however many there were. */
-  stepOver?(): void;
+  /** After the last part of a step of `dt` seconds: once, however many there were. */
+  stepOver?(dt: number): void;
   /** Sees every contact point between Bullet's contact search and its solver, by heap pointers. False: takes it back. */
   contact?(point: number, a: number, b: number): boolean;
   /** Whether it has to see those of the step that begins. */

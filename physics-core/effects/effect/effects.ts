@@ -32,7 +32,6 @@ export class Effects {
   readonly #stages: Record<Stage, readonly Effect[]>;
   #contacts: readonly Effect[] = [];
   #splitting: readonly Effect[] = [];
-  #ending: readonly Effect[] = [];
   /** Those that a step's contacts go to. */
   readonly #seeing: Effect[] = [];
   #steps = 0;
@@ -162,7 +161,6 @@ export class Effects {
     for (const stage of STAGES) this.#stages[stage] = this.#on.filter((effect) => effect[stage]);
     this.#contacts = this.#on.filter((effect) => effect.contact);
     this.#splitting = this.#on.filter((effect) => effect.parts);
-    this.#ending = this.#on.filter((effect) => effect.stepOver);
   }
 
   /** Into how many parts the step that begins must be split, `dt` seconds. */
@@ -184,8 +182,8 @@ export class Effects {
   }
 
   /** The step is over: what each has cost, where that was measured, and whom it concerns. */
-  stepOver(): void {
-    for (const effect of this.#ending) effect.stepOver!();
+  stepOver(dt: number): void {
+    this.run('stepOver', dt);
     if (this.#measured) for (const effect of this.#on) if (isCalled(effect)) effect.cost.note();
     this.#measured = ++this.#steps % MEASURED_EVERY === 0;
   }

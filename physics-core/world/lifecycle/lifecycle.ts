@@ -81,7 +81,7 @@ export class Lifecycle {
       severity: 'warning',
       used: "Bullet's own settings",
       message:
-        'the memory of this Ammo build is another: parameters of CollisionCollections, solver settings and rest are left out',
+        'nothing is known of this Ammo build: parameters of CollisionCollections, solver settings and rest are left out',
     });
   }
 

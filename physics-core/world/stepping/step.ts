@@ -93,7 +93,7 @@ export class Step {
     const parts = control.split(effects.parts(timeStep));
     let read = 0;
     for (let i = 0; i < parts; i++) read += this.#takePart(parts);
-    effects.stepOver();
+    effects.stepOver(timeStep);
     this.#costs.spent('step', start);
     // That one lies within it.
     this.#costs.ms.step -= read;

@@ -1,9 +1,11 @@
 import { PhysicsNode } from '../../nodes/node/node.js';
+import type { NodeDefinition } from '../../nodes/node/define.js';
 import type { NodeData } from '../../nodes/node/node-data.js';
 import type { NodeWorld } from '../../nodes/node/node-world.js';
 import type { Editing } from './editing.js';
 import { BodyNode } from '../../nodes/body/body.js';
 import { nodeTypes } from '../../nodes/index.js';
+import { lateTypes } from '../../nodes/late.js';
 import { CollectionNode } from '../../nodes/collection-node.js';
 import { isGeometry } from '../../shapes/geometry.js';
 import { show } from '../../base/show.js';
@@ -29,7 +31,7 @@ export class NodeStore {
 
   constructor(world: StoreWorld) {
     this.#world = world;
-    this.defaults = this.#make('RigidBodyCollection', {});
+    this.defaults = this.#make(nodeTypes.RigidBodyCollection!, {});
   }
 
   get all(): Iterable<PhysicsNode> {
@@ -53,8 +55,9 @@ export class NodeStore {
   }
 
   add(type: string, fields: Record<string, unknown>, options: AddOptions): PhysicsNode {
-    if (!nodeTypes[type]) throw new TypeError(`x3d-physics has no node type ${show(type)}`);
-    const node = this.#make(type, options);
+    const nodeType = nodeTypes[type] ?? lateTypes[type];
+    if (!nodeType) throw new TypeError(`there is no node type ${show(type)}`);
+    const node = this.#make(nodeType, options);
     this.#nodes.add(node);
     if (node instanceof CollectionNode) this.#collections.add(node);
     if (node instanceof BodyNode && options.start) node.motion.start = options.start;
@@ -63,14 +66,13 @@ export class NodeStore {
     return node;
   }
 
-  #make(type: string, options: AddOptions): PhysicsNode {
-    const nodeType = nodeTypes[type]!;
+  #make(type: NodeDefinition, options: AddOptions): PhysicsNode {
     const id = options.id ?? this.nextId;
     this.nextId = Math.max(this.nextId, id + 1);
     const { host, name, version } = options;
     const collection = options.collection as PhysicsNode | undefined;
-    const context = { world: this.#world, type: nodeType, id, host, name, collection, version };
-    if (nodeType.make) return nodeType.make(context);
+    const context = { world: this.#world, type, id, host, name, collection, version };
+    if (type.make) return type.make(context);
     const early = new PhysicsNode(context);
     this.#early.add(early);
     return early;
@@ -79,9 +81,9 @@ export class NodeStore {
   /** Code has come: nodes that were made before become of its classes. */
   codeCame(): void {
     for (const early of this.#early) {
-      const { make } = nodeTypes[early.type.name]!;
-      if (!make) continue;
-      make({ world: this.#world, type: early.type, id: early.id, early });
+      const { type, id } = early as { type: NodeDefinition; id: number };
+      if (!type.make) continue;
+      type.make({ world: this.#world, type, id, early });
       this.#early.delete(early);
     }
   }

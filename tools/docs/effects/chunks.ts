@@ -7,6 +7,7 @@ import {
   joints,
   meshes,
   outlines,
+  particleSystems,
   threads,
 } from '../../../physics-core/inside.js';
 
@@ -23,6 +24,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],
+  ['chunk-particle-code', particleSystems.causes],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-debug-code', outlines.causes],
   ['chunk-faults-code', 'a fault in the markup'],

@@ -1,0 +1,296 @@
+import { METS, MET, type Obstacles } from './collide/obstacles.js';
+import type { SheetSolid } from './collide/sheet.js';
+import { FOUND, WAY } from './collide/solid.js';
+import { Drift } from './drift.js';
+import type { Pushed } from './pushed.js';
+
+/** Times that a particle is met in a step, at most: in a wedge it is met without end. What is left of the step it waits. */
+const MOST_MET = 8;
+
+/** How particles of a system meet bodies and walls. */
+export interface Surface {
+  /** Whether they meet bodies, and the mass by which each pushes them, kg: 0 pushes nothing. */
+  bodies: boolean;
+  mass: number;
+  /** What throws them back with the speed with which they came; undefined: nothing. */
+  walls: SheetSolid | undefined;
+  /** Of the balls that are met, metres. */
+  radius: number;
+  /** Share of the approach speed that comes back. */
+  bounce: number;
+  /** Coulomb's. */
+  friction: number;
+}
+
+/** A few numbers: `set` takes ten times as long. */
+function copy(from: Float64Array, to: Float64Array): void {
+  for (let i = 0; i < to.length; i++) to[i] = from[i]!;
+}
+
+/** Where a particle goes on that meets bodies on its way. */
+export class Bounces {
+  readonly #obstacles: Obstacles;
+  readonly #pushed: Pushed;
+  readonly #drift = new Drift();
+  readonly #met = new Float64Array(METS);
+  readonly #way = new Float64Array(WAY);
+  readonly #found = new Float64Array(FOUND);
+  /** What was met is a wall. */
+  #isWall = false;
+  readonly #from = new Float64Array(3);
+  readonly #to = new Float64Array(3);
+  /** m/s; of what was met, the same; and what pushes, m/s². */
+  readonly #velocity = new Float64Array(3);
+  readonly #surface = new Float64Array(3);
+  readonly #push = new Float64Array(3);
+  /** Along the surface. */
+  readonly #along = new Float64Array(3);
+  /** Beside its velocity, m/s: what bears it is where it is drawn, and has the speed that it was given in the next step only. */
+  readonly #lift = new Float64Array(3);
+  /** What bears it, as it was met, and how, m/s²: from below, and by friction the other way than `#braked`. */
+  readonly #borne = new Float64Array(METS);
+  readonly #braked = new Float64Array(3);
+  #bearing = 0;
+  #braking = 0;
+
+  constructor(obstacles: Obstacles, pushed: Pushed) {
+    this.#obstacles = obstacles;
+    this.#pushed = pushed;
+  }
+
+  /**
+   * Moves a particle through the rest of a step of `dt` seconds, from the share `since` of it on; `motion` holds its place and
+   * its velocity from `at` on, `push` what accelerates it.
+   */
+  follow(
+    motion: Float64Array,
+    at: number,
+    push: Float64Array,
+    damping: number,
+    surface: Surface,
+    dt: number,
+    since: number,
+  ): void {
+    this.#take(motion, at, push);
+    let start = since;
+    for (let tries = 0; this.#isStopped(surface, damping, start, dt); tries++) {
+      start = this.#met[MET.time]!;
+      this.#free(push);
+      if (tries === MOST_MET) {
+        this.#wait();
+        break;
+      }
+      if (this.#isWall) this.#reflect();
+      else this.#react(surface, dt, (1 - start) * dt);
+    }
+    for (let i = 0; i < 3; i++) {
+      motion[at + i] = this.#from[i]!;
+      motion[at + 3 + i] = this.#velocity[i]!;
+    }
+  }
+
+  #take(motion: Float64Array, at: number, push: Float64Array): void {
+    for (let i = 0; i < 3; i++) {
+      this.#from[i] = motion[at + i]!;
+      this.#velocity[i] = motion[at + 3 + i]!;
+    }
+    this.#free(push);
+  }
+
+  /** Nothing bears it. */
+  #free(push: Float64Array): void {
+    copy(push, this.#push);
+    for (let i = 0; i < 3; i++) this.#lift[i] = 0;
+    this.#bearing = 0;
+  }
+
+  /** Goes on to the end of the step from the share `start` of it, or to where something is in its way: then TRUE. */
+  #isStopped(surface: Surface, damping: number, start: number, dt: number): boolean {
+    const rest = (1 - start) * dt;
+    this.#drift.take(damping, rest);
+    this.#lead(rest);
+    const met = this.#met;
+    const isMet = this.#meets(surface, start);
+    if (isMet) {
+      this.#drift.take(damping, (met[MET.time]! - start) * dt);
+      for (let i = 0; i < 3; i++) this.#from[i] = met[MET.place + i]!;
+      this.#makeUnit();
+    } else copy(this.#to, this.#from);
+    this.#speed();
+    this.#press(surface.mass);
+    return isMet;
+  }
+
+  /** Where it is held, to the end of the step. */
+  #wait(): void {
+    if (!this.#isWall) this.#obstacles.ride(this.#met, this.#from);
+  }
+
+  /** Where it comes, if nothing is in its way. */
+  #lead(seconds: number): void {
+    const { wayOfSpeed, wayOfPush } = this.#drift;
+    const lift = this.#lift;
+    for (let i = 0; i < 3; i++)
+      this.#to[i] =
+        this.#from[i]! +
+        this.#velocity[i]! * wayOfSpeed +
+        this.#push[i]! * wayOfPush +
+        lift[i]! * seconds;
+  }
+
+  /** What bore it so long was pressed and dragged by it. */
+  #press(mass: number): void {
+    if (this.#bearing === 0 || mass === 0) return;
+    const borne = this.#borne;
+    const seconds = this.#drift.speedOfPush;
+    this.#pushed.push(borne, borne, MET.normal, -mass * this.#bearing * seconds);
+    if (this.#braking > 0)
+      this.#pushed.push(borne, this.#braked, 0, mass * this.#braking * seconds);
+  }
+
+  /** Whether something is in its way from the share `start` of the step on. */
+  #meets({ bodies, walls, radius }: Surface, start: number): boolean {
+    const met = this.#met;
+    const isBody = bodies && this.#obstacles.meet(this.#from, this.#to, radius, met, start, 1);
+    this.#isWall = !!walls && this.#meetsWall(walls, radius, start, isBody ? met[MET.share]! : 1);
+    return isBody || this.#isWall;
+  }
+
+  /** The same for walls, before the share `most` of the way. */
+  #meetsWall(walls: SheetSolid, radius: number, start: number, most: number): boolean {
+    const way = this.#way;
+    const found = this.#found;
+    const from = this.#from;
+    for (let i = 0; i < 3; i++) {
+      way[i] = from[i]!;
+      way[3 + i] = this.#to[i]! - from[i]!;
+    }
+    way[6] = radius;
+    way[7] = most;
+    if (!walls.meets(way, found)) return false;
+    const met = this.#met;
+    const share = found[0]!;
+    const depth = found[1]!;
+    met[MET.time] = start + (1 - start) * share;
+    for (let i = 0; i < 3; i++) {
+      const normal = found[2 + i]!;
+      met[MET.normal + i] = normal;
+      met[MET.place + i] = from[i]! + way[3 + i]! * share + normal * depth;
+    }
+    return true;
+  }
+
+  #reflect(): void {
+    this.#surface.fill(0);
+    const approach = this.#approach();
+    if (approach >= 0) return;
+    for (let i = 0; i < 3; i++)
+      this.#velocity[i] = this.#velocity[i]! - 2 * approach * this.#met[MET.normal + i]!;
+  }
+
+  /** Poses that were read in single precision turn by a matrix that is a ten-millionth off: what lies would be met again. */
+  #makeUnit(): void {
+    const met = this.#met;
+    let square = 0;
+    for (let i = MET.normal; i < MET.normal + 3; i++) square += met[i]! ** 2;
+    const length = Math.sqrt(square);
+    for (let i = MET.normal; i < MET.normal + 3; i++) met[i] = met[i]! / length;
+  }
+
+  /** How fast it is then. */
+  #speed(): void {
+    const { left, speedOfPush } = this.#drift;
+    const velocity = this.#velocity;
+    for (let i = 0; i < 3; i++) velocity[i] = velocity[i]! * left + this.#push[i]! * speedOfPush;
+  }
+
+  /** What is along the normal, relative to the surface, m/s. */
+  #approach(): number {
+    const met = this.#met;
+    let speed = 0;
+    for (let i = 0; i < 3; i++)
+      speed += (this.#velocity[i]! - this.#surface[i]!) * met[MET.normal + i]!;
+    return speed;
+  }
+
+  /**
+   * Newton's law of restitution, and Coulomb's of friction. What would be back within the step, `dt` seconds, does not leave
+   * the surface: it bears it in the `rest` of the step.
+   */
+  #react({ bounce, friction, mass }: Surface, dt: number, rest: number): void {
+    const met = this.#met;
+    this.#obstacles.velocityAt(met, this.#surface);
+    const drawn = this.#approach();
+    if (mass > 0) this.#pushed.addVelocity(met, this.#surface);
+    const approach = this.#approach();
+    const pull = this.#pullOf(met);
+    const back = approach < 0 ? -bounce * approach : approach;
+    const stays = 2 * back <= -pull * dt;
+    if (approach < 0) {
+      const given = this.#give(met, MET.normal, (stays ? 0 : back) - approach, mass);
+      this.#rub(friction * given, mass);
+    }
+    if (!stays) return;
+    for (let i = 0; i < 3; i++) this.#lift[i] = (approach - drawn) * met[MET.normal + i]!;
+    if (rest > 0) this.#bear(friction, Math.max(0, approach) / rest + pull, rest);
+  }
+
+  /**
+   * Changes its speed along a direction, as seen from the body, by so much, m/s: both give way, each by its mass. Returns what
+   * it has of that itself.
+   */
+  #give(direction: Float64Array, at: number, change: number, mass: number): number {
+    const own =
+      mass > 0 ? change / (1 + mass * this.#pushed.softness(this.#met, direction, at)) : change;
+    for (let i = 0; i < 3; i++) this.#velocity[i] = this.#velocity[i]! + own * direction[at + i]!;
+    if (mass > 0) this.#pushed.push(this.#met, direction, at, -mass * own);
+    return own;
+  }
+
+  #pullOf(met: Float64Array): number {
+    let pull = 0;
+    for (let i = 0; i < 3; i++) pull += this.#push[i]! * met[MET.normal + i]!;
+    return pull;
+  }
+
+  /** Brakes it along the surface by as much of its own speed, m/s, at most to a stand. */
+  #rub(most: number, mass: number): void {
+    const along = this.#along;
+    const speed = this.#slide(0);
+    if (speed === 0) return;
+    const softness = mass > 0 ? mass * this.#pushed.softness(this.#met, along, 0) : 0;
+    this.#give(along, 0, -Math.min(speed, most * (1 + softness)), mass);
+  }
+
+  /** How fast it slides after so many seconds of what pushes it, m/s; where it does, `#along` is that way. */
+  #slide(seconds: number): number {
+    const along = this.#along;
+    const approach = this.#approach();
+    let square = 0;
+    for (let i = 0; i < 3; i++) {
+      const speed = this.#velocity[i]! - this.#surface[i]! + this.#push[i]! * seconds;
+      along[i] = speed - approach * this.#met[MET.normal + i]!;
+      square += along[i]! ** 2;
+    }
+    const speed = Math.sqrt(square);
+    if (speed > 0) for (let i = 0; i < 3; i++) along[i] = along[i]! / speed;
+    return speed;
+  }
+
+  /**
+   * At the end of the step it goes as what bears it, which brakes it: to a stand, at most. `pull`: what would take it in,
+   * m/s².
+   */
+  #bear(friction: number, pull: number, rest: number): void {
+    if (pull >= 0) return;
+    const push = this.#push;
+    const met = this.#met;
+    copy(met, this.#borne);
+    for (let i = 0; i < 3; i++) push[i] = push[i]! - pull * met[MET.normal + i]!;
+    this.#bearing = -pull;
+    const speed = this.#slide(rest);
+    this.#braking = Math.min(speed / rest, friction * -pull);
+    copy(this.#along, this.#braked);
+    for (let i = 0; i < 3; i++) push[i] = push[i]! - this.#braking * this.#along[i]!;
+  }
+}

@@ -1,0 +1,258 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import type { Bounces } from './bounces.js';
+import { Cloud, PARTICLE, type KeptCloud } from './cloud.js';
+import { Draws } from './emit/draws.js';
+import { Drift } from './drift.js';
+import { BIRTH } from './emit/emitter.js';
+import { EmitterPlace } from './emitter-place.js';
+import type { Settings } from './settings.js';
+import { GUST, Wind } from './wind.js';
+
+/** Kinds of random numbers of a particle: what its emitter draws, and how long it lives. Those of winds come after. */
+const EMITTED = 0;
+const LIVES = -1;
+
+/** A gust ends when the next one begins, however the seconds before were added up. */
+const ROUNDING = 1e-6;
+
+/** For a snapshot. */
+export interface KeptSystem {
+  time: number;
+  due: number;
+  next: number;
+  burst: boolean;
+  creates: boolean;
+  cloud: KeptCloud;
+}
+
+/**
+ * The particles of one system: born at their own times, moved exactly between them, gone when their time is over. The n-th
+ * particle is the same one at every level: what is random about it goes by its number and the seed.
+ */
+export class ParticleSystem {
+  readonly cloud = new Cloud();
+  readonly #settings: () => Settings;
+  readonly #place: EmitterPlace;
+  readonly #drift = new Drift();
+  readonly #rest = new Drift();
+  readonly #push = new Float64Array(3);
+  readonly #own = new Float64Array(3);
+  readonly #birth = new Float64Array(BIRTH);
+  #said!: Settings;
+  #draws = new Draws(0);
+  #winds: Wind[] = [];
+  #whirls = false;
+  /** Seconds since it was made. */
+  #time = 0;
+  /** When the next one is born, and which number it has. */
+  #due = 0;
+  #next = 0;
+  /** Seconds from birth to birth. */
+  #interval = Infinity;
+  /** All that are born at once are. */
+  #burst = false;
+  #creates = false;
+  /** Its author has said something since the last step. */
+  stale = true;
+  /** When those died that this step saw die, seconds. */
+  #deaths = new Float64Array(16);
+  #died = 0;
+
+  readonly #bounces: Bounces;
+
+  constructor(simulation: Simulation, bounces: Bounces, settings: () => Settings) {
+    this.#settings = settings;
+    this.#bounces = bounces;
+    this.#place = new EmitterPlace(simulation);
+  }
+
+  /** Whether it has particles, or will have some without anybody doing anything. */
+  get active(): boolean {
+    if (this.stale) this.#read();
+    return this.cloud.count > 0 || this.#emits;
+  }
+
+  /** Whether it meets bodies. */
+  get collides(): boolean {
+    if (this.stale) this.#read();
+    return this.#said.surface?.bodies === true && this.active;
+  }
+
+  get #emits(): boolean {
+    const { emitter, atOnce, most, lifetime } = this.#said;
+    if (!this.#creates || !emitter || most < 1 || lifetime <= 0) return false;
+    return !(atOnce && this.#burst);
+  }
+
+  // ---- what its author says ---------------------------------------------------------------------------------------
+
+  #read(): void {
+    this.stale = false;
+    const said = (this.#said = this.#settings());
+    this.#draws = new Draws(said.seed);
+    this.#winds = said.winds.map((wind, n) => new Wind(wind, this.#draws, n));
+    this.#whirls = said.mass > 0 && this.#winds.some(({ whirls }) => whirls);
+    if (!said.enabled) this.cloud.clear();
+    const creates = said.enabled && said.creates;
+    if (creates && !this.#creates) this.#begin();
+    this.#creates = creates;
+    this.#takeRate(said);
+  }
+
+  /** From this moment on it emits. */
+  #begin(): void {
+    this.#due = this.#time;
+    this.#burst = false;
+  }
+
+  /** As many are born as die, when all that may live do. */
+  #takeRate({ most, lifetime }: Settings): void {
+    this.#interval = most >= 1 && lifetime > 0 ? lifetime / most : Infinity;
+    this.#due = Math.min(this.#due, this.#time + this.#interval);
+  }
+
+  // ---- a step -----------------------------------------------------------------------------------------------------
+
+  step(dt: number): void {
+    if (this.stale) this.#read();
+    this.#takePush();
+    this.#drift.take(this.#said.damping, dt);
+    this.#died = 0;
+    this.#moveAll(dt);
+    if (this.#emits) this.#bear(dt);
+    this.#time += dt;
+  }
+
+  /** What pushes all alike, m/s²: the same in a whole step, since gusts begin with one. */
+  #takePush(): void {
+    const { force, mass, surfaceArea } = this.#said;
+    const push = this.#push;
+    push.fill(0);
+    if (mass <= 0) return;
+    for (let i = 0; i < 3; i++) push[i] = force[i]! / mass;
+    const gust = Math.floor(this.#time / GUST + ROUNDING);
+    for (const wind of this.#winds) {
+      wind.begin(gust, surfaceArea / mass);
+      if (!wind.whirls) wind.addToAll(push);
+    }
+  }
+
+  /** What pushes one of them. */
+  #pushOf(number: number): Float64Array {
+    if (!this.#whirls) return this.#push;
+    for (let i = 0; i < 3; i++) this.#own[i] = this.#push[i]!;
+    for (const wind of this.#winds) if (wind.whirls) wind.addTo(number, this.#own);
+    return this.#own;
+  }
+
+  /** Those whose time ends go; the others move, and close up. */
+  #moveAll(dt: number): void {
+    const { cloud } = this;
+    const end = this.#time + dt;
+    let kept = 0;
+    for (let k = 0; k < cloud.count; k++) {
+      if (cloud.ends[k]! <= end) {
+        this.#noteDeath(cloud.ends[k]!);
+        continue;
+      }
+      cloud.move(k, kept);
+      this.#move(kept++, this.#drift, dt, 0);
+    }
+    cloud.count = kept;
+  }
+
+  #noteDeath(time: number): void {
+    if (this.#died === this.#deaths.length) {
+      const more = new Float64Array(2 * this.#died);
+      more.set(this.#deaths);
+      this.#deaths = more;
+    }
+    this.#deaths[this.#died++] = time;
+  }
+
+  /** Through the step of `dt` seconds from the share `since` of it on, which takes as long as `drift` is for. */
+  #move(k: number, drift: Drift, dt: number, since: number): void {
+    const { motion, numbers } = this.cloud;
+    const { surface, damping } = this.#said;
+    const push = this.#pushOf(numbers[k]!);
+    const at = k * PARTICLE;
+    if (surface) {
+      this.#bounces.follow(motion, at, push, damping, surface, dt, since);
+      return;
+    }
+    for (let i = at; i < at + 3; i++) {
+      const speed = motion[i + 3]!;
+      const a = push[i - at]!;
+      motion[i] = motion[i]! + speed * drift.wayOfSpeed + a * drift.wayOfPush;
+      motion[i + 3] = speed * drift.left + a * drift.speedOfPush;
+    }
+  }
+
+  // ---- births -----------------------------------------------------------------------------------------------------
+
+  /** All that are due before the step ends. */
+  #bear(dt: number): void {
+    const { atOnce, body, most } = this.#said;
+    if (body) this.#place.begin(body);
+    this.#deaths.subarray(0, this.#died).sort();
+    const end = this.#time + dt;
+    let gone = 0;
+    // However short they live, no step bears more than may live at once.
+    for (let tries = 0; tries < most && this.#due < end; tries++) {
+      const due = this.#due;
+      while (gone < this.#died && this.#deaths[gone]! <= due) gone++;
+      // Those of this step that died later still lived then.
+      if (this.cloud.count + this.#died - gone < most) this.#bearOne(due, end, dt);
+      this.#next++;
+      if (!atOnce) this.#due += this.#interval;
+    }
+    if (atOnce) this.#burst = true;
+    else this.#due = Math.max(this.#due, end);
+  }
+
+  #bearOne(due: number, end: number, dt: number): void {
+    const { emitter, lifetime, lifetimeVariation, body, damping } = this.#said;
+    const number = this.#next;
+    const lives = lifetime * (1 + lifetimeVariation * this.#draws.of(number, LIVES).either());
+    if (due + lives <= end) return;
+    if (!emitter!.emit(this.#draws.of(number, EMITTED), this.#birth)) return;
+    if (body) this.#place.carry(body, (due - this.#time) / dt, this.#birth);
+    const { cloud } = this;
+    const k = cloud.add();
+    cloud.motion.set(this.#birth, k * PARTICLE);
+    cloud.born[k] = due;
+    cloud.ends[k] = due + lives;
+    cloud.numbers[k] = number;
+    this.#move(k, this.#rest.take(damping, end - due), dt, (due - this.#time) / dt);
+  }
+
+  // ---- going back -------------------------------------------------------------------------------------------------
+
+  reset(): void {
+    this.cloud.clear();
+    this.#time = this.#due = this.#next = 0;
+    this.stale = true;
+  }
+
+  save(): KeptSystem {
+    if (this.stale) this.#read();
+    return {
+      time: this.#time,
+      due: this.#due,
+      next: this.#next,
+      burst: this.#burst,
+      creates: this.#creates,
+      cloud: this.cloud.save(),
+    };
+  }
+
+  load(kept: KeptSystem): void {
+    this.cloud.load(kept.cloud);
+    this.#time = kept.time;
+    this.#due = kept.due;
+    this.#next = kept.next;
+    this.#burst = kept.burst;
+    this.#creates = kept.creates;
+    this.stale = true;
+  }
+}

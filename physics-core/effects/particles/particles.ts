@@ -1,0 +1,110 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
+import { Bounces } from './bounces.js';
+import { Obstacles } from './collide/obstacles.js';
+import { Pushed } from './pushed.js';
+import { ParticleSystem, type KeptSystem } from './particle-system.js';
+import type { Settings } from './settings.js';
+
+/** A node that has a system of particles. */
+export interface ParticleSource extends Cause {
+  readonly id: number;
+  readonly settings: Settings;
+  /** Told when its first particle comes, and when its last one has gone and none comes any more. */
+  activeChanged(active: boolean): void;
+}
+
+/** All particle systems of a world. */
+export class Particles extends Effect {
+  readonly #simulation: Simulation;
+  readonly #systems = new Map<ParticleSource, ParticleSystem>();
+  readonly #active = new Set<ParticleSource>();
+  readonly #obstacles: Obstacles;
+  readonly #pushed: Pushed;
+  readonly #bounces: Bounces;
+
+  constructor(simulation: Simulation, effects: Effects) {
+    super();
+    this.#simulation = simulation;
+    this.#obstacles = new Obstacles(simulation);
+    this.#pushed = new Pushed(simulation, effects);
+    this.#bounces = new Bounces(this.#obstacles, this.#pushed);
+  }
+
+  /** The system of a node that needs it. */
+  of(source: ParticleSource): ParticleSystem | undefined {
+    return this.#systems.get(source);
+  }
+
+  override need(source: ParticleSource, reason: string): void {
+    if (!this.#systems.has(source)) this.#systems.set(source, this.#make(source));
+    super.need(source, reason);
+    this.changed();
+  }
+
+  #make(source: ParticleSource): ParticleSystem {
+    return new ParticleSystem(this.#simulation, this.#bounces, () => source.settings);
+  }
+
+  override release(node: Cause): void {
+    this.#systems.delete(node as ParticleSource);
+    this.#active.delete(node as ParticleSource);
+    super.release(node);
+  }
+
+  /** An author said something about a system, or about what emits or moves its particles. */
+  changed(): void {
+    for (const system of this.#systems.values()) system.stale = true;
+    this.#goOn();
+  }
+
+  /** Bodies have gone their whole way by then, in however many parts. */
+  override stepOver(dt: number): void {
+    for (const system of this.#systems.values())
+      if (system.collides) {
+        this.#obstacles.take(dt);
+        break;
+      }
+    for (const source of this.inOrder as readonly ParticleSource[]) {
+      const system = this.#systems.get(source)!;
+      system.step(dt);
+      this.#tell(source, system.active);
+    }
+    this.#pushed.end();
+    if (this.#active.size > 0) this.#goOn();
+  }
+
+  /** Where no body moves, steps are taken all the same. */
+  #goOn(): void {
+    const { bodies } = this.#simulation;
+    bodies.awake = Math.max(bodies.awake, 1);
+    this.#simulation.work();
+  }
+
+  #tell(source: ParticleSource, active: boolean): void {
+    if (active === this.#active.has(source)) return;
+    if (active) this.#active.add(source);
+    else this.#active.delete(source);
+    source.activeChanged(active);
+  }
+
+  // ---- going back -------------------------------------------------------------------------------------------------
+
+  override reset(): void {
+    for (const system of this.#systems.values()) system.reset();
+    this.#obstacles.forget();
+    this.#active.clear();
+  }
+
+  override save(): [id: number, kept: KeptSystem][] {
+    return [...this.#systems].map(([{ id }, system]) => [id, system.save()]);
+  }
+
+  override load(saved: readonly [id: number, kept: KeptSystem][]): void {
+    const byId = new Map([...this.#systems].map(([source, system]) => [source.id, system]));
+    for (const [id, kept] of saved) byId.get(id)?.load(kept);
+    // It was told of before.
+    for (const [source, system] of this.#systems) if (system.active) this.#active.add(source);
+  }
+}

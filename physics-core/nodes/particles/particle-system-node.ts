@@ -1,0 +1,115 @@
+import { PARTICLE } from '../../effects/particles/cloud.js';
+import { particles } from '../../effects/particles/effects.js';
+import type { Surface } from '../../effects/particles/bounces.js';
+import type { ParticleSystem } from '../../effects/particles/particle-system.js';
+import type { ParticleSource } from '../../effects/particles/particles.js';
+import type { Settings } from '../../effects/particles/settings.js';
+import { add } from '../../base/math.js';
+import type { Vec3 } from '../../fields/types.js';
+import type { BodyNode } from '../body/body.js';
+import { PhysicsNode } from '../node/node.js';
+import type { EmitterNode } from './emitter-node.js';
+import { tellIdle } from './idle.js';
+import { BoundedModelNode, ForceModelNode, WindModelNode, type ModelNode } from './model-node.js';
+import { wallsOf } from './walls.js';
+
+const NOTHING: Vec3 = [0, 0, 0];
+
+/** What was removed, or can't be made, still stands where it was named. */
+const standing = <N extends PhysicsNode>(node: N | null): N | undefined =>
+  node?.built ? node : undefined;
+
+const acts = (model: ModelNode): boolean => model.built && model.enabled;
+
+/** Particles that an emitter bears and models move. */
+export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
+  get #system(): ParticleSystem | undefined {
+    return this.world.registry.find(particles)?.of(this);
+  }
+
+  // ---- what its author says ---------------------------------------------------------------------------------------
+
+  get settings(): Settings {
+    const emitter = standing(this.asked<EmitterNode | null>('emitter'));
+    const asked = this.asked<BodyNode | null>('body');
+    const body = standing(asked);
+    const models = this.asked<ModelNode[]>('physics').filter((model) => acts(model));
+    tellIdle(this, emitter, models);
+    return {
+      enabled: this.asked('enabled'),
+      creates: this.asked<boolean>('createParticles') && emitter?.emits === true,
+      most: this.asked('maxParticles'),
+      lifetime: this.asked('particleLifetime'),
+      lifetimeVariation: this.asked('lifetimeVariation'),
+      seed: this.asked('seed'),
+      damping: this.asked('damping'),
+      // Where its body is not there, nothing knows where to emit.
+      emitter: asked && !body ? undefined : emitter?.emitter,
+      atOnce: emitter?.atOnce === true,
+      mass: emitter?.mass ?? 0,
+      surfaceArea: emitter?.surfaceArea ?? 0,
+      force: models.reduce(
+        (sum, model) => (model instanceof ForceModelNode ? add(sum, model.force) : sum),
+        NOTHING,
+      ),
+      winds: models.flatMap((model) => (model instanceof WindModelNode ? [model.wind] : [])),
+      surface: this.#surfaceOf(models, emitter?.mass ?? 0),
+      body,
+    };
+  }
+
+  #surfaceOf(models: readonly ModelNode[], mass: number): Surface | undefined {
+    const bodies = this.asked<boolean>('collides');
+    const walls = wallsOf(models.filter((model) => model instanceof BoundedModelNode));
+    if (!bodies && !walls) return undefined;
+    const size = this.asked<[number, number]>('particleSize');
+    return {
+      bodies,
+      mass: this.asked<boolean>('pushes') ? mass : 0,
+      walls,
+      radius: Math.min(...size) / 2,
+      bounce: this.asked('bounce'),
+      friction: this.asked('friction'),
+    };
+  }
+
+  /** What it says acts from the next step on. */
+  changed(): void {
+    this.world.registry.find(particles)?.changed();
+  }
+
+  protected override create(): boolean {
+    this.world.registry.get(particles).need(this, 'a ParticleSystem');
+    return true;
+  }
+
+  protected override destroy(): void {
+    this.world.registry.find(particles)?.release(this);
+  }
+
+  // ---- what it shows ----------------------------------------------------------------------------------------------
+
+  get isActive(): boolean {
+    return this.#system?.active ?? false;
+  }
+
+  /** How many live. */
+  get count(): number {
+    return this.#system?.cloud.count ?? 0;
+  }
+
+  /** Where they are, the oldest first, metres. */
+  get positions(): Vec3[] {
+    const system = this.#system;
+    if (!system) return [];
+    const { count, motion } = system.cloud;
+    return Array.from({ length: count }, (_, k): Vec3 => {
+      const at = k * PARTICLE;
+      return [motion[at]!, motion[at + 1]!, motion[at + 2]!];
+    });
+  }
+
+  activeChanged(active: boolean): void {
+    this.emit('isActive', active);
+  }
+}

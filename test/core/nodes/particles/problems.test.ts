@@ -1,0 +1,93 @@
+import assert from 'node:assert/strict';
+import type { World } from '../../../../physics-core/inside.js';
+import { claim, codes, fact, told, world } from '../../helpers.js';
+
+// What an author gets wrong about particles is told once, and the world goes on.
+
+const system = (w: World, fields: Record<string, unknown> = {}) =>
+  w.add('ParticleSystem', { emitter: { type: 'PointEmitter', mass: 1, speed: 1 }, ...fields });
+
+for (const emitter of ['SurfaceEmitter', 'VolumeEmitter', 'PolylineEmitter'])
+  fact(
+    `a ${emitter} without geometry bears nothing and is told once, until it has one`,
+    async () => {
+      const w = await world();
+      claim(w, 'idle-emitter');
+      const node = system(w, { emitter: { type: emitter, mass: 1, speed: 1 } });
+      w.step(20);
+      assert.equal(node.get('count'), 0);
+      assert.equal(told(w, 'idle-emitter').length, 1);
+      assert.match(told(w, 'idle-emitter')[0]!, new RegExp(`ParticleSystem: its ${emitter} `));
+      const box = { type: 'Box', size: [1, 1, 1] };
+      node.set('emitter', {
+        type: emitter,
+        mass: 1,
+        ...(emitter === 'SurfaceEmitter' ? { surface: box } : {}),
+        ...(emitter === 'PolylineEmitter' ? { coord: [0, 0, 0, 1, 0, 0] } : {}),
+        ...(emitter === 'VolumeEmitter' ? TETRAHEDRON : {}),
+      });
+      w.step(20);
+      assert.deepEqual(codes(w), []);
+      assert.ok((node.get('count') as number) > 0);
+    },
+  );
+
+const TETRAHEDRON = {
+  coord: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1],
+  coordIndex: [0, 2, 1, -1, 0, 1, 3, -1, 0, 3, 2, -1, 1, 2, 3, -1],
+};
+
+fact('forces on particles without mass are told, and no more once they have one', async () => {
+  const w = await world();
+  claim(w, 'idle-force');
+  const emitter = w.add('PointEmitter', { speed: 1 });
+  system(w, { emitter, physics: [{ type: 'ForcePhysicsModel' }] });
+  w.step(3);
+  assert.deepEqual(codes(w), ['idle-force']);
+  emitter.set('mass', 0.1);
+  w.step();
+  assert.deepEqual(codes(w), []);
+});
+
+fact('numbers that no system can have are one problem each, and what was valid stays', async () => {
+  const w = await world();
+  claim(w, 'out-of-range', 'bad-value');
+  const node = system(w);
+  node.set('maxParticles', 1e9);
+  node.set('particleLifetime', -2);
+  node.set('bounce', 3);
+  node.set('lifetimeVariation', NaN);
+  w.step(10);
+  assert.deepEqual(
+    w.problems.map(({ code, attribute }) => [code, attribute]),
+    [
+      ['out-of-range', 'maxParticles'],
+      ['out-of-range', 'particleLifetime'],
+      ['out-of-range', 'bounce'],
+      ['bad-value', 'lifetimeVariation'],
+    ],
+  );
+  assert.equal(node.get('maxParticles'), 200);
+  assert.equal(node.get('particleLifetime'), 5);
+  assert.equal(node.get('bounce'), 1);
+});
+
+fact('what emits, moves or carries may go at any time', async () => {
+  const w = await world();
+  const body = w.add('RigidBody', { geometry: [{ type: 'Sphere' }] });
+  const emitter = w.add('PointEmitter', { mass: 1, speed: 1 });
+  const model = w.add('ForcePhysicsModel', { force: [0, -1, 0] });
+  const node = system(w, { emitter, physics: [model], body });
+  w.step(10);
+  const count = node.get('count') as number;
+  assert.ok(count > 0);
+  model.remove();
+  w.step(10);
+  body.remove();
+  w.step(10);
+  assert.equal(node.get('isActive'), true);
+  emitter.remove();
+  w.step(10);
+  node.remove();
+  w.step(10);
+});
