@@ -231,6 +231,7 @@ export class ParticleSystem {
   reset(): void {
     this.cloud.clear();
     this.#time = this.#due = this.#next = 0;
+    this.#creates = this.#burst = false;
     this.stale = true;
   }
 

@@ -44,7 +44,7 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
       seed: this.asked('seed'),
       damping: this.asked('damping'),
       // Where its body is not there, nothing knows where to emit.
-      emitter: asked && !body ? undefined : emitter?.emitter,
+      emitter: (asked && !body) || !emitter?.bears ? undefined : emitter.emitter,
       atOnce: emitter?.atOnce === true,
       mass: emitter?.mass ?? 0,
       surfaceArea: emitter?.surfaceArea ?? 0,

@@ -85,6 +85,20 @@ for (const accuracy of ['game', 'standard', 'precise']) {
   });
 }
 
+fact('what bounces without loss keeps its energy for a minute, at game', async () => {
+  const w = await world({ accuracy: 'game' });
+  addFloor(w);
+  const system = thrown(w, [0, 1, 0], [0, -1e-9, 0], { bounce: 1 });
+  w.advance(58);
+  let highest = 0;
+  for (let i = 0; i < 120; i++) {
+    w.step();
+    highest = Math.max(highest, place(system)[1]);
+  }
+  // Steps see the summit within g dt² / 8.
+  close(highest, 1, 1e-3);
+});
+
 fact('on a slope it slides where friction is too little, and as fast as the law says', async () => {
   const w = await world();
   const slope = 0.5;

@@ -281,6 +281,14 @@ test('an explosion throws all at once, and once', () => {
   assert.equal(system.cloud.count, 25);
 });
 
+test('begun anew an explosion throws again', () => {
+  const { system } = systemOf({ most: 25, lifetime: 1, atOnce: true });
+  run(system, 0.5);
+  system.reset();
+  system.step(1 / 60);
+  assert.equal(system.cloud.count, 25);
+});
+
 test('what its author changes acts on those that are born from then on, at the new rate', () => {
   const { system, say } = systemOf({ most: 1, lifetime: 100 });
   run(system, 1);

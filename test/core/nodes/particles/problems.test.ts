@@ -16,6 +16,7 @@ for (const emitter of ['SurfaceEmitter', 'VolumeEmitter', 'PolylineEmitter'])
       const node = system(w, { emitter: { type: emitter, mass: 1, speed: 1 } });
       w.step(20);
       assert.equal(node.get('count'), 0);
+    assert.equal(node.get('isActive'), false);
       assert.equal(told(w, 'idle-emitter').length, 1);
       assert.match(told(w, 'idle-emitter')[0]!, new RegExp(`ParticleSystem: its ${emitter} `));
       const box = { type: 'Box', size: [1, 1, 1] };
