@@ -26,6 +26,14 @@ export class Cloud {
     this.count = 0;
   }
 
+  /** So many stay, at most: the youngest. */
+  keep(most: number): void {
+    const over = this.count - most;
+    if (over <= 0) return;
+    for (let k = over; k < this.count; k++) this.move(k, k - over);
+    this.count = most;
+  }
+
   /** One more; returns where it stands. */
   add(): number {
     const k = this.count++;

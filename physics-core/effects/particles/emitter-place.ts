@@ -17,15 +17,22 @@ export class EmitterPlace {
     this.#simulation = simulation;
   }
 
-  /** The body moved so in the step that was taken. */
+  /** The body moved so in the step that was taken; one that is not simulated stands. */
   begin(body: Body): void {
+    if (!body.active) {
+      this.#velocity.fill(0);
+      return;
+    }
     const { linear, angular } = body.velocityAtOrigin();
     this.#velocity.set(linear);
     this.#velocity.set(angular, 3);
   }
 
-  /** What is born in a body's frame is born in the world, moving with it; `share`: of the step that was taken. */
-  carry(body: Body, share: number, birth: Float64Array): void {
+  /**
+   * What is born in a body's frame is born in the world, moving with it; `share`: of the step that was taken. Returns the
+   * velocity with which it is thrown from there, in the world.
+   */
+  carry(body: Body, share: number, birth: Float64Array): Float64Array {
     this.#stand(body.slot, share);
     this.#turn(birth, 0, this.#arm);
     const [ox, oy, oz] = this.#simulation.poses.origin;
@@ -35,6 +42,7 @@ export class EmitterPlace {
     birth[1] = oy + pose[1]! + arm[1]!;
     birth[2] = oz + pose[2]! + arm[2]!;
     this.#addSpeed(birth);
+    return this.#arm;
   }
 
   /** A straight line from pose to pose, and the quaternion by its normalised line: what is drawn goes so, too. */

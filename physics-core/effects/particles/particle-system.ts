@@ -1,3 +1,4 @@
+import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Bounces } from './bounces.js';
 import { Cloud, PARTICLE, type KeptCloud } from './cloud.js';
@@ -11,9 +12,6 @@ import { GUST, Wind } from './wind.js';
 /** Kinds of random numbers of a particle: what its emitter draws, and how long it lives. Those of winds come after. */
 const EMITTED = 0;
 const LIVES = -1;
-
-/** A gust ends when the next one begins, however the seconds before were added up. */
-const ROUNDING = 1e-6;
 
 /** For a snapshot. */
 export interface KeptSystem {
@@ -52,8 +50,9 @@ export class ParticleSystem {
   /** All that are born at once are. */
   #burst = false;
   #creates = false;
-  /** Its author has said something since the last step. */
-  stale = true;
+  /** Its author has said something since the last step; what he says now, if somebody asked for it. */
+  #stale = true;
+  #heard: Settings | undefined;
   /** When those died that this step saw die, seconds. */
   #deaths = new Float64Array(16);
   #died = 0;
@@ -66,33 +65,54 @@ export class ParticleSystem {
     this.#place = new EmitterPlace(simulation);
   }
 
+  get stale(): boolean {
+    return this.#stale;
+  }
+
+  /** What its author says is to be heard anew. */
+  set stale(stale: boolean) {
+    this.#stale = stale;
+    this.#heard = undefined;
+  }
+
   /** Whether it has particles, or will have some without anybody doing anything. */
   get active(): boolean {
-    if (this.stale) this.#read();
-    return this.cloud.count > 0 || this.#emits;
+    return this.count > 0 || this.#emits;
+  }
+
+  /** Particles that live; who asks before the step that a word acts in hears what that word leaves of them. */
+  get count(): number {
+    return this.#latest.enabled ? this.cloud.count : 0;
   }
 
   /** Whether it meets bodies. */
   get collides(): boolean {
-    if (this.stale) this.#read();
-    return this.#said.surface?.bodies === true && this.active;
+    return this.#latest.surface?.bodies === true && this.active;
   }
 
   get #emits(): boolean {
-    const { emitter, atOnce, most, lifetime } = this.#said;
-    if (!this.#creates || !emitter || most < 1 || lifetime <= 0) return false;
-    return !(atOnce && this.#burst);
+    const { enabled, creates, emitter, atOnce, most, lifetime } = this.#latest;
+    if (!enabled || !creates || !emitter || most < 1 || lifetime <= 0) return false;
+    return !(atOnce && this.#burst && this.#creates);
+  }
+
+  /** What its author says now. */
+  get #latest(): Settings {
+    if (!this.stale) return this.#said;
+    if (!this.#heard) this.#heard = this.#settings();
+    return this.#heard;
   }
 
   // ---- what its author says ---------------------------------------------------------------------------------------
 
   #read(): void {
-    this.stale = false;
-    const said = (this.#said = this.#settings());
+    const said = (this.#said = this.#latest);
+    this.#heard = undefined;
+    this.#stale = false;
     this.#draws = new Draws(said.seed);
     this.#winds = said.winds.map((wind, n) => new Wind(wind, this.#draws, n));
     this.#whirls = said.mass > 0 && this.#winds.some(({ whirls }) => whirls);
-    if (!said.enabled) this.cloud.clear();
+    this.cloud.keep(said.enabled ? said.most : 0);
     const creates = said.enabled && said.creates;
     if (creates && !this.#creates) this.#begin();
     this.#creates = creates;
@@ -115,22 +135,23 @@ export class ParticleSystem {
 
   step(dt: number): void {
     if (this.stale) this.#read();
-    this.#takePush();
+    this.#takePush(dt);
     this.#drift.take(this.#said.damping, dt);
     this.#died = 0;
     this.#moveAll(dt);
     if (this.#emits) this.#bear(dt);
+    else this.#due = Math.max(this.#due, this.#time + dt);
     this.#time += dt;
   }
 
   /** What pushes all alike, m/s²: the same in a whole step, since gusts begin with one. */
-  #takePush(): void {
+  #takePush(dt: number): void {
     const { force, mass, surfaceArea } = this.#said;
     const push = this.#push;
     push.fill(0);
     if (mass <= 0) return;
     for (let i = 0; i < 3; i++) push[i] = force[i]! / mass;
-    const gust = Math.floor(this.#time / GUST + ROUNDING);
+    const gust = Math.floor((this.#time + dt / 2) / GUST);
     for (const wind of this.#winds) {
       wind.begin(gust, surfaceArea / mass);
       if (!wind.whirls) wind.addToAll(push);
@@ -190,24 +211,37 @@ export class ParticleSystem {
 
   // ---- births -----------------------------------------------------------------------------------------------------
 
-  /** All that are due before the step ends. */
+  /** All that are due before the step ends, and live to its end. */
   #bear(dt: number): void {
     const { atOnce, body, most } = this.#said;
+    if (body && body.slot < 0) return;
     if (body) this.#place.begin(body);
     this.#deaths.subarray(0, this.#died).sort();
     const end = this.#time + dt;
+    if (!atOnce) this.#passOver(end);
     let gone = 0;
-    // However short they live, no step bears more than may live at once.
-    for (let tries = 0; tries < most && this.#due < end; tries++) {
+    // At most twice as many are due in the longest of lives as may live at once.
+    for (let tries = 0; tries < 2 * most + 2 && this.#due < end; tries++) {
       const due = this.#due;
       while (gone < this.#died && this.#deaths[gone]! <= due) gone++;
       // Those of this step that died later still lived then.
       if (this.cloud.count + this.#died - gone < most) this.#bearOne(due, end, dt);
       this.#next++;
       if (!atOnce) this.#due += this.#interval;
+      else if (this.cloud.count >= most) break;
     }
     if (atOnce) this.#burst = true;
     else this.#due = Math.max(this.#due, end);
+  }
+
+  /** Those that are born and die before the step ends are not seen by anybody. */
+  #passOver(end: number): void {
+    const { lifetime, lifetimeVariation } = this.#said;
+    const longest = lifetime * (1 + lifetimeVariation);
+    const over = Math.floor((end - longest - this.#due) / this.#interval);
+    if (!(over > 0 && over < Number.MAX_SAFE_INTEGER)) return;
+    this.#next += over;
+    this.#due += over * this.#interval;
   }
 
   #bearOne(due: number, end: number, dt: number): void {
@@ -216,7 +250,7 @@ export class ParticleSystem {
     const lives = lifetime * (1 + lifetimeVariation * this.#draws.of(number, LIVES).either());
     if (due + lives <= end) return;
     if (!emitter!.emit(this.#draws.of(number, EMITTED), this.#birth)) return;
-    if (body) this.#place.carry(body, (due - this.#time) / dt, this.#birth);
+    if (body) this.#carry(body, (due - this.#time) / dt);
     const { cloud } = this;
     const k = cloud.add();
     cloud.motion.set(this.#birth, k * PARTICLE);
@@ -224,6 +258,13 @@ export class ParticleSystem {
     cloud.ends[k] = due + lives;
     cloud.numbers[k] = number;
     this.#move(k, this.#rest.take(damping, end - due), dt, (due - this.#time) / dt);
+  }
+
+  /** Whoever pushes what it meets pushes what it is thrown from, too. */
+  #carry(body: Body, share: number): void {
+    const thrown = this.#place.carry(body, share, this.#birth);
+    const { surface } = this.#said;
+    if (surface) this.#bounces.recoil(body, this.#birth, thrown, surface.mass);
   }
 
   // ---- going back -------------------------------------------------------------------------------------------------
@@ -236,7 +277,6 @@ export class ParticleSystem {
   }
 
   save(): KeptSystem {
-    if (this.stale) this.#read();
     return {
       time: this.#time,
       due: this.#due,

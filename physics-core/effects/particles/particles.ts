@@ -47,6 +47,12 @@ export class Particles extends Effect {
     return new ParticleSystem(this.#simulation, this.#bounces, () => source.settings);
   }
 
+  /** Whoever stood on a body that goes stands nowhere. */
+  override unmade(node: Cause): void {
+    super.unmade(node);
+    if (this.#systems.size > 0) this.changed();
+  }
+
   override release(node: Cause): void {
     this.#systems.delete(node as ParticleSource);
     this.#active.delete(node as ParticleSource);
@@ -61,11 +67,8 @@ export class Particles extends Effect {
 
   /** Bodies have gone their whole way by then, in however many parts. */
   override stepOver(dt: number): void {
-    for (const system of this.#systems.values())
-      if (system.collides) {
-        this.#obstacles.take(dt);
-        break;
-      }
+    if ([...this.#systems.values()].some(({ collides }) => collides)) this.#obstacles.take(dt);
+    else this.#obstacles.forget();
     for (const source of this.inOrder as readonly ParticleSource[]) {
       const system = this.#systems.get(source)!;
       system.step(dt);
@@ -91,10 +94,11 @@ export class Particles extends Effect {
 
   // ---- going back -------------------------------------------------------------------------------------------------
 
-  override reset(): void {
+  override reset(reason: 'reset' | 'removed'): void {
     for (const system of this.#systems.values()) system.reset();
     this.#obstacles.forget();
-    this.#active.clear();
+    // Else who was told of particles is told of them again, or of none, with the next step.
+    if (reason === 'removed') this.#active.clear();
   }
 
   override save(): [id: number, kept: KeptSystem][] {
@@ -104,7 +108,6 @@ export class Particles extends Effect {
   override load(saved: readonly [id: number, kept: KeptSystem][]): void {
     const byId = new Map([...this.#systems].map(([source, system]) => [source.id, system]));
     for (const [id, kept] of saved) byId.get(id)?.load(kept);
-    // It was told of before.
-    for (const [source, system] of this.#systems) if (system.active) this.#active.add(source);
+    this.#goOn();
   }
 }

@@ -41,18 +41,21 @@ export class Pushed {
     return pushed;
   }
 
-  /** Adds what was given to a body already in this step to its velocity where it was met, m/s. */
+  /**
+   * Adds what was given to a body already in this step to its velocity along the normal where it was met, m/s. Along the
+   * surface what it stands on may hold it, and would not hold what lies on it.
+   */
   addVelocity(met: Float64Array, out: Float64Array): void {
     const pushed = this.#in(met[MET.body]!);
     if (!pushed) return;
     armTo(met, pushed);
     turn(pushed.inverseInertia, pushed.moment, spin);
-    out[0] =
-      out[0]! + pushed.inverseMass * pushed.impulse[0] + spin[1]! * arm[2]! - spin[2]! * arm[1]!;
-    out[1] =
-      out[1]! + pushed.inverseMass * pushed.impulse[1] + spin[2]! * arm[0]! - spin[0]! * arm[2]!;
-    out[2] =
-      out[2]! + pushed.inverseMass * pushed.impulse[2] + spin[0]! * arm[1]! - spin[1]! * arm[0]!;
+    crossWith(met, MET.normal);
+    let speed = 0;
+    for (let i = 0; i < 3; i++)
+      speed +=
+        pushed.inverseMass * pushed.impulse[i]! * met[MET.normal + i]! + spin[i]! * moment[i]!;
+    for (let i = 0; i < 3; i++) out[i] = out[i]! + speed * met[MET.normal + i]!;
   }
 
   /** What a push of 1 N s along a direction does to the speed of the body along it, where it was met: 1/kg. */

@@ -1,5 +1,5 @@
 import type { EmitterNode } from './emitter-node.js';
-import { BoundedModelNode, type ModelNode } from './model-node.js';
+import { BoundedModelNode, WindModelNode, type ModelNode } from './model-node.js';
 import type { PhysicsNode } from '../node/node.js';
 
 // What looks as if it did something.
@@ -18,13 +18,28 @@ export function tellIdle(
     used: 'no particles',
     message: `${system.label}: its ${emitter?.type.name} has nowhere to bear particles: a VolumeEmitter takes a closed surface, a SurfaceEmitter one with an area, a PolylineEmitter a line with a length`,
   });
-  const pushing = models.find((model) => !(model instanceof BoundedModelNode));
-  system.reportWhile(emitter?.mass === 0 && pushing !== undefined, {
+  const idle = models.find((model) => isIdle(model, emitter));
+  system.reportWhile(idle !== undefined, {
     code: 'idle-force',
     severity: 'warning',
     attribute: 'physics',
-    value: pushing?.type.name,
+    value: idle?.type.name,
     used: 'no push',
-    message: `${system.label}: no force and no wind moves particles without mass: its ${emitter?.type.name} takes a mass, and for the wind a surfaceArea`,
+    message: `${system.label}: its ${idle?.type.name} moves nothing: particles take a mass from their ${emitter?.type.name}, and for the wind a surfaceArea`,
   });
+  const pushes = system.asked<boolean>('pushes');
+  system.reportWhile(pushes && !(system.asked('collides') && emitter?.mass !== 0), {
+    code: 'idle-force',
+    severity: 'warning',
+    attribute: 'pushes',
+    value: pushes,
+    used: 'no push',
+    message: `${system.label}: pushes without ${system.asked('collides') ? 'a mass at its emitter' : 'collides'}: no body is pushed`,
+  });
+}
+
+/** No force moves what has no mass, and no wind what it finds no area of. */
+function isIdle(model: ModelNode, emitter: EmitterNode | undefined): boolean {
+  if (!emitter || model instanceof BoundedModelNode) return false;
+  return emitter.mass === 0 || (model instanceof WindModelNode && emitter.surfaceArea === 0);
 }

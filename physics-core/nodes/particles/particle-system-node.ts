@@ -95,14 +95,15 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
 
   /** How many live. */
   get count(): number {
-    return this.#system?.cloud.count ?? 0;
+    return this.#system?.count ?? 0;
   }
 
   /** Where they are, the oldest first, metres. */
   get positions(): Vec3[] {
     const system = this.#system;
     if (!system) return [];
-    const { count, motion } = system.cloud;
+    const { count } = system;
+    const { motion } = system.cloud;
     return Array.from({ length: count }, (_, k): Vec3 => {
       const at = k * PARTICLE;
       return [motion[at]!, motion[at + 1]!, motion[at + 2]!];

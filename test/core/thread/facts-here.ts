@@ -89,6 +89,7 @@ const HERE: Record<string, readonly string[]> = {
     'a VolumeEmitter without geometry bears nothing and is told once, until it has one',
     'a PolylineEmitter without geometry bears nothing and is told once, until it has one',
     'forces on particles without mass are told, and no more once they have one',
+    'a wind that finds no area, and pushes that come to nothing, are told',
     'numbers that no system can have are one problem each, and what was valid stays',
   ],
 };

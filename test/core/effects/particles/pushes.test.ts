@@ -10,6 +10,7 @@ import {
   addJoint,
   below,
   box,
+  claim,
   close,
   fact,
   height,
@@ -154,6 +155,7 @@ fact('who pushes nothing leaves bodies where they are, and so does what has no m
   ]) {
     const w = await world(WEIGHTLESS);
     const ball = addBody(w, { mass: 2, geometry: [sphere(0.5)] });
+    if (!('pushes' in fields)) claim(w, 'idle-force');
     shots(w, { ...fields, bounce: 1 });
     w.advance(1);
     close(velocity(ball), [0, 0, 0], 0);
@@ -249,3 +251,50 @@ for (const [bounce, friction] of [
       below(1, velocity(body)[0] * 20);
     },
   );
+
+fact(
+  'what is thrown from a body pushes it back: a rocket flies, and who throws at itself stays',
+  async () => {
+    for (const [place, direction, speed] of [
+      [[0, 0.6, 0], [0, 1, 0], -1],
+      [[0, 0.3, 0], [0, -1, 0], 0],
+    ] as const) {
+      const w = await world(WEIGHTLESS);
+      const body = addBody(w, { mass: 10, geometry: [box(1, 1, 1)] });
+      // Above its top, or inside near to it: fifty of them, of 0.2 N s each.
+      shots(w, {
+        body,
+        maxParticles: 100,
+        particleLifetime: 2,
+        bounce: 0,
+        emitter: {
+          type: 'PointEmitter',
+          position: place,
+          direction,
+          speed: 2,
+          variation: 0,
+          mass: 0.1,
+        },
+      });
+      w.advance(1);
+      close(velocity(body)[1], speed, 0.04);
+    }
+  },
+);
+
+fact('what lies on a body that stands lies still, however many press on it', async () => {
+  const w = await world();
+  addFloor(w);
+  addBody(w, { mass: 1, position: [0, 0.1, 0], geometry: [box(0.6, 0.2, 0.6)] });
+  w.advance(0.2);
+  const system = shots(w, {
+    physics: [{ type: 'ForcePhysicsModel', force: [0, -0.098, 0] }],
+    emitter: { type: 'ExplosionEmitter', position: [0.2, 0.21, 0], speed: 0, mass: 0.01 },
+    maxParticles: 100,
+    friction: 0.5,
+  });
+  w.advance(0.5);
+  const before = system.get('positions') as Vec3[];
+  w.advance(3);
+  (system.get('positions') as Vec3[]).forEach((at, k) => close(at, before[k]!, 1e-3));
+});

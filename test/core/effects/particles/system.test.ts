@@ -281,6 +281,76 @@ test('an explosion throws all at once, and once', () => {
   assert.equal(system.cloud.count, 25);
 });
 
+test('what comes late begins then: nothing is born of the time before', () => {
+  for (const [before, after] of [
+    [{ emitter: undefined }, { emitter: steady }],
+    [{ most: 0 }, { most: 100 }],
+    [{ lifetime: 0 }, { lifetime: 1 }],
+    [
+      { atOnce: true, lifetime: 0.1 },
+      { atOnce: false, lifetime: 1 },
+    ],
+  ] as const) {
+    const { system, say } = systemOf({ most: 100, lifetime: 1, ...before });
+    run(system, 3);
+    say(after);
+    system.step(1 / 120);
+    assert.ok(system.cloud.count <= 1, `${system.cloud.count}`);
+    run(system, 0.5);
+    assert.ok(system.cloud.count > 45, `${system.cloud.count}`);
+  }
+});
+
+test('lives that are shorter than a step are the same ones at every level', () => {
+  for (const dt of STEPS) {
+    const { system } = systemOf({ most: 100, lifetime: 0.006 });
+    run(system, 0.5, dt);
+    assert.ok(system.cloud.count >= 99, `${system.cloud.count} at ${dt}`);
+  }
+});
+
+test('of more than may live from now on the youngest stay', () => {
+  const { system, say } = systemOf({ most: 100, lifetime: 1 });
+  run(system, 2);
+  const born = [...system.cloud.born.subarray(0, system.cloud.count)];
+  say({ most: 10, creates: false });
+  system.step(1e-6);
+  assert.deepEqual([...system.cloud.born.subarray(0, system.cloud.count)], born.slice(-10));
+});
+
+test('who looks changes nothing', () => {
+  const counts = [false, true].map((looks) => {
+    const { system, say } = systemOf({ most: 100, lifetime: 1 });
+    run(system, 2);
+    say({ enabled: false });
+    if (looks) assert.deepEqual([system.count, system.active], [0, false]);
+    if (looks) system.save();
+    say({ enabled: true });
+    if (looks) assert.equal(system.active, true);
+    system.step(1 / 60);
+    return system.cloud.count;
+  });
+  assert.equal(counts[0], counts[1]);
+});
+
+test('after hours the gusts of every level are the same, however the seconds were added up', () => {
+  const pushes = [-3e-6, 0, 3e-6].map((off) => {
+    const { system } = systemOf({
+      most: 1,
+      lifetime: 1e6,
+      surfaceArea: 1,
+      winds: [{ direction: [1, 0, 0], speed: 3, gustiness: 0.9, turbulence: 0 }],
+    });
+    system.step(1 / 60);
+    system.load({ ...system.save(), time: 7200 + off });
+    const before = motionOf(system)[3]!;
+    system.step(1 / 60);
+    return motionOf(system)[3]! - before;
+  });
+  assert.equal(pushes[0], pushes[1]);
+  assert.equal(pushes[2], pushes[1]);
+});
+
 test('begun anew an explosion throws again', () => {
   const { system } = systemOf({ most: 25, lifetime: 1, atOnce: true });
   run(system, 0.5);

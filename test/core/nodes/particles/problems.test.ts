@@ -16,7 +16,7 @@ for (const emitter of ['SurfaceEmitter', 'VolumeEmitter', 'PolylineEmitter'])
       const node = system(w, { emitter: { type: emitter, mass: 1, speed: 1 } });
       w.step(20);
       assert.equal(node.get('count'), 0);
-    assert.equal(node.get('isActive'), false);
+      assert.equal(node.get('isActive'), false);
       assert.equal(told(w, 'idle-emitter').length, 1);
       assert.match(told(w, 'idle-emitter')[0]!, new RegExp(`ParticleSystem: its ${emitter} `));
       const box = { type: 'Box', size: [1, 1, 1] };
@@ -48,6 +48,23 @@ fact('forces on particles without mass are told, and no more once they have one'
   emitter.set('mass', 0.1);
   w.step();
   assert.deepEqual(codes(w), []);
+});
+
+fact('a wind that finds no area, and pushes that come to nothing, are told', async () => {
+  for (const [fields, attribute] of [
+    [{ physics: [{ type: 'WindPhysicsModel', speed: 3 }] }, 'physics'],
+    [{ pushes: true }, 'pushes'],
+    [{ pushes: true, collides: true, emitter: { type: 'PointEmitter' } }, 'pushes'],
+  ] as const) {
+    const w = await world();
+    claim(w, 'idle-force');
+    system(w, fields);
+    w.step();
+    assert.deepEqual(
+      w.problems.map((problem) => [problem.code, problem.attribute]),
+      [['idle-force', attribute]],
+    );
+  }
 });
 
 fact('numbers that no system can have are one problem each, and what was valid stays', async () => {
@@ -87,6 +104,7 @@ fact('what emits, moves or carries may go at any time', async () => {
   body.remove();
   w.step(10);
   assert.equal(node.get('isActive'), true);
+  for (const at of node.get('positions') as number[][]) assert.ok(at.every(Number.isFinite));
   emitter.remove();
   w.step(10);
   node.remove();

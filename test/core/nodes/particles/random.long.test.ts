@@ -97,7 +97,7 @@ const fields = (draw: Draw): Record<string, unknown> => ({
   seed: Math.floor(draw() * 1000),
 });
 
-function build(w: World, draw: Draw): PhysicsNode[] {
+function build(w: World, draw: Draw): { bodies: PhysicsNode[]; systems: PhysicsNode[] } {
   w.add('RigidBody', {
     fixed: true,
     position: [0, -3, 0],
@@ -117,9 +117,10 @@ function build(w: World, draw: Draw): PhysicsNode[] {
       ],
     }),
   );
-  return Array.from({ length: 1 + Math.floor(draw() * 2) }, () =>
+  const systems = Array.from({ length: 1 + Math.floor(draw() * 2) }, () =>
     w.add('ParticleSystem', { ...fields(draw), body: draw() < 0.3 ? one(draw, bodies) : null }),
   );
+  return { bodies, systems };
 }
 
 function edit(system: PhysicsNode, draw: Draw): void {
@@ -143,14 +144,13 @@ test('random systems have finite particles, no more than may live, and go back t
       accuracy: one(draw, ['game', 'standard', 'fine']),
       rest: 'never',
     });
-    const systems = build(w, draw);
+    const { bodies, systems } = build(w, draw);
     for (let i = 0; i < 6; i++) {
       w.step(5);
       check(systems, scene);
-      const most = systems.map((system) => system.get('maxParticles') as number);
-      systems.forEach((system, k) =>
-        assert.ok((system.get('count') as number) <= Math.max(most[k]!, 300), `scene ${scene}`),
-      );
+      for (const system of systems)
+        assert.ok((system.get('count') as number) <= (system.get('maxParticles') as number));
+      if (draw() < 0.1) one(draw, bodies).remove();
       if (draw() < 0.5) edit(one(draw, systems), draw);
     }
     const kept = w.snapshot();

@@ -142,3 +142,38 @@ fact('after a reset and after going back the same particles fly, bit for bit', a
   w.advance(1.4);
   assert.deepEqual(placesOf(system), first);
 });
+
+fact(
+  'a world that rests goes on where it is put back to living particles, and tells so once',
+  async () => {
+    const w = await world();
+    const system = fountain(w);
+    const told: unknown[] = [];
+    system.on('isActive', (active) => told.push(active));
+    w.advance(0.5);
+    system.set('createParticles', false);
+    w.advance(0.1);
+    const kept = w.snapshot();
+    w.advance(0.2);
+    const first = placesOf(system);
+    w.advance(3);
+    assert.deepEqual(told, [true, false]);
+    w.restore(kept);
+    w.advance(0.2);
+    assert.deepEqual(placesOf(system), first);
+    w.advance(3);
+    assert.equal(system.get('count'), 0);
+    assert.deepEqual(told, [true, false, true, false]);
+  },
+);
+
+fact('a body that is not simulated throws nothing with the speed that it had', async () => {
+  const w = await world(WEIGHTLESS);
+  const body = addBody(w, { linearVelocity: [0, 1, 0], geometry: [box(0.1, 0.1, 0.1)] });
+  addBody(w, { position: [50, 0, 0], linearVelocity: [1, 0, 0] });
+  const system = fountain(w, { body, physics: [], emitter: { type: 'PointEmitter', speed: 0 } });
+  w.advance(0.5);
+  body.set('enabled', false);
+  w.advance(1.2);
+  for (const [, y] of placesOf(system)) close(y, 0.5, 0.02);
+});
