@@ -2,6 +2,7 @@ import { writeAxes } from '../../base/matrix.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import { between } from './collide/between.js';
 
 /** Where the emitter of a system stands during a step, and how that moves: with a body, or in the world. */
 export class EmitterPlace {
@@ -45,23 +46,10 @@ export class EmitterPlace {
     return this.#arm;
   }
 
-  /** A straight line from pose to pose, and the quaternion by its normalised line: what is drawn goes so, too. */
   #stand(slot: number, share: number): void {
     const { previous, current } = this.#simulation.poses;
-    const pose = this.#pose;
-    const at = slot * POSE;
-    let cosine = 0;
-    for (let i = 3; i < POSE; i++) cosine += previous[at + i]! * current[at + i]!;
-    const sign = cosine < 0 ? -share : share;
-    for (let i = 0; i < 3; i++)
-      pose[i] = previous[at + i]! + (current[at + i]! - previous[at + i]!) * share;
-    let square = 0;
-    for (let i = 3; i < POSE; i++) {
-      pose[i] = previous[at + i]! * (1 - share) + current[at + i]! * sign;
-      square += pose[i]! ** 2;
-    }
-    for (let i = 3; i < POSE; i++) pose[i] = pose[i]! / Math.sqrt(square);
-    writeAxes(this.#axes, pose, 3);
+    between(previous, current, slot * POSE, share, this.#pose);
+    writeAxes(this.#axes, this.#pose, 3);
   }
 
   #turn(vector: Float64Array, at: number, out: Float64Array): void {

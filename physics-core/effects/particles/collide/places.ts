@@ -3,6 +3,7 @@ import { multiply4 } from '../../../base/flat-math.js';
 import { grown } from '../../../base/grown.js';
 import { POSE, type Poses } from '../../../dynamics/poses.js';
 import { VELOCITY } from '../../../engine/moving-bodies.js';
+import { between } from './between.js';
 import type { Flat } from './solid.js';
 
 /** What is put elsewhere without a step is carried there, as bodies that it pushes see it; what goes farther, metres, jumps. */
@@ -113,18 +114,6 @@ export class Places {
 
   /** The pose of a body at a share of the step, as it is drawn between two steps, too. */
   at(slot: number, share: number, out: Flat): void {
-    const { first, last } = this;
-    const at = slot * POSE;
-    let same = 0;
-    for (let k = 3; k < POSE; k++) same += first[at + k]! * last[at + k]!;
-    const rest = 1 - share;
-    const sign = same < 0 ? -share : share;
-    let size = 0;
-    for (let k = 0; k < 3; k++) out[k] = first[at + k]! + (last[at + k]! - first[at + k]!) * share;
-    for (let k = 3; k < POSE; k++) {
-      out[k] = first[at + k]! * rest + last[at + k]! * sign;
-      size += out[k]! * out[k]!;
-    }
-    for (let k = 3; k < POSE; k++) out[k]! /= Math.sqrt(size);
+    between(this.first, this.last, slot * POSE, share, out);
   }
 }

@@ -10,8 +10,10 @@ export class Cap {
 
   /** `angle`: from the axis to the rim, radians. 0 0 0 has no direction: anywhere. */
   take(x: number, y: number, z: number, angle: number): this {
-    const length = Math.sqrt(x * x + y * y + z * z);
-    const somewhere = length > 0 && Number.isFinite(length);
+    // However long or short: its square may be no number.
+    const most = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+    const length = most * Math.sqrt((x / most) ** 2 + (y / most) ** 2 + (z / most) ** 2);
+    const somewhere = most > 0 && Number.isFinite(length);
     const half = sin(angle / 2);
     // 1 - cos of the angle, which would lose the digits of a narrow cap.
     this.#depth = somewhere ? 2 * half * half : 2;

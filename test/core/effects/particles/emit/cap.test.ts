@@ -46,6 +46,7 @@ test('no angle is the axis itself, whichever way it points and however long it i
     [0, 0, -1],
     [1, 2, -2],
     [-4e100, 0, 3e100],
+    [4e-200, 0, -3e-200],
   ];
   for (const axis of axes) {
     new Cap().take(...axis, 0).draw(new Draws(1).of(1), out, 0);
