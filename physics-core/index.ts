@@ -1,6 +1,7 @@
 // What the package's entry `core` gives. What the rest of this repository works with is in inside.ts.
 import type { Problem } from './base/problems.js';
 import type { EngineSource } from './engine/wasm.js';
+import { particleSystems } from './effects/particles/effects.js';
 import { behind, shown } from './face/shown.js';
 import type { RigidBodyCollectionFields } from './face/fields.js';
 import type { World } from './face/world.js';
@@ -26,6 +27,8 @@ export type { LevelMeasurement, MeasureOptions, Watching } from './world/measuri
 export type { Geometry } from './shapes/geometry.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { Stats } from './world/store/types.js';
+
+inside.beyondPages.push(particleSystems.comesFrom(() => import('./world/chunks/particle-code.js')));
 
 /** The fields of RigidBodyCollection, and what only the world itself has. */
 export interface CreateOptions

@@ -5,6 +5,7 @@ import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
 import { chunks } from './world/chunks/all.js';
 import { outlines } from './effects/debug/debugging.js';
+import type { Chunk } from './base/chunk.js';
 import { advice } from './nodes/node/advice.js';
 import { isJoint } from './nodes/joints/is-joint.js';
 import { measureWith } from './world/measuring.js';
@@ -49,7 +50,6 @@ export type { FramePace } from './effects/costs/pace.js';
 export type { DragMode } from './dynamics/body.js';
 export type { Drag, DragEnd } from './effects/drag/drag.js';
 export { drags } from './effects/drag/effects.js';
-export { particleSystems } from './effects/particles/effects.js';
 export { debugging, outlines } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/effects.js';
 export type { EffectReport } from './effects/effect/report.js';
@@ -68,9 +68,12 @@ export async function debugLines(world: World): Promise<DebugLines> {
   });
 }
 
+/** Code that pages have no words for: the entry `core` adds it. */
+export const beyondPages: Chunk<unknown>[] = [];
+
 /** The engine, and the code of all effects: nothing that is made of them waits. */
 export async function loadEngine(options: LoadOptions = {}): Promise<Engine> {
-  const all = [advice, recordings, dense, ...chunks].map((chunk) => chunk.load());
+  const all = [advice, recordings, dense, ...beyondPages, ...chunks].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadBullet(options), ...all]);
   return engine;
 }

@@ -1,3 +1,4 @@
+import '../../physics-core/index.js';
 import { debugLines } from '../../physics-core/inside.js';
 import { BODIES, box, type Scene } from './scenes.js';
 

@@ -8,16 +8,15 @@ export interface ChunkFile<Code> {
 
 /** Code that a scene may do without: a file of its own, fetched when its cause stands in a scene. */
 export class Chunk<Code = void> {
-  readonly name: string;
+  readonly name!: string;
   /** What has it fetched, for people. */
-  readonly causes: string;
+  readonly causes!: string;
   #fetch: (() => Promise<ChunkFile<Code>>) | undefined;
   #coming: Promise<void> | undefined;
   #come: { code: Code; bytes: number } | undefined;
 
-  constructor({ name, causes }: { name: string; causes: string }) {
-    this.name = name;
-    this.causes = causes;
+  constructor(about: { name: string; causes: string }) {
+    Object.assign(this, about);
   }
 
   /** Where its file is: said by a room that sees all of it. */

@@ -65,9 +65,6 @@ export interface Coordinate {
   point?: number[];
 }
 
-/** What is plain data, and stays it in a field of nodes: no node is made of it. */
-export type Plain = Geometry | Coordinate;
-
 /** Points (flat xyz) and triangles (three indices each). */
 export interface Mesh {
   points: number[];
@@ -109,17 +106,14 @@ const OWN_FIELDS = {
 
 const PLACEMENT = { translation: 'SFVec3f', rotation: 'SFRotation', linear: 'SFMatrix3f' } as const;
 
-const FIELDS = { ...OWN_FIELDS, Coordinate: { point: 'MFVec3f' } } as const;
-
 export type GeometryType = keyof typeof OWN_FIELDS;
 
 export const geometryTypes = Object.keys(OWN_FIELDS) as GeometryType[];
 
 export const isGeometry = (type: string): type is GeometryType => Object.hasOwn(OWN_FIELDS, type);
-export const isPlain = (type: string): type is Plain['type'] => Object.hasOwn(FIELDS, type);
 
-/** Every field of plain data, and its X3D type. */
-export const geometryFields = (type: Plain['type']): Record<string, FieldType> => ({
-  ...FIELDS[type],
+/** Every field of a geometry, and its X3D type. */
+export const geometryFields = (type: GeometryType): Record<string, FieldType> => ({
+  ...OWN_FIELDS[type],
   ...PLACEMENT,
 });

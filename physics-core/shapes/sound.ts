@@ -3,16 +3,17 @@ import { codecs } from '../fields/values.js';
 import { BOUNDS, shownBound } from '../fields/bounds.js';
 import { guards } from '../base/guards.js';
 import { show } from '../base/show.js';
-import { geometryFields, isPlain, type Geometry, type Plain } from './geometry.js';
+import { geometryFields, isGeometry, type Geometry, type GeometryType } from './geometry.js';
 
-/** A geometry, or points, that may go to Bullet, or why they may not. */
-export type Sound = { plain: Plain; fault?: undefined } | { plain?: undefined; fault: string };
+/** A geometry that may go to Bullet, or why it may not. */
+export type Sound =
+  { geometry: Geometry; fault?: undefined } | { geometry?: undefined; fault: string };
 
 /** What plain data says of a geometry, each value as its field has it: one that is not sound would reach Bullet as NaN. */
-export function soundPlain(data: { type: string }): Sound {
+export function soundGeometry(data: { type: string }): Sound {
   const { type } = data;
-  if (!isPlain(type)) return { fault: `${show(type)} is no geometry` };
-  const sound: { type: Plain['type']; [field: string]: Value } = { type };
+  if (!isGeometry(type)) return { fault: `${show(type)} is no geometry` };
+  const sound: { type: GeometryType; [field: string]: Value } = { type };
   for (const [name, fieldType] of Object.entries(geometryFields(type))) {
     const given = (data as Record<string, unknown>)[name];
     if (given === undefined) continue;
@@ -24,9 +25,9 @@ export function soundPlain(data: { type: string }): Sound {
       return { fault: `${says} is beyond ±${shownBound(most)}, the most that it may be` };
     sound[name] = value;
   }
-  const plain = sound as Plain;
-  const fault = tooMuch(plain);
-  return fault === undefined ? { plain } : { fault };
+  const geometry = sound as Geometry;
+  const fault = tooMuch(geometry);
+  return fault === undefined ? { geometry } : { fault };
 }
 
 /** Counts and indices: what they point at where nothing is, is left out. */
@@ -36,13 +37,13 @@ const COUNTS: readonly FieldType[] = ['SFInt32', 'MFInt32'];
 const MOST_POINTS = 2 ** 20;
 
 /** Why a geometry whose fields are sound each is none. */
-function tooMuch(geometry: Plain): string | undefined {
+function tooMuch(geometry: Geometry): string | undefined {
   const { type } = geometry;
   const isGrid = type === 'ElevationGrid';
   const across = isGrid ? [geometry.xDimension ?? 0, geometry.zDimension ?? 0] : [1, 1];
   const points = isGrid ? across[0]! * across[1]! : pointsIn(geometry);
   if (points > MOST_POINTS) return `a ${type} of ${points} points has more than ${MOST_POINTS}`;
-  const scale = Math.max(1, ...across) * largest((geometry as Geometry).linear ?? [1]);
+  const scale = Math.max(1, ...across) * largest(geometry.linear ?? [1]);
   if (largestLength(geometry) * scale <= BOUNDS.geometry) return undefined;
   return `a ${type} that is scaled to more than ${shownBound(BOUNDS.geometry)} m is beyond the most that it may be`;
 }
@@ -55,7 +56,7 @@ const pointsIn = (geometry: object): number =>
 const largest = (numbers: readonly number[]): number =>
   numbers.reduce((most, number) => Math.max(most, Math.abs(number)), 0);
 
-function largestLength(geometry: Plain): number {
+function largestLength(geometry: Geometry): number {
   const fields = geometryFields(geometry.type);
   const lengths = Object.entries(geometry).filter(
     ([name]) => fields[name] && !COUNTS.includes(fields[name]) && !PLACEMENT.includes(name),

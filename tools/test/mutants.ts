@@ -12,7 +12,7 @@ import { nodeTypes } from '../../physics-core/inside.js';
 import { factsOf } from '../../test/conformance/all.js';
 import { wrongInCore } from '../../test/conformance/core-driver.js';
 import type { Fact } from '../../test/conformance/fact.js';
-import { guardRows, rowsOf } from '../../test/core/nodes/rows/all.js';
+import { guardRows, lateRows, rowsOf } from '../../test/core/nodes/rows/all.js';
 import type { Row } from '../../test/core/nodes/rows/row.js';
 import { closeWorlds, world } from '../../test/core/helpers.js';
 
@@ -41,7 +41,7 @@ const rowsAndFacts: Record<string, Row[]> = Object.fromEntries(
   ]),
 );
 
-const allRows = [...Object.values(rowsAndFacts).flat(), ...guardRows];
+const allRows = [...Object.values(rowsAndFacts).flat(), ...guardRows, ...lateRows];
 
 /** Puts another function in the place of `object[key]`. */
 function replacing(object: object, key: string, broken: unknown): () => () => void {

@@ -41,11 +41,14 @@ export class Bounces {
   readonly #found = new Float64Array(FOUND);
   /** What was met is a wall. */
   #isWall = false;
+  /** Of its drag, 1/s. */
+  #damping = 0;
   readonly #from = new Float64Array(3);
   readonly #to = new Float64Array(3);
   /** m/s; of what was met, the same; and what pushes, m/s². */
   readonly #velocity = new Float64Array(3);
   readonly #surface = new Float64Array(3);
+  readonly #borneBy = new Float64Array(3);
   readonly #push = new Float64Array(3);
   /** Along the surface. */
   readonly #along = new Float64Array(3);
@@ -56,8 +59,12 @@ export class Bounces {
   readonly #braked = new Float64Array(3);
   #bearing = 0;
   #braking = 0;
-  /** How far above the surface its arc was when its straight way met that, metres. */
+  /**
+   * Ways are searched straight, and go along arcs. Metres: how far above the surface its arc was when the straight way met
+   * that, and how far its arc went along the surface beyond that; it makes good for this in the rest of the step.
+   */
   #above = 0;
+  readonly #beyond = new Float64Array(3);
 
   constructor(obstacles: Obstacles, pushed: Pushed) {
     this.#obstacles = obstacles;
@@ -77,17 +84,21 @@ export class Bounces {
     dt: number,
     since: number,
   ): void {
+    this.#damping = damping;
     this.#take(motion, at, push);
     let start = since;
     for (let tries = 0; this.#isStopped(surface, damping, start, dt); tries++) {
       start = this.#met[MET.time]!;
       this.#free(push);
+      const rest = (1 - start) * dt;
       if (tries === MOST_MET) {
-        this.#wait();
+        this.#wait(surface.mass, rest);
         break;
       }
       if (this.#isWall) this.#reflect();
-      else this.#react(surface, dt, this.#drift.take(damping, (1 - start) * dt));
+      else this.#react(surface, dt, this.#drift.take(damping, rest));
+      if (rest > 0)
+        for (let i = 0; i < 3; i++) this.#lift[i] = this.#lift[i]! + this.#beyond[i]! / rest;
     }
     for (let i = 0; i < 3; i++) {
       motion[at + i] = this.#from[i]!;
@@ -95,11 +106,18 @@ export class Bounces {
     }
   }
 
-  /** A body that throws a particle from a place is pushed the other way. */
-  recoil({ slot }: Body, place: Float64Array, thrown: Float64Array, mass: number): void {
+  /** A body that throws a particle from a place, at a share of the step, is pushed the other way. */
+  recoil(
+    { slot }: Body,
+    place: Float64Array,
+    thrown: Float64Array,
+    mass: number,
+    share: number,
+  ): void {
     if (mass === 0) return;
     const met = this.#met;
     met[MET.body] = slot;
+    met[MET.time] = share;
     for (let i = 0; i < 3; i++) met[MET.point + i] = place[i]!;
     this.#pushed.push(met, thrown, 0, -mass);
   }
@@ -109,6 +127,7 @@ export class Bounces {
       this.#from[i] = motion[at + i]!;
       this.#velocity[i] = motion[at + 3 + i]!;
     }
+    this.#beyond.fill(0);
     this.#free(push);
   }
 
@@ -137,21 +156,30 @@ export class Bounces {
     const met = this.#met;
     this.#makeUnit();
     const share = rest > 0 ? seconds / rest : 0;
-    let above = 0;
-    for (let i = 0; i < 3; i++)
-      above -= (this.#from[i]! + (this.#to[i]! - this.#from[i]!) * share) * met[MET.normal + i]!;
+    const beyond = this.#beyond;
+    for (let i = 0; i < 3; i++) {
+      const straight = this.#from[i]! + (this.#to[i]! - this.#from[i]!) * share;
+      beyond[i] = beyond[i]! * (1 - share) - straight;
+    }
     this.#drift.take(damping, seconds);
     this.#lead(seconds);
+    let above = 0;
     for (let i = 0; i < 3; i++) {
-      above += this.#to[i]! * met[MET.normal + i]!;
+      beyond[i] = beyond[i]! + this.#to[i]!;
+      above += beyond[i]! * met[MET.normal + i]!;
       this.#from[i] = met[MET.place + i]!;
     }
+    for (let i = 0; i < 3; i++) beyond[i] = beyond[i]! - above * met[MET.normal + i]!;
     this.#above = above;
   }
 
-  /** Where it is held, to the end of the step. */
-  #wait(): void {
-    if (!this.#isWall) this.#obstacles.ride(this.#met, this.#from);
+  /** Where it is held, to the end of the step: what holds it bears what would take it in. */
+  #wait(mass: number, rest: number): void {
+    if (this.#isWall) return;
+    const met = this.#met;
+    const pull = this.#pull();
+    if (mass > 0 && pull < 0) this.#pushed.push(met, met, MET.normal, mass * pull * rest);
+    this.#obstacles.ride(met, this.#from);
   }
 
   /** Where it comes, if nothing is in its way. */
@@ -222,7 +250,7 @@ export class Bounces {
    * falls would rise less high than its bounce says, by a third of a millimetre at `game`.
    */
   #fallen(approach: number, pull: number): number {
-    const square = approach * approach - 2 * pull * this.#above;
+    const square = approach * approach - 2 * (pull - this.#damping * this.#climb()) * this.#above;
     return square > 0 ? Math.sqrt(square) + approach : 0;
   }
 
@@ -259,7 +287,7 @@ export class Bounces {
     const met = this.#met;
     this.#obstacles.velocityAt(met, this.#surface);
     const drawn = this.#approach();
-    if (mass > 0) this.#pushed.addVelocity(met, this.#surface);
+    if (mass > 0) this.#pushed.addNormalVelocity(met, this.#surface);
     const approach = this.#approach();
     const pull = this.#pull();
     const fallen = approach < 0 ? this.#fallen(approach, pull) : 0;
@@ -269,9 +297,8 @@ export class Bounces {
       const given = this.#give(met, MET.normal, (stays ? 0 : back) - approach, mass);
       this.#rub(friction * given, mass);
     }
-    if (!stays) return;
     for (let i = 0; i < 3; i++) this.#lift[i] = (approach - drawn) * met[MET.normal + i]!;
-    if (rest.speedOfPush === 0) return;
+    if (!stays || rest.speedOfPush === 0) return;
     const away = (Math.max(0, approach) * rest.left) / rest.speedOfPush;
     this.#bear(friction, away + pull, rest);
   }
@@ -288,6 +315,13 @@ export class Bounces {
     return own;
   }
 
+  /** How fast it is along the normal, in the world, m/s: drag goes by that. */
+  #climb(): number {
+    let speed = 0;
+    for (let i = 0; i < 3; i++) speed += this.#velocity[i]! * this.#met[MET.normal + i]!;
+    return speed;
+  }
+
   /** What pushes it along the normal, m/s². */
   #pull(): number {
     let pull = 0;
@@ -295,11 +329,28 @@ export class Bounces {
     return pull;
   }
 
-  /** Brakes it along the surface by as much of its own speed, m/s, at most to a stand. */
+  /**
+   * Brakes it along the surface by as much of its own speed, m/s, at most to a stand: that of a body which others that struck
+   * it in this step have taken along.
+   */
   #rub(most: number, mass: number): void {
-    const along = this.#along;
+    if (mass === 0) {
+      this.#brake(most, 0);
+      return;
+    }
+    const met = this.#met;
+    const surface = this.#surface;
+    copy(surface, this.#borneBy);
+    this.#obstacles.velocityAt(met, surface);
+    this.#pushed.addVelocity(met, surface);
+    this.#brake(most, mass);
+    copy(this.#borneBy, surface);
+  }
+
+  #brake(most: number, mass: number): void {
     const speed = this.#slide();
     if (speed === 0) return;
+    const along = this.#along;
     const softness = mass > 0 ? mass * this.#pushed.softness(this.#met, along, 0) : 0;
     this.#give(along, 0, -Math.min(speed, most * (1 + softness)), mass);
   }

@@ -82,7 +82,8 @@ export class ParticleSystem {
 
   /** Particles that live; who asks before the step that a word acts in hears what that word leaves of them. */
   get count(): number {
-    return this.#latest.enabled ? this.cloud.count : 0;
+    const { enabled, most } = this.#latest;
+    return enabled ? Math.min(this.cloud.count, most) : 0;
   }
 
   /** Whether it meets bodies. */
@@ -91,8 +92,10 @@ export class ParticleSystem {
   }
 
   get #emits(): boolean {
-    const { enabled, creates, emitter, atOnce, most, lifetime } = this.#latest;
+    const { enabled, creates, emitter, atOnce, most, lifetime, body } = this.#latest;
     if (!enabled || !creates || !emitter || most < 1 || lifetime <= 0) return false;
+    // It is not there, or not any more.
+    if (body && body.slot < 0) return false;
     return !(atOnce && this.#burst && this.#creates);
   }
 
@@ -214,21 +217,20 @@ export class ParticleSystem {
   /** All that are due before the step ends, and live to its end. */
   #bear(dt: number): void {
     const { atOnce, body, most } = this.#said;
-    if (body && body.slot < 0) return;
     if (body) this.#place.begin(body);
     this.#deaths.subarray(0, this.#died).sort();
     const end = this.#time + dt;
     if (!atOnce) this.#passOver(end);
     let gone = 0;
-    // At most twice as many are due in the longest of lives as may live at once.
-    for (let tries = 0; tries < 2 * most + 2 && this.#due < end; tries++) {
+    // Of a longest life at most twice as many are due as may live at once.
+    const atMost = atOnce ? most : 2 * most + 2;
+    for (let tries = 0; tries < atMost && this.#due < end; tries++) {
       const due = this.#due;
       while (gone < this.#died && this.#deaths[gone]! <= due) gone++;
       // Those of this step that died later still lived then.
       if (this.cloud.count + this.#died - gone < most) this.#bearOne(due, end, dt);
       this.#next++;
       if (!atOnce) this.#due += this.#interval;
-      else if (this.cloud.count >= most) break;
     }
     if (atOnce) this.#burst = true;
     else this.#due = Math.max(this.#due, end);
@@ -239,9 +241,11 @@ export class ParticleSystem {
     const { lifetime, lifetimeVariation } = this.#said;
     const longest = lifetime * (1 + lifetimeVariation);
     const over = Math.floor((end - longest - this.#due) / this.#interval);
-    if (!(over > 0 && over < Number.MAX_SAFE_INTEGER)) return;
-    this.#next += over;
-    this.#due += over * this.#interval;
+    if (!(over > 0)) return;
+    // What lives so briefly that nobody could count it is nowhere.
+    const counted = over < Number.MAX_SAFE_INTEGER;
+    if (counted) this.#next += over;
+    this.#due = counted ? this.#due + over * this.#interval : end;
   }
 
   #bearOne(due: number, end: number, dt: number): void {
@@ -264,7 +268,7 @@ export class ParticleSystem {
   #carry(body: Body, share: number): void {
     const thrown = this.#place.carry(body, share, this.#birth);
     const { surface } = this.#said;
-    if (surface) this.#bounces.recoil(body, this.#birth, thrown, surface.mass);
+    if (surface) this.#bounces.recoil(body, this.#birth, thrown, surface.mass, share);
   }
 
   // ---- going back -------------------------------------------------------------------------------------------------

@@ -11,15 +11,14 @@ import type { Settings } from './settings.js';
 export interface ParticleSource extends Cause {
   readonly id: number;
   readonly settings: Settings;
-  /** Told when its first particle comes, and when its last one has gone and none comes any more. */
-  activeChanged(active: boolean): void;
+  /** After each step: whether it has particles, or will have some by itself. */
+  stepped(active: boolean): void;
 }
 
 /** All particle systems of a world. */
 export class Particles extends Effect {
   readonly #simulation: Simulation;
   readonly #systems = new Map<ParticleSource, ParticleSystem>();
-  readonly #active = new Set<ParticleSource>();
   readonly #obstacles: Obstacles;
   readonly #pushed: Pushed;
   readonly #bounces: Bounces;
@@ -55,7 +54,6 @@ export class Particles extends Effect {
 
   override release(node: Cause): void {
     this.#systems.delete(node as ParticleSource);
-    this.#active.delete(node as ParticleSource);
     super.release(node);
   }
 
@@ -69,13 +67,16 @@ export class Particles extends Effect {
   override stepOver(dt: number): void {
     if ([...this.#systems.values()].some(({ collides }) => collides)) this.#obstacles.take(dt);
     else this.#obstacles.forget();
+    let goesOn = false;
     for (const source of this.inOrder as readonly ParticleSource[]) {
       const system = this.#systems.get(source)!;
       system.step(dt);
-      this.#tell(source, system.active);
+      const { active } = system;
+      if (active) goesOn = true;
+      source.stepped(active);
     }
     this.#pushed.end();
-    if (this.#active.size > 0) this.#goOn();
+    if (goesOn) this.#goOn();
   }
 
   /** Where no body moves, steps are taken all the same. */
@@ -85,20 +86,11 @@ export class Particles extends Effect {
     this.#simulation.work();
   }
 
-  #tell(source: ParticleSource, active: boolean): void {
-    if (active === this.#active.has(source)) return;
-    if (active) this.#active.add(source);
-    else this.#active.delete(source);
-    source.activeChanged(active);
-  }
-
   // ---- going back -------------------------------------------------------------------------------------------------
 
-  override reset(reason: 'reset' | 'removed'): void {
+  override reset(): void {
     for (const system of this.#systems.values()) system.reset();
     this.#obstacles.forget();
-    // Else who was told of particles is told of them again, or of none, with the next step.
-    if (reason === 'removed') this.#active.clear();
   }
 
   override save(): [id: number, kept: KeptSystem][] {

@@ -1,6 +1,8 @@
+import { add, rotate, subtract, type Quaternion } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
 import { applyInverseInertia } from '../../dynamics/inertia.js';
+import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
@@ -12,7 +14,9 @@ interface PushedBody {
   readonly inverseMass: number;
   /** Of the world's axes, a column each: what a moment about it does to the spin. */
   readonly inverseInertia: Float64Array;
+  /** Its centre of mass at the end of the step, and the way of that in the step, metres. */
   readonly centre: Vec3;
+  readonly way: Vec3;
   /** N s, and about the centre of mass N m s. */
   readonly impulse: Vec3;
   readonly moment: Vec3;
@@ -21,6 +25,7 @@ interface PushedBody {
 const arm = new Float64Array(3);
 const moment = new Float64Array(3);
 const spin = new Float64Array(3);
+const given = new Float64Array(3);
 
 /** What particles give to bodies in a step: each hears of it once, when the step is over. */
 export class Pushed {
@@ -36,25 +41,31 @@ export class Pushed {
   #in(slot: number): PushedBody | undefined {
     if (this.#bySlot.has(slot)) return this.#bySlot.get(slot);
     const body = this.#simulation.bodies.in(slot);
-    const pushed = body?.isDynamic ? pushedOf(body) : undefined;
+    const pushed = body?.isDynamic ? pushedOf(body, this.#simulation) : undefined;
     this.#bySlot.set(slot, pushed);
     return pushed;
   }
 
-  /**
-   * Adds what was given to a body already in this step to its velocity along the normal where it was met, m/s. Along the
-   * surface what it stands on may hold it, and would not hold what lies on it.
-   */
+  /** Adds what was given to a body already in this step to its velocity where it was met, m/s. */
   addVelocity(met: Float64Array, out: Float64Array): void {
     const pushed = this.#in(met[MET.body]!);
     if (!pushed) return;
     armTo(met, pushed);
+    const { inverseMass, impulse } = pushed;
     turn(pushed.inverseInertia, pushed.moment, spin);
-    crossWith(met, MET.normal);
+    out[0] = out[0]! + inverseMass * impulse[0] + spin[1]! * arm[2]! - spin[2]! * arm[1]!;
+    out[1] = out[1]! + inverseMass * impulse[1] + spin[2]! * arm[0]! - spin[0]! * arm[2]!;
+    out[2] = out[2]! + inverseMass * impulse[2] + spin[0]! * arm[1]! - spin[1]! * arm[0]!;
+  }
+
+  /**
+   * The same along the normal alone: along the surface what the body stands on may hold it, and would not hold what lies on it.
+   */
+  addNormalVelocity(met: Float64Array, out: Float64Array): void {
+    given.fill(0);
+    this.addVelocity(met, given);
     let speed = 0;
-    for (let i = 0; i < 3; i++)
-      speed +=
-        pushed.inverseMass * pushed.impulse[i]! * met[MET.normal + i]! + spin[i]! * moment[i]!;
+    for (let i = 0; i < 3; i++) speed += given[i]! * met[MET.normal + i]!;
     for (let i = 0; i < 3; i++) out[i] = out[i]! + speed * met[MET.normal + i]!;
   }
 
@@ -102,7 +113,7 @@ export class Pushed {
   }
 }
 
-function pushedOf(body: Body): PushedBody {
+function pushedOf(body: Body, simulation: Simulation): PushedBody {
   const axes: Vec3[] = [
     [1, 0, 0],
     [0, 1, 0],
@@ -113,13 +124,27 @@ function pushedOf(body: Body): PushedBody {
     inverseMass: 1 / body.mass.mass,
     inverseInertia: Float64Array.from(axes.flatMap((axis) => applyInverseInertia(body, axis))),
     centre: body.centerOfMassWorld(),
+    way: wayOf(body, simulation),
     impulse: [0, 0, 0],
     moment: [0, 0, 0],
   };
 }
 
-function armTo(met: Float64Array, { centre }: PushedBody): void {
-  for (let i = 0; i < 3; i++) arm[i] = met[MET.point + i]! - centre[i]!;
+/** How far its centre of mass has come in the step that was taken. */
+function wayOf(body: Body, { poses: { previous, current } }: Simulation): Vec3 {
+  const at = body.slot * POSE;
+  const { p } = body.centerOfMass;
+  const placeIn = (poses: Float64Array): Vec3 => {
+    const [x, y, z, ...q] = poses.subarray(at, at + POSE) as unknown as number[];
+    return add([x!, y!, z!], rotate(q as unknown as Quaternion, p));
+  };
+  return subtract(placeIn(current), placeIn(previous));
+}
+
+/** From where the centre was when it was met. */
+function armTo(met: Float64Array, { centre, way }: PushedBody): void {
+  const left = 1 - met[MET.time]!;
+  for (let i = 0; i < 3; i++) arm[i] = met[MET.point + i]! - (centre[i]! - left * way[i]!);
 }
 
 function crossWith(direction: Float64Array, at: number): void {

@@ -1,7 +1,7 @@
 import type { ProblemReport } from '../../base/problems.js';
 import type { Value } from '../../fields/types.js';
-import { isGeometry, isPlain, type Plain } from '../../shapes/geometry.js';
-import { soundPlain } from '../../shapes/sound.js';
+import { isGeometry, type Geometry } from '../../shapes/geometry.js';
+import { soundGeometry } from '../../shapes/sound.js';
 import { cut, show } from '../../base/show.js';
 import { isNodeData, type NodeData } from './node-data.js';
 import type { Field } from './table.js';
@@ -33,8 +33,8 @@ export class Children<N extends Child> {
   }
 
   /**
-   * Plain data in a node field becomes nodes of our own, in the place of those it had; geometry and points stay data. What
-   * the field does not take is reported and left out.
+   * Plain data in a node field becomes nodes of our own, in the place of those it had; geometry stays data. What the field
+   * does not take is reported and left out.
    */
   adopt(name: string, { nodes: types }: Field, value: Value): Value {
     if (!types || value === '*') return value;
@@ -57,7 +57,7 @@ export class Children<N extends Child> {
     if (this.#parent.isNode(item)) {
       if (types.includes(item.type.name) && item.world === this.#parent.world) return item;
     } else if (isNodeData(item) && !beingMade.has(item) && beingMade.size < DEEPEST) {
-      if (isPlain(item.type) && types.includes(item.type)) return this.#plain(name, item);
+      if (isGeometry(item.type) && types.includes(item.type)) return this.#geometry(name, item);
       const made = this.#make(item, types);
       if (made) return made;
     }
@@ -66,9 +66,9 @@ export class Children<N extends Child> {
   }
 
   /** It stays data, of our own. */
-  #plain(name: string, data: NodeData): Plain | undefined {
-    const { plain, fault } = soundPlain(data);
-    if (fault === undefined) return plain;
+  #geometry(name: string, data: NodeData): Geometry | undefined {
+    const { geometry, fault } = soundGeometry(data);
+    if (fault === undefined) return geometry;
     this.#parent.report({
       code: 'bad-value',
       severity: 'warning',

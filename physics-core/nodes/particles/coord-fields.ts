@@ -11,7 +11,8 @@ export const coordFields = ({ doc }: Doc): Record<string, Field<CoordEmitterNode
     type: 'SFNode',
     access: 'inputOutput',
     default: null,
-    nodes: ['Coordinate'],
+    // A mesh of points alone is kept in its place: plain data that is looked through as all geometry is.
+    nodes: ['Coordinate', 'Mesh'],
     edit: 'live',
     patch: changed,
     doc: 'Its points, metres, in the frame of the system: a Coordinate, or the flat list of its numbers.',

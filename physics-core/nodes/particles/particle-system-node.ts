@@ -31,8 +31,7 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
 
   get settings(): Settings {
     const emitter = standing(this.asked<EmitterNode | null>('emitter'));
-    const asked = this.asked<BodyNode | null>('body');
-    const body = standing(asked);
+    const body = this.asked<BodyNode | null>('body') ?? undefined;
     const models = this.asked<ModelNode[]>('physics').filter((model) => acts(model));
     tellIdle(this, emitter, models);
     return {
@@ -43,8 +42,7 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
       lifetimeVariation: this.asked('lifetimeVariation'),
       seed: this.asked('seed'),
       damping: this.asked('damping'),
-      // Where its body is not there, nothing knows where to emit.
-      emitter: (asked && !body) || !emitter?.bears ? undefined : emitter.emitter,
+      emitter: emitter?.bears ? emitter.emitter : undefined,
       atOnce: emitter?.atOnce === true,
       mass: emitter?.mass ?? 0,
       surfaceArea: emitter?.surfaceArea ?? 0,
@@ -65,7 +63,7 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     const size = this.asked<[number, number]>('particleSize');
     return {
       bodies,
-      mass: this.asked<boolean>('pushes') ? mass : 0,
+      mass: bodies && this.asked<boolean>('pushes') ? mass : 0,
       walls,
       radius: Math.min(...size) / 2,
       bounce: this.asked('bounce'),
@@ -104,13 +102,19 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     if (!system) return [];
     const { count } = system;
     const { motion } = system.cloud;
+    const first = system.cloud.count - count;
     return Array.from({ length: count }, (_, k): Vec3 => {
-      const at = k * PARTICLE;
+      const at = (first + k) * PARTICLE;
       return [motion[at]!, motion[at + 1]!, motion[at + 2]!];
     });
   }
 
-  activeChanged(active: boolean): void {
+  /** What isActive said last, whatever became of the world since. */
+  #told = false;
+
+  stepped(active: boolean): void {
+    if (active === this.#told) return;
+    this.#told = active;
     this.emit('isActive', active);
   }
 }

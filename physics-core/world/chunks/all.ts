@@ -2,7 +2,6 @@ import type { Chunk } from '../../base/chunk.js';
 import { outlines } from '../../effects/debug/debugging.js';
 import { drags } from '../../effects/drag/effects.js';
 import { contacts, joints } from '../../effects/effect/chunks.js';
-import { particleSystems } from '../../effects/particles/effects.js';
 import { advice } from '../../nodes/node/advice.js';
 import { threads } from '../../nodes/node/threads.js';
 import { meshes } from '../../shapes/meshes.js';
@@ -12,7 +11,6 @@ export const chunks: readonly Chunk<unknown>[] = [
   joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),
-  particleSystems.comesFrom(() => import('./particle-code.js')),
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),
   // The room that has it says where it is.
   threads,

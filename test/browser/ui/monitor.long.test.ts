@@ -296,8 +296,8 @@ describe('the monitor', () => {
       const cells = all.find((each) => each.firstElementChild!.textContent === 'forces')!.children;
       return [...cells].map((cell) => cell.textContent!);
     };
-    // Called before each step, by code that every page has.
-    await until(() => row()[2] === '1');
+    // Called before each step and after it, by code that every page has.
+    await until(() => row()[2] === '2');
     expect(row()[1]).to.match(/^\d+\.\d\d$/);
     expect(row()[3]).to.equal('–');
     const problem = shown.part('problems')!.textContent!.replace(/\s+/g, ' ');

@@ -6,7 +6,7 @@ import { energyGuards } from '../../../physics-core/solver/energy/energy-guards.
 import { nodeTypes } from '../../../physics-core/inside.js';
 import { factsOf } from '../../conformance/all.js';
 import { fact, world } from '../helpers.js';
-import { guardRows, rowsOf } from './rows/all.js';
+import { guardRows, lateRows, rowsOf } from './rows/all.js';
 
 for (const [type, rows] of Object.entries(rowsOf)) {
   describe(type, () => {
@@ -23,6 +23,10 @@ for (const [type, rows] of Object.entries(rowsOf)) {
     );
   });
 }
+
+describe('effects of nodes that come in a chunk', () => {
+  for (const row of lateRows) fact(`${row.effect}: ${row.fact}`, row.run);
+});
 
 describe('guards', () => {
   for (const row of guardRows) fact(`${row.guard}: ${row.fact}`, row.run);

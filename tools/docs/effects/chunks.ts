@@ -7,7 +7,6 @@ import {
   joints,
   meshes,
   outlines,
-  particleSystems,
   threads,
 } from '../../../physics-core/inside.js';
 
@@ -24,7 +23,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],
-  ['chunk-particle-code', particleSystems.causes],
+  ['chunk-particle-code', 'the entry `core`: particle systems, which pages do not draw yet'],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-debug-code', outlines.causes],
   ['chunk-faults-code', 'a fault in the markup'],

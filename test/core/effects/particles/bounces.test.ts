@@ -1,4 +1,6 @@
 import { conjugate, rotate, subtract } from '../../../../physics-core/base/math.js';
+import { particles } from '../../../../physics-core/effects/particles/effects.js';
+import type { ParticleSystemNode } from '../../../../physics-core/nodes/particles/particle-system-node.js';
 import type { World } from '../../../../physics-core/inside.js';
 import type { PhysicsNode } from '../../../../physics-core/nodes/node/node.js';
 import {
@@ -353,3 +355,25 @@ fact(
     }
   },
 );
+
+fact('between walls and in a ball nothing is lost in a minute, wherever it bounces', async () => {
+  for (const geometry of [
+    { type: 'Box', size: [2, 2, 2] },
+    { type: 'Sphere', radius: 1 },
+  ]) {
+    const w = await world({ accuracy: 'game' });
+    const system = thrown(w, [0.1, 0.2, 0.3], [3, 1, 2], {
+      collides: false,
+      physics: [{ type: 'ForcePhysicsModel', force: [0, -0.0098, 0] }, bounded(geometry)],
+    });
+    const energy = (): number => {
+      const { motion } = w.registry.get(particles).of(system as ParticleSystemNode)!.cloud;
+      const [, y, , u, v, t] = motion as unknown as number[];
+      return (u! ** 2 + v! ** 2 + t! ** 2) / 2 + G * y!;
+    };
+    w.step();
+    const before = energy();
+    w.advance(60);
+    close(energy(), before, 0.01);
+  }
+});

@@ -298,3 +298,57 @@ fact('what lies on a body that stands lies still, however many press on it', asy
   w.advance(3);
   (system.get('positions') as Vec3[]).forEach((at, k) => close(at, before[k]!, 1e-3));
 });
+
+fact('a heap weighs what it weighs on what stands, and is lifted by it no less', async () => {
+  const w = await world();
+  addFloor(w);
+  const block = addBody(w, { mass: 1, position: [0, 0.5, 0], geometry: [box(1, 1, 1)] });
+  const system = shots(w, {
+    physics: [{ type: 'ForcePhysicsModel', force: [0, -0.98, 0] }],
+    emitter: { type: 'ExplosionEmitter', position: [0, 1, 0], speed: 0, mass: 0.1 },
+    maxParticles: 100,
+    friction: 0.5,
+  });
+  w.advance(0.5);
+  // Before the floor answers, with the next step: of ten kilograms on one.
+  close(velocity(block)[1], -9.8 * 10 * w.timeStep, 0.02);
+  system.remove();
+});
+
+fact('a free body pressed by a heap gets all of its weight', async () => {
+  const w = await world(WEIGHTLESS);
+  const block = addBody(w, { mass: 1, geometry: [box(1, 1, 1)] });
+  const system = shots(w, {
+    physics: [{ type: 'ForcePhysicsModel', force: [0, -0.098, 0] }],
+    emitter: { type: 'ExplosionEmitter', position: [0, 0.5, 0], speed: 0, mass: 0.01 },
+    maxParticles: 100,
+  });
+  w.advance(0.5);
+  const p = sumsOf(w, system, 0.01).p[1] + velocity(block)[1];
+  close(p, -0.98 * 10 * 0.5, 0.02);
+});
+
+fact(
+  'what is struck through its centre while it moves does not spin, and loses no energy',
+  async () => {
+    for (const speed of [0, 5, 50]) {
+      const w = await world({ ...WEIGHTLESS, accuracy: 'game' });
+      const ball = addBody(w, {
+        mass: 2,
+        position: [0, 0, 0],
+        linearVelocity: [0, 0, speed],
+        geometry: [sphere(0.2)],
+      });
+      const carrier = addBody(w, {
+        position: [-1, 0, 0],
+        linearVelocity: [0, 0, speed],
+        geometry: [sphere(0.01)],
+      });
+      const system = shots(w, { body: carrier, bounce: 1, pushes: true }, [0.1, 0, 0]);
+      w.advance(0.5);
+      close(spin(ball), [0, 0, 0], 1e-3);
+      close(velocity(ball)[0], (2 * 0.5 * 3) / 2.5, 1e-3);
+      system.remove();
+    }
+  },
+);

@@ -351,6 +351,15 @@ test('after hours the gusts of every level are the same, however the seconds wer
   assert.equal(pushes[2], pushes[1]);
 });
 
+test('an explosion of short lives throws as many, and the same ones, at every level', () => {
+  const thrownAt = (dt: number): number => {
+    const { system } = systemOf({ most: 100, lifetime: 0.05, lifetimeVariation: 1, atOnce: true });
+    system.step(dt);
+    return Math.max(...system.cloud.numbers.subarray(0, system.cloud.count));
+  };
+  for (const dt of STEPS) assert.ok(thrownAt(dt) < 100);
+});
+
 test('begun anew an explosion throws again', () => {
   const { system } = systemOf({ most: 25, lifetime: 1, atOnce: true });
   run(system, 0.5);

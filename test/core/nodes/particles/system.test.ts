@@ -177,3 +177,36 @@ fact('a body that is not simulated throws nothing with the speed that it had', a
   w.advance(1.2);
   for (const [, y] of placesOf(system)) close(y, 0.5, 0.02);
 });
+
+fact('isActive is told once for each change, through resets and restores', async () => {
+  const w = await world();
+  const system = fountain(w);
+  const told: unknown[] = [];
+  system.on('isActive', (active) => told.push(active));
+  const empty = w.snapshot();
+  w.advance(0.5);
+  w.reset();
+  w.advance(0.5);
+  assert.deepEqual(told, [true]);
+  system.set('enabled', false);
+  w.reset();
+  w.advance(0.1);
+  assert.deepEqual(told, [true, false]);
+  w.restore(empty);
+  w.advance(0.1);
+  assert.deepEqual(told, [true, false, true]);
+});
+
+fact('a body that is made again goes on throwing', async () => {
+  const w = await world(WEIGHTLESS);
+  const body = addBody(w, { geometry: [box(1, 1, 1)] });
+  const system = fountain(w, { body, physics: [] });
+  w.advance(0.2);
+  body.unmake();
+  w.advance(0.3);
+  const count = system.get('count');
+  body.set('geometry', [box(2, 2, 2)]);
+  w.advance(0.2);
+  assert.ok((system.get('count') as number) > (count as number));
+  for (const at of placesOf(system)) assert.ok(at.every(Number.isFinite));
+});

@@ -16,6 +16,7 @@ import { sliderRows } from './joints/slider.js';
 import { doubleHingeRows, universalRows } from './joints/two-axes.js';
 import { rows as rigidBodyRows } from './body/rigid-body.js';
 import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
+import { particleRows } from './particles.js';
 import type { Row } from './row.js';
 import { spaceRows } from './collision/spaces.js';
 
@@ -42,3 +43,6 @@ export const rowsOf: Record<string, Row[]> = Object.fromEntries(
 );
 
 export const guardRows: Row[] = [...valueRows, ...jamRows];
+
+/** Of effects whose nodes' tables come in a chunk. */
+export const lateRows: Row[] = particleRows;
