@@ -1,4 +1,6 @@
 // docs/effects.md, from the descriptors of all effects and the classes that they load, and what the lab found them to cost.
+// What pages have no words for comes with it.
+import '../../../physics-core/index.js';
 import { readFileSync } from 'node:fs';
 import { allEffects } from '../../../physics-core/effects/all.js';
 import type { Effect, EffectDescriptor } from '../../../physics-core/effects/effect/effect.js';
