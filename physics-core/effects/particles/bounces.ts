@@ -87,7 +87,7 @@ export class Bounces {
     this.#damping = damping;
     this.#take(motion, at, push);
     let start = since;
-    for (let tries = 0; this.#isStopped(surface, damping, start, dt); tries++) {
+    for (let tries = 0; this.#isStopped(surface, start, dt); tries++) {
       start = this.#met[MET.time]!;
       this.#free(push);
       const rest = (1 - start) * dt;
@@ -139,12 +139,12 @@ export class Bounces {
   }
 
   /** Goes on to the end of the step from the share `start` of it, or to where something is in its way: then TRUE. */
-  #isStopped(surface: Surface, damping: number, start: number, dt: number): boolean {
+  #isStopped(surface: Surface, start: number, dt: number): boolean {
     const rest = (1 - start) * dt;
-    this.#drift.take(damping, rest);
+    this.#drift.take(this.#damping, rest);
     this.#lead(rest);
     const isMet = this.#meets(surface, start);
-    if (isMet) this.#stop(damping, (this.#met[MET.time]! - start) * dt, rest);
+    if (isMet) this.#stop((this.#met[MET.time]! - start) * dt, rest);
     else copy(this.#to, this.#from);
     this.#speed();
     this.#press(surface.mass);
@@ -152,7 +152,7 @@ export class Bounces {
   }
 
   /** Puts it where it was met, so many seconds later, on its way for the `rest` of the step. */
-  #stop(damping: number, seconds: number, rest: number): void {
+  #stop(seconds: number, rest: number): void {
     const met = this.#met;
     this.#makeUnit();
     const share = rest > 0 ? seconds / rest : 0;
@@ -161,7 +161,7 @@ export class Bounces {
       const straight = this.#from[i]! + (this.#to[i]! - this.#from[i]!) * share;
       beyond[i] = beyond[i]! * (1 - share) - straight;
     }
-    this.#drift.take(damping, seconds);
+    this.#drift.take(this.#damping, seconds);
     this.#lead(seconds);
     let above = 0;
     for (let i = 0; i < 3; i++) {

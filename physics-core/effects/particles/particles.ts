@@ -46,12 +46,6 @@ export class Particles extends Effect {
     return new ParticleSystem(this.#simulation, this.#bounces, () => source.settings);
   }
 
-  /** Whoever stood on a body that goes stands nowhere. */
-  override unmade(node: Cause): void {
-    super.unmade(node);
-    if (this.#systems.size > 0) this.changed();
-  }
-
   override release(node: Cause): void {
     this.#systems.delete(node as ParticleSource);
     super.release(node);
@@ -65,7 +59,7 @@ export class Particles extends Effect {
 
   /** Bodies have gone their whole way by then, in however many parts. */
   override stepOver(dt: number): void {
-    if ([...this.#systems.values()].some(({ collides }) => collides)) this.#obstacles.take(dt);
+    if (this.#anyCollides()) this.#obstacles.take(dt);
     else this.#obstacles.forget();
     let goesOn = false;
     for (const source of this.inOrder as readonly ParticleSource[]) {
@@ -77,6 +71,11 @@ export class Particles extends Effect {
     }
     this.#pushed.end();
     if (goesOn) this.#goOn();
+  }
+
+  #anyCollides(): boolean {
+    for (const system of this.#systems.values()) if (system.collides) return true;
+    return false;
   }
 
   /** Where no body moves, steps are taken all the same. */
