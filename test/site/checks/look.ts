@@ -76,8 +76,9 @@ async function places(tab: Tab): Promise<Place[]> {
   return (await tab.evaluate(PLACES)) as Place[];
 }
 
-/** Runs in the page. */
-const HIDE = `for (const shape of shapes) shape.setAttribute('render', 'false')`;
+/** Runs in the page: whether its shapes are drawn. */
+const render = (shown: boolean): string =>
+  `for (const shape of shapes) shape.setAttribute('render', '${shown}')`;
 
 const inside = (a: number, b: number): boolean => Math.max(Math.abs(a), Math.abs(b)) <= 1;
 
@@ -140,13 +141,35 @@ async function looks(tab: Tab, read: (png: Buffer) => Promise<Picture>): Promise
     return read(await tab.locator('x3d canvas').first().screenshot());
   };
   const shown = { light: await picture('light'), dark: await picture('dark') };
-  await tab.evaluate(HIDE);
+  await tab.evaluate(render(false));
   await tab.evaluate(DRAW);
+  const hidden = { dark: await picture('dark'), light: await picture('light') };
+  await tab.evaluate(render(true));
   return [
-    { scheme: 'dark', shown: shown.dark, hidden: await picture('dark') },
-    { scheme: 'light', shown: shown.light, hidden: await picture('light') },
+    { scheme: 'dark', shown: shown.dark, hidden: hidden.dark },
+    { scheme: 'light', shown: shown.light, hidden: hidden.light },
   ];
 }
+
+/** A chart that gets its figures takes room from the picture: places and pictures of one size are kept. */
+const TRIES = 5;
+
+async function placedLooks(
+  tab: Tab,
+  read: (png: Buffer) => Promise<Picture>,
+  tries = TRIES,
+): Promise<{ wide: Place[]; seen: Look[] }> {
+  const before = await sizeOf(tab);
+  const wide = await places(tab);
+  if (wide.length === 0) return { wide, seen: [] };
+  const seen = await looks(tab, read);
+  if (before === (await sizeOf(tab))) return { wide, seen };
+  if (tries === 1) throw new Error('its picture goes on changing its size');
+  return placedLooks(tab, read, tries - 1);
+}
+
+const sizeOf = async (tab: Tab): Promise<string> =>
+  JSON.stringify(await tab.locator('x3d canvas').first().boundingBox());
 
 /** By night the sky is as dark as a black face; the faces are those of the day. */
 function blackened({ scheme, shown }: Look): string[] {
@@ -163,12 +186,12 @@ export async function ugly(
   await tab.evaluate(begin(library));
   const narrow = await places(tab);
   await tab.setViewportSize({ width: WIDTH, height });
-  const wide = await places(tab);
+  const { wide, seen } = await placedLooks(tab, read);
   if (wide.length === 0) return ['no body that moves is drawn'];
   return [
     ...cropped(narrow).map((fault) => `on a phone, ${fault}`),
     ...cropped(wide),
-    ...(await looks(tab, read)).flatMap((look) =>
+    ...seen.flatMap((look) =>
       [...blackened(look), ...lost(wide, look)].map((fault) => `${look.scheme}: ${fault}`),
     ),
   ];
