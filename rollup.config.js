@@ -47,12 +47,17 @@ const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\
 const OF_CORE =
   /\/physics-core\/(inside|face\/shown|base\/cholesky|solver\/(tolerances|joints\/blocks)|shapes\/(forms\/form|surface\/layout))\.ts$/;
 
+/** What reads, places and draws particles, and their tags. */
+const OF_PARTICLES =
+  /\/(elements\/(x3d-(particle-system|[a-z]+-emitter|[a-z]+-physics-model)|particles|bridge\/particles\/[\w-]+)|physics-core\/particles)\.ts$/;
+
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
  * also runs without one, with the little that joints, hands, contacts and meshes have in common. What debug drawing and measurement have
  * in common with contacts stays in the file of these.
  */
 const together = (id) => {
+  if (OF_PARTICLES.test(id)) return 'particle-elements';
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
   if (OF_CORE.test(id)) return 'core';
   return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;

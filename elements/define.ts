@@ -1,3 +1,4 @@
+import { particleTags } from './bridge/index.js';
 import type { X3DNodeElementClass } from './node-element.js';
 import { X3DAccuracyChartElement } from './x3d-accuracy-chart.js';
 import { X3DBallJointElement } from './x3d-ball-joint.js';
@@ -36,9 +37,13 @@ export const elementClasses: readonly X3DNodeElementClass[] = [
 /** What shows a world, and is no node of one. */
 export const uiClasses = [X3DAccuracyChartElement, X3DPhysicsMonitorElement] as const;
 
-/** Registers the tags with the page; one that is defined already stays as it is. */
-export function defineElements(): void {
-  for (const element of [...elementClasses, ...uiClasses]) {
+particleTags.comesFrom(() => import('./particles.js').then((file) => file.whole()));
+
+/** Registers tags with the page; one that is defined already stays as it is. */
+export function defineElements(
+  classes: readonly (CustomElementConstructor & { tag: string })[] = [...elementClasses, ...uiClasses],
+): void {
+  for (const element of classes) {
     if (!customElements.get(element.tag)) customElements.define(element.tag, element);
   }
 }

@@ -161,8 +161,8 @@ export function forType<
 >(
   name: Name,
   base?: Base,
+  type = nodeTypes[name] as NodeType,
 ): NodeElementStatics & (new () => InstanceType<Base> & ElementProperties[Name]) {
-  const type = nodeTypes[name] as NodeType;
   class TypedElement extends (base ?? X3DNodeElement) {
     static override readonly type = type;
     static readonly tag = tagOf(type);

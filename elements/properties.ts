@@ -778,6 +778,342 @@ export interface MotorJointProperties {
   set metadata(value: Element | null | undefined);
 }
 
+/** Properties of `<x3d-particle-system>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface ParticleSystemProperties {
+  /** What its particles are drawn with. (SFNode) */
+  get appearance(): Element | null;
+  set appearance(value: Element | null | undefined);
+  /** Whether its particles cast shadows. (SFBool) Default true. */
+  get castShadow(): boolean;
+  set castShadow(value: boolean | string | null | undefined);
+  /** Colours that particles are drawn in, one for each colorKey. (SFNode) */
+  get color(): Element | null;
+  set color(value: Element | null | undefined);
+  /** Ages of particles, seconds, at which they have the colours of color. Range [0, Infinity]. (MFFloat) */
+  get colorKey(): number[];
+  set colorKey(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get createParticles(): boolean;
+  set createParticles(value: boolean | string | null | undefined);
+  /** FALSE: it has no particles. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** What each particle is drawn as where geometryType is GEOMETRY. (SFNode) */
+  get geometry(): Element | null;
+  set geometry(value: Element | null | undefined);
+  /** What particles are drawn as: QUAD, LINE, POINT, SPRITE, TRIANGLE, or GEOMETRY, which is that of geometry. (SFString) Default QUAD. */
+  get geometryType(): string;
+  set geometryType(value: string | null | undefined);
+  /** Greatest share of particleLifetime by which a particle lives longer or less long, evenly spread. Range [0, 1]. (SFFloat) Default 0.25. */
+  get lifetimeVariation(): number;
+  set lifetimeVariation(value: number | string | null | undefined);
+  /** How many particles may live at once. Range [0, Infinity]. (SFInt32) Default 200. */
+  get maxParticles(): number;
+  set maxParticles(value: number | string | null | undefined);
+  /** How long a particle lives, seconds. Range [0, Infinity]. (SFFloat) Default 5. */
+  get particleLifetime(): number;
+  set particleLifetime(value: number | string | null | undefined);
+  /** Width and height of a particle, metres. Range [0, Infinity]. (SFVec2f) Default 0.02 0.02. */
+  get particleSize(): number[];
+  set particleSize(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Whether it has particles, or some will be born by themselves. (SFBool) Default false. */
+  get isActive(): boolean;
+  /** Texture coordinates that particles are drawn with, a set for each texCoordKey. (SFNode) */
+  get texCoord(): Element | null;
+  set texCoord(value: Element | null | undefined);
+  /** Ages of particles, seconds, from which on they have the next set of texCoord. Range [0, Infinity]. (MFFloat) */
+  get texCoordKey(): number[];
+  set texCoordKey(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Where particles are born, and how; NULL: none are. (SFNode) */
+  get emitter(): Element | null;
+  set emitter(value: Element | null | undefined);
+  /** What moves particles: all of these models act together. (MFNode) */
+  get physics(): Element[];
+  set physics(value: Iterable<Element> | null | undefined);
+  /** TRUE: particles bounce off bodies. (SFBool) Default false. */
+  get collides(): boolean;
+  set collides(value: boolean | string | null | undefined);
+  /** TRUE: particles that bounce off bodies push them by their mass. (SFBool) Default false. */
+  get pushes(): boolean;
+  set pushes(value: boolean | string | null | undefined);
+  /** Share of the approach speed that comes back when a particle meets a body. Range [0, 1]. (SFFloat) Default 0. */
+  get bounce(): number;
+  set bounce(value: number | string | null | undefined);
+  /** Coulomb friction of particles on bodies. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  get friction(): number;
+  set friction(value: number | string | null | undefined);
+  /** What is random about particles follows from it: the same number gives the same particles. (SFInt32) Default 0. */
+  get seed(): number;
+  set seed(value: number | string | null | undefined);
+  /** Share of its speed that a particle loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get damping(): number;
+  set damping(value: number | string | null | undefined);
+  /** The body that its emitter stands on and moves with; NULL: the emitter stands in the world. (SFNode) */
+  get body(): Element | null;
+  set body(value: Element | null | undefined);
+  /** Where its particles are, metres, the oldest first. (MFVec3f) */
+  get positions(): number[][];
+  /** How many particles live. (SFInt32) Default 0. */
+  get count(): number;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  get bboxCenter(): number[];
+  set bboxCenter(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  get bboxSize(): number[];
+  set bboxSize(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  get bboxDisplay(): boolean;
+  set bboxDisplay(value: boolean | string | null | undefined);
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  get visible(): boolean;
+  set visible(value: boolean | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-cone-emitter>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface ConeEmitterProperties {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get on(): boolean;
+  set on(value: boolean | string | null | undefined);
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  get variation(): number;
+  set variation(value: number | string | null | undefined);
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  get surfaceArea(): number;
+  set surfaceArea(value: number | string | null | undefined);
+  /** Where particles are born, metres, in the frame of their system. (SFVec3f) Default 0 0 0. */
+  get position(): number[];
+  set position(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  get direction(): number[];
+  set direction(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Greatest angle between direction and the way of a particle, radians. Range [0, 3.141592653589793]. (SFFloat) Default 0.7853981633974483. */
+  get angle(): number;
+  set angle(value: number | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-explosion-emitter>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface ExplosionEmitterProperties {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get on(): boolean;
+  set on(value: boolean | string | null | undefined);
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  get variation(): number;
+  set variation(value: number | string | null | undefined);
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  get surfaceArea(): number;
+  set surfaceArea(value: number | string | null | undefined);
+  /** Where particles are born, metres, in the frame of their system. (SFVec3f) Default 0 0 0. */
+  get position(): number[];
+  set position(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-point-emitter>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface PointEmitterProperties {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get on(): boolean;
+  set on(value: boolean | string | null | undefined);
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  get variation(): number;
+  set variation(value: number | string | null | undefined);
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  get surfaceArea(): number;
+  set surfaceArea(value: number | string | null | undefined);
+  /** Where particles are born, metres, in the frame of their system. (SFVec3f) Default 0 0 0. */
+  get position(): number[];
+  set position(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  get direction(): number[];
+  set direction(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-polyline-emitter>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface PolylineEmitterProperties {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get on(): boolean;
+  set on(value: boolean | string | null | undefined);
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  get variation(): number;
+  set variation(value: number | string | null | undefined);
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  get surfaceArea(): number;
+  set surfaceArea(value: number | string | null | undefined);
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  get direction(): number[];
+  set direction(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Its points, metres, in the frame of the system: a Coordinate, or the flat list of its numbers. (SFNode) */
+  get coord(): Element | null;
+  set coord(value: Element | null | undefined);
+  /** Which points make a line, counted from 0, with -1 after each line; -1 alone: all in order make one. Range [-1, Infinity]. (MFInt32) Default -1. */
+  get coordIndex(): number[];
+  set coordIndex(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-surface-emitter>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface SurfaceEmitterProperties {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get on(): boolean;
+  set on(value: boolean | string | null | undefined);
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  get variation(): number;
+  set variation(value: number | string | null | undefined);
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  get surfaceArea(): number;
+  set surfaceArea(value: number | string | null | undefined);
+  /** The geometry on which particles are born; NULL: none are. (SFNode) */
+  get surface(): Element | null;
+  set surface(value: Element | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-volume-emitter>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface VolumeEmitterProperties {
+  /** FALSE: no particle is born, and those that there are live on. (SFBool) Default true. */
+  get on(): boolean;
+  set on(value: boolean | string | null | undefined);
+  /** Speed that particles are born with, m/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a particle is more or less, evenly spread; none is below 0. Range [0, Infinity]. (SFFloat) Default 0.25. */
+  get variation(): number;
+  set variation(value: number | string | null | undefined);
+  /** Mass of each particle, kilograms; with 0 no force and no wind moves it. Range [0, Infinity]. (SFFloat) Default 0. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Area that each particle shows to the wind, m². Range [0, Infinity]. (SFFloat) Default 0. */
+  get surfaceArea(): number;
+  set surfaceArea(value: number | string | null | undefined);
+  /** Where particles go at first, in the frame of their system, whatever its length; 0 0 0 sends each another way. (SFVec3f) Default 0 1 0. */
+  get direction(): number[];
+  set direction(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Its points, metres, in the frame of the system: a Coordinate, or the flat list of its numbers. (SFNode) */
+  get coord(): Element | null;
+  set coord(value: Element | null | undefined);
+  /** Which points make a face, counted from 0, with -1 after each face: together they are closed. Range [-1, Infinity]. (MFInt32) Default -1. */
+  get coordIndex(): number[];
+  set coordIndex(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** TRUE: particles are born anywhere inside; FALSE: only on the surface. (SFBool) Default true. */
+  get internal(): boolean;
+  set internal(value: boolean | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-bounded-physics-model>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface BoundedPhysicsModelProperties {
+  /** FALSE: it does nothing to particles. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** The geometry that particles bounce off, in the frame of their system. (SFNode) */
+  get geometry(): Element | null;
+  set geometry(value: Element | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-force-physics-model>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface ForcePhysicsModelProperties {
+  /** FALSE: it does nothing to particles. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** Force on each particle, newtons, in the frame of their system; divided by its mass it is an acceleration. (SFVec3f) Default 0 -9.8 0. */
+  get force(): number[];
+  set force(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-wind-physics-model>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface WindPhysicsModelProperties {
+  /** FALSE: it does nothing to particles. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** Where the wind blows, in the frame of the system, whatever its length; 0 0 0: each time elsewhere. (SFVec3f) Default 1 0 0. */
+  get direction(): number[];
+  set direction(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Speed of the wind between gusts, m/s. Range [0, Infinity]. (SFFloat) Default 0.1. */
+  get speed(): number;
+  set speed(value: number | string | null | undefined);
+  /** Greatest share of the speed by which that of a gust is more or less. Range [0, Infinity]. (SFFloat) Default 0.1. */
+  get gustiness(): number;
+  set gustiness(value: number | string | null | undefined);
+  /** How far particles are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere. Range [0, 1]. (SFFloat) Default 0. */
+  get turbulence(): number;
+  set turbulence(value: number | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
 /** By type of node. */
 export interface ElementProperties {
   RigidBodyCollection: RigidBodyCollectionProperties;
@@ -794,6 +1130,16 @@ export interface ElementProperties {
   SliderJoint: SliderJointProperties;
   UniversalJoint: UniversalJointProperties;
   MotorJoint: MotorJointProperties;
+  ParticleSystem: ParticleSystemProperties;
+  ConeEmitter: ConeEmitterProperties;
+  ExplosionEmitter: ExplosionEmitterProperties;
+  PointEmitter: PointEmitterProperties;
+  PolylineEmitter: PolylineEmitterProperties;
+  SurfaceEmitter: SurfaceEmitterProperties;
+  VolumeEmitter: VolumeEmitterProperties;
+  BoundedPhysicsModel: BoundedPhysicsModelProperties;
+  ForcePhysicsModel: ForcePhysicsModelProperties;
+  WindPhysicsModel: WindPhysicsModelProperties;
 }
 
 /** The events of all physics elements. They bubble, so that they can be listened to anywhere above. */

@@ -10,7 +10,7 @@ export async function generatedTypes(): Promise<Record<string, string>> {
   const types = Object.values(nodeTypes as Record<string, NodeType>);
   const texts = {
     'physics-core/face/fields.ts': coreFieldTypes([...types, ...Object.values(particleTypes)]),
-    'elements/properties.ts': elementPropertyTypes(types),
+    'elements/properties.ts': elementPropertyTypes([...types, ...Object.values(particleTypes)]),
   };
   const written = Object.entries(texts).map(async ([file, text]) => {
     const options = await resolveConfig(file);

@@ -52,6 +52,7 @@ export const trees = {
       'batch',
       'plans',
       'outward',
+      'particles',
       'scene',
       'page',
     ],

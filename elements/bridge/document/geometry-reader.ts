@@ -41,8 +41,12 @@ export class GeometryReader {
   }
 
   /** The first of some elements that is a geometry itself: a massDensityModel. */
-  single(elements: Element[], around: Scope): GeometryData | undefined {
-    const geometry = elements.find((element) => knownGeometry(lowerName(element)));
+  single(
+    elements: Element[],
+    around: Scope,
+    knows: (name: string) => unknown = knownGeometry,
+  ): GeometryData | undefined {
+    const geometry = elements.find((element) => knows(lowerName(element)));
     const meant = geometry && this.#meant(geometry, around);
     return meant && this.#geometry(meant.element, meant.scope);
   }
@@ -94,12 +98,13 @@ export class GeometryReader {
           ? scaled(value as number | number[], scope.units.length)
           : value;
     }
-    if (hasCoord(type)) data.coord = this.#coord(element, scope);
+    if (hasCoord(type)) data.coord = this.coord([...element.children], scope);
     return data;
   }
 
-  #coord(geometry: Element, around: Scope): number[] {
-    for (const child of geometry.children) {
+  /** The points of the first Coordinate among some elements. */
+  coord(elements: Element[], around: Scope): number[] {
+    for (const child of elements) {
       const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
       if (!/^coordinate(double)?$/.test(lowerName(element))) continue;
       this.#watch(element);
@@ -124,7 +129,7 @@ const scaled = (value: number | number[], factor: number): number | number[] =>
   factor === 1 ? value : Array.isArray(value) ? value.map((item) => item * factor) : value * factor;
 
 /** Where a geometry sits in the collidable's frame, in metres. */
-function placed(data: GeometryData, matrix: Affine, length: number): GeometryData {
+export function placed(data: GeometryData, matrix: Affine, length: number): GeometryData {
   const { position, quaternion, linear } = decompose(matrix);
   if (position.some((value) => value !== 0))
     data.translation = position.map((value) => value * length);

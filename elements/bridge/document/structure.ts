@@ -72,7 +72,7 @@ export function ownerOf(collidable: Binding, asked = new Set<Binding>()): Bindin
 }
 
 /** The nodes of these types in which an element stands as a child, or that name it. */
-function holdersOf(place: Element, binding: Binding, ...types: string[]): Binding[] {
+export function holdersOf(place: Element, binding: Binding, ...types: string[]): Binding[] {
   const parent = parentIn(place, scopeOf(place, binding));
   const holder = parent && isType(parent, ...types) ? ownBinding(parent) : undefined;
   return [...(holder ? [holder] : []), ...namers.of(place, ...types)];

@@ -3,9 +3,16 @@ import type { PageWorld } from '../nodes/surroundings.js';
 import { jointBody } from './joint-bodies.js';
 import { collectionOf, listing, membersOf, nodesOf, ownerOf, placesOf } from './structure.js';
 
+type Finder = (binding: Binding) => PageWorld | undefined;
+
+/** Of types that come in a chunk, by their names. */
+export const lateWorlds: Record<string, Finder> = {};
+
 /** The world that a node lives in; undefined while it lives in none. */
 export function worldFor(binding: Binding): PageWorld | undefined {
   const { worlds, unlisted } = binding.scene!;
+  const late = lateWorlds[binding.type.name];
+  if (late) return late(binding);
   if (binding.isCollidable || binding.is('CollisionSpace')) {
     const user = ownerOf(binding) ?? listing(binding);
     if (user) return user.scope ? worldFor(user) : undefined;

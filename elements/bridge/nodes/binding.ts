@@ -44,6 +44,8 @@ export class Binding extends Findings implements Watcher {
   readonly uses = new Set<Binding>();
   /** Relations as last handed to the core. */
   relations: Record<string, unknown> = {};
+  /** Its node was made, changed its place, or went: for what draws it by itself. */
+  onnode?: () => void;
   readonly #authored = new Authored(this.element, this.type);
 
   // ---- where it stands ------------------------------------------------------------------------------------------

@@ -27,6 +27,8 @@ export interface PageWorld extends World {
   /** Its RigidBodyCollections, in the order of the document. */
   readonly collections: Set<Binding>;
   drawing?: WorldDrawing;
+  /** In every frame, when bodies stand where they are drawn. */
+  onshow?: () => void;
   /** The element beside the node: that of the body, or of the collidable without one. */
   raycast(...way: Parameters<World['raycast']>): PageHit | null;
   enter(member: Binding): void;

@@ -9,7 +9,7 @@ import type { Scene } from '../scene/scene.js';
 import { attribute, isInline, isPhysics, isX3D } from '../words/dom.js';
 import { setUpDropped, whenThere } from '../x3dom/late.js';
 import { listening } from '../x3dom/listening.js';
-import { makeOurs, stopOwnEngine, type OwnTypes } from '../x3dom/own-engine.js';
+import { stopOwnEngine, type OwnTypes } from '../x3dom/own-engine.js';
 import { documentOf, x3dom, type PhysicsX3DNode } from '../x3dom/x3dom.js';
 import { firstCopy, tellTwoCopies } from './copies.js';
 import { explanation, type Explanation } from '../outward/explain.js';
@@ -50,7 +50,7 @@ class Page implements Listener {
     const types = stopOwnEngine(x);
     registerNodeTypes(x, this);
     // The last frame of x3dom's engine comes before ours.
-    if (types) requestAnimationFrame(() => this.#takeOver(types));
+    if (types) requestAnimationFrame(() => void this.#takeOver(types));
     for (const x3d of document.querySelectorAll(X3D)) {
       listening.adopt(x3d);
       if (documentOf(x3d)) setUpDropped(x3d);
@@ -64,7 +64,8 @@ class Page implements Listener {
   }
 
   /** What x3dom made for an engine of its own before we came. */
-  #takeOver(types: OwnTypes): void {
+  async #takeOver(types: OwnTypes): Promise<void> {
+    const { makeOurs } = await import('../x3dom/take-over.js');
     for (const x3d of document.querySelectorAll(X3D))
       if (makeOurs(x3d, types))
         this.#scenes.of(x3d)?.noteFault(x3d, (faults) => faults.otherPhysics());

@@ -6,9 +6,10 @@ import { planColliders, planCollection, planSensor, planSpace } from './plan-col
 import { planJoint } from './plan-joint.js';
 import type { Plan } from './plan.js';
 
-type Planner = (binding: Binding, world: World) => Plan | undefined;
+export type Planner = (binding: Binding, world: World) => Plan | undefined;
 
-const planners: Record<string, Planner> = {
+/** By the names of their types; some come in a chunk. */
+export const planners: Record<string, Planner> = {
   RigidBodyCollection: planCollection,
   RigidBody: planBody,
   CollidableShape: planShape,

@@ -1,6 +1,5 @@
-import { nodeTypes } from '../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
-import { isTransform, tagOf, type NodeType } from '../words/dom.js';
+import { addTypes, isTransform, knownTypes, tagOf, type NodeType } from '../words/dom.js';
 import { holdsNodes } from '../words/fields.js';
 import { placeAsWritten } from '../drawing/place.js';
 import { surviveLostContext } from '../x3dom/lost-context.js';
@@ -206,19 +205,30 @@ function drawnAsTransform(base: X3DNodeClass, x: X3DOM): X3DNodeClass {
 
 const isCollidable = (type: NodeType): boolean => type.name.startsWith('Collidable');
 
+let tell: ((types: Iterable<NodeType>) => void) | undefined;
+
 /** Tells x3dom of both spellings of every physics node. */
 export function registerNodeTypes(x: X3DOM, listener: Listener): void {
-  for (const type of Object.values(nodeTypes)) {
-    const base = isCollidable(type)
-      ? drawnAsTransform(x.nodeTypes.X3DTransformNode, x)
-      : undrawn(x.nodeTypes.X3DChildNode);
-    register(x, type.name, tagOf(type), makeType(base, type, x, listener));
-  }
+  tell = (types) => {
+    for (const type of types) {
+      const base = isCollidable(type)
+        ? drawnAsTransform(x.nodeTypes.X3DTransformNode, x)
+        : undrawn(x.nodeTypes.X3DChildNode);
+      register(x, type.name, tagOf(type), makeType(base, type, x, listener));
+    }
+  };
+  tell(knownTypes());
   watchRoutes(x);
   watchTransforms(x, listener);
   watchUses(x, listener);
   watchInlines(x, listener);
   surviveLostContext(x);
+}
+
+/** Types that come in a chunk, and with them their tags. */
+export function learnTypes(types: Readonly<Record<string, NodeType>>): void {
+  addTypes(types);
+  tell?.(Object.values(types));
 }
 
 function register(x: X3DOM, name: string, tag: string, type: X3DNodeClass): void {

@@ -41,6 +41,7 @@ export class SceneWorld extends World implements PageWorld {
   }
 
   drawing?: WorldDrawing;
+  onshow?: () => void;
 
   override flush(): void {
     this.onflush?.();

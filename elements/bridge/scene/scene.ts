@@ -26,7 +26,7 @@ import { Arrivals } from './arrivals.js';
 import type { SceneWorld } from './scene-world.js';
 import { Strangers } from './strangers.js';
 import { Tree } from './tree.js';
-import { Undrawn } from './undrawn.js';
+import { Unread } from './unread.js';
 import { Worlds } from './worlds.js';
 
 /** The physics of one `<x3d>`: its scopes, its worlds, and the nodes that wait to be brought up to date. */
@@ -50,7 +50,7 @@ export class Scene implements Driven, Site, Stage {
   readonly debug = new Debug(this);
   readonly tree: Tree;
   readonly strangers: Strangers;
-  readonly undrawn: Undrawn = new Undrawn(this);
+  readonly unread: Unread = new Unread(this);
   readonly reports: Reports;
   live = false;
   /** Once, not in each frame. */
@@ -157,6 +157,7 @@ export class Scene implements Driven, Site, Stage {
     this.events.update(binding);
     this.routes.update(binding);
     this.batching.drawer?.nodeChanged(binding);
+    binding.onnode?.();
   }
 
   collectionsChanged(world: PageWorld): void {
@@ -207,7 +208,7 @@ export class Scene implements Driven, Site, Stage {
     this.#readBy = this.document;
     for (const scope of this.scopes) {
       this.tree.requeue(scope);
-      for (const element of subtree(scope.root)) this.undrawn.add(element);
+      for (const element of subtree(scope.root)) this.unread.add(element);
     }
     for (const binding of this.bindings()) this.updates.redraw(binding);
   }
@@ -259,6 +260,7 @@ export class Scene implements Driven, Site, Stage {
     this.drawing.drawMoved(world);
     this.routes.send(world);
     this.debug.draw(world);
+    world.onshow?.();
     world.stepping.frameOver(start, this.#picture);
   }
 }

@@ -62,7 +62,7 @@ export class Start {
     if (!this.#isRead(this.#scene.x3d)) return ['x3dom'];
     this.#scene.readPage();
     const waits = this.#pendingInlines().map((inline) => `Inline ${attribute(inline, 'url')}`);
-    return this.#scene.undrawn.pending ? [...waits, 'what draws its geometry'] : waits;
+    return this.#scene.unread.pending ? [...waits, 'code for its tags'] : waits;
   }
 
   /** Without x3dom, or where it finds no WebGL, the simulation runs unseen. */

@@ -14,7 +14,7 @@ interface Scene extends Surroundings {
   readonly scopes: Scopes;
   readonly updates: Updates;
   readonly strangers: { add(element: Element): void; delete(element: Element): void };
-  readonly undrawn: { add(element: Element): void };
+  readonly unread: { add(element: Element): void };
   readonly arrivals: { add(element: Element, scope: Scope): void };
 }
 
@@ -94,7 +94,7 @@ export class Tree implements Elements {
     scope.noteStatement(element, true);
     this.#scene.arrivals.add(element, scope);
     this.#scene.strangers.add(element);
-    this.#scene.undrawn.add(element);
+    this.#scene.unread.add(element);
     if (!isPhysics(element) || attribute(element, 'USE')) return;
     const binding = ownBinding(element);
     if (!binding || binding.scope === scope) return;

@@ -50,10 +50,18 @@ export const camel = (name: string): string =>
 export const tagOf = (type: NodeType): string => `x3d-${kebab(type.name)}`;
 
 const typesByName = new Map<string, NodeType>();
-for (const type of Object.values(nodeTypes)) {
-  typesByName.set(type.name.toLowerCase(), type);
-  typesByName.set(tagOf(type), type);
+/** Tags mean nodes of these types, too. */
+export function addTypes(types: Readonly<Record<string, NodeType>>): void {
+  for (const type of Object.values(types)) {
+    typesByName.set(type.name.toLowerCase(), type);
+    typesByName.set(tagOf(type), type);
+  }
 }
+
+addTypes(nodeTypes);
+
+/** All that tags may mean so far. */
+export const knownTypes = (): Set<NodeType> => new Set(typesByName.values());
 
 /** The physics node that an element of either spelling stands for. */
 export const typeOf = (element: Element): NodeType | undefined =>
@@ -63,7 +71,7 @@ export const typeOf = (element: Element): NodeType | undefined =>
 function typeOfClass(element: Element): NodeType | undefined {
   if (!element.localName.includes('-')) return undefined;
   const { type } = element.constructor as { type?: NodeType };
-  return type && nodeTypes[type.name] === type ? type : undefined;
+  return type && typesByName.get(tagOf(type)) === type ? type : undefined;
 }
 
 /** The types a physics child may be, given by its name: used where roles are told apart. */

@@ -34,6 +34,7 @@ export const provide = (): Faults => ({
   late,
   stranger,
   notDrawn,
+  unread,
 });
 
 function unknownAttribute({ element, type, label }: Labelled, name: string): ProblemReport {
@@ -270,6 +271,14 @@ function stranger({ localName: tag }: Element): ProblemReport | undefined {
     message: `<${show(tag)}> is no node${text ? `; ${text}` : ''}`,
   };
 }
+
+const unread = ({ localName: tag }: Element): ProblemReport => ({
+  code: 'effect-load-failed',
+  severity: 'error',
+  value: tag,
+  used: 'nothing',
+  message: `the code for <${tag}> could not be loaded: it does nothing`,
+});
 
 const notDrawn = ({ localName: tag }: Element): ProblemReport => ({
   code: 'not-drawn',

@@ -52,6 +52,8 @@ export interface Faults {
   late(waits: string): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
+  /** A tag whose code could not be had. */
+  unread(element: Element): ProblemReport;
   /** A geometry that collides and is not drawn. */
   notDrawn(geometry: Element): ProblemReport;
 }

@@ -75,6 +75,11 @@ export class ParticleSystem {
     this.#heard = undefined;
   }
 
+  /** Seconds that it has lived. */
+  get time(): number {
+    return this.#time;
+  }
+
   /** Whether it has particles, or will have some without anybody doing anything. */
   get active(): boolean {
     return this.count > 0 || this.#emits;

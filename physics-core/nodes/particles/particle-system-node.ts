@@ -1,4 +1,4 @@
-import { PARTICLE } from '../../effects/particles/cloud.js';
+import { PARTICLE, type Cloud } from '../../effects/particles/cloud.js';
 import { particles } from '../../effects/particles/effects.js';
 import type { Surface } from '../../effects/particles/bounces.js';
 import type { ParticleSystem } from '../../effects/particles/particle-system.js';
@@ -83,6 +83,12 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
 
   protected override destroy(): void {
     this.world.registry.find(particles)?.release(this);
+  }
+
+  /** For who draws them: its particles, those from `first` on alive, and the time of its system, seconds. */
+  get shown(): { cloud: Cloud; first: number; time: number } | undefined {
+    const system = this.#system;
+    return system && { cloud: system.cloud, first: system.cloud.count - system.count, time: system.time };
   }
 
   // ---- what it shows ----------------------------------------------------------------------------------------------

@@ -39,9 +39,8 @@ export async function learnShapes(): Promise<void> {
   }
 }
 
-/** x3dom dropped it when it did not know it; undefined where it has it, or can't have it. */
+/** x3dom dropped it when it did not know it. */
 export const dropped = (element: Element): boolean =>
-  SHAPES.test(lowerName(element)) &&
   !nodeOf(element) &&
   !!element.parentElement &&
   !!nodeOf(element.parentElement);

@@ -1,0 +1,257 @@
+import { PARTICLE } from '../../../physics-core/particles.js';
+import type { Affine } from '../geometry/matrix.js';
+import { attribute } from '../words/dom.js';
+import {
+  x3dom,
+  type NodeContext,
+  type X3DDocument,
+  type X3DMatrix,
+  type X3DMesh,
+  type X3DNode,
+} from '../x3dom/x3dom.js';
+import { formOf, type Form } from './form.js';
+import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
+import { farthestFirst } from './sort.js';
+
+/** What a system is drawn with. */
+export interface Look {
+  doc: X3DDocument;
+  element: Element;
+  type: string;
+  /** Metres. */
+  size: [number, number];
+  /** Those of its frame, where no body carries it. */
+  axes: Affine | undefined;
+  appearance: X3DNode | undefined;
+  geometry: X3DNode | undefined;
+  color: X3DNode | undefined;
+  colorKey: number[];
+  texCoord: X3DNode | undefined;
+  texCoordKey: number[];
+}
+
+/** Particles in the last frame. */
+export interface Shown {
+  cloud: {
+    count: number;
+    motion: Float64Array;
+    born: Float64Array;
+  };
+  first: number;
+  /** Seconds of their system, at the end of the last step; `since`: how long before that the frame is. */
+  time: number;
+  since: number;
+  /** Metres of one unit of what x3dom draws. */
+  length: number;
+  /** Of the world that is simulated, metres. */
+  origin: ArrayLike<number>;
+}
+
+interface ShapeNode extends X3DNode {
+  _dirty: Record<string, boolean>;
+  _graph: { needCulling: boolean };
+  renderFlag(): boolean;
+  setAllDirty(): void;
+}
+
+interface CloudMesh extends X3DMesh {
+  _normals: ArrayLike<number>[];
+  _texCoords: ArrayLike<number>[];
+  _colors: ArrayLike<number>[];
+  _numColComponents: number;
+}
+
+interface View {
+  getViewMatrix(): X3DMatrix;
+}
+
+const KINDS: Record<string, string> = {
+  TRIANGLES: 'IndexedTriangleSet',
+  LINES: 'LineSet',
+  POINTS: 'PointSet',
+};
+
+/** Where what is not alive stands: out of any sight, metres. */
+const NOWHERE = 1e30;
+
+/** All particles of a system in one Shape, which stands in no document: no element, so nothing meets it but x3dom. */
+export class CloudShape {
+  readonly #look: Look;
+  readonly #form: Form;
+  readonly #shape: ShapeNode;
+  readonly #mesh: CloudMesh;
+  readonly #colors: Ramp | undefined;
+  readonly #texCoords: Ramp | undefined;
+  #room = 0;
+  #drawn = 0;
+  #shown: Shown | undefined;
+  #stale = true;
+  /** Right, up and back of who looks, in the world. */
+  readonly #view = new Float64Array(9);
+
+  constructor(look: Look) {
+    this.#look = look;
+    const x = x3dom()!;
+    const { doc } = look;
+    const nameSpace = doc._scene!._nameSpace!;
+    const context: NodeContext = { doc, runtime: undefined, xmlNode: null, nameSpace };
+    const make = (type: string): X3DNode => {
+      const node = new x.nodeTypes[type](context);
+      node._nameSpace = nameSpace;
+      return node;
+    };
+    this.#form = formOf(look);
+    this.#colors = look.color && colorsOf(look.color, look.colorKey);
+    this.#texCoords =
+      look.texCoord && texCoordsOf(look.texCoord, look.texCoordKey, this.#form.corners);
+    this.#shape = make('Shape') as ShapeNode;
+    const geometry = make(KINDS[this.#form.primitive]);
+    geometry._vf.solid = false;
+    this.#mesh = geometry._mesh as CloudMesh;
+    this.#mesh._numColComponents = 4;
+    this.#shape.addChild(this.#appearance(make), 'appearance');
+    this.#shape.addChild(geometry, 'geometry');
+    this.#shape._vf.isPickable = false;
+    // Its bounds are empty, and what is empty would be left out as out of sight.
+    const nowhere = new x.fields.BoxVolume();
+    this.#shape.getVolume = () => nowhere;
+    this.#shape._graph.needCulling = false;
+    // x3dom asks whenever it is about to draw.
+    this.#shape.renderFlag = () => this.#fill();
+    this.#shape.nodeChanged();
+  }
+
+  /** What fades shows what is behind it. */
+  #appearance(make: (type: string) => X3DNode): X3DNode {
+    const node = this.#look.appearance ?? make('Appearance');
+    if (this.#colors?.fades && node._vf.sortType === 'auto') node._vf.sortType = 'transparent';
+    return node;
+  }
+
+  looks(look: Look): boolean {
+    const own = this.#look as unknown as Record<string, unknown>;
+    return Object.entries(look).every(
+      ([name, value]) =>
+        value === own[name] || (Array.isArray(value) && String(value) === String(own[name])),
+    );
+  }
+
+  /** Shows particles as they are now, when x3dom draws next. */
+  show(shown: Shown): void {
+    this.#shown = shown;
+    this.#stale = true;
+    const { _scene: scene } = this.#look.doc;
+    const any = shown.cloud.count > shown.first;
+    // x3dom takes no shape that never had anything to draw.
+    if (any && this.#shape._parentNodes.length === 0) {
+      this.#fill();
+      scene!.addChild(this.#shape);
+    }
+    if (any || this.#drawn > 0) this.#look.doc.needRender = true;
+  }
+
+  remove(): void {
+    const { doc, appearance } = this.#look;
+    if (appearance) this.#shape.removeChild(appearance);
+    if (this.#shape._parentNodes.length > 0) doc._scene!.removeChild(this.#shape);
+    doc.needRender = true;
+  }
+
+  // ---- what is drawn ----------------------------------------------------------------------------------------------
+
+  #fill(): boolean {
+    const shown = this.#shown;
+    if (!shown) return false;
+    const turned = this.#look3d();
+    if (!this.#stale && !(turned && (this.#form.faces || this.#sorted))) return this.#visible;
+    this.#stale = false;
+    const count = shown.cloud.count - shown.first;
+    if (count > this.#room) this.#grow(count);
+    if (this.#room > 0) this.#write(shown, count);
+    return this.#visible;
+  }
+
+  get #visible(): boolean {
+    const { element } = this.#look;
+    return (
+      this.#drawn > 0 &&
+      attribute(element, 'render') !== 'false' &&
+      attribute(element, 'visible') !== 'false'
+    );
+  }
+
+  get #sorted(): boolean {
+    const { _vf: values, _cf: parts } = this.#shape._cf.appearance!.node!;
+    const transparency = parts.material?.node?._vf.transparency;
+    return values.sortType === 'transparent' || Number(transparency) > 0;
+  }
+
+  /** Reads where the viewer looks; whether that is another way than before. */
+  #look3d(): boolean {
+    const matrix = (this.#look.doc._viewarea as unknown as View | undefined)?.getViewMatrix();
+    if (!matrix) return false;
+    const now = [
+      matrix._00, matrix._01, matrix._02,
+      matrix._10, matrix._11, matrix._12,
+      matrix._20, matrix._21, matrix._22,
+    ]; // prettier-ignore
+    const turned = now.some((value, i) => value !== this.#view[i]);
+    this.#view.set(now);
+    return turned;
+  }
+
+  #grow(count: number): void {
+    this.#room = Math.max(16, count, Math.min(2 * this.#room, 2 * count));
+    const { corners, index, normals, texCoords } = this.#form;
+    const room = this.#room;
+    const mesh = this.#mesh;
+    mesh._positions[0] = new Float32Array(room * corners * 3).fill(NOWHERE);
+    mesh._normals[0] = repeated(normals, room);
+    mesh._texCoords[0] = repeated(texCoords, room);
+    mesh._colors[0] = this.#colors ? new Float32Array(room * corners * 4) : [];
+    const all = new Uint32Array(room * index.length);
+    for (let k = 0, at = 0; k < room; k++)
+      for (let i = 0; i < index.length; i++) all[at++] = index[i] + k * corners;
+    mesh._indices[0] = all;
+    this.#drawn = 0;
+    this.#shape.setAllDirty();
+  }
+
+  #write(shown: Shown, count: number): void {
+    const { corners } = this.#form;
+    const { cloud, first, time, since } = shown;
+    const order = this.#sorted ? farthestFirst(cloud.motion, first, count, this.#view) : undefined;
+    const basis = this.#form.faces ? this.#view : undefined;
+    const positions = this.#mesh._positions[0] as Float32Array;
+    const colors = this.#mesh._colors[0] as Float32Array;
+    const texCoords = this.#mesh._texCoords[0] as Float32Array;
+    let drawn = 0;
+    for (let i = 0; i < count; i++) {
+      const k = order ? order[i]! : first + i;
+      const age = time - cloud.born[k]! - since;
+      // It is born after this frame.
+      if (age < 0) continue;
+      this.#form.place(cloud.motion, k * PARTICLE, shown, basis, positions, drawn * corners * 3);
+      this.#colors?.write(age, colors, drawn * corners * 4, corners);
+      this.#texCoords?.write(age, texCoords, drawn * corners * 2, corners);
+      drawn++;
+    }
+    const end = drawn * corners * 3;
+    if (drawn < this.#drawn) positions.fill(NOWHERE, end, this.#drawn * corners * 3);
+    this.#drawn = drawn;
+    this.#noteDirty();
+  }
+
+  #noteDirty(): void {
+    const { _dirty: dirty } = this.#shape;
+    dirty.positions = true;
+    if (this.#colors) dirty.colors = true;
+    if (this.#texCoords) dirty.texcoords = true;
+  }
+}
+
+function repeated(values: ArrayLike<number>, times: number): Float32Array {
+  const out = new Float32Array(values.length * times);
+  for (let k = 0; k < times; k++) out.set(values, k * values.length);
+  return out;
+}

@@ -1,0 +1,94 @@
+import { codecs, type World } from '../../../physics-core/inside.js';
+import { GeometryReader, placed } from '../document/geometry-reader.js';
+import { holdersOf, placesOf } from '../document/structure.js';
+import { worldFor } from '../document/world-for.js';
+import { identity, isIdentity, type Affine } from '../geometry/matrix.js';
+import type { Binding } from '../nodes/binding.js';
+import type { PageWorld } from '../nodes/surroundings.js';
+import { collectionNode, type Plan } from '../plans/plan.js';
+import { lowerName } from '../words/dom.js';
+import { inSI } from '../words/fields.js';
+import { frameOf, mapped, scaleIn } from './frame.js';
+
+/** The first ParticleSystem that it stands in, or that names it. */
+function systemOf(part: Binding): Binding | undefined {
+  for (const place of placesOf(part)) {
+    const [system] = holdersOf(place, part, 'ParticleSystem');
+    if (system?.scope) return system;
+  }
+  return undefined;
+}
+
+/** An emitter or a model lives where its system does. */
+export function worldOfPart(part: Binding): PageWorld | undefined {
+  const system = systemOf(part);
+  return system && worldFor(part.use(system));
+}
+
+/** From what it says in the frame of its system to the world, or to the body that carries it. */
+const MAPPED: Record<string, (matrix: Affine, value: never, length: number) => unknown> = {
+  position: (matrix, value: number[], length) =>
+    mapped(matrix, value.map((each) => each / length), 1).map((each) => each * length),
+  direction: (matrix, value: number[]) => mapped(matrix, value, 0),
+  force: (matrix, value: number[]) => mapped(matrix, value, 0),
+  // What flies in a scaled frame flies as it would in its own.
+  speed: (matrix, value: number) => value * scaleIn(matrix),
+  surfaceArea: (matrix, value: number) => value * scaleIn(matrix),
+};
+
+/** Of these fields a wind says how strong it is, not how far something goes. */
+const isStrength = (part: Binding, name: string): boolean =>
+  part.is('WindPhysicsModel') && name === 'speed';
+
+function placedFields(part: Binding, matrix: Affine): Record<string, unknown> {
+  const relations: Record<string, unknown> = {};
+  if (isIdentity(matrix)) return relations;
+  for (const [name, map] of Object.entries(MAPPED)) {
+    const field = part.type.fields[name];
+    if (!field || isStrength(part, name)) continue;
+    const asked = part.authored(name) ?? field.default;
+    const value = codecs[field.type].accept(inSI(field, asked, part.units));
+    if (value !== undefined) relations[name] = map(matrix, value as never, part.units.length);
+  }
+  return relations;
+}
+
+const isGeometry = (name: string): boolean => !/^(metadata|coordinate)/.test(name);
+
+/** Of its geometry, the triangles or points, where its system has them. */
+function readShape(part: Binding, matrix: Affine): Record<string, unknown> {
+  const reader = new GeometryReader(part);
+  const { length } = part.units;
+  const elements = (name: string): Element[] => part.named(name) ?? [...part.element.children];
+  for (const name of ['surface', 'geometry']) {
+    if (!part.type.fields[name]) continue;
+    const data = reader.single(elements(name), part.scope!, isGeometry);
+    return { [name]: data ? placed(data, matrix, length) : null };
+  }
+  if (!part.type.fields.coord) return {};
+  const points = reader.coord(elements('coord'), part.scope!);
+  return { coord: isIdentity(matrix) ? points : eachPoint(points, matrix, length) };
+}
+
+function eachPoint(points: number[], matrix: Affine, length: number): number[] {
+  const out: number[] = [];
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const point = points.slice(i, i + 3).map((each) => each / length);
+    for (const each of mapped(matrix, point, 1)) out.push(each * length);
+  }
+  return out;
+}
+
+export function planPart(part: Binding, world: World): Plan {
+  const system = systemOf(part);
+  const matrix = system ? frameOf(system, part).matrix : identity();
+  return {
+    world,
+    collection: collectionNode(part),
+    relations: { ...placedFields(part, matrix), ...readShape(part, matrix) },
+  };
+}
+
+/** The element of a system's field: one that is named, else a child of such a tag. */
+export const partOf = (system: Binding, name: string, tag: RegExp): Element | undefined =>
+  system.named(name)?.[0] ?? [...system.element.children].find((each) => tag.test(lowerName(each)));

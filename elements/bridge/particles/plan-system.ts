@@ -1,0 +1,42 @@
+import type { World } from '../../../physics-core/inside.js';
+import { collectionOf, nodesOf, placesOf } from '../document/structure.js';
+import { worldFor } from '../document/world-for.js';
+import type { Binding } from '../nodes/binding.js';
+import type { PageWorld } from '../nodes/surroundings.js';
+import { collectionNode, nodesIn, type Plan } from '../plans/plan.js';
+import { codecs } from '../../../physics-core/inside.js';
+import { inSI } from '../words/fields.js';
+import { drawSystem } from './cloud-drawing.js';
+import { frameOf, scaleIn } from './frame.js';
+
+/** That of its body; of the collection that it stands in; else the only one, where bodies are that it may meet. */
+export function worldOfSystem(system: Binding): PageWorld | undefined {
+  if (placesOf(system).length === 0) return undefined;
+  const { body } = frameOf(system);
+  if (body) return body.scope ? worldFor(body) : undefined;
+  const { worlds } = system.scene!;
+  const collection = collectionOf(system);
+  return collection ? worlds.of(collection) : (worlds.onlyFor(system) ?? worlds.default);
+}
+
+export function planSystem(system: Binding, world: World): Plan {
+  const { body, matrix } = frameOf(system);
+  const only = (role: string, types: string[]): Binding[] =>
+    nodesOf(system, role, ...types).slice(0, 1);
+  const { emitter, physics, particleSize } = system.type.fields;
+  const relations: Record<string, unknown> = {
+    emitter: nodesIn(world, only('emitter', [...emitter.nodes!]), system)[0] ?? null,
+    physics: nodesIn(world, nodesOf(system, 'physics', ...physics.nodes!), system),
+    body: (body && nodesIn(world, [body], system)[0]) ?? null,
+  };
+  const scale = scaleIn(matrix);
+  const asked = system.authored('particleSize') ?? particleSize.default;
+  const size = codecs.SFVec2f.accept(inSI(particleSize, asked, system.units));
+  if (Math.abs(scale - 1) > SAME && size)
+    relations.particleSize = (size as number[]).map((each) => each * scale);
+  drawSystem(system);
+  return { world, collection: collectionNode(system), relations };
+}
+
+/** Turned as often as one likes, nothing gets larger; rounding of a few products of matrices, a pure number. */
+const SAME = 1e-9;

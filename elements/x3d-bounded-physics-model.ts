@@ -1,0 +1,17 @@
+import { particleTypes } from '../physics-core/particles.js';
+import { forType, X3DNodeElement } from './node-element.js';
+
+/**
+ * A surface that particles bounce off, from both of its sides.
+ */
+export class X3DBoundedPhysicsModelElement extends forType(
+  'BoundedPhysicsModel',
+  X3DNodeElement,
+  particleTypes.BoundedPhysicsModel,
+) {}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'x3d-bounded-physics-model': X3DBoundedPhysicsModelElement;
+  }
+}

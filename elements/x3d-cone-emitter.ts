@@ -1,0 +1,17 @@
+import { particleTypes } from '../physics-core/particles.js';
+import { forType, X3DNodeElement } from './node-element.js';
+
+/**
+ * Particles from one point, within a cone.
+ */
+export class X3DConeEmitterElement extends forType(
+  'ConeEmitter',
+  X3DNodeElement,
+  particleTypes.ConeEmitter,
+) {}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'x3d-cone-emitter': X3DConeEmitterElement;
+  }
+}

@@ -1,0 +1,17 @@
+import { particleTypes } from '../physics-core/particles.js';
+import { forType, X3DNodeElement } from './node-element.js';
+
+/**
+ * All particles at once, from one point every way.
+ */
+export class X3DExplosionEmitterElement extends forType(
+  'ExplosionEmitter',
+  X3DNodeElement,
+  particleTypes.ExplosionEmitter,
+) {}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'x3d-explosion-emitter': X3DExplosionEmitterElement;
+  }
+}

@@ -1,0 +1,17 @@
+import { particleTypes } from '../physics-core/particles.js';
+import { forType, X3DNodeElement } from './node-element.js';
+
+/**
+ * Particles from anywhere on a surface, straight away from it.
+ */
+export class X3DSurfaceEmitterElement extends forType(
+  'SurfaceEmitter',
+  X3DNodeElement,
+  particleTypes.SurfaceEmitter,
+) {}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'x3d-surface-emitter': X3DSurfaceEmitterElement;
+  }
+}
