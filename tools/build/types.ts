@@ -1,16 +1,15 @@
 // npm run write -- types: writes the TypeScript types that come from the field tables; test/tools/generated-types.long.test.ts holds them.
 import { writeFileSync } from 'node:fs';
 import { format, resolveConfig } from 'prettier';
-import { nodeTypes, type NodeType } from '../../physics-core/inside.js';
-import { particleTypes } from '../../physics-core/nodes/particles/index.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { coreFieldTypes, elementPropertyTypes } from './field-types.js';
 
 /** The files and what stands in them. */
 export async function generatedTypes(): Promise<Record<string, string>> {
-  const types = Object.values(nodeTypes as Record<string, NodeType>);
+  const types = Object.values(allTypes);
   const texts = {
-    'physics-core/face/fields.ts': coreFieldTypes([...types, ...Object.values(particleTypes)]),
-    'elements/properties.ts': elementPropertyTypes([...types, ...Object.values(particleTypes)]),
+    'physics-core/face/fields.ts': coreFieldTypes(types),
+    'elements/properties.ts': elementPropertyTypes(types),
   };
   const written = Object.entries(texts).map(async ([file, text]) => {
     const options = await resolveConfig(file);
