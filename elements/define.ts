@@ -41,7 +41,10 @@ particleTags.comesFrom(() => import('./particles.js').then((file) => file.whole(
 
 /** Registers tags with the page; one that is defined already stays as it is. */
 export function defineElements(
-  classes: readonly (CustomElementConstructor & { tag: string })[] = [...elementClasses, ...uiClasses],
+  classes: readonly (CustomElementConstructor & { tag: string })[] = [
+    ...elementClasses,
+    ...uiClasses,
+  ],
 ): void {
   for (const element of classes) {
     if (!customElements.get(element.tag)) customElements.define(element.tag, element);

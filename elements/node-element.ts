@@ -15,6 +15,7 @@ import {
   type NodeType,
 } from './bridge/index.js';
 import type { ElementProperties, PhysicsEventMap } from './properties.js';
+import { setAgain } from './set-again.js';
 import { shownInPage, type World } from './world.js';
 
 // Servers that render pages may import this, too; they have neither.
@@ -86,17 +87,10 @@ for (const [name, act] of Object.entries(LISTENING)) {
   Object.defineProperty(X3DNodeElement.prototype, name, { get: () => method, set: () => {} });
 }
 
-/** Properties that a framework set before the element was defined hide our accessors: set them again, through them. */
 function takeEarlyProperties(element: X3DNodeElement): void {
-  const own = element as X3DNodeElement & Record<string, unknown>;
   const { type } = element.constructor as typeof X3DNodeElement;
   const names = [...Object.keys(type.fields), ...additions(type).map(camel)];
-  for (const name of new Set(names.flatMap((each) => [each, each.toLowerCase()]))) {
-    if (!Object.hasOwn(own, name)) continue;
-    const value = own[name];
-    delete own[name];
-    own[name] = value;
-  }
+  setAgain(element, new Set(names.flatMap((each) => [each, each.toLowerCase()])));
 }
 
 /** Attributes in HTML's lowercase, and as XML has them. */

@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * A surface that particles bounce off, from both of its sides.
  */
 export class X3DBoundedPhysicsModelElement extends forType(
   'BoundedPhysicsModel',
-  X3DNodeElement,
+  undefined,
   particleTypes.BoundedPhysicsModel,
 ) {}
 

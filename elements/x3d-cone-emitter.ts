@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * Particles from one point, within a cone.
  */
 export class X3DConeEmitterElement extends forType(
   'ConeEmitter',
-  X3DNodeElement,
+  undefined,
   particleTypes.ConeEmitter,
 ) {}
 

@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * All particles at once, from one point every way.
  */
 export class X3DExplosionEmitterElement extends forType(
   'ExplosionEmitter',
-  X3DNodeElement,
+  undefined,
   particleTypes.ExplosionEmitter,
 ) {}
 

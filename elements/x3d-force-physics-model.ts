@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * A force that is the same on every particle.
  */
 export class X3DForcePhysicsModelElement extends forType(
   'ForcePhysicsModel',
-  X3DNodeElement,
+  undefined,
   particleTypes.ForcePhysicsModel,
 ) {}
 

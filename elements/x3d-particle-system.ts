@@ -1,5 +1,5 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * Particles that an emitter bears, models of physics move, and time takes away; drawn in one call.
@@ -8,7 +8,7 @@ import { forType, X3DNodeElement } from './node-element.js';
  */
 export class X3DParticleSystemElement extends forType(
   'ParticleSystem',
-  X3DNodeElement,
+  undefined,
   particleTypes.ParticleSystem,
 ) {}
 

@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * Particles from anywhere along lines.
  */
 export class X3DPolylineEmitterElement extends forType(
   'PolylineEmitter',
-  X3DNodeElement,
+  undefined,
   particleTypes.PolylineEmitter,
 ) {}
 

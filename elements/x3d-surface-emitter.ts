@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * Particles from anywhere on a surface, straight away from it.
  */
 export class X3DSurfaceEmitterElement extends forType(
   'SurfaceEmitter',
-  X3DNodeElement,
+  undefined,
   particleTypes.SurfaceEmitter,
 ) {}
 

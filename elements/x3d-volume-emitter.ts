@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * Particles from anywhere within a closed surface.
  */
 export class X3DVolumeEmitterElement extends forType(
   'VolumeEmitter',
-  X3DNodeElement,
+  undefined,
   particleTypes.VolumeEmitter,
 ) {}
 

@@ -1,12 +1,12 @@
 import { particleTypes } from '../physics-core/particles.js';
-import { forType, X3DNodeElement } from './node-element.js';
+import { forType } from './node-element.js';
 
 /**
  * A wind that pushes particles by their surfaceArea, in gusts.
  */
 export class X3DWindPhysicsModelElement extends forType(
   'WindPhysicsModel',
-  X3DNodeElement,
+  undefined,
   particleTypes.WindPhysicsModel,
 ) {}
 

@@ -4,6 +4,7 @@ export { keepInternals, setState } from './base/states.js';
 export { STRUCTURE } from './words/attributes.js';
 export { camel, kebab, tagOf, type Field, type NodeType } from './words/dom.js';
 export type { Explanation } from './outward/explain.js';
+export { loadFailed } from './words/load-failed.js';
 export { attributeNames } from './words/fields.js';
 export { adoptStyles } from './base/sheets.js';
 export { checkPlace, tellPage } from './document/misplaced.js';

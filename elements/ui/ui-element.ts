@@ -3,9 +3,11 @@ import {
   camel,
   keepInternals,
   setState,
+  loadFailed,
   tellPage,
   worldShown,
 } from '../bridge/index.js';
+import { setAgain } from '../set-again.js';
 import type { View, ViewModule } from './view.js';
 
 // Servers that render pages may import this, too; they have no elements.
@@ -77,7 +79,7 @@ export abstract class X3DUIElement extends Base {
   }
 
   connectedCallback(): void {
-    this.#takeEarlyProperties();
+    setAgain(this, this.settable);
     this.#sight ??= new IntersectionObserver((entries) => {
       this.#inSight = entries.at(-1)!.isIntersecting;
       this.#turn();
@@ -102,17 +104,6 @@ export abstract class X3DUIElement extends Base {
     this.#view?.changed();
   }
 
-  /** Properties that a framework set before the element was defined hide our accessors: set them again. */
-  #takeEarlyProperties(): void {
-    const own = this as unknown as Record<string, unknown>;
-    for (const name of this.settable) {
-      if (!Object.hasOwn(own, name)) continue;
-      const value = own[name];
-      delete own[name];
-      own[name] = value;
-    }
-  }
-
   async #load(): Promise<void> {
     this.#asked = true;
     // The height it will about have: an element without one would never come into sight.
@@ -131,15 +122,10 @@ export abstract class X3DUIElement extends Base {
   }
 
   #tellMissing(root: ShadowRoot, error: unknown): void {
-    const message = `the ${this.label} could not be loaded; the classic script looks for the folder ui beside itself, and pages opened from disk may load no modules: ${String(error)}`;
+    const problem = loadFailed('ui', `the ${this.label}`, error);
+    const message = `${problem.message}; the classic script looks for the folder ui beside itself, and pages opened from disk may load no modules`;
     root.textContent = message;
-    const problem = {
-      code: 'ui-load-failed',
-      severity: 'error',
-      used: 'nothing',
-      message,
-    } as const;
-    tellPage({ ...problem, value: String(error) }, this);
+    tellPage({ ...problem, message }, this);
   }
 
   /** Starts or stops the view, as it is in sight or not. */

@@ -21,16 +21,23 @@ function text(packages) {
   return `${['The builds of x3d-physics contain the following software.', ...sorted.map(section), AMMO.trim()].join(RULE)}\n`;
 }
 
-/** Comes after the one that leaves comments out. The file is that of the build which has everything in it. */
-export const banner = () =>
-  license({
+/** At the head of each file that people ask for: chunks are parts of these. Comes after what leaves comments out. */
+export function banner() {
+  const whole = license({
     sourcemap: true,
     banner: {
       commentStyle: 'ignored',
       content: '<%= pkg.name %> <%= pkg.version %> | <%= pkg.license %> licence',
     },
   });
+  return {
+    name: 'banner',
+    renderChunk: (code, chunk, options) =>
+      chunk.isEntry ? whole.renderChunk(code, chunk, options) : null,
+  };
+}
 
+/** The file is that of the build which has everything in it. */
 export const thirdParties = (folder) =>
   license({
     thirdParty: { output: { file: `${folder}/${FILE}`, encoding: 'utf-8', template: text } },

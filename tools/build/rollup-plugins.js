@@ -46,7 +46,7 @@ const FOR_PEOPLE = {
   '/physics-core/shapes/': ['causes'],
   '/words/event-types.ts': ['doc', 'detail'],
   '/elements/': ['doc', 'causes'],
-  '/elements/x3d-': ['doc', 'parts'],
+  '/elements/x3d-': ['doc', 'attributes', 'parts'],
 };
 /** Leaves such out of every page. Blanks keep all else where the source map has it. */
 export function withoutDocs() {
@@ -77,7 +77,7 @@ export function withoutDocs() {
 /** Made of texts alone. */
 const isPlain = (value) =>
   value.type === 'TemplateLiteral' ||
-  value.type === 'ObjectExpression' ||
+  /^(Object|Array)Expression$/.test(value.type) ||
   typeof value.value === 'string';
 
 const ofOthers = (id) => !id.endsWith('.ts');

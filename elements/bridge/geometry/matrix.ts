@@ -1,3 +1,7 @@
+import { cross, normalize, perpendicular, quaternionOfAxes } from '../../../physics-core/inside.js';
+
+export { quaternionOf } from '../../../physics-core/inside.js';
+
 /** Three rows of four: linear part and translation. */
 export type Affine = number[];
 export type Quaternion = [number, number, number, number];
@@ -85,14 +89,7 @@ export const translationMatrix = (x: number, y: number, z: number): Affine => [
   z,
 ];
 
-/** Unit quaternion of an axis and angle; a zero axis (x3dom writes `0,0,0,0`) turns nothing. */
-export function quaternionOf([x, y, z, angle]: ArrayLike<number> & Iterable<number>): Quaternion {
-  const size = Math.hypot(x, y, z);
-  if (size === 0) return [0, 0, 0, 1];
-  const s = Math.sin(angle / 2) / size;
-  return [x * s, y * s, z * s, Math.cos(angle / 2)];
-}
-
+/** The angle may be more than half a turn: what was said is not turned round. */
 export function axisAngleOf([x, y, z, w]: Quaternion): [number, number, number, number] {
   const size = Math.hypot(x, y, z);
   return size < 1e-12 ? [0, 0, 1, 0] : [x / size, y / size, z / size, 2 * Math.atan2(size, w)];
@@ -165,12 +162,6 @@ export function quaternionInto(m: Affine, out: XYZW): void {
   else setNormalised(out, c + g, f + h, 1 - a - e + i, d - b);
 }
 
-export function quaternionOfMatrix(m: Affine): Quaternion {
-  const out = { x: 0, y: 0, z: 0, w: 1 };
-  quaternionInto(m, out);
-  return [out.x, out.y, out.z, out.w];
-}
-
 export interface Decomposed extends Pose {
   /** Row-major 3 × 3: what is left when the rotation is taken off. Undefined: nothing. */
   linear: number[] | undefined;
@@ -191,33 +182,20 @@ export function decompose(m: Affine): Decomposed {
 
 /** The rotation nearest to the columns' directions, always a proper one: a mirror stays in the linear part. */
 function rotationIn(m: Affine): Quaternion {
-  let x = unit([m[0], m[4], m[8]], [1, 0, 0]);
+  let x = normalize([m[0], m[4], m[8]], [1, 0, 0]);
   const along = x[0] * m[1] + x[1] * m[5] + x[2] * m[9];
-  const y = unit([m[1] - along * x[0], m[5] - along * x[1], m[9] - along * x[2]], anyAcross(x));
+  const y = normalize(
+    [m[1] - along * x[0], m[5] - along * x[1], m[9] - along * x[2]],
+    perpendicular(x),
+  );
   let z = cross(x, y);
   if (z[0] * m[2] + z[1] * m[6] + z[2] * m[10] < 0) {
     // Mirrored: turning the first axis round as well keeps the rotation proper.
     x = [-x[0], -x[1], -x[2]];
     z = [-z[0], -z[1], -z[2]];
   }
-  return quaternionOfMatrix([x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0]);
+  return quaternionOfAxes(x, y, z);
 }
-
-type Vector = [number, number, number];
-
-function unit(v: Vector, otherwise: Vector): Vector {
-  const size = Math.hypot(...v);
-  return size > 1e-12 ? [v[0] / size, v[1] / size, v[2] / size] : otherwise;
-}
-
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
-const anyAcross = (x: Vector): Vector =>
-  unit(Math.abs(x[0]) < 0.9 ? cross(x, [1, 0, 0]) : cross(x, [0, 1, 0]), [0, 1, 0]);
 
 export function withLinear(m: Affine, linear: readonly number[] | undefined): Affine {
   if (!linear) return m;

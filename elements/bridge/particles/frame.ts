@@ -1,7 +1,7 @@
 import type { Binding } from '../nodes/binding.js';
 import { nodesOf, placesOf } from '../document/structure.js';
 import { standInMatrix } from '../document/shortcuts.js';
-import { decompose, identity, multiply, withLinear, type Affine } from '../geometry/matrix.js';
+import { decompose, identity, multiply, type Affine } from '../geometry/matrix.js';
 import { localMatrix, transformsAbove } from '../scopes/transforms.js';
 
 /** Where a ParticleSystem stands. */
@@ -28,8 +28,12 @@ export function frameOf(system: Binding, user = system): Frame {
 }
 
 /** What a body's Transform has beside the pose of the body. */
-const scaleOf = ({ standIn }: Binding): Affine =>
-  withLinear(identity(), standIn && decompose(standInMatrix(standIn)).linear);
+function scaleOf({ standIn }: Binding): Affine {
+  const linear = standIn && decompose(standInMatrix(standIn)).linear;
+  if (!linear) return identity();
+  const [a, b, c, d, e, f, g, h, i] = linear;
+  return [a, b, c, 0, d, e, f, 0, g, h, i, 0];
+}
 
 /** How much longer things are in the world. */
 export function scaleIn([a, b, c, , d, e, f, , g, h, i]: Affine): number {

@@ -6,8 +6,6 @@ import { identity, isIdentity, type Affine } from '../geometry/matrix.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, type Plan } from '../plans/plan.js';
-import { lowerName } from '../words/dom.js';
-import { inSI } from '../words/fields.js';
 import { frameOf, mapped, scaleIn } from './frame.js';
 
 /** The first ParticleSystem that it stands in, or that names it. */
@@ -28,7 +26,11 @@ export function worldOfPart(part: Binding): PageWorld | undefined {
 /** From what it says in the frame of its system to the world, or to the body that carries it. */
 const MAPPED: Record<string, (matrix: Affine, value: never, length: number) => unknown> = {
   position: (matrix, value: number[], length) =>
-    mapped(matrix, value.map((each) => each / length), 1).map((each) => each * length),
+    mapped(
+      matrix,
+      value.map((each) => each / length),
+      1,
+    ).map((each) => each * length),
   direction: (matrix, value: number[]) => mapped(matrix, value, 0),
   force: (matrix, value: number[]) => mapped(matrix, value, 0),
   // What flies in a scaled frame flies as it would in its own.
@@ -43,11 +45,11 @@ const isStrength = (part: Binding, name: string): boolean =>
 function placedFields(part: Binding, matrix: Affine): Record<string, unknown> {
   const relations: Record<string, unknown> = {};
   if (isIdentity(matrix)) return relations;
+  const asked = part.authoredFields();
   for (const [name, map] of Object.entries(MAPPED)) {
     const field = part.type.fields[name];
     if (!field || isStrength(part, name)) continue;
-    const asked = part.authored(name) ?? field.default;
-    const value = codecs[field.type].accept(inSI(field, asked, part.units));
+    const value = codecs[field.type].accept(asked[name] ?? field.default);
     if (value !== undefined) relations[name] = map(matrix, value as never, part.units.length);
   }
   return relations;
@@ -91,4 +93,5 @@ export function planPart(part: Binding, world: World): Plan {
 
 /** The element of a system's field: one that is named, else a child of such a tag. */
 export const partOf = (system: Binding, name: string, tag: RegExp): Element | undefined =>
-  system.named(name)?.[0] ?? [...system.element.children].find((each) => tag.test(lowerName(each)));
+  system.named(name)?.[0] ??
+  [...system.element.children].find((each) => tag.test(each.localName.toLowerCase()));

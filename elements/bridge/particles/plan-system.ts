@@ -1,11 +1,9 @@
-import type { World } from '../../../physics-core/inside.js';
+import { codecs, type World } from '../../../physics-core/inside.js';
 import { collectionOf, nodesOf, placesOf } from '../document/structure.js';
 import { worldFor } from '../document/world-for.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, nodesIn, type Plan } from '../plans/plan.js';
-import { codecs } from '../../../physics-core/inside.js';
-import { inSI } from '../words/fields.js';
 import { drawSystem } from './cloud-drawing.js';
 import { frameOf, scaleIn } from './frame.js';
 
@@ -30,8 +28,8 @@ export function planSystem(system: Binding, world: World): Plan {
     body: (body && nodesIn(world, [body], system)[0]) ?? null,
   };
   const scale = scaleIn(matrix);
-  const asked = system.authored('particleSize') ?? particleSize.default;
-  const size = codecs.SFVec2f.accept(inSI(particleSize, asked, system.units));
+  const asked = system.authoredFields().particleSize ?? particleSize.default;
+  const size = codecs.SFVec2f.accept(asked);
   if (Math.abs(scale - 1) > SAME && size)
     relations.particleSize = (size as number[]).map((each) => each * scale);
   drawSystem(system);

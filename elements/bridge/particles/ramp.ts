@@ -53,7 +53,10 @@ export function texCoordsOf(
   texCoordKey: readonly number[],
   corners: number,
 ): Ramp | undefined {
-  const points = Array.from(values.point as Iterable<{ x: number; y: number }>, ({ x, y }) => [x, y]);
+  const points = Array.from(values.point as Iterable<{ x: number; y: number }>, ({ x, y }) => [
+    x,
+    y,
+  ]);
   const flat = points.flat();
   const sets = Math.floor(points.length / corners);
   if (sets === 0) return undefined;

@@ -1,13 +1,12 @@
 import { Chunk } from '../../../physics-core/inside.js';
-import { isPhysics, lowerName } from '../words/dom.js';
+import { lowerName } from '../words/dom.js';
 
-/** X3D's component of particle systems. */
-const PARTICLES =
-  /^(x3d-)?(particle-?system|(point|cone|explosion|polyline|surface|volume)-?emitter|(bounded|force|wind)-?physics-?model)$/;
+/** How tags of X3D's component of particle systems end. */
+const PARTICLES = /(particle-?system|emitter|physics-?model)$/;
 
-/** Their tags, and what becomes of them. */
+/** What reads them. */
 export const particleTags = new Chunk({ name: 'particle-elements', causes: 'a ParticleSystem' });
 
-/** Whether nobody reads its tag yet, but code that may be had does. */
+/** Whether nobody reads its tag yet, but code that may be had perhaps does. */
 export const isLate = (element: Element): boolean =>
-  PARTICLES.test(lowerName(element)) && !isPhysics(element);
+  !particleTags.here && PARTICLES.test(lowerName(element));

@@ -1,6 +1,7 @@
 import { awaitAttempt, engine, stopAwaiting, type Engine } from './engine.js';
 import { attribute, isInline, subtree } from '../words/dom.js';
 import { faultsFor } from '../words/faults.js';
+import { loadFailed } from '../words/load-failed.js';
 import type { SceneWorld } from './scene-world.js';
 import type { Scene } from './scene.js';
 import { nodeOf, x3dom, type X3DElement } from '../x3dom/x3dom.js';
@@ -147,13 +148,8 @@ export class Start {
   }
 
   #fail(world: SceneWorld, error: unknown): void {
-    const what = error instanceof Error ? error.message : String(error);
-    const report = {
-      code: 'engine-load-failed',
-      severity: 'error' as const,
-      value: what,
-      message: `the physics engine could not be loaded: ${what}`,
-    };
+    const what = error instanceof Error ? error.message : error;
+    const report = loadFailed('engine', 'the physics engine', what);
     const [collection] = world.collections;
     const element = collection?.element ?? this.#scene.x3d;
     world.report(report, element);

@@ -2,11 +2,10 @@
 import {
   advice,
   meant,
-  nodeTypes,
   show,
   type ProblemReport,
 } from '../../../physics-core/inside.js';
-import { attribute, isHTML, isPhysics, kebab, lowerName, nameOf, type NodeType } from './dom.js';
+import { attribute, isHTML, isPhysics, kebab, knownTypes, lowerName, nameOf, type NodeType } from './dom.js';
 import { attributeOf } from './fields.js';
 import { STRUCTURE } from './attributes.js';
 import type { Faults, Labelled } from './faults.js';
@@ -34,7 +33,6 @@ export const provide = (): Faults => ({
   late,
   stranger,
   notDrawn,
-  unread,
 });
 
 function unknownAttribute({ element, type, label }: Labelled, name: string): ProblemReport {
@@ -257,7 +255,7 @@ const late: Faults['late'] = (waits) => ({
 
 /** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */
 function stranger({ localName: tag }: Element): ProblemReport | undefined {
-  const found = advice.code.meantNode(tag, Object.keys(nodeTypes));
+  const found = advice.code.meantNode(tag, [...knownTypes()].map(({ name }) => name));
   const isOurs = tag.toLowerCase().startsWith('x3d-');
   if (!found && !isOurs) return undefined;
   const name = found?.type;
@@ -271,14 +269,6 @@ function stranger({ localName: tag }: Element): ProblemReport | undefined {
     message: `<${show(tag)}> is no node${text ? `; ${text}` : ''}`,
   };
 }
-
-const unread = ({ localName: tag }: Element): ProblemReport => ({
-  code: 'effect-load-failed',
-  severity: 'error',
-  value: tag,
-  used: 'nothing',
-  message: `the code for <${tag}> could not be loaded: it does nothing`,
-});
 
 const notDrawn = ({ localName: tag }: Element): ProblemReport => ({
   code: 'not-drawn',

@@ -1,6 +1,7 @@
 import { advice, Chunk, type ProblemReport } from '../../../physics-core/inside.js';
 import { logInPage } from './console.js';
 import type { NodeType } from './dom.js';
+import { loadFailed } from './load-failed.js';
 
 /** An element as messages call it. */
 export interface Labelled {
@@ -52,8 +53,6 @@ export interface Faults {
   late(waits: string): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
-  /** A tag whose code could not be had. */
-  unread(element: Element): ProblemReport;
   /** A geometry that collides and is not drawn. */
   notDrawn(geometry: Element): ProblemReport;
 }
@@ -70,16 +69,11 @@ let coming: Promise<unknown> | undefined;
 export function faultsFor(element: Element, again: () => void): Faults | undefined {
   if (faults.here && advice.here) return faults.code;
   coming ??= Promise.all([faults.load(), advice.load()]).catch((error: unknown) =>
-    logInPage(missing(String(error)), element),
+    logInPage({ ...missing(error), severity: 'warning' }, element),
   );
   void coming.then(() => faults.here && advice.here && again());
   return undefined;
 }
 
-const missing = (error: string): ProblemReport => ({
-  code: 'faults-load-failed',
-  severity: 'warning',
-  value: error,
-  used: 'nothing',
-  message: `the markup has a fault; the code that says which could not be loaded: ${error}`,
-});
+const missing = (error: unknown): ProblemReport =>
+  loadFailed('faults', 'the markup has a fault; the code that says which', error);

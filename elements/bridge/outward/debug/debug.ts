@@ -1,5 +1,6 @@
 import { debugging } from '../../../../physics-core/inside.js';
 import type { PageWorld } from '../../nodes/surroundings.js';
+import { loadFailed } from '../../words/load-failed.js';
 import type { Stage } from '../stage.js';
 import type { Sketch } from './sketch.js';
 
@@ -42,14 +43,7 @@ export class Debug {
 
 function reportMissing(world: PageWorld, error: unknown): void {
   world.report(
-    {
-      code: 'debug-load-failed',
-      severity: 'error',
-      attribute: 'debug',
-      value: String(error),
-      used: 'nothing',
-      message: `the debug drawing could not be loaded: ${String(error)}`,
-    },
+    { ...loadFailed('debug', 'the debug drawing', error), attribute: 'debug' },
     world.registry.find(debugging)?.because?.node.host,
   );
 }

@@ -1,4 +1,5 @@
 import type { PageWorld } from '../../nodes/surroundings.js';
+import { loadFailed } from '../../words/load-failed.js';
 import type { Stage } from '../stage.js';
 import type { DraggableBody } from '../body.js';
 import type { Hands } from './hands.js';
@@ -56,14 +57,8 @@ export class Draggables {
 
   #reportMissing(error: unknown): void {
     const [body] = this.bodies;
-    body?.report({
-      code: 'drag-load-failed',
-      severity: 'error',
-      attribute: 'draggableBody',
-      value: String(error),
-      used: 'nothing',
-      message: `what bodies are dragged with could not be loaded: ${String(error)}`,
-    });
+    const report = loadFailed('drag', 'what bodies are dragged with', error);
+    body?.report({ ...report, attribute: 'draggableBody' });
   }
 
   destroy(): void {

@@ -4,7 +4,7 @@ import { nodeOf, x3dom, type X3DOM } from '../x3dom.js';
 
 /** Geometry that collides, and that x3dom may lack: npm's x3dom.js does. */
 const SHAPES =
-  /^(elevationgrid|extrusion|(indexed)?(trianglefan|trianglestrip|quad)set|rectangle2d|disk2d)$/;
+  /^(elevationgrid|extrusion|(indexed)?(triangle(fan|strip)|quad)set|rectangle2d|disk2d)$/;
 
 /** What draws it, with the triangles that collide. */
 export interface Shapes {
