@@ -1,10 +1,13 @@
 import { ParticleSystemNode } from '../../../physics-core/particles.js';
+import { identity, type Affine } from '../geometry/matrix.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { nodeOf, type X3DNode } from '../x3dom/x3dom.js';
-import { CloudShape, type Look } from './cloud-shape.js';
+import { CloudShape } from './cloud-shape.js';
 import { frameOf } from './frame.js';
+import type { Look } from './look.js';
 import { partOf } from './plan-part.js';
+import type { Color, Point } from './ramp.js';
 
 /** The systems of each world that are drawn. */
 const drawings = new WeakMap<PageWorld, Set<CloudDrawing>>();
@@ -39,7 +42,7 @@ class CloudDrawing {
   readonly #system: Binding;
   #world: PageWorld | null = null;
   #shape: CloudShape | undefined;
-  #look: Look | undefined;
+  #frame: Affine = identity();
 
   constructor(system: Binding) {
     this.#system = system;
@@ -54,13 +57,14 @@ class CloudDrawing {
       if (at) drawingsIn(at).add(this);
       this.#world = at;
     }
-    this.#look = undefined;
-    if (!at) this.#remove();
+    if (at) this.#frame = frameOf(this.#system).matrix;
+    else this.#remove();
   }
 
   #remove(): void {
-    this.#shape?.remove();
+    const shape = this.#shape;
     this.#shape = undefined;
+    shape?.remove();
   }
 
   draw(): void {
@@ -75,13 +79,12 @@ class CloudDrawing {
 
   /** A shape of the present look: made anew where what it is made of is another. */
   #shapeNow(): CloudShape | undefined {
-    const look = this.#look ?? this.#readLook();
+    const look = this.#readLook();
     if (!look) return undefined;
     if (!this.#shape?.looks(look)) {
       this.#remove();
       this.#shape = new CloudShape(look);
     }
-    this.#look = look;
     return this.#shape;
   }
 
@@ -89,18 +92,22 @@ class CloudDrawing {
     const system = this.#system;
     const doc = nodeOf(system.element)?._nameSpace?.doc;
     if (!doc?._scene) return undefined;
-    const { body, matrix } = frameOf(system);
+    const geometry = nodeNamed(system, 'geometry', GEOMETRY);
+    const color = nodeNamed(system, 'color', /^color(rgba)?$/);
+    const texCoord = nodeNamed(system, 'texCoord', /^texturecoordinate$/);
     return {
       doc,
       element: system.element,
       type: String(system.get('geometryType')),
       size: system.node!.get('particleSize') as [number, number],
-      axes: body ? undefined : matrix,
+      frame: this.#frame,
       appearance: nodeNamed(system, 'appearance', /^appearance$/),
-      geometry: nodeNamed(system, 'geometry', GEOMETRY),
-      color: nodeNamed(system, 'color', /^color(rgba)?$/),
+      // Lists that x3dom makes anew with each edit.
+      points: geometry?._mesh?._positions[0],
+      colors: color?._vf.color as Iterable<Color> | undefined,
+      texCoords: texCoord?._vf.point as Iterable<Point> | undefined,
+      geometry: geometry?._mesh,
       colorKey: system.get('colorKey') as number[],
-      texCoord: nodeNamed(system, 'texCoord', /^texturecoordinate$/),
       texCoordKey: system.get('texCoordKey') as number[],
     };
   }

@@ -1,57 +1,30 @@
 import { PARTICLE } from '../../../physics-core/particles.js';
-import type { Affine } from '../geometry/matrix.js';
-import { attribute } from '../words/dom.js';
 import {
   x3dom,
   type NodeContext,
-  type X3DDocument,
   type X3DMatrix,
   type X3DMesh,
   type X3DNode,
 } from '../x3dom/x3dom.js';
+import { Bounds } from './bounds.js';
 import { formOf, type Form } from './form.js';
+import type { Look, Shown } from './look.js';
 import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
+import { isHidden } from './hidden.js';
 import { farthestFirst } from './sort.js';
-
-/** What a system is drawn with. */
-export interface Look {
-  doc: X3DDocument;
-  element: Element;
-  type: string;
-  /** Metres. */
-  size: [number, number];
-  /** Those of its frame, where no body carries it. */
-  axes: Affine | undefined;
-  appearance: X3DNode | undefined;
-  geometry: X3DNode | undefined;
-  color: X3DNode | undefined;
-  colorKey: number[];
-  texCoord: X3DNode | undefined;
-  texCoordKey: number[];
-}
-
-/** Particles in the last frame. */
-export interface Shown {
-  cloud: {
-    count: number;
-    motion: Float64Array;
-    born: Float64Array;
-  };
-  first: number;
-  /** Seconds of their system, at the end of the last step; `since`: how long before that the frame is. */
-  time: number;
-  since: number;
-  /** Metres of one unit of what x3dom draws. */
-  length: number;
-  /** Of the world that is simulated, metres. */
-  origin: ArrayLike<number>;
-}
+import { withSortType } from './sort-type.js';
 
 interface ShapeNode extends X3DNode {
   _dirty: Record<string, boolean>;
   _graph: { needCulling: boolean };
   renderFlag(): boolean;
   setAllDirty(): void;
+}
+
+/** An Appearance. */
+interface Sorting extends X3DNode {
+  /** What its author says; x3dom decides where that is `auto`. */
+  _origSortType: string;
 }
 
 interface CloudMesh extends X3DMesh {
@@ -80,6 +53,8 @@ export class CloudShape {
   readonly #form: Form;
   readonly #shape: ShapeNode;
   readonly #mesh: CloudMesh;
+  readonly #looksOf: Sorting;
+  readonly #bounds: Bounds;
   readonly #colors: Ramp | undefined;
   readonly #texCoords: Ramp | undefined;
   #room = 0;
@@ -101,31 +76,34 @@ export class CloudShape {
       return node;
     };
     this.#form = formOf(look);
-    this.#colors = look.color && colorsOf(look.color, look.colorKey);
+    this.#colors = look.colors && colorsOf(look.colors, look.colorKey);
     this.#texCoords =
-      look.texCoord && texCoordsOf(look.texCoord, look.texCoordKey, this.#form.corners);
+      look.texCoords && texCoordsOf(look.texCoords, look.texCoordKey, this.#form.corners);
     this.#shape = make('Shape') as ShapeNode;
     const geometry = make(KINDS[this.#form.primitive]);
     geometry._vf.solid = false;
     this.#mesh = geometry._mesh as CloudMesh;
     this.#mesh._numColComponents = 4;
-    this.#shape.addChild(this.#appearance(make), 'appearance');
+    this.#looksOf = this.#appearance(make);
+    this.#shape.addChild(this.#looksOf, 'appearance');
+    // What fades shows what is behind it, if its author says nothing else.
+    if (this.#colors?.fades && this.#looksOf._origSortType === 'auto')
+      this.#shape._cf.appearance!.node = withSortType(this.#looksOf, 'transparent');
     this.#shape.addChild(geometry, 'geometry');
     this.#shape._vf.isPickable = false;
-    // Its bounds are empty, and what is empty would be left out as out of sight.
-    const nowhere = new x.fields.BoxVolume();
-    this.#shape.getVolume = () => nowhere;
+    this.#bounds = new Bounds(this.#shape);
     this.#shape._graph.needCulling = false;
     // x3dom asks whenever it is about to draw.
     this.#shape.renderFlag = () => this.#fill();
     this.#shape.nodeChanged();
   }
 
-  /** What fades shows what is behind it. */
-  #appearance(make: (type: string) => X3DNode): X3DNode {
-    const node = this.#look.appearance ?? make('Appearance');
-    if (this.#colors?.fades && node._vf.sortType === 'auto') node._vf.sortType = 'transparent';
-    return node;
+  #appearance(make: (type: string) => X3DNode): Sorting {
+    const given = this.#look.appearance;
+    const node = given ?? make('Appearance');
+    // Without that x3dom does not know when to draw it.
+    if (!given) node.nodeChanged();
+    return node as Sorting;
   }
 
   looks(look: Look): boolean {
@@ -151,9 +129,10 @@ export class CloudShape {
   }
 
   remove(): void {
-    const { doc, appearance } = this.#look;
-    if (appearance) this.#shape.removeChild(appearance);
-    if (this.#shape._parentNodes.length > 0) doc._scene!.removeChild(this.#shape);
+    const { doc } = this.#look;
+    this.#shape._cf.appearance!.node = this.#looksOf;
+    this.#shape.removeChild(this.#looksOf);
+    if (this.#shape._parentNodes.length > 0) doc._scene?.removeChild(this.#shape);
     doc.needRender = true;
   }
 
@@ -172,12 +151,7 @@ export class CloudShape {
   }
 
   get #visible(): boolean {
-    const { element } = this.#look;
-    return (
-      this.#drawn > 0 &&
-      attribute(element, 'render') !== 'false' &&
-      attribute(element, 'visible') !== 'false'
-    );
+    return this.#drawn > 0 && !isHidden(this.#look.element);
   }
 
   get #sorted(): boolean {
@@ -226,6 +200,7 @@ export class CloudShape {
     const colors = this.#mesh._colors[0] as Float32Array;
     const texCoords = this.#mesh._texCoords[0] as Float32Array;
     let drawn = 0;
+    this.#bounds.begin();
     for (let i = 0; i < count; i++) {
       const k = order ? order[i]! : first + i;
       const age = time - cloud.born[k]! - since;
@@ -234,8 +209,10 @@ export class CloudShape {
       this.#form.place(cloud.motion, k * PARTICLE, shown, basis, positions, drawn * corners * 3);
       this.#colors?.write(age, colors, drawn * corners * 4, corners);
       this.#texCoords?.write(age, texCoords, drawn * corners * 2, corners);
+      this.#bounds.add(positions, drawn * corners * 3);
       drawn++;
     }
+    this.#bounds.end(this.#form.reach);
     const end = drawn * corners * 3;
     if (drawn < this.#drawn) positions.fill(NOWHERE, end, this.#drawn * corners * 3);
     this.#drawn = drawn;

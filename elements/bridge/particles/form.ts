@@ -1,5 +1,6 @@
 import type { X3DMesh } from '../x3dom/x3dom.js';
-import type { Look, Shown } from './cloud-shape.js';
+import { scaleIn } from './frame.js';
+import type { Look, Shown } from './look.js';
 
 /** What each particle is drawn as. */
 export interface Form {
@@ -9,6 +10,8 @@ export interface Form {
   index: ArrayLike<number>;
   normals: ArrayLike<number>;
   texCoords: ArrayLike<number>;
+  /** How far it reaches from its first point, in what x3dom draws. */
+  reach: number;
   /** Whether it is turned to who looks. */
   faces: boolean;
   /** Writes the corners of the particle at `from` to `out`; `basis`: right, up and back of who looks. */
@@ -34,7 +37,8 @@ export function formOf(look: Look): Form {
   const { type, geometry } = look;
   if (type === 'POINT') return point();
   if (type === 'LINE') return line(look);
-  if (type === 'GEOMETRY') return geometry?._mesh ? ofMesh(geometry._mesh as GivenMesh) : point();
+  if (type === 'GEOMETRY')
+    return geometry?._primType === 'TRIANGLES' ? ofMesh(geometry as GivenMesh, look) : point();
   const apart = type === 'TRIANGLE' ? OF_QUAD : [0, 1, 2, 3];
   return square(look, apart, type === 'SPRITE');
 }
@@ -45,6 +49,7 @@ const point = (): Form => ({
   index: [0],
   normals: [],
   texCoords: [],
+  reach: 0,
   faces: false,
   place: (motion, from, { since, length, origin }, _, out, at) => {
     for (let i = 0; i < 3; i++)
@@ -61,6 +66,7 @@ function line({ size }: Look): Form {
     index: [0, 1],
     normals: [],
     texCoords: [0, 0, 1, 0],
+    reach: size[1],
     faces: false,
     place: (motion, from, { since, length, origin }, _, out, at) => {
       const speed = Math.hypot(motion[from + 3]!, motion[from + 4]!, motion[from + 5]!);
@@ -76,12 +82,12 @@ function line({ size }: Look): Form {
 }
 
 /** A rectangle; in the frame's own plane of x and y, or facing who looks. */
-function square({ size, axes }: Look, apart: readonly number[], faces: boolean): Form {
+function square({ size, frame }: Look, apart: readonly number[], faces: boolean): Form {
   const offsets = apart.map((corner) => [
     SQUARE[2 * corner]! * size[0],
     SQUARE[2 * corner + 1]! * size[1],
   ]);
-  const own = unitAxes(axes);
+  const own = unitAxes(frame);
   return {
     primitive: 'TRIANGLES',
     corners: apart.length,
@@ -91,6 +97,7 @@ function square({ size, axes }: Look, apart: readonly number[], faces: boolean):
       SQUARE[2 * corner]! + 0.5,
       SQUARE[2 * corner + 1]! + 0.5,
     ]),
+    reach: Math.hypot(...size),
     faces,
     place: (motion, from, { since, length, origin }, basis, out, at) => {
       const turn = basis ?? own;
@@ -108,8 +115,7 @@ function square({ size, axes }: Look, apart: readonly number[], faces: boolean):
 }
 
 /** The axes of a frame, each as long as 1: x, y, z. */
-function unitAxes(matrix: readonly number[] | undefined): number[] {
-  if (!matrix) return [1, 0, 0, 0, 1, 0, 0, 0, 1];
+function unitAxes(matrix: readonly number[]): number[] {
   return [0, 1, 2].flatMap((axis) => {
     const way = [matrix[axis]!, matrix[4 + axis]!, matrix[8 + axis]!];
     const length = Math.hypot(...way) || 1;
@@ -122,15 +128,20 @@ interface GivenMesh extends X3DMesh {
   _texCoords: ArrayLike<number>[];
 }
 
-/** The triangles of a geometry, about where the particle is. */
-function ofMesh({ _positions, _indices, _normals, _texCoords }: GivenMesh): Form {
-  const points = Float32Array.from(_positions[0] ?? []);
+/** The triangles of a geometry, as its frame scales and turns them, about where the particle is. */
+function ofMesh({ _positions, _indices, _normals, _texCoords }: GivenMesh, { frame }: Look): Form {
+  const points = turned(_positions[0] ?? [], frame);
+  const scale = scaleIn(frame) || 1;
   return {
     primitive: 'TRIANGLES',
     corners: points.length / 3,
     index: _indices[0] ?? [],
-    normals: _normals[0] ?? [],
+    normals: turned(
+      _normals[0] ?? [],
+      frame.map((value) => value / scale),
+    ),
     texCoords: _texCoords[0] ?? [],
+    reach: 2 * points.reduce((most, value) => Math.max(most, Math.abs(value)), 0),
     faces: false,
     place: (motion, from, { since, length, origin }, _, out, at) => {
       for (let i = 0; i < 3; i++) {
@@ -139,4 +150,13 @@ function ofMesh({ _positions, _indices, _normals, _texCoords }: GivenMesh): Form
       }
     },
   };
+}
+
+function turned(list: ArrayLike<number>, m: readonly number[]): Float32Array {
+  const out = new Float32Array(list.length);
+  for (let k = 0; k < list.length; k += 3)
+    for (let i = 0; i < 3; i++)
+      out[k + i] =
+        m[4 * i]! * list[k]! + m[4 * i + 1]! * list[k + 1]! + m[4 * i + 2]! * list[k + 2]!;
+  return out;
 }

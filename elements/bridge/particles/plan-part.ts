@@ -8,18 +8,15 @@ import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, type Plan } from '../plans/plan.js';
 import { frameOf, mapped, scaleIn } from './frame.js';
 
-/** The first ParticleSystem that it stands in, or that names it. */
-function systemOf(part: Binding): Binding | undefined {
-  for (const place of placesOf(part)) {
-    const [system] = holdersOf(place, part, 'ParticleSystem');
-    if (system?.scope) return system;
-  }
-  return undefined;
-}
+/** The ParticleSystems that it stands in, or that name it, in document order. */
+const systemsOf = (part: Binding): Binding[] =>
+  placesOf(part)
+    .flatMap((place) => holdersOf(place, part, 'ParticleSystem'))
+    .filter(({ scope }) => scope);
 
 /** An emitter or a model lives where its system does. */
 export function worldOfPart(part: Binding): PageWorld | undefined {
-  const system = systemOf(part);
+  const [system] = systemsOf(part);
   return system && worldFor(part.use(system));
 }
 
@@ -82,8 +79,12 @@ function eachPoint(points: number[], matrix: Affine, length: number): number[] {
 }
 
 export function planPart(part: Binding, world: World): Plan {
-  const system = systemOf(part);
+  const [system, ...others] = systemsOf(part);
   const matrix = system ? frameOf(system, part).matrix : identity();
+  // It is one node, and says one place.
+  const other = others.find((each) => String(frameOf(each, part).matrix) !== String(matrix));
+  if (other)
+    part.fault((faults) => faults.owned(part, system.label, other.label, part.type.containerField));
   return {
     world,
     collection: collectionNode(part),

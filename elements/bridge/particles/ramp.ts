@@ -1,5 +1,3 @@
-import type { X3DNode } from '../x3dom/x3dom.js';
-
 /** What changes while a particle lives. */
 export interface Ramp {
   /** Whether anything of it may be seen through. */
@@ -8,11 +6,16 @@ export interface Ramp {
   write(age: number, out: Float32Array, at: number, corners: number): void;
 }
 
-interface Color {
+export interface Color {
   r: number;
   g: number;
   b: number;
   a?: number;
+}
+
+export interface Point {
+  x: number;
+  y: number;
 }
 
 /** Between the keys around an age: the lower one, and how far it is to the next. */
@@ -29,8 +32,8 @@ const usable = (keys: readonly number[], count: number): number[] =>
   count > 0 ? keys.slice(0, count) : [];
 
 /** Colours by age, evenly from one key to the next; without keys the first. */
-export function colorsOf({ _vf: values }: X3DNode, colorKey: readonly number[]): Ramp | undefined {
-  const colors = Array.from(values.color as Iterable<Color>, ({ r, g, b, a = 1 }) => [r, g, b, a]);
+export function colorsOf(given: Iterable<Color>, colorKey: readonly number[]): Ramp | undefined {
+  const colors = Array.from(given, ({ r, g, b, a = 1 }) => [r, g, b, a]);
   if (colors.length === 0) return undefined;
   const keys = usable(colorKey, colors.length);
   return {
@@ -49,14 +52,11 @@ export function colorsOf({ _vf: values }: X3DNode, colorKey: readonly number[]):
 
 /** Sets of texture coordinates, one for each key, which hold until the next. */
 export function texCoordsOf(
-  { _vf: values }: X3DNode,
+  given: Iterable<Point>,
   texCoordKey: readonly number[],
   corners: number,
 ): Ramp | undefined {
-  const points = Array.from(values.point as Iterable<{ x: number; y: number }>, ({ x, y }) => [
-    x,
-    y,
-  ]);
+  const points = Array.from(given, ({ x, y }) => [x, y]);
   const flat = points.flat();
   const sets = Math.floor(points.length / corners);
   if (sets === 0) return undefined;

@@ -2,12 +2,12 @@ import type { ProblemReport } from '../../../physics-core/inside.js';
 import type { Readers } from '../scopes/readers.js';
 import type { Scope } from '../scopes/scope.js';
 import { loadFailed } from '../words/load-failed.js';
-import { dropped, lacks, learnShapes } from '../x3dom/shapes/shapes.js';
-import type { X3DDocument } from '../x3dom/x3dom.js';
+import { setUpDropped } from '../x3dom/late.js';
+import { lacks, learnShapes } from '../x3dom/shapes/shapes.js';
 import { isLate, particleTags } from './late-tags.js';
 
 interface Scene {
-  readonly document: X3DDocument | undefined;
+  readonly x3d: Element;
   readonly readers: Readers;
   readonly scopes: { around(element: Element): Scope | undefined };
   readonly tree: { connect(root: Element, scope: Scope): void };
@@ -17,7 +17,7 @@ interface Scene {
 /** Tags whose code comes in a chunk: what they are is known once it is there, to us and to x3dom. */
 export class Unread {
   readonly #scene: Scene;
-  readonly #met = new Set<Element>();
+  #met = new Set<Element>();
   /** The code is on its way. */
   pending = false;
 
@@ -35,27 +35,28 @@ export class Unread {
     this.pending = true;
     // What comes in the same task goes the same way.
     await undefined;
-    const met = [...this.#met];
-    this.#met.clear();
-    if (met.some(lacks)) await learnShapes();
-    if (met.some(isLate)) await particleTags.load().catch((error) => this.#fail(met, error));
+    const met = this.#met;
+    this.#met = new Set();
+    const late = [...met].find(isLate);
+    if ([...met].some(lacks)) await learnShapes();
+    if (late) await particleTags.load().catch((error: unknown) => this.#fail(late, error));
     this.pending = false;
-    for (const element of met) this.#show(element);
+    setUpDropped(this.#scene.x3d, met);
+    for (const element of met) this.#connect(element);
     if (this.#met.size > 0) void this.#learn();
   }
 
   /** One of them says it for all. */
-  #fail(met: Element[], error: unknown): void {
+  #fail(element: Element, error: unknown): void {
     const report = loadFailed('particles', 'what reads particle systems', error);
-    this.#scene.noteFault(met.find(isLate)!, () => report);
+    this.#scene.noteFault(element, () => report);
   }
 
-  #show(element: Element): void {
-    const { document, readers, scopes, tree } = this.#scene;
+  /** It is a node now, or a stranger for good. */
+  #connect(element: Element): void {
+    const { readers, scopes, tree } = this.#scene;
     const scope = scopes.around(element);
-    if (scope && dropped(element)) document?.onNodeAdded(element, element.parentElement!);
-    // A node of ours now, or a stranger for good.
-    if (scope) tree.connect(element, scope);
+    if (scope && !lacks(element) && !isLate(element)) tree.connect(element, scope);
     for (const reader of readers.of(element)) reader.dirty();
   }
 }

@@ -1,5 +1,5 @@
 import { isPhysics } from '../words/dom.js';
-import { documentOf, nodeOf, type NameSpace, type X3DElement } from './x3dom.js';
+import { documentOf, nodeOf, x3dom, type NameSpace, type X3DElement } from './x3dom.js';
 
 // x3dom has already met what we come to late: cures for that (x3dom.md).
 
@@ -22,9 +22,15 @@ export function whenThere(meet: () => boolean): void {
   for (const [target, type] of events) target.addEventListener(type, again, true);
 }
 
-/** Our tags meant nothing to x3dom when it read the page, and it dropped all below them: it is shown them again. */
-export function setUpDropped(x3d: Element): void {
-  const doc = documentOf(x3d);
+const TIDIES = 'DOMNodeInsertedEvent_perSubtree';
+
+/**
+ * Our tags meant nothing to x3dom when it read the page, and it dropped all below them: it is shown them again, and `others`.
+ * What it tidies away before that are nodes in them that something else USEs: there is nothing to tidy.
+ */
+export function setUpDropped(x3d: Element, others?: Set<Element>): void {
+  const { caps } = x3dom() ?? {};
+  const doc = caps && documentOf(x3d);
   const scene = doc?._scene?._xmlNode;
   if (!doc || !scene) return;
   const spaces = new Set<NameSpace>();
@@ -32,8 +38,11 @@ export function setUpDropped(x3d: Element): void {
     for (const element of root.querySelectorAll('*')) {
       const parent = element.parentElement;
       const above = parent && nodeOf(parent);
-      if (!above || nodeOf(element) || !isPhysics(element)) continue;
+      if (!above || nodeOf(element) || !(isPhysics(element) || others?.has(element))) continue;
+      const { [TIDIES]: tidies } = caps;
+      caps[TIDIES] = false;
       doc.onNodeAdded(element, parent);
+      caps[TIDIES] = tidies;
       if (above._nameSpace) spaces.add(above._nameSpace);
     }
   }

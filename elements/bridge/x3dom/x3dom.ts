@@ -142,6 +142,7 @@ export interface X3DOM {
   nodeTypesLC: Record<string, X3DNodeClass>;
   /** Node types of each component. */
   components: Record<string, Record<string, X3DNodeClass> | undefined>;
+  caps: Record<string, unknown>;
   Mesh: X3DMeshClass;
   NodeNameSpace: { prototype: NameSpace };
   X3DDocument: { prototype: X3DDocument };

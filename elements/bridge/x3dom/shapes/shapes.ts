@@ -1,6 +1,6 @@
 import { Chunk, meshes } from '../../../../physics-core/inside.js';
 import { lowerName } from '../../words/dom.js';
-import { nodeOf, x3dom, type X3DOM } from '../x3dom.js';
+import { x3dom, type X3DOM } from '../x3dom.js';
 
 /** Geometry that collides, and that x3dom may lack: npm's x3dom.js does. */
 const SHAPES =
@@ -38,9 +38,3 @@ export async function learnShapes(): Promise<void> {
     failed = true;
   }
 }
-
-/** x3dom dropped it when it did not know it. */
-export const dropped = (element: Element): boolean =>
-  !nodeOf(element) &&
-  !!element.parentElement &&
-  !!nodeOf(element.parentElement);
