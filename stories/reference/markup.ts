@@ -1,7 +1,7 @@
 // A story's markup as text, in both spellings, from the template that the story renders.
 import { nothing, type TemplateResult } from 'lit';
 import { codecs } from '../../physics-core/fields/values.js';
-import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { tagOf } from '../../elements/bridge/words/dom.js';
 
 interface Element {
@@ -39,7 +39,7 @@ const quoted = (value: string): string => (value.includes('"') ? `'${value}'` : 
 const TAG = /<(\/?)([\w-]+)((?:\s+[@.?]?[\w-]+(?:=(?:"[^"]*"|'[^']*'))?)*)\s*\/?>/g;
 const ATTRIBUTE = /([@.?]?[\w-]+)(?:=(?:"([^"]*)"|'([^']*)'))?/g;
 
-const types = new Map(Object.values(nodeTypes).map((type) => [tagOf(type), type]));
+const types = new Map(Object.values(allTypes).map((type) => [tagOf(type), type]));
 
 /** A control's value that says nothing new. */
 function isDefault(tag: string, name: string, value: string | null): boolean {
