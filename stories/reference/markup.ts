@@ -86,7 +86,7 @@ const custom: Spelling = {
 
 /** X3D's names of the nodes that stories draw with. */
 const DRAWN =
-  'Appearance Box Cone Coordinate Cylinder Group IndexedFaceSet IndexedLineSet Material PixelTexture Shape Sphere Switch TextureProperties TextureTransform Transform';
+  'Appearance Box ColorRGBA Cone Coordinate Cylinder Group IndexedFaceSet IndexedLineSet Material PixelTexture Shape Sphere Switch TextureProperties TextureTransform Transform';
 
 const NAMES = new Map([
   ...DRAWN.split(' ').map((name) => [name.toLowerCase(), name] as const),
