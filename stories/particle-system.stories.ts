@@ -1,10 +1,9 @@
 import type { Meta, StoryObj } from '@storybook/web-components-vite';
-import { html } from 'lit';
-import { fading, range, spots } from './particles.js';
+import { html, nothing } from 'lit';
+import { fading, plainLook, range, spots } from './particles.js';
 import { ground, scene, shape } from './scene.js';
 
 interface Args {
-  geometryType: string;
   maxParticles: number;
   particleLifetime: number;
   particleSize: number;
@@ -25,7 +24,6 @@ const meta: Meta<Args> = {
   title: 'Nodes/ParticleSystem',
   tags: ['autodocs'],
   args: {
-    geometryType: 'SPRITE',
     maxParticles: 800,
     particleLifetime: 2.2,
     particleSize: 0.12,
@@ -35,10 +33,6 @@ const meta: Meta<Args> = {
     friction: 0.1,
   },
   argTypes: {
-    geometryType: {
-      control: 'select',
-      options: ['QUAD', 'LINE', 'POINT', 'SPRITE', 'TRIANGLE', 'GEOMETRY'],
-    },
     maxParticles: range(0, 3000, 50),
     particleLifetime: range(0.2, 5, 0.1),
     particleSize: range(0.02, 0.5, 0.01),
@@ -56,7 +50,7 @@ const meta: Meta<Args> = {
         </transform>
         <transform translation="0 0.1 0">
           <x3d-particle-system
-            geometryType=${args.geometryType}
+            geometryType="SPRITE"
             maxParticles=${args.maxParticles}
             particleLifetime=${args.particleLifetime}
             particleSize="${particleSize} ${particleSize}"
@@ -67,7 +61,6 @@ const meta: Meta<Args> = {
             colorKey="0 1.2 2.2"
           >
             ${spots}${fading('0.02 0.2 0.7 1', '0.2 0.5 0.9 0.9', '0.9 0.95 1 0')}
-            <sphere radius="0.05" subdivision="6 6"></sphere>
             <x3d-cone-emitter angle="0.25" speed="7" mass="0.02"></x3d-cone-emitter>
             <x3d-force-physics-model force="0 -0.196 0"></x3d-force-physics-model>
           </x3d-particle-system>
@@ -78,3 +71,41 @@ const meta: Meta<Args> = {
 export default meta;
 
 export const ParticleSystem: StoryObj<Args> = {};
+
+interface Forms {
+  width: number;
+  height: number;
+}
+
+const jet = (type: string, i: number, { width, height }: Forms) => html`
+  <x3d-particle-system
+    geometryType=${type}
+    maxParticles="40"
+    particleLifetime="2"
+    particleSize="${width} ${height}"
+  >
+    ${plainLook('0.03 0.3 0.42', /LINE|POINT/.test(type))}
+    ${type === 'GEOMETRY' ? html`<box size="0.2 0.2 0.2"></box>` : nothing}
+    <x3d-cone-emitter
+      position="${1.3 * i - 3.25} 0.1 0"
+      angle="0.12"
+      speed="6"
+      mass="1"
+    ></x3d-cone-emitter>
+    <x3d-force-physics-model></x3d-force-physics-model>
+  </x3d-particle-system>
+`;
+
+const TYPES = ['QUAD', 'TRIANGLE', 'SPRITE', 'LINE', 'POINT', 'GEOMETRY'];
+
+/** What particles are drawn as. */
+export const GeometryTypes: StoryObj<Forms> = {
+  args: { width: 0.2, height: 0.3 },
+  argTypes: { width: range(0.02, 0.5, 0.01), height: range(0.02, 0.5, 0.01) },
+  parameters: { controls: { include: ['width', 'height'] } },
+  render: (args) =>
+    scene(
+      'From the left: QUAD, TRIANGLE, SPRITE, LINE, POINT and GEOMETRY, here a box. Turn the view: sprites follow it.',
+      html`${ground}${TYPES.map((type, i) => jet(type, i, args))}`,
+    ),
+};

@@ -1,5 +1,5 @@
 // What the stories of particles share: how particles look.
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 
 /** A round spot with a soft edge: grey, and how much of it is seen. */
 const spot = html`
@@ -26,9 +26,11 @@ export const puffs = html`
   </appearance>
 `;
 
-/** Of one colour, that of the things around. */
-export const plainLook = (color: string) => html`
-  <appearance><material diffuseColor=${color}></material></appearance>
+/** Of one colour; lines and points are to shine, since no light falls on them. */
+export const plainLook = (color: string, shines = false) => html`
+  <appearance>
+    <material diffuseColor=${color} emissiveColor=${shines ? color : nothing}></material>
+  </appearance>
 `;
 
 /** A box that one looks through. */
