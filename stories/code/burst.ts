@@ -1,14 +1,14 @@
-// All particles once more: its emitter throws them whenever particles may be born anew.
+// Takes all particles away, and has its emitter throw them once more.
 
 interface System extends Element {
-  createParticles: boolean;
+  enabled: boolean;
   readonly world: { step(): void } | null;
 }
 
 export function burst({ currentTarget }: Event): void {
   const main = (currentTarget as Element).closest('main')!;
   const system = main.querySelector<System>('x3d-particle-system')!;
-  system.createParticles = false;
+  system.enabled = false;
   system.world?.step();
-  system.createParticles = true;
+  system.enabled = true;
 }
