@@ -49,3 +49,15 @@ export { X3DRigidBodyElement } from './x3d-rigid-body.js';
 export { X3DSingleAxisHingeJointElement } from './x3d-single-axis-hinge-joint.js';
 export { X3DSliderJointElement } from './x3d-slider-joint.js';
 export { X3DUniversalJointElement } from './x3d-universal-joint.js';
+
+// Their code comes in a chunk, once such a tag is in a page.
+export type { X3DBoundedPhysicsModelElement } from './x3d-bounded-physics-model.js';
+export type { X3DConeEmitterElement } from './x3d-cone-emitter.js';
+export type { X3DExplosionEmitterElement } from './x3d-explosion-emitter.js';
+export type { X3DForcePhysicsModelElement } from './x3d-force-physics-model.js';
+export type { X3DParticleSystemElement } from './x3d-particle-system.js';
+export type { X3DPointEmitterElement } from './x3d-point-emitter.js';
+export type { X3DPolylineEmitterElement } from './x3d-polyline-emitter.js';
+export type { X3DSurfaceEmitterElement } from './x3d-surface-emitter.js';
+export type { X3DVolumeEmitterElement } from './x3d-volume-emitter.js';
+export type { X3DWindPhysicsModelElement } from './x3d-wind-physics-model.js';

@@ -1,6 +1,7 @@
 // The reference page of a node as Markdown, from the tables that the code runs on.
 import { tagOf } from '../../elements/bridge/words/dom.js';
-import { nodeTypes, type NodeType } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
+import type { NodeType } from '../../physics-core/inside.js';
 import {
   fieldSections,
   type FieldSection,
@@ -67,4 +68,4 @@ ${[...fieldSections(type).map(fields), ...interfaceSections(type).map(members)].
 }
 
 export const referencePages = (): [name: string, text: string][] =>
-  Object.values(nodeTypes).map((type) => [type.name, page(type)]);
+  Object.values(allTypes).map((type) => [type.name, page(type)]);

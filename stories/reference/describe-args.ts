@@ -1,5 +1,5 @@
 import type { ArgTypesEnhancer } from 'storybook/internal/types';
-import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { defaultText } from './default-text.js';
 
 /**
@@ -7,7 +7,7 @@ import { defaultText } from './default-text.js';
  * what holds without it. What is no field has the value that the story starts with.
  */
 export const describeArgs: ArgTypesEnhancer = ({ title, argTypes, initialArgs }) => {
-  const fields = nodeTypes[title.split('/').at(-1)!]?.fields;
+  const fields = allTypes[title.split('/').at(-1)!]?.fields;
   return Object.fromEntries(
     Object.keys({ ...initialArgs, ...argTypes }).map((name) => {
       const [arg, field] = [argTypes[name], fields?.[name]];

@@ -1,7 +1,7 @@
 // A story's markup as text, in both spellings, from the template that the story renders.
 import { nothing, type TemplateResult } from 'lit';
 import { codecs } from '../../physics-core/fields/values.js';
-import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { tagOf } from '../../elements/bridge/words/dom.js';
 
 interface Element {
@@ -39,7 +39,7 @@ const quoted = (value: string): string => (value.includes('"') ? `'${value}'` : 
 const TAG = /<(\/?)([\w-]+)((?:\s+[@.?]?[\w-]+(?:=(?:"[^"]*"|'[^']*'))?)*)\s*\/?>/g;
 const ATTRIBUTE = /([@.?]?[\w-]+)(?:=(?:"([^"]*)"|'([^']*)'))?/g;
 
-const types = new Map(Object.values(nodeTypes).map((type) => [tagOf(type), type]));
+const types = new Map(Object.values(allTypes).map((type) => [tagOf(type), type]));
 
 /** A control's value that says nothing new. */
 function isDefault(tag: string, name: string, value: string | null): boolean {
@@ -86,7 +86,7 @@ const custom: Spelling = {
 
 /** X3D's names of the nodes that stories draw with. */
 const DRAWN =
-  'Appearance Box Cone Coordinate Cylinder Group IndexedFaceSet IndexedLineSet Material PixelTexture Shape Sphere Switch TextureProperties TextureTransform Transform';
+  'Appearance Box ColorRGBA Cone Coordinate Cylinder Group IndexedFaceSet IndexedLineSet Material PixelTexture Shape Sphere Switch TextureProperties TextureTransform Transform';
 
 const NAMES = new Map([
   ...DRAWN.split(' ').map((name) => [name.toLowerCase(), name] as const),

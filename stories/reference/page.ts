@@ -1,7 +1,7 @@
 // The reference page of one node: what it is, a live example, its markup, its fields.
 import { html, nothing, type TemplateResult } from 'lit';
 import { tagOf } from '../../elements/bridge/words/dom.js';
-import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { playgroundAddress } from '../../site/playground/address.js';
 import { copyable } from '../copyable.js';
 import { fieldTables } from './fields.js';
@@ -9,7 +9,7 @@ import { interfaceOf } from './interface.js';
 import { markupOf } from './markup.js';
 
 /** Tags of physics nodes, in both spellings. */
-const PHYSICS = new RegExp(`(</?(?:x3d-|${Object.keys(nodeTypes).join('\\b|')}\\b)[^>]*>)`);
+const PHYSICS = new RegExp(`(</?(?:x3d-|${Object.keys(allTypes).join('\\b|')}\\b)[^>]*>)`);
 
 /** Physics stands out from what only draws. */
 const highlighted = (text: string) =>
@@ -38,7 +38,7 @@ export function referencePage(
   example: TemplateResult,
   script: string | undefined,
 ) {
-  const type = nodeTypes[title.split('/').at(-1)!]!;
+  const type = allTypes[title.split('/').at(-1)!]!;
   const text = markupOf(example);
   return html`
     <article class="reference">

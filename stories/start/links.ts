@@ -1,5 +1,5 @@
 // Where the first page leads on to. test/stories/links.test.ts holds that all of it is there.
-import { nodeTypes } from '../../physics-core/nodes/index.js';
+import { allTypes } from '../../physics-core/all-types.js';
 
 export interface Link {
   text: string;
@@ -76,7 +76,7 @@ const SITE: Room = {
 export const backFrom = (path = ''): readonly Room[] => (path.includes('/stories/') ? [SITE] : []);
 
 /** One page for each node. */
-export const PAGES: readonly Link[] = Object.keys(nodeTypes).map((name) => ({
+export const PAGES: readonly Link[] = Object.keys(allTypes).map((name) => ({
   text: name,
   to: `nodes-${name.toLowerCase()}--docs`,
 }));

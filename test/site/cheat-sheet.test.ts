@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { tagOf } from '../../elements/bridge/words/dom.js';
 import { eventTypes } from '../../elements/bridge/words/event-types.js';
-import { nodeTypes } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { additionsOf } from '../../tools/build/manifest-fields.js';
 
 const sheet = readFileSync('site/guide/cheat-sheet.md', 'utf8');
@@ -24,11 +24,11 @@ const camel = (name: string): string =>
   name.replaceAll(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 test('the cheat-sheet has each node of the component, once', () => {
-  assert.deepEqual(rows.map(({ tag }) => tag).sort(), Object.values(nodeTypes).map(tagOf).sort());
+  assert.deepEqual(rows.map(({ tag }) => tag).sort(), Object.values(allTypes).map(tagOf).sort());
 });
 
 test('each field that the cheat-sheet names is one of its node', () => {
-  for (const type of Object.values(nodeTypes)) {
+  for (const type of Object.values(allTypes)) {
     const { names } = rows.find(({ tag }) => tag === tagOf(type))!;
     const known = [
       ...Object.keys(type.fields),

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { loadCsf } from 'storybook/internal/csf-tools';
-import { nodeTypes } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import {
   addressOf,
   backFrom,
@@ -43,7 +43,7 @@ test('it leads to every scene and to the page of every node', () => {
   const scenes = ids.filter((id) => id.startsWith('scenes--'));
   assert.equal(scenes.length, 4);
   const pages = ids.filter((id) => id.endsWith('--docs'));
-  assert.equal(pages.length, Object.keys(nodeTypes).length);
+  assert.equal(pages.length, Object.keys(allTypes).length);
   for (const id of [...scenes, ...pages]) assert.ok(leadsTo.has(id), id);
 });
 

@@ -3,12 +3,12 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { html, nothing } from 'lit';
 import { kebab, tagOf } from '../../elements/bridge/words/dom.js';
-import { nodeTypes } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { markupOf } from '../../stories/reference/markup.js';
 
 const STORIES = new URL('../../stories/', import.meta.url);
 
-for (const type of Object.values(nodeTypes)) {
+for (const type of Object.values(allTypes)) {
   test(`${type.name} has a live story and a reference page`, () => {
     const story = readFileSync(new URL(`${kebab(type.name)}.stories.ts`, STORIES), 'utf8');
     assert.match(story, new RegExp(`title: 'Nodes/${type.name}',\\s+tags: \\['autodocs'\\]`));

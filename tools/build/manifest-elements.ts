@@ -3,7 +3,8 @@ import { readFileSync } from 'node:fs';
 import { camel, tagOf } from '../../elements/bridge/words/dom.js';
 import { eventsAt, eventTypes } from '../../elements/bridge/words/event-types.js';
 import { uiClasses } from '../../elements/define.js';
-import { nodeTypes, type NodeType } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
+import type { NodeType } from '../../physics-core/inside.js';
 import {
   additionsOf,
   attributesOf,
@@ -17,7 +18,7 @@ import { membersIn } from './manifest-methods.js';
 
 export type UIClass = (typeof uiClasses)[number];
 
-export const types: readonly NodeType[] = Object.values(nodeTypes);
+export const types: readonly NodeType[] = Object.values(allTypes);
 
 /** X3D's own, which say where a node stands; they are no fields. */
 export const NAMING = [

@@ -109,6 +109,7 @@ export const SCENE_TAGS: Record<string, SceneTag> = {
   coordinate: { numbers: 'point' },
   normal: { numbers: 'vector' },
   color: { numbers: 'color' },
+  colorrgba: { numbers: 'color' },
   texturecoordinate: { numbers: 'point' },
   timesensor: {
     numbers: 'cycleInterval startTime stopTime pauseTime resumeTime',

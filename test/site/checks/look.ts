@@ -1,6 +1,6 @@
 // How a scene looks when it begins, light and dark: no face is black, no body is cut off, each stands out from what is behind it.
 import type { Page as Tab } from 'playwright';
-import { colorAt, distance, shareBelow, type Picture } from './picture.js';
+import { colorAt, distance, shareApart, shareBelow, type Picture } from './picture.js';
 import type { Scene } from './sources.js';
 
 /** Pixels: as wide as a page's text, and that of a phone. */
@@ -17,6 +17,11 @@ const CONTRAST = 40;
 /** Share of the bodies' shapes that may be behind something else, or come into the picture while it begins. */
 const EXCEPTIONS = 0.1;
 
+/** Share of a picture that particles take at least, when they have been born for some time. */
+const PARTICLES_SHARE = 0.001;
+/** Seconds. */
+const SOME_TIME = 1;
+
 /** Where a shape is in the picture: from -1 to 1, rightwards and upwards. */
 interface Place {
   name: string;
@@ -26,7 +31,7 @@ interface Place {
   top: number;
 }
 
-/** Runs in the page: its worlds stand where they began. Keeps the shapes of bodies that can move. */
+/** Runs in the page: its worlds stand where they began. Keeps the shapes of bodies that can move, and particle systems. */
 const begin = (library: string): string => `(async () => {
   const { explain, worldOf } = globalThis.X3DPhysics ?? await import('${library}');
   const all = [...document.querySelectorAll('x3d *')];
@@ -36,6 +41,7 @@ const begin = (library: string): string => `(async () => {
     world.paused = true;
     world.reset();
   }
+  globalThis.systems = all.filter((element) => explain(element).type === 'ParticleSystem');
   const moves = (element) => {
     const { type, fields } = explain(element);
     return /^(RigidBody|CollidableShape)$/.test(type) && !fields.fixed;
@@ -76,9 +82,17 @@ async function places(tab: Tab): Promise<Place[]> {
   return (await tab.evaluate(PLACES)) as Place[];
 }
 
-/** Runs in the page: whether its shapes are drawn. */
-const render = (shown: boolean): string =>
-  `for (const shape of shapes) shape.setAttribute('render', '${shown}')`;
+/** What `begin` keeps. */
+type Kept = 'shapes' | 'systems';
+
+/** Runs in the page: whether they are drawn. */
+const render = (kept: Kept, shown: boolean): string =>
+  `for (const element of ${kept}) element.setAttribute('render', '${shown}')`;
+
+/** Runs in the page. */
+const GO_ON = `(() => {
+  for (const world of new Set(systems.map((system) => system.world))) world.advance(${SOME_TIME});
+})()`;
 
 const inside = (a: number, b: number): boolean => Math.max(Math.abs(a), Math.abs(b)) <= 1;
 
@@ -128,23 +142,27 @@ function lost(all: Place[], look: Look): string[] {
     : [];
 }
 
-/** With its bodies and without. */
+/** With what is looked at, and without. */
 interface Look {
   scheme: 'light' | 'dark';
   shown: Picture;
   hidden: Picture;
 }
 
-async function looks(tab: Tab, read: (png: Buffer) => Promise<Picture>): Promise<Look[]> {
+async function looks(
+  tab: Tab,
+  read: (png: Buffer) => Promise<Picture>,
+  kept: Kept,
+): Promise<Look[]> {
   const picture = async (colorScheme: Look['scheme']): Promise<Picture> => {
     await tab.emulateMedia({ colorScheme });
     return read(await tab.locator('x3d canvas').first().screenshot());
   };
   const shown = { light: await picture('light'), dark: await picture('dark') };
-  await tab.evaluate(render(false));
+  await tab.evaluate(render(kept, false));
   await tab.evaluate(DRAW);
   const hidden = { dark: await picture('dark'), light: await picture('light') };
-  await tab.evaluate(render(true));
+  await tab.evaluate(render(kept, true));
   return [
     { scheme: 'dark', shown: shown.dark, hidden: hidden.dark },
     { scheme: 'light', shown: shown.light, hidden: hidden.light },
@@ -162,7 +180,7 @@ async function placedLooks(
   const before = await sizeOf(tab);
   const wide = await places(tab);
   if (wide.length === 0) return { wide, seen: [] };
-  const seen = await looks(tab, read);
+  const seen = await looks(tab, read, 'shapes');
   if (before === (await sizeOf(tab))) return { wide, seen };
   if (tries === 1) throw new Error('its picture goes on changing its size');
   return placedLooks(tab, read, tries - 1);
@@ -177,6 +195,28 @@ function blackened({ scheme, shown }: Look): string[] {
   return share > BLACK_SHARE ? [`${(100 * share).toFixed(2)} % of the picture is black`] : [];
 }
 
+/** Of bodies that can move. */
+const wrongShapes = (narrow: Place[], wide: Place[], seen: Look[]): string[] => [
+  ...cropped(narrow).map((fault) => `on a phone, ${fault}`),
+  ...cropped(wide),
+  ...seen.flatMap((look) =>
+    [...blackened(look), ...lost(wide, look)].map((fault) => `${look.scheme}: ${fault}`),
+  ),
+];
+
+/** Particles may fly out of the picture, and the last ones fade: enough of them are seen. */
+async function wrongParticles(
+  tab: Tab,
+  read: (png: Buffer) => Promise<Picture>,
+): Promise<string[]> {
+  await tab.evaluate(GO_ON);
+  await tab.evaluate(DRAW);
+  const seen = await looks(tab, read, 'systems');
+  const few = ({ shown, hidden }: Look): boolean =>
+    shareApart(shown, hidden, CONTRAST) < PARTICLES_SHARE;
+  return seen.filter(few).map(({ scheme }) => `${scheme}: particles are hardly seen`);
+}
+
 /** Of a scene that runs, in a tab as wide as a phone. */
 export async function ugly(
   tab: Tab,
@@ -187,12 +227,10 @@ export async function ugly(
   const narrow = await places(tab);
   await tab.setViewportSize({ width: WIDTH, height });
   const { wide, seen } = await placedLooks(tab, read);
-  if (wide.length === 0) return ['no body that moves is drawn'];
+  const particles = ((await tab.evaluate('systems.length')) as number) > 0;
+  if (wide.length === 0 && !particles) return ['nothing that moves is drawn'];
   return [
-    ...cropped(narrow).map((fault) => `on a phone, ${fault}`),
-    ...cropped(wide),
-    ...seen.flatMap((look) =>
-      [...blackened(look), ...lost(wide, look)].map((fault) => `${look.scheme}: ${fault}`),
-    ),
+    ...(wide.length > 0 ? wrongShapes(narrow, wide, seen) : []),
+    ...(particles ? await wrongParticles(tab, read) : []),
   ];
 }

@@ -38,6 +38,16 @@ export const colorAt = ({ data, width }: Picture, x: number, y: number): number[
 export const distance = (a: number[], b: number[]): number =>
   Math.hypot(...a.map((value, i) => value - b[i]!));
 
+/** Share of the pixels that are further than `far` from those of another picture as large. */
+export function shareApart({ data, width, height }: Picture, other: Picture, far: number): number {
+  let apart = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const way = [0, 1, 2].map((k) => data[i + k]! - other.data[i + k]!);
+    if (Math.hypot(...way) > far) apart++;
+  }
+  return apart / (width * height);
+}
+
 /** Share of the pixels none of whose channels exceeds `limit`. */
 export function shareBelow({ data, width, height }: Picture, limit: number): number {
   let dark = 0;

@@ -9,12 +9,13 @@ const LATEST = 30_000;
 const MOVED = 0.005;
 
 interface State {
+  /** Of bodies; and of particle systems, how many particles they have and where the oldest one is. */
   poses: number[][];
   problems: string[];
 }
 
 /**
- * Runs in the page, of any build of the library: the first world's bodies, and what it complains of. A machine that is busy
+ * Runs in the page, of any build of the library: the bodies and particles of its worlds, and what these complain of. A machine that is busy
  * with other things drops time.
  */
 const stateOf = (library: string, begins: boolean): string => `(async () => {
@@ -26,8 +27,13 @@ const stateOf = (library: string, begins: boolean): string => `(async () => {
   }
   await Promise.all([...worlds].map(({ ready }) => ready));
   const nodes = [...worlds].flatMap((world) => [...world.nodes]);
+  const bodies = nodes.filter((node) => node.applyImpulse);
+  const systems = nodes.filter(({ type }) => type.name === 'ParticleSystem');
   const found = {
-    poses: nodes.filter((node) => node.applyImpulse).map((node) => [...node.get('position'), ...node.get('orientation')]),
+    poses: [
+      ...bodies.map((node) => [...node.get('position'), ...node.get('orientation')]),
+      ...systems.map((node) => [node.get('count'), ...(node.get('positions')[0] ?? [])]),
+    ],
     problems: [...worlds].flatMap((world) =>
       world.problems.filter(({ code }) => code !== 'lag').map(({ code, message }) => code + ': ' + message)),
   };

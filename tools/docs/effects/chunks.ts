@@ -1,6 +1,7 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { particleSystems as particles } from '../../../physics-core/effects/particles/effects.js';
 import {
   contacts,
   drags,
@@ -23,7 +24,11 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],
-  ['chunk-particle-code', 'the entry `core`: particle systems, which pages do not draw yet'],
+  ['chunk-particle-code', `${particles.causes}: what moves its particles`],
+  [
+    'chunk-particle-elements',
+    `${particles.causes}, an emitter or a model: their tags, and what draws`,
+  ],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-debug-code', outlines.causes],
   ['chunk-faults-code', 'a fault in the markup'],
@@ -32,6 +37,7 @@ const FILES: readonly [name: string, causes: string][] = [
     'chunk-shapes-code',
     'an ElevationGrid, an Extrusion, a set of fans, strips or quads, a Rectangle2D or a Disk2D, where x3dom lacks it',
   ],
+  ['chunk-take-over', 'a build of x3dom that has a physics engine of its own'],
   ['chunk-batch-code', 'eight bodies of one geometry, drawn in one call where they look alike'],
   ['chunk-sketch', 'debug of a RigidBodyCollection, or a ghost of the timeline'],
   ['chunk-measure', '`measureAccuracy()`'],
