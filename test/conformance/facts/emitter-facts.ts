@@ -145,9 +145,7 @@ const mass = (emitter: NodeData): Fact[] => {
       scene: system({ ...emitter }, { physics }),
       run: async (x) => {
         await x.advance(LOOK);
-        return [
-          near('acceleration', furthest(await pushes(x), [0, 0, 0]), 0, 100 * EXACT, 'm/s²'),
-        ];
+        return [near('acceleration', furthest(await pushes(x), [0, 0, 0]), 0, 100 * EXACT, 'm/s²')];
       },
     },
   ];

@@ -68,7 +68,8 @@ const births: Fact[] = [
     field: 'maxParticles',
     says: 'as many live at once, and one comes for each that goes',
     open: 'the n-th is born n times particleLifetime / maxParticles after the first',
-    unmet: 'one that is due in the moment in which another dies is lost where the sum of the times between births is rounded down',
+    unmet:
+      'one that is due in the moment in which another dies is lost where the sum of the times between births is rounded down',
     scene: system(clock, TEN),
     run: async (x) => {
       await x.advance(LOOK);
@@ -76,10 +77,7 @@ const births: Fact[] = [
       await x.advance(1);
       const all = (await places(x)).map(([at]) => at!);
       const expected = [0.95, 0.85, 0.75, 0.65, 0.55, 0.45, 0.35, 0.25, 0.15, 0.05];
-      return [
-        same('after 0.55 s', first, 6),
-        near('after 1.55 s', all, expected, EXACT, 'm'),
-      ];
+      return [same('after 0.55 s', first, 6), near('after 1.55 s', all, expected, EXACT, 'm')];
     },
   },
   {
@@ -137,7 +135,13 @@ const lives: Fact[] = [
         left.push((await count(x)) / SAMPLE);
       }
       return [
-        near('share after half a life and after one and a half', [left[0]!, left[4]!], [1, 0], 0, ''),
+        near(
+          'share after half a life and after one and a half',
+          [left[0]!, left[4]!],
+          [1, 0],
+          0,
+          '',
+        ),
         near('share after 0.75, 1 and 1.25 s', left.slice(1, 4), [0.75, 0.5, 0.25], 0.063, ''),
       ];
     },

@@ -71,7 +71,10 @@ const coord: Fact[] = [
       const after = (await places(x)).slice(-5);
       return [
         near('off the first line', off(before), 0, EXACT, 'm'),
-        holds('on the second', after.every(([a, b, c]) => onLine([a!, b!, c!]))),
+        holds(
+          'on the second',
+          after.every(([a, b, c]) => onLine([a!, b!, c!])),
+        ),
       ];
     },
   },
@@ -94,8 +97,20 @@ const coordIndex: Fact[] = [
       const on = ([a, b, c]: Vector, y: number, to: number): boolean =>
         Math.hypot(b! - y, c!) < EXACT && a! > -EXACT && a! < to + EXACT;
       return [
-        near('on one of them', share(all, (at) => on(at, 0, 1) || on(at, 3, 3)), 1, 0, ''),
-        near('on the first', share(all, (at) => on(at, 0, 1)), 0.25, chance(0.44), ''),
+        near(
+          'on one of them',
+          share(all, (at) => on(at, 0, 1) || on(at, 3, 3)),
+          1,
+          0,
+          '',
+        ),
+        near(
+          'on the first',
+          share(all, (at) => on(at, 0, 1)),
+          0.25,
+          chance(0.44),
+          '',
+        ),
       ];
     },
   },
@@ -111,7 +126,13 @@ const coordIndex: Fact[] = [
       const after = (await places(x)).slice(-5);
       return [
         near('on the first', share(before, onFirst), 1, 0, ''),
-        near('on the second', share(after, (at) => !onFirst(at) && off([at]) < EXACT), 1, 0, ''),
+        near(
+          'on the second',
+          share(after, (at) => !onFirst(at) && off([at]) < EXACT),
+          1,
+          0,
+          '',
+        ),
       ];
     },
   },

@@ -22,9 +22,7 @@ const SIDES = [2, 4, 6];
 
 /** Corners of a brick of 2 × 4 × 6 m about a place, and its faces by their numbers. */
 const corners = ([x, y, z]: Vec3): number[] =>
-  [-1, 1].flatMap((i) =>
-    [-2, 2].flatMap((j) => [-3, 3].flatMap((k) => [x + i, y + j, z + k])),
-  );
+  [-1, 1].flatMap((i) => [-2, 2].flatMap((j) => [-3, 3].flatMap((k) => [x + i, y + j, z + k])));
 
 const FACES = [
   [0, 1, 3, 2],
@@ -92,9 +90,7 @@ const volumes: Fact[] = [
   {
     field: 'coordIndex',
     says: 'names the faces that enclose it, and takes events',
-    scene: system(
-      brick({ speed: 0, coord: points([...corners(ORIGIN), ...corners(AWAY)]) }),
-    ),
+    scene: system(brick({ speed: 0, coord: points([...corners(ORIGIN), ...corners(AWAY)]) })),
     run: async (x) => {
       await x.advance(0.55);
       const before = await places(x);

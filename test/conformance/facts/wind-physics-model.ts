@@ -65,7 +65,8 @@ async function gusts(x: Driver, frames: number): Promise<Vector[][]> {
 }
 
 /** The wind that pushes so, m/s. */
-const windOf = (acceleration: Vector): number => Math.sqrt(lengthOf(acceleration) / (10 * PRESSURE));
+const windOf = (acceleration: Vector): number =>
+  Math.sqrt(lengthOf(acceleration) / (10 * PRESSURE));
 
 /** Positions are good to a ten-millionth, and gusts are found by their differences over a frame. */
 const GUST = 0.05;
