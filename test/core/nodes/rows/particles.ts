@@ -34,17 +34,13 @@ const places = (system: Node): Vec3[] => system.get('positions') as Vec3[];
 const oldest = (system: Node): Vec3 => places(system)[0]!;
 const newest = (system: Node): Vec3 => places(system).at(-1)!;
 
-/** One particle each tenth of a second, from a metre above the ground. */
+/** From a metre above the ground. */
+const POINT = { position: [0, 1, 0], direction: [0, -1, 0], speed: 2, variation: 0 };
+
+/** One particle each tenth of a second. */
 const flow = (w: World, emitter: Record<string, unknown> = {}, fields = {}): Node =>
   w.add('ParticleSystem', {
-    emitter: {
-      type: 'PointEmitter',
-      position: [0, 1, 0],
-      direction: [0, -1, 0],
-      speed: 2,
-      variation: 0,
-      ...emitter,
-    },
+    emitter: { type: 'PointEmitter', ...POINT, ...emitter },
     maxParticles: 100,
     particleLifetime: 10,
     lifetimeVariation: 0,
@@ -176,7 +172,7 @@ const own: Row[] = [
   },
 ];
 
-/** A part that is there before: one that is made has systems read anew what they are made of, too. */
+/** Parts that are there before and after: one that is made, or goes, has systems read anew what they are made of, too. */
 const takes = (
   field: string,
   type: string,
@@ -187,7 +183,7 @@ const takes = (
   fact: 'another one acts from an edit on',
   run: async () => {
     const w = await world();
-    const system = flow(w, { mass: 0.5 });
+    const system = flow(w, {}, { emitter: w.add('PointEmitter', { ...POINT, mass: 0.5 }) });
     const part = w.add(type, fields);
     w.advance(0.25);
     system.set(field, field === 'physics' ? [part] : part);
