@@ -1,10 +1,5 @@
 import { allTypes } from '../../physics-core/all-types.js';
-import {
-  createWorld,
-  PhysicsNode,
-  type Problem,
-  type World,
-} from '../../physics-core/inside.js';
+import { createWorld, PhysicsNode, type Problem, type World } from '../../physics-core/inside.js';
 import { systemCode } from '../../physics-core/particles.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
