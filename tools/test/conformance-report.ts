@@ -99,8 +99,8 @@ function ownFailures(lines: Line[], columns: Column[]): string {
 }
 
 const ABOUT = `Every field of every node of X3D's rigid body physics and of its particle systems has at least one fact here: a scene,
-what is done with it, and what must be measured then, by a closed form, a reference integrator in double precision or an exact statement.
-The scenes are plain X3D and the facts know nothing of the browser that shows them.
+what is done with it, and what must be measured then, by a closed form, a reference integrator in double precision or an
+exact statement. The scenes are plain X3D and the facts know nothing of the browser that shows them.
 
 - Tolerances are what a good implementation at 60 frames per second can meet: two frames of lag at the speed of the
   motion, or, where the question is whether something moves and not how far, 15 % of its way.
