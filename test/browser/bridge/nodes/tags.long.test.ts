@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import { particleTags } from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { codecs, type NodeType } from '../../../../physics-core/inside.js';
-import { sourceOf } from '../../particle-sources.js';
+import { attributesOf, contentOf } from '../../particle-sources.js';
 import { attributeOf, kebab, sample, written } from '../../samples.js';
 import { claim } from '../../console.js';
 import { show } from '../../scene.js';
@@ -44,7 +44,8 @@ function furnish(element: Element, { name }: NodeType): void {
       '<x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape>',
     CollisionSensor: '<x3d-collision-collection use="K"></x3d-collision-collection>',
   };
-  element.innerHTML = inside[name] ?? sourceOf(name);
+  element.innerHTML = inside[name] ?? contentOf(name);
+  for (const [attribute, text] of attributesOf(name)) element.setAttribute(attribute, text);
 }
 
 const tags = (type: NodeType): [string, string][] => [

@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import { particleTags } from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import type { Field, NodeType } from '../../../../physics-core/inside.js';
-import { sourceOf } from '../../particle-sources.js';
+import { attributesOf, contentOf } from '../../particle-sources.js';
 import { claim } from '../../console.js';
 import { plain } from '../../forms.js';
 import { kebab, sample, written } from '../../samples.js';
@@ -70,7 +70,8 @@ function sceneFor(type: NodeType, inside: string): string {
   const joint = (): string => collection(`${body()}${node('body1="b"')}`);
   const system = (content: string): string =>
     `${collection('')}<x3d-particle-system>${content}</x3d-particle-system>`;
-  const part = (): string => system(node('', sourceOf(name)));
+  const source = attributesOf(name).map(([attribute, text]) => `${attribute}="${text}"`);
+  const part = (): string => system(node(source.join(' '), contentOf(name)));
   const rest = /Emitter$|PhysicsModel$/.test(name) ? part : joint;
   return (scenes[name] ?? rest)() + inside;
 }
