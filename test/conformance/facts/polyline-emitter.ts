@@ -41,6 +41,10 @@ const off = (list: Vector[]): number =>
     }),
   );
 
+/** The line that an event brings: 4 m along Y, at (0, 0, 5). */
+const onLine = ([a, b, c]: [number, number, number]): boolean =>
+  Math.hypot(a, c - 5) < EXACT && b > -EXACT && b < 4 + EXACT;
+
 const coord: Fact[] = [
   {
     field: 'coord',
@@ -79,9 +83,6 @@ const coord: Fact[] = [
     },
   },
 ];
-
-const onLine = ([a, b, c]: [number, number, number]): boolean =>
-  Math.hypot(a, c - 5) < EXACT && b > -EXACT && b < 4 + EXACT;
 
 const coordIndex: Fact[] = [
   {

@@ -47,18 +47,20 @@ const crowd = (count: number, fields = {}): NodeData[] =>
 /** What pushed each particle of a crowd in each of so many frames, from its birth on, m/s². */
 async function gusts(x: Driver, frames: number): Promise<Vector[][]> {
   const all: Vector[][] = [];
-  let places0: Vector[] | undefined;
-  let speeds: Vector[] = [];
+  let [before, speeds]: [Vector[], Vector[]] = [[], []];
+  // They are born at rest where everything is 0.
+  const of = (list: Vector[], k: number, axis: number): number => list[k]?.[axis] ?? 0;
   for (let i = 0; i < frames; i++) {
     await x.advance(FRAME);
     const now = await places(x);
-    const before = (places0 ??= now.map(() => [0, 0, 0]));
-    if (i === 0) speeds = now.map(() => [0, 0, 0]);
     const gust = now.map((at, k) =>
-      at.map((value, j) => (2 * (value - before[k]![j]! - speeds[k]![j]! * FRAME)) / FRAME ** 2),
+      at.map((value, axis) => {
+        const way = value - of(before, k, axis) - of(speeds, k, axis) * FRAME;
+        return (2 * way) / FRAME ** 2;
+      }),
     );
-    speeds = speeds.map((speed, k) => speed.map((value, j) => value + gust[k]![j]! * FRAME));
-    places0 = now;
+    speeds = gust.map((push, k) => push.map((a, axis) => of(speeds, k, axis) + a * FRAME));
+    before = now;
     all.push(gust);
   }
   return all;
@@ -96,11 +98,11 @@ const direction: Fact[] = [
     scene: crowd(1, { direction: [0, 0, 0], speed: 10 }),
     run: async (x) => {
       const all = (await gusts(x, 240)).map(([only]) => only!);
-      const [checks] = [allWays(all.map(unit))];
+      // Fewer than means are usually taken of.
       const few = Math.sqrt(SAMPLE / all.length);
       return [
         near('wind', ends(all.map(windOf)), [10, 10], GUST, 'm/s'),
-        ...checks.map((check) => ({ ...check, tolerance: check.tolerance! * few })),
+        ...allWays(all.map(unit)).map((check) => ({ ...check, tolerance: check.tolerance! * few })),
       ];
     },
   },
@@ -145,13 +147,13 @@ const strength: Fact[] = [
     run: async (x) => {
       await x.advance(0.5);
       await x.set('model', 'gustiness', 0);
-      const [off] = [furthest(await pushes(x), [0, 0, push(10)])];
+      const off = furthest(await pushes(x), [0, 0, push(10)]);
       return [near('off 646 m/s²', off, 0, 1000 * EXACT, 'm/s²')];
     },
   },
 ];
 
-/** How far the furthest of them goes off the way of the wind, radians. */
+/** How far each goes off the way of the wind, radians. */
 const angles = (all: Vector[]): number[] =>
   all.map((each) => Math.acos(Math.min(1, dot(unit(each), [0, 0, 1]))));
 
