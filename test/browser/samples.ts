@@ -35,6 +35,8 @@ export function sample(name: string, field: Field): unknown {
     SFVec3f: [0.5, 0.25, 0.125],
     SFRotation: [1, 0, 0, 0.5],
     SFMatrix3f: [1.5, 0, 0, 0, 1.5, 0, 0, 0, 1.25],
+    MFFloat: [0.5, 1],
+    MFInt32: [0, 1, -1],
     MFString: ['ALL'],
     MFVec3f: [
       [1, 2, 3],

@@ -14,6 +14,16 @@ import { rigidBody } from './facts/rigid-body.js';
 import { singleAxisHingeJoint } from './facts/single-axis-hinge-joint.js';
 import { sliderJoint } from './facts/slider-joint.js';
 import { universalJoint } from './facts/universal-joint.js';
+import { particleSystem } from './facts/particle-system.js';
+import { pointEmitter } from './facts/point-emitter.js';
+import { coneEmitter } from './facts/cone-emitter.js';
+import { explosionEmitter } from './facts/explosion-emitter.js';
+import { polylineEmitter } from './facts/polyline-emitter.js';
+import { surfaceEmitter } from './facts/surface-emitter.js';
+import { volumeEmitter } from './facts/volume-emitter.js';
+import { forcePhysicsModel } from './facts/force-physics-model.js';
+import { windPhysicsModel } from './facts/wind-physics-model.js';
+import { boundedPhysicsModel } from './facts/bounded-physics-model.js';
 
 const own: Record<string, Fact[]> = {
   RigidBodyCollection: rigidBodyCollection,
@@ -30,6 +40,16 @@ const own: Record<string, Fact[]> = {
   SliderJoint: sliderJoint,
   UniversalJoint: universalJoint,
   MotorJoint: motorJoint,
+  ParticleSystem: particleSystem,
+  PointEmitter: pointEmitter,
+  ConeEmitter: coneEmitter,
+  ExplosionEmitter: explosionEmitter,
+  PolylineEmitter: polylineEmitter,
+  SurfaceEmitter: surfaceEmitter,
+  VolumeEmitter: volumeEmitter,
+  ForcePhysicsModel: forcePhysicsModel,
+  WindPhysicsModel: windPhysicsModel,
+  BoundedPhysicsModel: boundedPhysicsModel,
 };
 
 /** The facts of each node. */

@@ -1,15 +1,14 @@
-import {
-  createWorld,
-  nodeTypes,
-  PhysicsNode,
-  type Problem,
-  type World,
-} from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
+import { createWorld, PhysicsNode, type Problem, type World } from '../../physics-core/inside.js';
+import { systemCode } from '../../physics-core/particles.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { judge, objections } from './judge.js';
 import { nodesIn } from './markup.js';
 import { plain } from './plain.js';
+
+// Types of its nodes are known with it.
+await systemCode.load();
 
 /** Beside what a fact says itself; the accuracy level is the default one, `standard`. */
 const SETTINGS = { rest: 'never' };
@@ -30,7 +29,7 @@ class CoreStage implements Stage {
     const collections = scene.filter(({ type }) => type === 'RigidBodyCollection');
     for (const data of collections) await this.#collection(data);
     for (const data of scene.filter((each) => !collections.includes(each)))
-      if (nodeTypes[data.type!]) this.#add(this.#worldOf(data), data);
+      if (allTypes[data.type!]) this.#add(this.#worldOf(data), data);
     this.#connect();
   }
 
@@ -78,7 +77,7 @@ class CoreStage implements Stage {
   #made(world: World, data: NodeData): () => unknown {
     if (data.USE) return () => this.#node(data.USE!);
     if (data.type === 'Shape') return () => data.geometry;
-    if (!nodeTypes[data.type!]) return () => data;
+    if (!allTypes[data.type!]) return () => data;
     const made = this.#add(world, data);
     return () => made;
   }

@@ -10,6 +10,8 @@ export interface Judged {
   checks: Verdict[];
   /** Why it could not be measured to its end. */
   error?: string;
+  /** That browser has no field that would tell: it counts neither way. */
+  untold?: true;
 }
 
 const numbers = (value: Check['actual']): number[] | undefined => {
@@ -47,8 +49,8 @@ export const describeCheck = ({ what, actual, expected, tolerance, unit, pass }:
   `${tolerance === undefined ? '' : ` ± ${describeValue(tolerance)}`}${unit ? ` ${unit}` : ''}`;
 
 /** All that went wrong; empty where nothing did. */
-export const failures = ({ checks, pass, error }: Judged): string[] => {
-  if (pass) return [];
+export const failures = ({ checks, pass, error, untold }: Judged): string[] => {
+  if (pass || untold) return [];
   if (error) return [error];
   const failed = checks.filter((check) => !check.pass).map(describeCheck);
   return failed.length > 0 ? failed : ['it measures nothing'];

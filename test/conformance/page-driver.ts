@@ -1,5 +1,7 @@
+import { particleTags } from '../../elements/bridge/index.js';
 import '../../elements/index.js';
-import { contacts, nodeTypes, type FieldType, type World } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
+import { contacts, type FieldType, type World } from '../../physics-core/inside.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
 import { markup, nodesIn, typesByName, type Spelling } from './markup.js';
@@ -13,7 +15,7 @@ export const kebab = (type: string): string =>
 /** Both ways to write a physics node; all other nodes have one. */
 export const tags = {
   plain: (type: string): string => type,
-  hyphenated: (type: string): string => (nodeTypes[type] ? `x3d-${kebab(type)}` : type),
+  hyphenated: (type: string): string => (allTypes[type] ? `x3d-${kebab(type)}` : type),
 };
 
 /** An element that x3dom has read. */
@@ -85,7 +87,7 @@ class PageStage implements Stage {
   async get(def: string, name: string): Promise<unknown> {
     const element = this.#element(def);
     const type = this.#spelling.types.get(def)!;
-    const field = nodeTypes[type]!.fields[name];
+    const field = allTypes[type]!.fields[name];
     if (!field) throw new Error(`${type} has no field ${name}`);
     if (field.type.endsWith('Node')) return plain(worldOf(element)!.node(element)!.get(name));
     if (element.localName.includes('-')) return (element as any)[name];
@@ -96,7 +98,7 @@ class PageStage implements Stage {
     const element = this.#element(def);
     const nodes = nodesIn(value);
     const type = this.#spelling.types.get(def)!;
-    const field = nodeTypes[type]?.fields[name];
+    const field = allTypes[type]?.fields[name];
     if (!field) throw new Error(`${type} has no field ${name}`);
     if (field.access === 'inputOnly') element.setFieldValue(name, this.#withElements(value));
     else if (field.type.endsWith('Node')) await this.#setNodes(element, name, nodes ?? []);
@@ -159,6 +161,9 @@ class PageStage implements Stage {
 /** Collections whose worlds run there. */
 const on = (thread: Thread, scene: NodeData[]): NodeData[] =>
   scene.map((node) => (node.type === 'RigidBodyCollection' ? { ...node, thread } : node));
+
+// What comes late would have worlds wait for it.
+await particleTags.load();
 
 /** Shows a fact's scene in this page. */
 export async function openInPage(

@@ -3,6 +3,7 @@ import { chromium, type Browser, type Page } from 'playwright';
 import { findChromium } from '../../tools/test/browsers.js';
 // @ts-expect-error plain JavaScript
 import { serve } from '../../tools/docs/static-files.js';
+import { particleTypes } from '../../physics-core/particles.js';
 import { FRAME } from './checks.js';
 import type { Fact, NodeData, Stage } from './fact.js';
 import { definedFirst, markup, typesByName } from './markup.js';
@@ -30,6 +31,9 @@ function asX3D(scene: NodeData[]): string {
   const nodes = definedFirst(scene).map((node) => markup(node, spelling));
   return `<X3D profile="Full" version="4.0"><Scene>${nodes.join('')}</Scene></X3D>`;
 }
+
+/** Whether the facts of a node ask for nothing but X3D's own fields: none of those says where particles are. */
+export const tells = (node: string): boolean => !(node in particleTypes);
 
 /** X_ITE in a headless Chromium; its clock is ours. */
 export class XIte {

@@ -15,6 +15,8 @@ export interface Edit {
   parts?: true;
   /** Codes of the problems that its author is told. */
   tells?: readonly string[];
+  /** Codes of those that he may be told when it is un-authored: there is nothing left of what the scene had. */
+  ends?: readonly string[];
 }
 
 /** Bullet has nothing of it, or nothing else than what reads the field. */

@@ -9,6 +9,8 @@ import {
   sphere,
   use,
 } from '../conformance/scenes.js';
+import { particleTypes } from '../../physics-core/particles.js';
+import { PARTICLE_SUBJECTS, particleScene, POINT_SPARES } from './particles.js';
 
 /** Two arms on a joint of each type, high above the ground and out of each other's way: they swing when they are edited. */
 const JOINTS = [
@@ -34,11 +36,12 @@ const arms = (type: string, row: number): NodeData[] => {
 };
 
 /**
- * One node of every type among neighbours. When it is edited the sledge slides over the ground, touches it and pulls a
+ * One node of every type among neighbours; particles where one of their nodes is walked, since a world with them takes its
+ * steps on the page's own thread. When it is edited the sledge slides over the ground, touches it and pulls a
  * trailer by a joint, the stone sleeps, and everything else flies. What the walk edits has hardly a field authored, so
  * that un-authoring it leads back to where it was.
  */
-export const scene = (): NodeData[] => {
+export const scene = (type: string): NodeData[] => {
   const joints = JOINTS.flatMap(arms);
   return [
     collection({
@@ -115,6 +118,7 @@ export const scene = (): NodeData[] => {
       ],
     },
     { type: 'CollisionCollection', DEF: 'others', collidables: [use('spareShape')] },
+    ...(type in particleTypes ? particleScene() : []),
   ];
 };
 
@@ -132,6 +136,7 @@ export const SUBJECTS: Record<string, string> = {
   CollisionSensor: 'sensor',
   Contact: 'contact',
   ...Object.fromEntries(JOINTS.map((type) => [type, type])),
+  ...PARTICLE_SUBJECTS,
 };
 
 /** Nodes that are no physics, for the fields that take such. */
@@ -140,4 +145,5 @@ export const SPARES: Record<string, NodeData> = {
   long: box(0.2, 3, 0.2),
   data: { type: 'MetadataString', name: 'a' },
   moreData: { type: 'MetadataString', name: 'b' },
+  ...POINT_SPARES,
 };

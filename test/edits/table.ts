@@ -2,6 +2,7 @@ import { use } from '../conformance/scenes.js';
 import { bodyEdits, offsetEdits, shapeEdits } from './bodies.js';
 import { AXES, kept, OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
 import { edits as jointEdits } from './joints.js';
+import { particleEdits } from './particles.js';
 import {
   collectionEdits,
   parameterEdits,
@@ -51,6 +52,7 @@ const table: Record<string, Record<string, Edit>> = {
   CollisionSensor: sensorEdits,
   Contact: contactEdits,
   ...jointEdits,
+  ...particleEdits,
 };
 
 export const editOf = (type: string, field: string): Edit | undefined =>

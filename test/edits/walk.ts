@@ -1,4 +1,5 @@
-import { nodeTypes, type Field, type World } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
+import type { Field, World } from '../../physics-core/inside.js';
 import type { Edit } from './edit.js';
 import { SUBJECTS } from './scene.js';
 import { differences, itemOf, stateOf, type State } from './state.js';
@@ -50,14 +51,14 @@ class Walk {
     this.#editor = editor;
     this.#subject = SUBJECTS[type]!;
     this.#name = name;
-    this.#field = nodeTypes[type]!.fields[name]!;
+    this.#field = allTypes[type]!.fields[name]!;
     this.#counts = this.#countsNow();
   }
 
   // ---- the walk -------------------------------------------------------------------------------------------------
 
   input(edit: Edit): void {
-    const { values, changes = [], stays = [], tells = [] } = edit;
+    const { values, changes = [], stays = [], tells = [], ends = [] } = edit;
     const rebuild = this.#field.edit === 'rebuild';
     const once = { made: rebuild ? 1 : 0, patched: rebuild ? 0 : 1 };
     const takes = this.#field.access === 'inputOnly';
@@ -80,7 +81,7 @@ class Walk {
     this.#told('another value', [], tells);
     this.#event(values[1], second, once);
     if (!takes) this.#takeBack(before, second, { ...once, may: [...AFRESH, ...stays] });
-    this.#told('all of it', [], tells);
+    this.#told('all of it', [], [...tells, ...ends]);
     this.#end(ended, edit);
   }
 
@@ -211,7 +212,7 @@ class Walk {
 export function walkField(type: string, name: string, editor: Editor): string[] {
   const edit = editOf(type, name);
   const walk = new Walk(editor, type, name);
-  if (nodeTypes[type]!.fields[name]!.access === 'outputOnly') walk.output();
+  if (allTypes[type]!.fields[name]!.access === 'outputOnly') walk.output();
   else if (!edit) walk.wrong.push('the table has no edit for it');
   else if (editor.keeps(SUBJECTS[type]!, name)) walk.kept(edit);
   else walk.input(edit);
@@ -229,8 +230,6 @@ function hearEnds(world: World): string[] {
 }
 
 /** Every field of every node type. */
-export const ALL_FIELDS: readonly [type: string, field: string][] = Object.values(
-  nodeTypes,
-).flatMap(({ name, fields }) =>
-  Object.keys(fields).map((field) => [name, field] as [string, string]),
+export const ALL_FIELDS: readonly [type: string, field: string][] = Object.values(allTypes).flatMap(
+  ({ name, fields }) => Object.keys(fields).map((field) => [name, field] as [string, string]),
 );

@@ -8,7 +8,7 @@ import assert from 'node:assert/strict';
 import { parseArgs } from 'node:util';
 import { guards } from '../../physics-core/base/guards.js';
 import { energyGuards } from '../../physics-core/solver/energy/energy-guards.js';
-import { nodeTypes } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { factsOf } from '../../test/conformance/all.js';
 import { wrongInCore } from '../../test/conformance/core-driver.js';
 import type { Fact } from '../../test/conformance/fact.js';
@@ -35,7 +35,7 @@ const asRow = (fact: Fact): Row => ({
 });
 
 const rowsAndFacts: Record<string, Row[]> = Object.fromEntries(
-  Object.keys(nodeTypes).map((type) => [
+  Object.keys(allTypes).map((type) => [
     type,
     [...((!options.facts && rowsOf[type]) || []), ...(factsOf[type] ?? []).map(asRow)],
   ]),
@@ -54,7 +54,7 @@ function replacing(object: object, key: string, broken: unknown): () => () => vo
 
 /** A field whose edit never reaches Bullet. */
 const fieldMutants = (): Mutant[] =>
-  Object.values(nodeTypes).flatMap((type) =>
+  Object.values(allTypes).flatMap((type) =>
     Object.entries(type.fields)
       .filter(([, field]) => field.patch)
       .map(([name, field]) => ({
@@ -66,7 +66,7 @@ const fieldMutants = (): Mutant[] =>
 
 /** A field whose edit does not make its object anew. */
 const rebuildMutants = (): Mutant[] =>
-  Object.values(nodeTypes).flatMap((type) =>
+  Object.values(allTypes).flatMap((type) =>
     Object.entries(type.fields)
       .filter(([, field]) => field.edit === 'rebuild')
       .map(([name, field]) => ({

@@ -1,8 +1,9 @@
 import { near } from '../checks.js';
 import type { Fact, NodeData } from '../fact.js';
 import { nodesIn, renamed } from '../markup.js';
+import { looks } from './particle-looks.js';
 
-// The fields that say nothing about motion: of every node, of those with a bounding box, and descriptions.
+// The fields that say nothing about motion: of every node, of those with a bounding box, descriptions, looks of particles.
 
 const metadata = (value: string): NodeData => ({
   type: 'MetadataString',
@@ -18,6 +19,7 @@ const VALUES: Record<string, { written: unknown; event?: unknown }> = {
   bboxDisplay: { written: true, event: false },
   visible: { written: false, event: true },
   description: { written: 'some words', event: 'other words' },
+  ...looks,
 };
 
 const BOUNDED = ['metadata', 'bboxCenter', 'bboxSize', 'bboxDisplay', 'visible'];
@@ -30,6 +32,7 @@ const FIELDS: Record<string, string[]> = {
   CollisionSpace: BOUNDED,
   CollisionCollection: [...BOUNDED, 'description'],
   CollisionSensor: ['metadata', 'description'],
+  ParticleSystem: [...BOUNDED, ...Object.keys(looks)],
 };
 
 function namesOf(type: string, scene: NodeData[]): string[] {
@@ -53,32 +56,51 @@ function written(type: string, fields: Record<string, unknown>, scene: NodeData[
   return scene.map(change);
 }
 
-/** Two equal worlds, one of them with the field: every body moves in the same way, to the last bit. */
+const isWorld = ({ type }: NodeData): boolean => type === 'RigidBodyCollection';
+
+/** Both side by side; a system of particles stands outside of the world that it lives in, so one world has both of them. */
+function both(plain: NodeData[], other: NodeData[], moving: Moving): NodeData[] {
+  const apart = moving.type === 'ParticleSystem' ? (node: NodeData) => !isWorld(node) : () => true;
+  return [
+    ...plain.filter((node) => !apart(node)),
+    ...renamed(plain.filter(apart), (name) => `plain_${name}`),
+    ...renamed(other.filter(apart), (name) => `other_${name}`),
+  ];
+}
+
+/** What moves in a scene, and what tells where it is. */
+interface Moving {
+  type: string;
+  field: string;
+}
+const movingIn = (scene: NodeData[]): Moving =>
+  namesOf('ParticleSystem', scene).length > 0
+    ? { type: 'ParticleSystem', field: 'positions' }
+    : { type: 'RigidBody', field: 'position' };
+
+/** Two equals, one of them with the field: all that moves does so in the same way, to the last bit. */
 function inert(type: string, field: string, scene: NodeData[]): Fact {
   const value = VALUES[field]!;
   const plain = written(type, {}, scene);
   const other = written(type, { [field]: value.written }, scene);
-  const bodies = namesOf('RigidBody', plain);
+  const moving = movingIn(plain);
   return {
     field,
     says: 'changes nothing in the motion',
     inert: true,
-    scene: [
-      ...renamed(plain, (name) => `plain_${name}`),
-      ...renamed(other, (name) => `other_${name}`),
-    ],
+    scene: both(plain, other, moving),
     run: async (x) => {
       await x.advance(0.25);
       if (value.event !== undefined)
         for (const name of namesOf(type, other)) await x.set(`other_${name}`, field, value.event);
       await x.advance(0.25);
       const checks = [];
-      for (const name of bodies) {
+      for (const name of namesOf(moving.type, plain)) {
         const [expected, actual] = [
-          await x.get(`plain_${name}`, 'position'),
-          await x.get(`other_${name}`, 'position'),
+          await x.get(`plain_${name}`, moving.field),
+          await x.get(`other_${name}`, moving.field),
         ];
-        checks.push(near(`${name} after 0.5 s`, actual, expected, 0, 'm'));
+        checks.push(near(`${name} after 0.5 s`, actual.flat(), expected.flat(), 0, 'm'));
       }
       return checks;
     },

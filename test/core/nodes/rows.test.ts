@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe } from 'node:test';
 import { guards } from '../../../physics-core/base/guards.js';
 import { energyGuards } from '../../../physics-core/solver/energy/energy-guards.js';
-import { nodeTypes } from '../../../physics-core/inside.js';
+import { allTypes } from '../../../physics-core/all-types.js';
 import { factsOf } from '../../conformance/all.js';
 import { fact, world } from '../helpers.js';
 import { guardRows, lateRows, rowsOf } from './rows/all.js';
@@ -15,7 +15,7 @@ for (const [type, rows] of Object.entries(rowsOf)) {
     fact(
       'every field of its table has at least one row or conformance fact, and every row a field',
       () => {
-        const fields = Object.keys(nodeTypes[type]!.fields);
+        const fields = Object.keys(allTypes[type]!.fields);
         const proofs = [...rows, ...(factsOf[type] ?? [])];
         const covered = new Set(proofs.flatMap(({ field }) => field ?? []));
         assert.deepEqual([...covered].sort(), fields.sort());
@@ -40,7 +40,7 @@ describe('guards', () => {
 
 describe('tables', () => {
   fact('every node type has rows', () => {
-    assert.deepEqual(Object.keys(rowsOf).sort(), Object.keys(nodeTypes).sort());
+    assert.deepEqual(Object.keys(rowsOf).sort(), Object.keys(allTypes).sort());
   });
 
   fact('every effect that works in the step has at least one row', async () => {

@@ -1,7 +1,10 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
+import { particleTags } from '../../../../elements/bridge/index.js';
 import { worldOf } from '../../../../elements/index.js';
-import { drags, nodeTypes, threads, type Problem } from '../../../../physics-core/inside.js';
+import { allTypes } from '../../../../physics-core/all-types.js';
+import { drags, meshes, threads, type Problem } from '../../../../physics-core/inside.js';
+import { particleTypes } from '../../../../physics-core/particles.js';
 import type { NodeData } from '../../../conformance/fact.js';
 import { fieldText, markup, nodesIn, typesByName } from '../../../conformance/markup.js';
 import { kebab, tags } from '../../../conformance/page-driver.js';
@@ -25,7 +28,7 @@ const holdsNodes = (subject: string, name: string): boolean =>
 const typeOf = (subject: string): string =>
   Object.entries(SUBJECTS).find(([, name]) => name === subject)![0];
 
-const fieldOf = (subject: string, name: string) => nodeTypes[typeOf(subject)]!.fields[name]!;
+const fieldOf = (subject: string, name: string) => allTypes[typeOf(subject)]!.fields[name]!;
 
 /** Shapes of the spare geometries, and the metadata. */
 const spares = (): string =>
@@ -41,8 +44,9 @@ class PageEditor implements Editor {
   readonly #way: Way;
   readonly #told: string[] = [];
 
-  constructor(way: Way) {
-    const nodes = scene();
+  /** Among what nodes of a type are walked among. */
+  constructor(way: Way, type: string) {
+    const nodes = scene(type);
     const spelling = {
       types: typesByName(nodes),
       tag: way === 'plain' ? tags.plain : tags.hyphenated,
@@ -58,7 +62,7 @@ class PageEditor implements Editor {
 
   /** An edit that has code fetched would hold time still. */
   async ready(): Promise<void> {
-    await Promise.all([this.world.ready, drags.load(), threads.load()]);
+    await Promise.all([this.world.ready, drags.load(), threads.load(), meshes.load()]);
   }
 
   /** As the walk finds it. */
@@ -79,8 +83,11 @@ class PageEditor implements Editor {
   /** Contacts are made by sensors; what their elements say is read by page code alone. */
   keeps(subject: string, name: string): boolean {
     const { edit, nodes } = fieldOf(subject, name);
+    // What particles are drawn as.
+    const drawn = subject === SUBJECTS.ParticleSystem && name === 'geometry';
     return (
-      subject === SUBJECTS.Contact || (holdsNodes(subject, name) && edit === 'passive' && !nodes)
+      subject === SUBJECTS.Contact ||
+      (holdsNodes(subject, name) && edit === 'passive' && (drawn || !nodes))
     );
   }
 
@@ -160,34 +167,54 @@ const WAYS: Record<Way, string> = {
   plain: 'attributes of plain tags',
 };
 
-for (const [way, how] of Object.entries(WAYS) as [Way, string][]) {
-  describe(`edits by ${how}`, () => {
-    let editor: PageEditor | undefined;
-    let walked = 0;
+/** What our library does not meet yet: these act, but page code that set them reads nothing. */
+const UNMET = new Set(['color', 'geometry', 'texCoord'].map((name) => `ParticleSystem.${name}`));
 
-    before(async () => {
-      editor = new PageEditor(way);
-      await editor.ready();
-    });
+/** What is walked in one scene. */
+const GROUPS = {
+  bodies: ALL_FIELDS.filter(([type]) => !(type in particleTypes)),
+  particles: ALL_FIELDS.filter(([type]) => type in particleTypes),
+};
 
-    for (const [type, field] of ALL_FIELDS) {
-      it(`${type}.${field}: changes what the table says, and nothing else`, () => {
-        const subject = SUBJECTS[type]!;
-        const markupBefore = attributes(editor!.element(subject));
-        editor!.begin();
-        expect(walkField(type, field, editor!)).to.eql([]);
-        for (const given of Object.keys(editOf(type, field)?.given ?? {}))
-          editor!.unset(subject, given);
-        editor!.restore(subject, markupBefore);
-        editor!.world.step(0);
-        editor!.told();
-        walked++;
-      });
-    }
+function walkAll(way: Way, fields: typeof ALL_FIELDS): void {
+  let editor: PageEditor | undefined;
 
-    it('walks as many fields as stand in the tables of all node types', () => {
-      const all = Object.values(nodeTypes).flatMap(({ fields }) => Object.keys(fields));
-      expect(walked).to.equal(all.length);
-    });
+  before(async () => {
+    editor = new PageEditor(way, fields[0]![0]);
+    await editor.ready();
   });
+
+  for (const [type, field] of fields)
+    it(`${type}.${field}: changes what the table says, and nothing else`, () => {
+      const subject = SUBJECTS[type]!;
+      const markupBefore = attributes(editor!.element(subject));
+      editor!.begin();
+      const wrong = walkField(type, field, editor!);
+      if (UNMET.has(`${type}.${field}`)) expect(wrong).to.not.eql([]);
+      else expect(wrong).to.eql([]);
+      for (const given of Object.keys(editOf(type, field)?.given ?? {}))
+        editor!.unset(subject, given);
+      editor!.restore(subject, markupBefore);
+      editor!.world.step(0);
+      editor!.told();
+      walked.add(`${way} ${type}.${field}`);
+    });
 }
+
+const walked = new Set<string>();
+
+// What comes late would have worlds wait for it.
+await particleTags.load();
+
+for (const [way, how] of Object.entries(WAYS) as [Way, string][])
+  describe(`edits by ${how}`, () => {
+    for (const [what, fields] of Object.entries(GROUPS))
+      describe(`among ${what}`, () => walkAll(way, fields));
+  });
+
+describe('all edits', () => {
+  it('are of as many fields as stand in the tables of all node types', () => {
+    const all = Object.values(allTypes).flatMap(({ fields }) => Object.keys(fields));
+    expect(walked.size).to.equal(all.length * Object.keys(WAYS).length);
+  });
+});

@@ -1,11 +1,17 @@
 import { expect } from 'chai';
-import { nodeTypes, type Field, type NodeType } from '../../../../physics-core/inside.js';
+import { particleTags } from '../../../../elements/bridge/index.js';
+import { allTypes } from '../../../../physics-core/all-types.js';
+import type { Field, NodeType } from '../../../../physics-core/inside.js';
+import { attributesOf, contentOf } from '../../particle-sources.js';
 import { claim } from '../../console.js';
 import { plain } from '../../forms.js';
 import { kebab, sample, written } from '../../samples.js';
 import { show } from '../../scene.js';
 
 // ROUTEs into and out of every field of every node, generated over the tables.
+
+// What comes late would have worlds wait for it.
+await particleTags.load();
 
 interface X3DNode {
   _vf: Record<string, unknown>;
@@ -59,15 +65,21 @@ function sceneFor(type: NodeType, inside: string): string {
     CollisionSensor: () =>
       `${collection('<x3d-collision-collection def="k" collidables="*"></x3d-collision-collection>')}
        ${node('', '<x3d-collision-collection use="k"></x3d-collision-collection>')}`,
+    ParticleSystem: () => collection('') + node(),
   };
   const joint = (): string => collection(`${body()}${node('body1="b"')}`);
-  return (scenes[name] ?? joint)() + inside;
+  const system = (content: string): string =>
+    `${collection('')}<x3d-particle-system>${content}</x3d-particle-system>`;
+  const source = attributesOf(name).map(([attribute, text]) => `${attribute}="${text}"`);
+  const part = (): string => system(node(source.join(' '), contentOf(name)));
+  const rest = /Emitter$|PhysicsModel$/.test(name) ? part : joint;
+  return (scenes[name] ?? rest)() + inside;
 }
 
 const accepts = (field: Field): boolean =>
   field.access !== 'initializeOnly' && field.type in SOURCES;
 
-for (const type of Object.values(nodeTypes)) {
+for (const type of Object.values(allTypes)) {
   if (type.name === 'Contact') continue;
   const fields = written(type);
   for (const [spelling, form] of [
@@ -128,7 +140,7 @@ for (const type of Object.values(nodeTypes)) {
 }
 
 describe('ROUTEs out of joints', () => {
-  const joints = Object.values(nodeTypes).filter(({ name }) => name.endsWith('Joint'));
+  const joints = Object.values(allTypes).filter(({ name }) => name.endsWith('Joint'));
   for (const type of joints) {
     const outputs = Object.entries(type.fields as Record<string, Field>)
       .filter(([, { access }]) => access === 'outputOnly')

@@ -16,7 +16,7 @@ import { sliderRows } from './joints/slider.js';
 import { doubleHingeRows, universalRows } from './joints/two-axes.js';
 import { rows as rigidBodyRows } from './body/rigid-body.js';
 import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
-import { particleRows } from './particles.js';
+import { particleRows, surfaceRows, systemRows, volumeRows } from './particles.js';
 import type { Row } from './row.js';
 import { spaceRows } from './collision/spaces.js';
 
@@ -35,6 +35,16 @@ const ownRows: Record<string, Row[]> = {
   SliderJoint: sliderRows,
   UniversalJoint: universalRows,
   MotorJoint: motorRows,
+  ParticleSystem: systemRows,
+  PointEmitter: [],
+  ConeEmitter: [],
+  ExplosionEmitter: [],
+  PolylineEmitter: [],
+  SurfaceEmitter: surfaceRows,
+  VolumeEmitter: volumeRows,
+  ForcePhysicsModel: [],
+  WindPhysicsModel: [],
+  BoundedPhysicsModel: [],
 };
 
 /** The rows of each node type, and those that belong to no field. */

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../../physics-core/inside.js';
+import { allTypes } from '../../../../physics-core/all-types.js';
 import { addBody, box, close, height, sphere, world } from '../../helpers.js';
 import type { Row } from './row.js';
 
@@ -14,7 +14,7 @@ const VALUES: Record<string, unknown> = {
 
 /** Rows of the fields that a type shares with all others, or all bounded ones: they are kept, and nothing collides otherwise. */
 export const commonRows = (type: string): Row[] =>
-  Object.entries(nodeTypes[type]!.fields)
+  Object.entries(allTypes[type]!.fields)
     .filter(([name, field]) => field.common || name === 'description')
     .map(([field, { default: initial }]): Row => ({
       field,

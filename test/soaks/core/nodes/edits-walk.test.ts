@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { nodeTypes, type PhysicsNode, type World } from '../../../../physics-core/inside.js';
+import { allTypes } from '../../../../physics-core/all-types.js';
+import type { PhysicsNode, World } from '../../../../physics-core/inside.js';
 import { BodyNode } from '../../../../physics-core/nodes/body/body.js';
 import { openInCore } from '../../../conformance/core-driver.js';
 import type { Fact, NodeData } from '../../../conformance/fact.js';
@@ -24,8 +25,8 @@ function named(world: World, value: unknown, many: boolean): unknown {
   return many ? found : found[0];
 }
 
-async function edited() {
-  const stage = await openInCore({ scene: scene() } as Fact);
+async function edited(type: string) {
+  const stage = await openInCore({ scene: scene(type) } as Fact);
   const world = stage.worlds[0]!;
   world.advance(SECONDS);
   const with_ = (subject: string, field: string, value: unknown) => {
@@ -56,7 +57,7 @@ let walked = 0;
 
 for (const [type, field] of ALL_FIELDS) {
   test(`${type}.${field}: an edit changes what the table says, and nothing else`, async () => {
-    const { editor, close } = await edited();
+    const { editor, close } = await edited(type);
     assert.deepEqual(walkField(type, field, editor), []);
     walked++;
     await close();
@@ -66,14 +67,14 @@ for (const [type, field] of ALL_FIELDS) {
 /** Damping is felt in motion only, and dragging by who is dragged; the others are kept. */
 const SLEEPS_ON = new Set([
   ...['autoDamp', 'linearDampingFactor', 'angularDampingFactor', 'dragMode', 'draggableBody'],
-  ...Object.entries(nodeTypes.RigidBody!.fields)
+  ...Object.entries(allTypes.RigidBody!.fields)
     .filter(([, { edit }]) => edit === 'passive')
     .map(([name]) => name),
 ]);
 
-for (const name of Object.keys(nodeTypes.RigidBody!.fields))
+for (const name of Object.keys(allTypes.RigidBody!.fields))
   test(`RigidBody.${name}: an edit ${SLEEPS_ON.has(name) ? 'lets a sleeping body sleep' : 'wakes a sleeping body'}, and nobody else`, async () => {
-    const { editor, close } = await edited();
+    const { editor, close } = await edited('RigidBody');
     const { given = {}, values } = editOf('RigidBody', name)!;
     const bodies = [...editor.world.nodes].filter((node) => node instanceof BodyNode);
     const asleep = () => bodies.filter(({ sleeping }) => sleeping).map((body) => body.name);
@@ -88,10 +89,10 @@ for (const name of Object.keys(nodeTypes.RigidBody!.fields))
   });
 
 test('as many fields were walked as stand in the tables of all node types', () => {
-  const all = Object.values(nodeTypes).map(({ fields }) => Object.keys(fields).length);
+  const all = Object.values(allTypes).map(({ fields }) => Object.keys(fields).length);
   assert.equal(
     walked,
     all.reduce((sum, count) => sum + count, 0),
   );
-  assert.deepEqual(Object.keys(SUBJECTS).sort(), Object.keys(nodeTypes).sort());
+  assert.deepEqual(Object.keys(SUBJECTS).sort(), Object.keys(allTypes).sort());
 });
