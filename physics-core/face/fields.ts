@@ -768,7 +768,7 @@ export interface ParticleSystemFields {
   /** FALSE: it has no particles. (SFBool) Default true. */
   enabled?: boolean;
   /** What each particle is drawn as where geometryType is GEOMETRY. (SFNode) */
-  geometry?: Geometry | null;
+  geometry?: unknown;
   /** What particles are drawn as: QUAD, LINE, POINT, SPRITE, TRIANGLE, or GEOMETRY, which is that of geometry. (SFString) Default QUAD. */
   geometryType?: 'QUAD' | 'LINE' | 'POINT' | 'SPRITE' | 'TRIANGLE' | 'GEOMETRY';
   /** Greatest share of particleLifetime by which a particle lives longer or less long, evenly spread. Range [0, 1]. (SFFloat) Default 0.25. */
@@ -828,7 +828,7 @@ export interface ParticleSystemValues {
   colorKey: number[];
   createParticles: boolean;
   enabled: boolean;
-  geometry: Geometry | null;
+  geometry: unknown;
   geometryType: 'QUAD' | 'LINE' | 'POINT' | 'SPRITE' | 'TRIANGLE' | 'GEOMETRY';
   lifetimeVariation: number;
   maxParticles: number;

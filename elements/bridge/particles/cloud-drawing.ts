@@ -6,7 +6,7 @@ import { nodeOf, type X3DNode } from '../x3dom/x3dom.js';
 import { CloudShape } from './cloud-shape.js';
 import { frameOf } from './frame.js';
 import type { Look } from './look.js';
-import { partOf } from './plan-part.js';
+import { APPEARANCE, COLOR, GEOMETRY, partOf, TEX_COORD } from './parts.js';
 import type { Color, Point } from './ramp.js';
 
 /** The systems of each world that are drawn. */
@@ -57,8 +57,10 @@ class CloudDrawing {
       if (at) drawingsIn(at).add(this);
       this.#world = at;
     }
-    if (at) this.#frame = frameOf(this.#system).matrix;
-    else this.#remove();
+    if (!at) return this.#remove();
+    this.#frame = frameOf(this.#system).matrix;
+    // It may look otherwise now, in a world that stands, too.
+    at.work();
   }
 
   #remove(): void {
@@ -93,15 +95,15 @@ class CloudDrawing {
     const doc = nodeOf(system.element)?._nameSpace?.doc;
     if (!doc?._scene) return undefined;
     const geometry = nodeNamed(system, 'geometry', GEOMETRY);
-    const color = nodeNamed(system, 'color', /^color(rgba)?$/);
-    const texCoord = nodeNamed(system, 'texCoord', /^texturecoordinate$/);
+    const color = nodeNamed(system, 'color', COLOR);
+    const texCoord = nodeNamed(system, 'texCoord', TEX_COORD);
     return {
       doc,
       element: system.element,
       type: String(system.get('geometryType')),
       size: system.node!.get('particleSize') as [number, number],
       frame: this.#frame,
-      appearance: nodeNamed(system, 'appearance', /^appearance$/),
+      appearance: nodeNamed(system, 'appearance', APPEARANCE),
       // Lists that x3dom makes anew with each edit.
       points: geometry?._mesh?._positions[0],
       colors: color?._vf.color as Iterable<Color> | undefined,
@@ -112,7 +114,3 @@ class CloudDrawing {
     };
   }
 }
-
-/** What is none of the other children that a system may have. */
-const GEOMETRY =
-  /^(?!.*(emitter|model|appearance|color|colorrgba|texturecoordinate.*|rigid-?body)$)(?!metadata)/;

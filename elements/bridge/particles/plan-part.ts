@@ -32,6 +32,7 @@ const MAPPED: Record<string, (matrix: Affine, value: never, length: number) => u
   force: (matrix, value: number[]) => mapped(matrix, value, 0),
   // What flies in a scaled frame flies as it would in its own.
   speed: (matrix, value: number) => value * scaleIn(matrix),
+  // The area by which a wind accelerates so much more, not that of what is larger.
   surfaceArea: (matrix, value: number) => value * scaleIn(matrix),
 };
 
@@ -91,8 +92,3 @@ export function planPart(part: Binding, world: World): Plan {
     relations: { ...placedFields(part, matrix), ...readShape(part, matrix) },
   };
 }
-
-/** The element of a system's field: one that is named, else a child of such a tag. */
-export const partOf = (system: Binding, name: string, tag: RegExp): Element | undefined =>
-  system.named(name)?.[0] ??
-  [...system.element.children].find((each) => tag.test(each.localName.toLowerCase()));

@@ -4,8 +4,10 @@ import { worldFor } from '../document/world-for.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, nodesIn, type Plan } from '../plans/plan.js';
+import { subtree } from '../words/dom.js';
 import { drawSystem } from './cloud-drawing.js';
 import { frameOf, scaleIn } from './frame.js';
+import { LOOKS, partOf } from './parts.js';
 
 /** That of its body; of the collection that it stands in; else the only one, where bodies are that it may meet. */
 export function worldOfSystem(system: Binding): PageWorld | undefined {
@@ -32,8 +34,16 @@ export function planSystem(system: Binding, world: World): Plan {
   const size = codecs.SFVec2f.accept(asked);
   if (Math.abs(scale - 1) > SAME && size)
     relations.particleSize = (size as number[]).map((each) => each * scale);
+  watchLooks(system);
   drawSystem(system);
   return { world, collection: collectionNode(system), relations };
+}
+
+/** Edits of what it is drawn with are seen. */
+function watchLooks(system: Binding): void {
+  const { readers } = system.scene!;
+  for (const root of LOOKS.map(([name, tag]) => partOf(system, name, tag)))
+    if (root) for (const element of subtree(root)) readers.add(element, system);
 }
 
 /** Turned as often as one likes, nothing gets larger; rounding of a few products of matrices, a pure number. */

@@ -10,7 +10,7 @@ export const holdsNodes = (field: Field): boolean =>
 
 /** A field of nodes of which the core makes nothing. */
 export const isKept = ({ edit, nodes, access }: Field): boolean =>
-  edit === 'passive' && !nodes && access === 'inputOutput';
+  edit === 'passive' && !nodes && access.startsWith('in') && access !== 'inputOnly';
 
 /** Other names of a field that real files have: X3D 3's prose spelled some in another way. */
 const aliasesOf = (field: Field): readonly string[] => field.aliases ?? [];

@@ -13,6 +13,9 @@ import { GUST, Wind } from './wind.js';
 const EMITTED = 0;
 const LIVES = -1;
 
+/** Share of the time between two births: what rounding of their sums leaves, in weeks. */
+const SAME_TIME = 1e-6;
+
 /** For a snapshot. */
 export interface KeptSystem {
   time: number;
@@ -180,7 +183,7 @@ export class ParticleSystem {
     const end = this.#time + dt;
     let kept = 0;
     for (let k = 0; k < cloud.count; k++) {
-      if (cloud.ends[k]! <= end) {
+      if (cloud.ends[k]! <= end + this.#sameTime) {
         this.#noteDeath(cloud.ends[k]!);
         continue;
       }
@@ -188,6 +191,11 @@ export class ParticleSystem {
       this.#move(kept++, this.#drift, dt, 0);
     }
     cloud.count = kept;
+  }
+
+  /** Where all live as long, each is born when another dies: sums of the same times differ in their last digits. */
+  get #sameTime(): number {
+    return Number.isFinite(this.#interval) ? SAME_TIME * this.#interval : 0;
   }
 
   #noteDeath(time: number): void {
@@ -231,7 +239,7 @@ export class ParticleSystem {
     const atMost = atOnce ? most : 2 * most + 2;
     for (let tries = 0; tries < atMost && this.#due < end; tries++) {
       const due = this.#due;
-      while (gone < this.#died && this.#deaths[gone]! <= due) gone++;
+      while (gone < this.#died && this.#deaths[gone]! <= due + this.#sameTime) gone++;
       // Those of this step that died later still lived then.
       if (this.cloud.count + this.#died - gone < most) this.#bearOne(due, end, dt);
       this.#next++;

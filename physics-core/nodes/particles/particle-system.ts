@@ -1,4 +1,3 @@
-import { geometryTypes } from '../../shapes/geometry.js';
 import { defineNode } from '../node/define.js';
 import { ParticleSystemNode } from './particle-system-node.js';
 
@@ -66,7 +65,6 @@ export const particleSystem = defineNode<ParticleSystemNode>({
       type: 'SFNode',
       access: 'inputOutput',
       default: null,
-      nodes: [...geometryTypes],
       edit: 'passive',
       doc: 'What each particle is drawn as where geometryType is GEOMETRY.',
     },

@@ -68,8 +68,6 @@ const births: Fact[] = [
     field: 'maxParticles',
     says: 'as many live at once, and one comes for each that goes',
     open: 'the n-th is born n times particleLifetime / maxParticles after the first',
-    unmet:
-      'one that is due in the moment in which another dies is lost where the sum of the times between births is rounded down',
     scene: system(clock, TEN),
     run: async (x) => {
       await x.advance(LOOK);

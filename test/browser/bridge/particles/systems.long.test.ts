@@ -210,6 +210,7 @@ describe('particle systems in a page', () => {
        <route fromnode="S2" fromfield="isActive" tonode="S3" tofield="set_enabled"></route>
        <x3d-particle-system def="S3" id="s3" enabled="false" ${FIELDS}>${EMITTER}</x3d-particle-system>`,
     );
+    world.advance(0.5);
     expect((document.getElementById('s3') as unknown as System).count).to.be.above(0);
     document.getElementById('e')!.setAttribute('on', 'false');
     world.advance(2);
