@@ -237,7 +237,8 @@ export class ParticleSystem {
     let gone = 0;
     // Of a longest life at most twice as many are due as may live at once.
     const atMost = atOnce ? most : 2 * most + 2;
-    for (let tries = 0; tries < atMost && this.#due < end; tries++) {
+    const last = end + this.#sameTime;
+    for (let tries = 0; tries < atMost && this.#due <= last; tries++) {
       const due = this.#due;
       while (gone < this.#died && this.#deaths[gone]! <= due + this.#sameTime) gone++;
       // Those of this step that died later still lived then.
@@ -274,7 +275,8 @@ export class ParticleSystem {
     cloud.born[k] = due;
     cloud.ends[k] = due + lives;
     cloud.numbers[k] = number;
-    this.#move(k, this.#rest.take(damping, end - due), dt, (due - this.#time) / dt);
+    const left = Math.max(0, end - due);
+    this.#move(k, this.#rest.take(damping, left), dt, 1 - left / dt);
   }
 
   /** Whoever pushes what it meets pushes what it is thrown from, too. */
