@@ -18,33 +18,37 @@ export interface Point {
   y: number;
 }
 
-/** Between the keys around an age: the lower one, and how far it is to the next. */
-function between(keys: readonly number[], age: number): [lower: number, share: number] {
-  const next = keys.findIndex((key) => key > age);
-  if (next < 0) return [keys.length - 1, 0];
-  if (next === 0) return [0, 0];
-  const [from, to] = [keys[next - 1]!, keys[next]!];
-  return [next - 1, (age - from) / (to - from)];
+/** Which key holds at an age: the last that is not above it. */
+function keyAt(keys: readonly number[], age: number): number {
+  let lower = 0;
+  while (lower + 1 < keys.length && keys[lower + 1]! <= age) lower++;
+  return lower;
 }
 
-/** As many keys as there are values for. */
-const usable = (keys: readonly number[], count: number): number[] =>
-  count > 0 ? keys.slice(0, count) : [];
+/** As many keys as there are values for; none: the first value holds. */
+const usable = (keys: readonly number[], count: number): readonly number[] =>
+  keys.length > 0 && count > 0 ? keys.slice(0, count) : [0];
+
+const RGBA = 4;
 
 /** Colours by age, evenly from one key to the next; without keys the first. */
 export function colorsOf(given: Iterable<Color>, colorKey: readonly number[]): Ramp | undefined {
-  const colors = Array.from(given, ({ r, g, b, a = 1 }) => [r, g, b, a]);
-  if (colors.length === 0) return undefined;
-  const keys = usable(colorKey, colors.length);
+  const colors = Float32Array.from(Array.from(given, ({ r, g, b, a = 1 }) => [r, g, b, a]).flat());
+  const count = colors.length / RGBA;
+  if (count === 0) return undefined;
+  const keys = usable(colorKey, count);
   return {
-    fades: colors.some(([, , , alpha]) => alpha! < 1),
+    fades: colors.some((value, i) => i % RGBA === 3 && value < 1),
     write: (age, out, at, corners) => {
-      const [lower, share] = keys.length > 0 ? between(keys, age) : [0, 0];
-      const from = colors[lower]!;
-      const to = colors[lower + 1] ?? from;
-      for (let i = 0; i < 4 * corners; i++) {
-        const value = from[i % 4]!;
-        out[at + i] = value + share * (to[i % 4]! - value);
+      const lower = keyAt(keys, age);
+      const from = RGBA * lower;
+      const next = keys[lower + 1];
+      const share =
+        next === undefined ? 0 : Math.max(0, (age - keys[lower]!) / (next - keys[lower]!));
+      for (let i = 0; i < RGBA; i++) {
+        const value = colors[from + i]!;
+        const now = share > 0 ? value + share * (colors[from + RGBA + i]! - value) : value;
+        for (let k = i; k < RGBA * corners; k += RGBA) out[at + k] = now;
       }
     },
   };
@@ -56,16 +60,16 @@ export function texCoordsOf(
   texCoordKey: readonly number[],
   corners: number,
 ): Ramp | undefined {
-  const points = Array.from(given, ({ x, y }) => [x, y]);
-  const flat = points.flat();
-  const sets = Math.floor(points.length / corners);
+  const points = Float32Array.from(Array.from(given, ({ x, y }) => [x, y]).flat());
+  const length = 2 * corners;
+  const sets = Math.floor(points.length / length);
   if (sets === 0) return undefined;
   const keys = usable(texCoordKey, sets);
   return {
     fades: false,
     write: (age, out, at) => {
-      const set = keys.length > 0 ? between(keys, age)[0] : 0;
-      for (let i = 0; i < 2 * corners; i++) out[at + i] = flat[2 * corners * set + i]!;
+      const from = keyAt(keys, age) * length;
+      for (let i = 0; i < length; i++) out[at + i] = points[from + i]!;
     },
   };
 }

@@ -1,11 +1,15 @@
 // The chunk `faults`: what is wrong with the markup, in words.
+import { advice, meant, show, type ProblemReport } from '../../../physics-core/inside.js';
 import {
-  advice,
-  meant,
-  show,
-  type ProblemReport,
-} from '../../../physics-core/inside.js';
-import { attribute, isHTML, isPhysics, kebab, knownTypes, lowerName, nameOf, type NodeType } from './dom.js';
+  attribute,
+  isHTML,
+  isPhysics,
+  kebab,
+  knownTypes,
+  lowerName,
+  nameOf,
+  type NodeType,
+} from './dom.js';
 import { attributeOf } from './fields.js';
 import { STRUCTURE } from './attributes.js';
 import type { Faults, Labelled } from './faults.js';
@@ -255,7 +259,10 @@ const late: Faults['late'] = (waits) => ({
 
 /** With the standard's name; a plain tag that resembles none of ours is not ours to speak of. */
 function stranger({ localName: tag }: Element): ProblemReport | undefined {
-  const found = advice.code.meantNode(tag, [...knownTypes()].map(({ name }) => name));
+  const found = advice.code.meantNode(
+    tag,
+    [...knownTypes()].map(({ name }) => name),
+  );
   const isOurs = tag.toLowerCase().startsWith('x3d-');
   if (!found && !isOurs) return undefined;
   const name = found?.type;

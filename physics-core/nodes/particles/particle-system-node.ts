@@ -88,7 +88,9 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
   /** For who draws them: its particles, those from `first` on alive, and the time of its system, seconds. */
   get shown(): { cloud: Cloud; first: number; time: number } | undefined {
     const system = this.#system;
-    return system && { cloud: system.cloud, first: system.cloud.count - system.count, time: system.time };
+    return (
+      system && { cloud: system.cloud, first: system.cloud.count - system.count, time: system.time }
+    );
   }
 
   // ---- what it shows ----------------------------------------------------------------------------------------------
