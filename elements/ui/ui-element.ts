@@ -123,7 +123,7 @@ export abstract class X3DUIElement extends Base {
 
   #tellMissing(root: ShadowRoot, error: unknown): void {
     const problem = loadFailed('ui', `the ${this.label}`, error);
-    const message = `${problem.message}; the classic script looks for the folder ui beside itself, and pages opened from disk may load no modules`;
+    const message = `${problem.message}; a classic script needs the folder ui beside it, and pages opened from disk load no modules`;
     root.textContent = message;
     tellPage({ ...problem, message }, this);
   }

@@ -2,6 +2,7 @@ import { ownBinding, type Binding } from '../nodes/binding.js';
 import { addTypes, isTransform, knownTypes, tagOf, type NodeType } from '../words/dom.js';
 import { holdsNodes } from '../words/fields.js';
 import { placeAsWritten } from '../drawing/place.js';
+import { cureListeners } from '../x3dom/late.js';
 import { surviveLostContext } from '../x3dom/lost-context.js';
 import { watchRoutes } from './route-ends.js';
 import { watchTransforms, type TransformListener } from '../x3dom/transform-edits.js';
@@ -53,24 +54,6 @@ function isListenedTo({ _listeners, element }: PhysicsX3DNode): boolean {
     (_listeners[OUTPUT_EVENT]?.length ?? 0) > 0 ||
     element?.hasAttribute(`on${OUTPUT_EVENT}`) === true
   );
-}
-
-/**
- * x3dom's `removeX3DOMBackendGraph` leaves null in place of these on everything below what it removed, and does not
- * put them back.
- */
-const LISTENING = [
-  'addEventListener',
-  'removeEventListener',
-  'highlight',
-  '__addEventListener',
-  '__removeEventListener',
-];
-
-export function cureListeners(element: Element): void {
-  const own = element as Element & Record<string, unknown>;
-  if (!Object.hasOwn(own, 'addEventListener') || own.addEventListener !== null) return;
-  for (const name of LISTENING) if (Object.hasOwn(own, name)) delete own[name];
 }
 
 /** Whom our node types and hooks tell. */

@@ -63,7 +63,7 @@ export class Start {
     if (!this.#isRead(this.#scene.x3d)) return ['x3dom'];
     this.#scene.readPage();
     const waits = this.#pendingInlines().map((inline) => `Inline ${attribute(inline, 'url')}`);
-    return this.#scene.unread.pending ? [...waits, 'code for its tags'] : waits;
+    return this.#scene.unread.pending ? [...waits, 'its code'] : waits;
   }
 
   /** Without x3dom, or where it finds no WebGL, the simulation runs unseen. */

@@ -58,14 +58,8 @@ function* roots(scene: Element): Generator<Element> {
   }
 }
 
-const PATCHED = [
-  'setAttribute',
-  'getAttribute',
-  'hasAttribute',
-  'addEventListener',
-  'removeEventListener',
-  'highlight',
-];
+const LISTENING = ['addEventListener', 'removeEventListener', 'highlight'];
+const PATCHED = ['setAttribute', 'getAttribute', 'hasAttribute', ...LISTENING];
 
 /** What x3dom appended to the `<x3d>` when it read it. */
 const APPENDED = ':scope > canvas, :scope > div[class*="x3dom"], :scope > .x3dom-vr';
@@ -85,11 +79,23 @@ export function makeUnread(x3d: Element): void {
 }
 
 export function unpatch(element: Element): void {
+  remove(element, PATCHED);
+  remove(element, ['_x3domNode']);
+}
+
+/** Its own, which hide what every element has. */
+function remove(element: Element, names: string[]): void {
   const own = element as Element & Record<string, unknown>;
-  for (const name of PATCHED) {
+  for (const name of names)
     for (const each of [name, `__${name}`]) if (Object.hasOwn(own, each)) delete own[each];
-  }
-  if (Object.hasOwn(own, '_x3domNode')) delete own._x3domNode;
+}
+
+/**
+ * x3dom's `removeX3DOMBackendGraph` leaves null in place of these on everything below what it removed, and does not
+ * put them back.
+ */
+export function cureListeners(element: Element): void {
+  if (element.addEventListener === null) remove(element, LISTENING);
 }
 
 /** An `<x3d>` pasted or cloned brings the old one's canvas along, and an empty box that was for handles of bodies. */
