@@ -14,6 +14,8 @@ export const GALLERY = {
   cradle: 'Newton’s cradle',
   conveyor: 'Conveyor with sorter',
   drum: 'Washing drum',
+  'sand-wheel': 'Sand wheel',
+  sparks: 'Grinding wheel',
   bridge: 'Bridge with traffic',
   tops: 'Gyroscope and tops',
   rattleback: 'Rattleback and egg',

@@ -8,12 +8,13 @@ const sources = ['physics-core', 'elements'].flatMap((folder) =>
     .filter((file) => file.endsWith('.ts')),
 );
 
-/** Reports name their code where they are made. */
-const codes = new Set(
-  sources.flatMap((file) =>
-    [...readFileSync(file, 'utf8').matchAll(/\bcode: '([a-z0-9-]+)'/g)].map(([, code]) => code!),
-  ),
-);
+const all = sources.map((file) => readFileSync(file, 'utf8')).join('\n');
+
+/** Reports name their code where they are made; those of code that is missing, its beginning. */
+const codes = new Set([
+  ...[...all.matchAll(/\bcode: '([a-z0-9-]+)'/g)].map(([, code]) => code!),
+  ...[...all.matchAll(/\bloadFailed\(\s*'([a-z]+)'/g)].map(([, of]) => `${of}-load-failed`),
+]);
 
 const page = readFileSync('site/guide/problems.md', 'utf8');
 const entries = [...page.matchAll(/^## (.*)$/gm)].map(([, heading]) => heading!);

@@ -34,6 +34,19 @@ export const FACTS: Record<string, Fact> = {
     holds: `Math.abs(body('body').angularVelocity[2] + 3.67) < 0.1 && Math.max(...seen.slice(40)) > 0.7 &&
       all('.piece').every(({ position: [x, y, z] }) => Math.hypot(x, y) < 1.4 && Math.abs(z) < 0.6)`,
   },
+  'sand-wheel': {
+    says: 'nothing but sand turns the wheel, and soon as fast as it will',
+    seconds: 6,
+    each: `body('wheel').angularVelocity[2]`,
+    holds: `seen.slice(60).every((rate) => rate < -4 && rate > -7) && body('sand').count > 800`,
+  },
+  sparks: {
+    says: 'sparks fly as fast as the rim runs, and none goes through the floor or what stands on it',
+    seconds: 4,
+    each: `body('sparks').positions`,
+    holds: `Math.abs(body('wheel').angularVelocity[2] + 14) < 0.1 && seen.at(-1).length > 500 &&
+      seen.flat().every(([, y]) => y > -0.001) && Math.max(...seen.flat().map(([x]) => x)) > 2.5`,
+  },
   dominoes: {
     says: 'all of them fall',
     seconds: 26,
