@@ -45,7 +45,7 @@ export const FACTS: Record<string, Fact> = {
     seconds: 4,
     each: `body('sparks').positions`,
     holds: `Math.abs(body('wheel').angularVelocity[2] + 14) < 0.1 && seen.at(-1).length > 500 &&
-      seen.flat().every(([, y]) => y > -0.001) && Math.max(...seen.flat().map(([x]) => x)) > 2.5`,
+      seen.flat().every(([x, y, z]) => y > -0.001 || x > 5.9 || Math.abs(z) > 2.4) && Math.max(...seen.flat().map(([x]) => x)) > 2.5`,
   },
   dominoes: {
     says: 'all of them fall',
