@@ -79,11 +79,17 @@ function eachPoint(points: number[], matrix: Affine, length: number): number[] {
   return out;
 }
 
+/** What is carried by a body flies in the world, where forces, winds and walls are. */
+function matrixOf(part: Binding, system: Binding): Affine {
+  const { body, matrix } = frameOf(system, part);
+  return body && part.type.containerField === 'physics' ? identity() : matrix;
+}
+
 export function planPart(part: Binding, world: World): Plan {
   const [system, ...others] = systemsOf(part);
-  const matrix = system ? frameOf(system, part).matrix : identity();
+  const matrix = system ? matrixOf(part, system) : identity();
   // It is one node, and says one place.
-  const other = others.find((each) => String(frameOf(each, part).matrix) !== String(matrix));
+  const other = others.find((each) => String(matrixOf(part, each)) !== String(matrix));
   if (other)
     part.fault((faults) => faults.owned(part, system.label, other.label, part.type.containerField));
   return {

@@ -143,6 +143,21 @@ describe('particle systems in a page', () => {
     expect(world.problems).to.eql([]);
   });
 
+  it('carried, its forces are those of the world, whatever way its emitter is turned', async () => {
+    const { s } = await after(
+      0,
+      `<transform><shape><box></box></shape><x3d-rigid-body id="car" angularVelocity="0 1 0" linearVelocity="0 0 0"></x3d-rigid-body>
+         <transform rotation="0 0 1 -1.5707963267948966">${system(`${EMITTER}<x3d-force-physics-model force="0 -4 0"></x3d-force-physics-model>`)}</transform></transform>`,
+    );
+    const world = worldOf(s)!;
+    world.paused = true;
+    world.settings.set('gravity', [0, 0, 0]);
+    world.reset();
+    world.advance(0.5);
+    // Thrown along x, with gravity along y.
+    near(s.positions[0]!, [0.5, -0.5, 0], 1e-6);
+  });
+
   it('stands on the body of its field, and lives where that does', async () => {
     const { world, s } = await after(
       0.5,
