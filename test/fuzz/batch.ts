@@ -1,4 +1,6 @@
 import fc from 'fast-check';
+// Particles come with it.
+import '../../physics-core/index.js';
 import { loadEngine } from '../../physics-core/inside.js';
 import { OwnedObjects } from './heap.js';
 import { editsPlan } from './edits-plan.js';

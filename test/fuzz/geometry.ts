@@ -89,7 +89,8 @@ export function geometry(
   types: readonly GeometryType[] = geometryTypes,
 ): fc.Arbitrary<Record<string, unknown>> {
   const common = COMMON.filter((type) => types.includes(type));
-  const type = fc.oneof(fc.constantFrom(...types), fc.constantFrom(...common));
+  const often = common.length > 0 ? common : types;
+  const type = fc.oneof(fc.constantFrom(...types), fc.constantFrom(...often));
   return type.chain((chosen) => {
     const sound = fc
       .tuple(shapeOf(chosen), fc.option(placement, { freq: 4, nil: {} }))

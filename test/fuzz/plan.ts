@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { levelNames } from '../../physics-core/dynamics/levels.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import { nodeTypes } from '../../physics-core/inside.js';
 import type { Field } from '../../physics-core/nodes/node/table.js';
 import { geometry } from './geometry.js';
@@ -53,15 +54,15 @@ export interface Plan {
   edits: { when: When; act: Act }[];
 }
 
-/** Fields whose work nobody can reckon: belts, springs and softness. */
+/** Fields whose work nobody can reckon: belts, springs, softness and what flies about. */
 const UNRECKONED =
-  /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant)/;
+  /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant|pushes)/;
 
 /** Of worlds, not of bodies: edited by their own acts. */
 const ELSEWHERE = ['metadata', 'accuracy', 'heapLimit', 'thread', 'timeBudget', 'bodies', 'joints'];
 
 function fieldsOf(type: string, wild: boolean): [string, Field][] {
-  return Object.entries(nodeTypes[type]!.fields).filter(
+  return Object.entries(allTypes[type]!.fields).filter(
     ([name, field]) =>
       !ELSEWHERE.includes(name) &&
       (wild || (field.access !== 'outputOnly' && !UNRECKONED.test(name))),
@@ -128,28 +129,63 @@ const node = (wild: boolean): fc.Arbitrary<NodePlan> =>
     { weight: 3, arbitrary: other(wild) },
   );
 
+// ---- particles ------------------------------------------------------------------------------------------------------
+
+const { emitter, physics } = allTypes.ParticleSystem!.fields;
+const EMITTERS = emitter!.nodes!;
+
+/** An emitter or a model as plain data. */
+const part = (types: readonly string[], wild: boolean): fc.Arbitrary<Fields> =>
+  fc
+    .constantFrom(...types)
+    .chain((type) => someFields(type, wild, 4).map((fields) => ({ ...fields, type })));
+
+const particles = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        emitter: part(EMITTERS, wild),
+        physics: fc.array(part(physics!.nodes!, wild), { maxLength: 2 }),
+        collides: fc.boolean(),
+        maxParticles: fc.integer({ min: 0, max: 60 }),
+      }),
+      fc.option(someFields('ParticleSystem', wild, 4), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'ParticleSystem', fields: { ...base, ...more } }));
+
+/** Edits of them, and of what stands in them. */
+const particleEdit = (steps: number, wild: boolean) =>
+  fc.record({
+    when: fc.record({ step: fc.nat(steps) }),
+    act: setOf(fc.constantFrom('ParticleSystem', ...EMITTERS, ...physics!.nodes!), wild),
+  });
+
 // ---- edits -----------------------------------------------------------------------------------------------------------
 
 const EDITED = Object.keys(nodeTypes);
 const pick = fc.nat(9);
 
 const set = (wild: boolean): fc.Arbitrary<Act> =>
-  fc
-    .oneof(
+  setOf(
+    fc.oneof(
       { weight: 2, arbitrary: fc.constant('RigidBody') },
       { weight: 2, arbitrary: fc.constantFrom(...EDITED) },
-    )
-    .chain((of) =>
-      fc.constantFrom(...fieldsOf(of, wild)).chain(([field, table]) =>
-        fc.record({
-          act: fc.constantFrom<('set' | 'unset')[]>('set', 'set', 'set', 'unset'),
-          of: fc.constant(of),
-          pick,
-          field: fc.constant(field),
-          value: valueOf(table, wild),
-        }),
-      ),
-    );
+    ),
+    wild,
+  );
+
+const setOf = (types: fc.Arbitrary<string>, wild: boolean): fc.Arbitrary<Act> =>
+  types.chain((of) =>
+    fc.constantFrom(...fieldsOf(of, wild)).chain(([field, table]) =>
+      fc.record({
+        act: fc.constantFrom<('set' | 'unset')[]>('set', 'set', 'set', 'unset'),
+        of: fc.constant(of),
+        pick,
+        field: fc.constant(field),
+        value: valueOf(table, wild),
+      }),
+    ),
+  );
 
 /** A vector, and in wild runs what is none. */
 const arrow = (most: number, wild: boolean): fc.Arbitrary<unknown> =>
@@ -252,19 +288,27 @@ const GROUND: NodePlan = {
 
 const planOf = (wild: boolean): fc.Arbitrary<Plan> =>
   fc.integer({ min: 1, max: 120 }).chain((steps) =>
-    fc.record({
-      wild: fc.constant(wild),
-      level: fc.constantFrom(...levelNames),
-      gravity: fc.oneof(
-        { weight: 3, arbitrary: fc.constant<unknown>([0, -9.8, 0]) },
-        { weight: 1, arbitrary: arrow(20, wild) },
-      ),
-      nodes: fc
-        .tuple(fc.option(fc.constant(GROUND)), fc.array(node(wild), MANY))
-        .map(([ground, nodes]) => (ground ? [ground, ...nodes] : nodes)),
-      steps: fc.constant(steps),
-      edits: fc.array(fc.record({ when: when(steps), act: act(wild) }), MANY),
-    }),
+    fc
+      .record({
+        wild: fc.constant(wild),
+        level: fc.constantFrom(...levelNames),
+        gravity: fc.oneof(
+          { weight: 3, arbitrary: fc.constant<unknown>([0, -9.8, 0]) },
+          { weight: 1, arbitrary: arrow(20, wild) },
+        ),
+        nodes: fc
+          .tuple(fc.option(fc.constant(GROUND)), fc.array(node(wild), MANY))
+          .map(([ground, nodes]) => (ground ? [ground, ...nodes] : nodes)),
+        steps: fc.constant(steps),
+        edits: fc.array(fc.record({ when: when(steps), act: act(wild) }), MANY),
+        particles: fc.array(particles(wild), { maxLength: 2 }),
+        particleEdits: fc.array(particleEdit(steps, wild), { maxLength: 4 }),
+      })
+      .map(({ particles: systems, particleEdits: more, nodes, edits, ...rest }) => ({
+        ...rest,
+        nodes: [...nodes, ...systems],
+        edits: systems.length > 0 ? [...edits, ...more] : edits,
+      })),
   );
 
 export const plan: fc.Arbitrary<Plan> = fc.oneof(planOf(false), planOf(true));
