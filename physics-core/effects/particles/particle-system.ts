@@ -180,10 +180,10 @@ export class ParticleSystem {
   /** Those whose time ends go; the others move, and close up. */
   #moveAll(dt: number): void {
     const { cloud } = this;
-    const end = this.#time + dt;
+    const end = this.#time + dt + this.#sameTime;
     let kept = 0;
     for (let k = 0; k < cloud.count; k++) {
-      if (cloud.ends[k]! <= end + this.#sameTime) {
+      if (cloud.ends[k]! <= end) {
         this.#noteDeath(cloud.ends[k]!);
         continue;
       }
@@ -233,14 +233,15 @@ export class ParticleSystem {
     if (body) this.#place.begin(body);
     this.#deaths.subarray(0, this.#died).sort();
     const end = this.#time + dt;
+    const same = this.#sameTime;
     if (!atOnce) this.#passOver(end);
     let gone = 0;
     // Of a longest life at most twice as many are due as may live at once.
     const atMost = atOnce ? most : 2 * most + 2;
-    const last = end + this.#sameTime;
+    const last = end + same;
     for (let tries = 0; tries < atMost && this.#due <= last; tries++) {
       const due = this.#due;
-      while (gone < this.#died && this.#deaths[gone]! <= due + this.#sameTime) gone++;
+      while (gone < this.#died && this.#deaths[gone]! <= due + same) gone++;
       // Those of this step that died later still lived then.
       if (this.cloud.count + this.#died - gone < most) this.#bearOne(due, end, dt);
       this.#next++;
