@@ -1,4 +1,6 @@
 import { readFileSync } from 'node:fs';
+// Particles come with it.
+import '../../../physics-core/index.js';
 import { fetchGlue, loadAmmo } from '../../../physics-core/engine/ammo.js';
 import { Engine } from '../../../physics-core/engine/engine.js';
 import { loadEngine, World } from '../../../physics-core/inside.js';
