@@ -76,7 +76,7 @@ class CloudDrawing {
     const shown = shape && node.shown;
     if (!shown) return;
     const since = (1 - world.poses.fraction) * world.timeStep;
-    shape.show({ ...shown, since, length: units.length, origin: world.poses.origin });
+    shape.show({ ...shown, since, length: units.length });
   }
 
   /** A shape of the present look: made anew where what it is made of is another. */

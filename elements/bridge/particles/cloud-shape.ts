@@ -44,6 +44,9 @@ const KINDS: Record<string, string> = {
   POINTS: 'PointSet',
 };
 
+/** Of a view: right, up and back. */
+const AXES = ['_00', '_01', '_02', '_10', '_11', '_12', '_20', '_21', '_22'] as const;
+
 /** Where what is not alive stands: out of any sight, metres. */
 const NOWHERE = 1e30;
 
@@ -141,7 +144,7 @@ export class CloudShape {
   #fill(): boolean {
     const shown = this.#shown;
     if (!shown) return false;
-    const turned = this.#look3d();
+    const turned = this.#turnView();
     if (!this.#stale && !(turned && (this.#form.faces || this.#sorted))) return this.#visible;
     this.#stale = false;
     const count = shown.cloud.count - shown.first;
@@ -161,16 +164,16 @@ export class CloudShape {
   }
 
   /** Reads where the viewer looks; whether that is another way than before. */
-  #look3d(): boolean {
-    const matrix = (this.#look.doc._viewarea as unknown as View | undefined)?.getViewMatrix();
-    if (!matrix) return false;
-    const now = [
-      matrix._00, matrix._01, matrix._02,
-      matrix._10, matrix._11, matrix._12,
-      matrix._20, matrix._21, matrix._22,
-    ]; // prettier-ignore
-    const turned = now.some((value, i) => value !== this.#view[i]);
-    this.#view.set(now);
+  #turnView(): boolean {
+    const { _viewarea: area } = this.#look.doc as { _viewarea?: unknown };
+    const matrix = (area as View | undefined)?.getViewMatrix();
+    let turned = false;
+    for (let i = 0; matrix && i < 9; i++) {
+      const value = matrix[AXES[i]!];
+      if (value === this.#view[i]) continue;
+      this.#view[i] = value;
+      turned = true;
+    }
     return turned;
   }
 

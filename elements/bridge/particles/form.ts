@@ -51,9 +51,9 @@ const point = (): Form => ({
   texCoords: [],
   reach: 0,
   faces: false,
-  place: (motion, from, { since, length, origin }, _, out, at) => {
+  place: (motion, from, { since, length }, _, out, at) => {
     for (let i = 0; i < 3; i++)
-      out[at + i] = (motion[from + i]! - since * motion[from + 3 + i]! + origin[i]!) / length;
+      out[at + i] = (motion[from + i]! - since * motion[from + 3 + i]!) / length;
   },
 });
 
@@ -68,11 +68,11 @@ function line({ size }: Look): Form {
     texCoords: [0, 0, 1, 0],
     reach: size[1],
     faces: false,
-    place: (motion, from, { since, length, origin }, _, out, at) => {
+    place: (motion, from, { since, length }, _, out, at) => {
       const speed = Math.hypot(motion[from + 3]!, motion[from + 4]!, motion[from + 5]!);
       for (let i = 0; i < 3; i++) {
         const velocity = motion[from + 3 + i]!;
-        const middle = motion[from + i]! - since * velocity + origin[i]!;
+        const middle = motion[from + i]! - since * velocity;
         const arm = speed > 0 ? (half * velocity) / speed : 0;
         out[at + i] = (middle - arm) / length;
         out[at + 3 + i] = (middle + arm) / length;
@@ -99,10 +99,10 @@ function square({ size, frame }: Look, apart: readonly number[], faces: boolean)
     ]),
     reach: Math.hypot(...size),
     faces,
-    place: (motion, from, { since, length, origin }, basis, out, at) => {
+    place: (motion, from, { since, length }, basis, out, at) => {
       const turn = basis ?? own;
       for (let i = 0; i < 3; i++) {
-        const middle = motion[from + i]! - since * motion[from + 3 + i]! + origin[i]!;
+        const middle = motion[from + i]! - since * motion[from + 3 + i]!;
         const right = turn[i]!;
         const up = turn[3 + i]!;
         for (let corner = 0; corner < offsets.length; corner++) {
@@ -143,9 +143,9 @@ function ofMesh({ _positions, _indices, _normals, _texCoords }: GivenMesh, { fra
     texCoords: _texCoords[0] ?? [],
     reach: 2 * points.reduce((most, value) => Math.max(most, Math.abs(value)), 0),
     faces: false,
-    place: (motion, from, { since, length, origin }, _, out, at) => {
+    place: (motion, from, { since, length }, _, out, at) => {
       for (let i = 0; i < 3; i++) {
-        const middle = (motion[from + i]! - since * motion[from + 3 + i]! + origin[i]!) / length;
+        const middle = (motion[from + i]! - since * motion[from + 3 + i]!) / length;
         for (let k = i; k < points.length; k += 3) out[at + k] = middle + points[k]!;
       }
     },

@@ -37,6 +37,4 @@ export interface Shown {
   since: number;
   /** Metres of one unit of what x3dom draws. */
   length: number;
-  /** Of the world that is simulated, metres. */
-  origin: ArrayLike<number>;
 }

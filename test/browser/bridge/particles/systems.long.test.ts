@@ -51,8 +51,9 @@ const EMITTER = `<x3d-point-emitter id="e" ${UP}></x3d-point-emitter>`;
 async function after(
   seconds: number,
   content: string,
+  bodies = BODY,
 ): Promise<{ x3d: Element; world: World; s: System }> {
-  const { x3d, world } = await show(BODY + content, '#c');
+  const { x3d, world } = await show(bodies + content, '#c');
   world.paused = true;
   world.reset();
   world.advance(seconds);
@@ -271,6 +272,19 @@ describe('what particles are drawn as', () => {
       expect(rest.every((value) => value > 1e29)).to.be.true;
     });
   }
+
+  it('far from the origin of the scene they are drawn where they are', async () => {
+    const { x3d, s, world } = await after(
+      0.05,
+      `<transform translation="200000 0 0">${system(EMITTER, 'geometrytype="POINT"')}</transform>`,
+      BODY.replace('50 0 0', '200000 0 0'),
+    );
+    // Bullet counts from there.
+    expect((world as unknown as { poses: { origin: number[] } }).poses.origin[0]).to.equal(200000);
+    near(s.positions[0]!, [200000, 0.05, 0], 1e-6);
+    // Single precision has steps of 16 mm there.
+    near(Array.from(meshOf(x3d)._positions[0]!.slice(0, 3)), s.positions[0]!, 0.016);
+  });
 
   it('QUAD lies in the plane of its frame, as wide and high as particleSize says', async () => {
     const { x3d } = await after(
