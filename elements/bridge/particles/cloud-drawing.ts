@@ -32,10 +32,15 @@ function drawingsIn(world: PageWorld): Set<CloudDrawing> {
   return all;
 }
 
-const nodeNamed = (system: Binding, name: string, tag: RegExp): X3DNode | undefined => {
-  const element = partOf(system, name, tag);
-  return element && nodeOf(element);
-};
+const nodeIn = (element: Element | undefined): X3DNode | undefined => element && nodeOf(element);
+
+/** The elements that a system is drawn with. */
+const partsOf = (system: Binding) => ({
+  appearance: partOf(system, 'appearance', APPEARANCE),
+  geometry: partOf(system, 'geometry', GEOMETRY),
+  color: partOf(system, 'color', COLOR),
+  texCoord: partOf(system, 'texCoord', TEX_COORD),
+});
 
 /** One ParticleSystem as x3dom draws it. */
 class CloudDrawing {
@@ -43,6 +48,7 @@ class CloudDrawing {
   #world: PageWorld | null = null;
   #shape: CloudShape | undefined;
   #frame: Affine = identity();
+  #parts: Partial<ReturnType<typeof partsOf>> = {};
 
   constructor(system: Binding) {
     this.#system = system;
@@ -59,6 +65,7 @@ class CloudDrawing {
     }
     if (!at) return this.#remove();
     this.#frame = frameOf(this.#system).matrix;
+    this.#parts = partsOf(this.#system);
     // It may look otherwise now, in a world that stands, too.
     at.work();
   }
@@ -94,16 +101,16 @@ class CloudDrawing {
     const system = this.#system;
     const doc = nodeOf(system.element)?._nameSpace?.doc;
     if (!doc?._scene) return undefined;
-    const geometry = nodeNamed(system, 'geometry', GEOMETRY);
-    const color = nodeNamed(system, 'color', COLOR);
-    const texCoord = nodeNamed(system, 'texCoord', TEX_COORD);
+    const geometry = nodeIn(this.#parts.geometry);
+    const color = nodeIn(this.#parts.color);
+    const texCoord = nodeIn(this.#parts.texCoord);
     return {
       doc,
       element: system.element,
       type: String(system.get('geometryType')),
       size: system.node!.get('particleSize') as [number, number],
       frame: this.#frame,
-      appearance: nodeNamed(system, 'appearance', APPEARANCE),
+      appearance: nodeIn(this.#parts.appearance),
       // Lists that x3dom makes anew with each edit.
       points: geometry?._mesh?._positions[0],
       colors: color?._vf.color as Iterable<Color> | undefined,
