@@ -1,6 +1,5 @@
 // Where measurements run so that the page's frames don't: a classic script, which is whole by itself, as a worker.
-import { dense } from '../world/snapshot/dense.js';
-import { chunks } from '../world/chunks/all.js';
+import { wholeCode } from '../world/chunks/whole.js';
 import { loadEngine } from '../engine/engine.js';
 import type { Measured } from '../world/measuring.js';
 import { isWorkerNamed } from '../world/worker.js';
@@ -25,7 +24,7 @@ function measure(work: Generator<number, Measured[]>): Measured[] {
 
 async function take({ data: { job, program } }: MessageEvent<Order>): Promise<void> {
   try {
-    const code = [dense, ...chunks].map((chunk) => chunk.load());
+    const code = wholeCode.map((chunk) => chunk.load());
     const [engine] = await Promise.all([loadEngine({ program }), ...code]);
     answer({ measured: measure(new Measurement(job, engine).run()) });
   } catch (error) {

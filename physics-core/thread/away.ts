@@ -6,7 +6,7 @@ import type { EffectReport } from '../effects/effect/report.js';
 import type { CollidableNode } from '../nodes/collision/collidable.js';
 import type { ContactNode } from '../nodes/collision/contact-node.js';
 import { CollisionSensorNode } from '../nodes/collision/collision-sensor-node.js';
-import type { PhysicsNode } from '../nodes/node/node.js';
+import { PhysicsNode } from '../nodes/node/node.js';
 import { callOf, encode } from '../timeline/calls.js';
 import { Deeds } from '../timeline/deeds.js';
 import type { AccuracyChange } from '../world/accuracy/level-control.js';
@@ -29,6 +29,7 @@ import {
   type EffectCosts,
   type Look,
   type Order,
+  type Rooms,
   type Said,
 } from './messages.js';
 import { Mirror } from './mirror.js';
@@ -36,10 +37,13 @@ import { RemoteRecording } from './remote-recording.js';
 import { RemoteStepping } from './remote-stepping.js';
 import { hear } from './words.js';
 
-/** What sensors always tell: it can be read here. */
-const OF_SENSORS = ['isActive', 'intersections'];
+/** What is always told: it can be read here. */
+const ALWAYS: Record<string, readonly string[]> = {
+  CollisionSensor: ['isActive', 'intersections'],
+  ParticleSystem: ['isActive'],
+};
 
-/** What they tell on from when it was first asked for: contacts are many. */
+/** What sensors tell on from when it was first asked for: contacts are many. */
 const ONCE_ASKED = 'contacts';
 
 const NONE = new Float64Array(0);
@@ -81,7 +85,7 @@ export class Away implements Elsewhere {
   #since = 0;
   readonly #waiting: Waiting[] = [];
   #last: Answer | undefined;
-  #room: Float64Array<ArrayBuffer> | undefined;
+  #rooms: Rooms | undefined;
   #costs: EffectCosts = {};
   #watched = false;
   #marked = false;
@@ -118,9 +122,9 @@ export class Away implements Elsewhere {
   }
 
   #introduce(node: PhysicsNode): void {
-    const sensed = node instanceof CollisionSensorNode ? OF_SENSORS : [];
+    const always = ALWAYS[node.type.name] ?? [];
     const begins = node.heard('collisionend') ? ['collisionstart'] : [];
-    for (const event of new Set([...sensed, ...begins, ...node.heardEvents]))
+    for (const event of new Set([...always, ...begins, ...node.heardEvents]))
       this.#listen(node.id, event, true);
   }
 
@@ -133,7 +137,7 @@ export class Away implements Elsewhere {
       if (!pending) return work();
     }
     if (this.#lost) return work();
-    const why = whyHere(method, args[0]);
+    const why = whyHere(args[0]);
     if (why) this.#world.stay({ why, host: (who as PhysicsNode).host });
     const recording = this.#recording;
     if (this.#world.elsewhere !== this || recording?.again) return work();
@@ -147,7 +151,7 @@ export class Away implements Elsewhere {
     this.#deeds.push(deed);
     const result = this.#done(deed, work);
     if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
-    if (result instanceof CollisionSensorNode) this.#introduce(result);
+    if (result instanceof PhysicsNode) this.#introduce(result);
     this.#there.done();
     return result;
   }
@@ -170,7 +174,8 @@ export class Away implements Elsewhere {
     } else {
       const node = who as PhysicsNode;
       const always =
-        node instanceof CollisionSensorNode && [...OF_SENSORS, ONCE_ASKED].includes(event);
+        ALWAYS[node.type.name]?.includes(event) ||
+        (node instanceof CollisionSensorNode && event === ONCE_ASKED);
       this.#listen(node.id, event, always || node.heard(event));
       // Who is told of an end has to be told of it by this world, too, if it goes on here or ends.
       if (event === 'collisionend')
@@ -239,8 +244,8 @@ export class Away implements Elsewhere {
   }
 
   #order(ask: Order['ask']): number {
-    const room = this.#room;
-    this.#room = undefined;
+    const rooms = this.#rooms;
+    this.#rooms = undefined;
     this.#note();
     const order: Order = {
       number: ++this.#given,
@@ -250,10 +255,10 @@ export class Away implements Elsewhere {
       marked: this.#marked,
       remembered: this.#recording?.remembered ?? false,
       ask,
-      room,
+      rooms,
     };
     this.#deeds = [];
-    this.#line.say(order, room ? [room.buffer] : []);
+    this.#line.say(order, rooms ? [rooms.states.buffer, rooms.clouds.buffer] : []);
     return this.#given;
   }
 
@@ -336,9 +341,9 @@ export class Away implements Elsewhere {
   // ---- answers ----------------------------------------------------------------------------------------------------
 
   answered(answer: Answer): void {
-    const { number, states, asked } = answer;
+    const { number, states, clouds, asked } = answer;
     this.#answered = number;
-    this.#room = states;
+    this.#rooms = { states, clouds };
     if (number >= this.#since) this.#show(answer);
     this.#settle(number, ({ method, resolve }) =>
       resolve(PLAIN.includes(method) ? asked : this.#heard(asked)),
@@ -385,6 +390,7 @@ export class Away implements Elsewhere {
       if (event === ONCE_ASKED) node.showContacts(detail as ContactNode[]);
     }
     const { events } = this.#world;
+    if (node.toldElsewhere?.(event, detail) === false) return;
     events.silent = false;
     node.emit(event, detail);
     events.silent = true;

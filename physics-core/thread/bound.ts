@@ -1,17 +1,11 @@
 import type { Bound } from '../world/threading.js';
 import type { World } from '../world/world.js';
 
-const PARTICLE_SYSTEM = 'ParticleSystem';
-
 const GIVEN = 'set_contacts acts in the very next step';
 
-const PARTICLES = 'it has particles, which no worker tells of yet';
-
 /** Why what is done to a world keeps it here. */
-export function whyHere(method: string, what: unknown): string | undefined {
-  if (what === 'set_contacts') return GIVEN;
-  return method === 'add' && what === PARTICLE_SYSTEM ? PARTICLES : undefined;
-}
+export const whyHere = (what: unknown): string | undefined =>
+  what === 'set_contacts' ? GIVEN : undefined;
 
 export const BEFORE_STEP: Bound = {
   why: 'beforestep is listened to, and what is done then acts in that very step',
@@ -23,10 +17,8 @@ export const THERE: Bound = { why: 'it runs in a worker' };
 /** What keeps a world on the page's own thread. */
 export function boundHere(world: World): Bound | undefined {
   if (world.heard('beforestep')) return BEFORE_STEP;
-  for (const node of world.nodes) {
+  for (const node of world.nodes)
     if (node.authored('set_contacts')) return { why: GIVEN, host: node.host };
-    if (node.type.name === PARTICLE_SYSTEM) return { why: PARTICLES, host: node.host };
-  }
   return world.bound ?? ('Worker' in globalThis ? undefined : { why: 'there are no workers here' });
 }
 

@@ -41,6 +41,11 @@ export type Deed =
 /** What is answered in numbers of nodes, and stays so. */
 export const PLAIN = ['snapshot', 'resume', 'exportRun'];
 
+export interface Rooms {
+  states: Float64Array<ArrayBuffer>;
+  clouds: Float64Array<ArrayBuffer>;
+}
+
 export interface Order {
   number: number;
   deeds: Deed[];
@@ -55,8 +60,8 @@ export interface Order {
   /** Whether somebody asked what was done while it was recorded. */
   remembered: boolean;
   ask?: { method: string; args: unknown[] } | undefined;
-  /** Room for states, handed to and fro. */
-  room?: Float64Array<ArrayBuffer> | undefined;
+  /** Room for states and clouds, handed to and fro. */
+  rooms?: Rooms | undefined;
 }
 
 /** Of whom the other thread speaks: a node by its number; undefined: the world. */
@@ -85,10 +90,9 @@ export interface Recorded {
   marks?: readonly TimelineMark[] | undefined;
 }
 
-export interface Answer {
+export interface Answer extends Rooms {
   number: number;
-  /** STATE numbers for each body that moved; the room may be larger. */
-  states: Float64Array<ArrayBuffer>;
+  /** Bodies that moved: STATE numbers of each are the first of `states`. Those of `clouds` say how many they are. */
   count: number;
   /** Where between the last two steps things are drawn. */
   fraction: number;

@@ -1,6 +1,7 @@
 import { PhysicsNode } from '../nodes/node/node.js';
 import type { Problem, ProblemReport } from '../base/problems.js';
 import { seeContacts } from '../effects/debug/contact-marks.js';
+import { particles } from '../effects/particles/effects.js';
 import type { Engine } from '../engine/engine.js';
 import { Redoing } from '../timeline/calls.js';
 import { copyInto } from '../world/snapshot/copy.js';
@@ -91,7 +92,8 @@ export class OtherSide extends World {
     this.#said = [];
     return {
       number: order.number,
-      ...this.#moved.write(this, order.room),
+      ...this.#moved.write(this, order.rooms?.states),
+      clouds: this.#clouds(order.rooms?.clouds),
       fraction: this.poses.fraction,
       time: this.time,
       taken: this.stepsTaken,
@@ -104,6 +106,12 @@ export class OtherSide extends World {
       recorded: this.#recorded(order.remembered),
       asked,
     };
+  }
+
+  /** Without particles there is nothing to tell. */
+  #clouds(room = new Float64Array(1)): Float64Array<ArrayBuffer> {
+    room[0] = 0;
+    return this.registry.find(particles)?.tell(room) ?? room;
   }
 
   #quietly(work: () => void): void {

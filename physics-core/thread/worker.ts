@@ -1,7 +1,6 @@
 // Where a world runs that is shown by a page: a classic script, which is whole by itself, as a worker.
-import { dense } from '../world/snapshot/dense.js';
 import { loadEngine } from '../engine/engine.js';
-import { chunks } from '../world/chunks/all.js';
+import { wholeCode } from '../world/chunks/whole.js';
 import { recordings } from '../world/recording.js';
 import { isWorkerNamed } from '../world/worker.js';
 import { NAME, type Beginning, type Message, type Order } from './messages.js';
@@ -27,14 +26,14 @@ export function runWorld(port: WorldPort): () => void {
 }
 
 async function begin({ snapshot, program }: Beginning): Promise<OtherSide> {
-  const code = [dense, recordings, ...chunks].map((chunk) => chunk.load());
+  const code = [recordings, ...wholeCode].map((chunk) => chunk.load());
   const [engine] = await Promise.all([loadEngine({ program }), ...code]);
   return new OtherSide(snapshot, engine);
 }
 
 function obey(port: WorldPort, world: OtherSide, order: Order): OtherSide {
   const answer = world.take(order);
-  port.postMessage({ answer }, [answer.states.buffer]);
+  port.postMessage({ answer }, [answer.states.buffer, answer.clouds.buffer]);
   return world;
 }
 

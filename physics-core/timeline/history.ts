@@ -5,6 +5,7 @@ import {
   type StepHash,
   type TimelineMark,
 } from '../world/recording.js';
+import { CloudPictures } from './cloud-pictures.js';
 import { Pictures } from './pictures.js';
 import type { Beginning } from './twin.js';
 
@@ -17,6 +18,7 @@ export interface KeptCall extends Call {
 /** What is kept of a world's past. */
 export class History {
   readonly pictures = new Pictures();
+  readonly clouds = new CloudPictures();
   beginnings: Beginning[] = [];
   calls: KeptCall[] = [];
   hashes: StepHash[] = [];
@@ -44,6 +46,7 @@ export class History {
     const { step, snapshot } = beginnings[0]!;
     if (step === this.pictures.at(0).step) return;
     this.pictures.drop(step);
+    this.clouds.drop(step);
     this.calls = this.calls.filter((call) => call.step >= step);
     this.hashes = this.hashes.filter((hash) => hash.step > step);
     this.problems = this.problems.filter(({ time }) => time >= snapshot.time);
@@ -54,6 +57,7 @@ export class History {
     if (after === this.steps) return;
     this.steps = after;
     this.pictures.cut(after);
+    this.clouds.cut(after);
     this.beginnings = this.beginnings.filter(({ step }) => step <= after);
     this.calls = this.calls.filter(({ step }) => step < after);
     this.hashes = this.hashes.filter(({ step }) => step <= after);

@@ -2,6 +2,7 @@ import { hypot } from '../base/exact/index.js';
 import { FRAME, levelNames, levels, type LevelName } from '../dynamics/levels.js';
 import { POSE } from '../dynamics/poses.js';
 import { debugging } from '../effects/debug/debugging.js';
+import { particles } from '../effects/particles/effects.js';
 import type { Drag } from '../effects/drag/drag.js';
 import type { Problem } from '../base/problems.js';
 import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
@@ -153,6 +154,7 @@ export class Recording implements Recorder {
     if (whole) this.#history.beginnings.push(this.#beginning());
     const moment = { step: this.#history.steps, time: world.time, whole };
     this.#history.pictures.add(moment, [...world.bodies], world.poses.current);
+    this.#history.clouds.add(moment.step, world);
   }
 
   #beginning(): Beginning {
@@ -225,6 +227,7 @@ export class Recording implements Recorder {
       poses.current.set(pose, slot * POSE);
       poses.snap(slot);
     });
+    this.#history.clouds.show(this.#history.pictures.at(look).step, this.#world);
     this.#world.work();
   }
 
@@ -317,6 +320,7 @@ export class Recording implements Recorder {
     const look = this.#look;
     this.#look = this.#clock = undefined;
     this.#quietly(() => this.#goTo(look));
+    this.#world.registry.find(particles)?.lookBack(undefined);
     this.#drawGhost();
     this.#later.do();
     this.#world.work();

@@ -34,6 +34,26 @@ const many = Array.from(
     `<x3d-rigid-body position="${(i % 10) * 1.5 - 8} 0.99 ${Math.floor(i / 10) * 1.5 - 8}"><x3d-collidable-shape><shape><box size=".8 1 .8"></box></shape></x3d-collidable-shape></x3d-rigid-body>`,
 ).join('');
 
+/** They fly among the boxes. */
+const SPARKS = `<x3d-particle-system id="sparks" collides="true" pushes="true" bounce=".5" particlesize=".1 .1">
+    <x3d-cone-emitter position="0 9 0" direction="0 -1 0" angle=".5" speed="6" mass=".01"></x3d-cone-emitter>
+  </x3d-particle-system>`;
+
+interface ParticleElement extends Element {
+  count: number;
+  isActive: boolean;
+  positions: number[][];
+}
+
+/** The corners of what stands in x3dom's scene and in no document. */
+function cloudOf(page: PageWindow): ArrayLike<number> & { some: Float32Array['some'] } {
+  const { runtime } = page.document.querySelector('x3d') as any;
+  const cloud = runtime.canvas.doc._scene._childNodes.find(
+    (node: any) => node._cf.geometry && node._xmlNode === null,
+  );
+  return cloud?._cf.geometry.node._mesh._positions[0] ?? new Float32Array(0);
+}
+
 /** Of the pages: nobody else hears them. */
 const errors: string[] = [];
 
@@ -122,6 +142,22 @@ describe('a world in a worker', () => {
     expect(world.time).to.be.above(0.5);
     expect(world.stats.bodies).to.equal(14);
     expect(world.stats.contacts).to.be.above(0);
+  });
+
+  it('has the particles of the page’s own thread, to the bit, and draws them', async () => {
+    const ways: unknown[] = [];
+    for (const attributes of ['', 'thread="worker"']) {
+      const { page, world } = await shown(scene(attributes, SPARKS));
+      const system = page.document.getElementById('sparks') as unknown as ParticleElement;
+      await until(() => world.node(system) !== undefined);
+      await begun(world);
+      await world.ask('step', 120);
+      await until(() => system.count > 0);
+      ways.push([system.count, system.isActive, system.positions]);
+      await until(() => cloudOf(page).some((value) => Math.abs(value) < 100));
+      expect(world.problems.map(({ message }) => message)).to.deep.equal([]);
+    }
+    expect(ways[1]).to.deep.equal(ways[0]);
   });
 
   it('fires collisions, each begun and ended, and sleep, at the elements', async () => {

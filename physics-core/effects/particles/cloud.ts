@@ -54,6 +54,14 @@ export class Cloud {
     this.numbers = grown(this.numbers, 1);
   }
 
+  /** Becomes as others are seen: PARTICLE numbers of each, and when it was born. */
+  show(motion: ArrayLike<number>, born: ArrayLike<number>): void {
+    this.clear();
+    while (this.count < born.length) this.add();
+    this.motion.set(motion);
+    this.born.set(born);
+  }
+
   /** The `from`-th stands in place `to` from now on. */
   move(from: number, to: number): void {
     if (from === to) return;
@@ -76,11 +84,7 @@ export class Cloud {
   }
 
   load(kept: KeptCloud): void {
-    const born = doublesOf(kept.born);
-    this.clear();
-    while (this.count < born.length) this.add();
-    this.born.set(born);
-    this.motion.set(doublesOf(kept.motion));
+    this.show(doublesOf(kept.motion), doublesOf(kept.born));
     this.ends.set(doublesOf(kept.ends));
     this.numbers.set(doublesOf(kept.numbers));
   }

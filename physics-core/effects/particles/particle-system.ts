@@ -7,6 +7,7 @@ import { Drift } from './drift.js';
 import { BIRTH } from './emit/emitter.js';
 import { EmitterPlace } from './emitter-place.js';
 import type { Settings } from './settings.js';
+import { pictureOf, type CloudPicture, type Seen } from './seen.js';
 import { GUST, Wind } from './wind.js';
 
 /** Kinds of random numbers of a particle: what its emitter draws, and how long it lives. Those of winds come after. */
@@ -16,13 +17,17 @@ const LIVES = -1;
 /** Share of the time between two births: what rounding of their sums leaves, in weeks. */
 const SAME_TIME = 1e-6;
 
-/** For a snapshot. */
-export interface KeptSystem {
+/** How far its births have come. */
+export interface Progress {
   time: number;
-  due: number;
-  next: number;
   burst: boolean;
   creates: boolean;
+}
+
+/** For a snapshot. */
+export interface KeptSystem extends Progress {
+  due: number;
+  next: number;
   cloud: KeptCloud;
 }
 
@@ -59,6 +64,10 @@ export class ParticleSystem {
   /** When those died that this step saw die, seconds. */
   #deaths = new Float64Array(16);
   #died = 0;
+  /** Of the moment that somebody looks back at. */
+  #past: Seen | undefined;
+  /** How often it has become another to who looks at it. */
+  changes = 0;
 
   readonly #bounces: Bounces;
 
@@ -78,11 +87,6 @@ export class ParticleSystem {
     this.#heard = undefined;
   }
 
-  /** Seconds that it has lived. */
-  get time(): number {
-    return this.#time;
-  }
-
   /** Whether it has particles, or will have some without anybody doing anything. */
   get active(): boolean {
     return this.count > 0 || this.#emits;
@@ -92,6 +96,22 @@ export class ParticleSystem {
   get count(): number {
     const { enabled, most } = this.#latest;
     return enabled ? Math.min(this.cloud.count, most) : 0;
+  }
+
+  /** What there is to see of it: where somebody looks back, that of then. */
+  get seen(): Seen {
+    const { cloud, count } = this;
+    return this.#past ?? { cloud, first: cloud.count - count, time: this.#time };
+  }
+
+  get picture(): CloudPicture {
+    return pictureOf(this.seen);
+  }
+
+  /** Somebody looks back; undefined: not any more. */
+  lookBack(past: Seen | undefined): void {
+    this.#past = past;
+    this.changes++;
   }
 
   /** Whether it meets bodies. */
@@ -153,6 +173,7 @@ export class ParticleSystem {
     if (this.#emits) this.#bear(dt);
     else this.#due = Math.max(this.#due, this.#time + dt);
     this.#time += dt;
+    this.changes++;
   }
 
   /** What pushes all alike, m/s²: the same in a whole step, since gusts begin with one. */
@@ -293,27 +314,40 @@ export class ParticleSystem {
     this.cloud.clear();
     this.#time = this.#due = this.#next = 0;
     this.#creates = this.#burst = false;
+    this.#begun();
+  }
+
+  /** It goes on from elsewhere. */
+  #begun(): void {
     this.stale = true;
+    this.lookBack(undefined);
   }
 
   save(): KeptSystem {
     return {
-      time: this.#time,
+      ...this.progress,
       due: this.#due,
       next: this.#next,
-      burst: this.#burst,
-      creates: this.#creates,
       cloud: this.cloud.save(),
     };
   }
 
+  get progress(): Progress {
+    return { time: this.#time, burst: this.#burst, creates: this.#creates };
+  }
+
+  /** Somebody else takes its steps. */
+  set progress({ time, burst, creates }: Progress) {
+    this.#time = time;
+    this.#burst = burst;
+    this.#creates = creates;
+  }
+
   load(kept: KeptSystem): void {
     this.cloud.load(kept.cloud);
-    this.#time = kept.time;
+    this.progress = kept;
     this.#due = kept.due;
     this.#next = kept.next;
-    this.#burst = kept.burst;
-    this.#creates = kept.creates;
-    this.stale = true;
+    this.#begun();
   }
 }

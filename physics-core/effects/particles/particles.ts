@@ -3,8 +3,10 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { Bounces } from './bounces.js';
 import { Obstacles } from './collide/obstacles.js';
+import { hear, Told } from './elsewhere.js';
 import { Pushed } from './pushed.js';
 import { ParticleSystem, type KeptSystem } from './particle-system.js';
+import { seenIn, type CloudPicture } from './seen.js';
 import type { Settings } from './settings.js';
 
 /** A node that has a system of particles. */
@@ -15,6 +17,8 @@ export interface ParticleSource extends Cause {
   stepped(active: boolean): void;
 }
 
+const NOTHING: CloudPicture = { motion: new Float32Array(0), ages: new Float32Array(0) };
+
 /** All particle systems of a world. */
 export class Particles extends Effect {
   readonly #simulation: Simulation;
@@ -22,6 +26,7 @@ export class Particles extends Effect {
   readonly #obstacles: Obstacles;
   readonly #pushed: Pushed;
   readonly #bounces: Bounces;
+  readonly #told = new Told();
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -85,6 +90,32 @@ export class Particles extends Effect {
     this.#simulation.work();
   }
 
+  // ---- what is seen -----------------------------------------------------------------------------------------------
+
+  get #byId(): Map<number, ParticleSystem> {
+    return new Map([...this.#systems].map(([{ id }, system]) => [id, system]));
+  }
+
+  /** What a page is to hear whose steps are taken here. */
+  tell(room: Float64Array<ArrayBuffer>): Float64Array<ArrayBuffer> {
+    return this.#told.write(this.#byId, room);
+  }
+
+  /** Its steps are taken elsewhere; what that side told. */
+  hear(told: Float64Array): void {
+    if (told[0] !== 0) hear(this.#byId, told);
+  }
+
+  get pictures(): [id: number, picture: CloudPicture][] {
+    return [...this.#byId].map(([id, { picture }]) => [id, picture]);
+  }
+
+  /** Somebody looks back at these; undefined: not any more. What had no particles then has none. */
+  lookBack(pictures: ReadonlyMap<number, CloudPicture> | undefined): void {
+    for (const [id, system] of this.#byId)
+      system.lookBack(pictures && seenIn(pictures.get(id) ?? NOTHING));
+  }
+
   // ---- going back -------------------------------------------------------------------------------------------------
 
   override reset(): void {
@@ -97,7 +128,7 @@ export class Particles extends Effect {
   }
 
   override load(saved: readonly [id: number, kept: KeptSystem][]): void {
-    const byId = new Map([...this.#systems].map(([source, system]) => [source.id, system]));
+    const byId = this.#byId;
     for (const [id, kept] of saved) byId.get(id)?.load(kept);
     this.#goOn();
   }

@@ -52,6 +52,9 @@ export class PhysicsNode implements SimulationNode, EditedNode {
     if (context.early) return Object.setPrototypeOf(context.early, new.target.prototype) as this;
   }
 
+  /** The same node on another thread told something. False: that was told here before. */
+  toldElsewhere?(event: string, detail: unknown): boolean;
+
   /** Whether it is an author's node, and so shows in `stats`. */
   protected get counted(): boolean {
     return true;

@@ -1,8 +1,9 @@
-import { PARTICLE, type Cloud } from '../../effects/particles/cloud.js';
+import { PARTICLE } from '../../effects/particles/cloud.js';
 import { particles } from '../../effects/particles/effects.js';
 import type { Surface } from '../../effects/particles/bounces.js';
 import type { ParticleSystem } from '../../effects/particles/particle-system.js';
 import type { ParticleSource } from '../../effects/particles/particles.js';
+import type { Seen } from '../../effects/particles/seen.js';
 import type { Settings } from '../../effects/particles/settings.js';
 import { add } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -85,12 +86,9 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     this.world.registry.find(particles)?.release(this);
   }
 
-  /** For who draws them: its particles, those from `first` on alive, and the time of its system, seconds. */
-  get shown(): { cloud: Cloud; first: number; time: number } | undefined {
-    const system = this.#system;
-    return (
-      system && { cloud: system.cloud, first: system.cloud.count - system.count, time: system.time }
-    );
+  /** For who draws them. */
+  get shown(): Seen | undefined {
+    return this.#system?.seen;
   }
 
   // ---- what it shows ----------------------------------------------------------------------------------------------
@@ -101,19 +99,18 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
 
   /** How many live. */
   get count(): number {
-    return this.#system?.count ?? 0;
+    const { shown } = this;
+    return shown ? shown.cloud.count - shown.first : 0;
   }
 
   /** Where they are, the oldest first, metres. */
   get positions(): Vec3[] {
-    const system = this.#system;
-    if (!system) return [];
-    const { count } = system;
-    const { motion } = system.cloud;
-    const first = system.cloud.count - count;
-    return Array.from({ length: count }, (_, k): Vec3 => {
+    const { shown } = this;
+    if (!shown) return [];
+    const { cloud, first } = shown;
+    return Array.from({ length: cloud.count - first }, (_, k): Vec3 => {
       const at = (first + k) * PARTICLE;
-      return [motion[at]!, motion[at + 1]!, motion[at + 2]!];
+      return [cloud.motion[at]!, cloud.motion[at + 1]!, cloud.motion[at + 2]!];
     });
   }
 
@@ -124,5 +121,13 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     if (active === this.#told) return;
     this.#told = active;
     this.emit('isActive', active);
+  }
+
+  /** Where its steps are taken, nobody knows what was told here before. */
+  override toldElsewhere(event: string, detail: unknown): boolean {
+    if (event !== 'isActive') return true;
+    const news = detail !== this.#told;
+    this.#told = detail as boolean;
+    return news;
   }
 }

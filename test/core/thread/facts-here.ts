@@ -85,12 +85,6 @@ const HERE: Record<string, readonly string[]> = {
     'a listener that throws stops neither the step nor the others',
     'an import that is given up leaves the world as it was',
     'thread: where there are no workers it runs here, and says so when it is reset',
-    'a SurfaceEmitter without geometry bears nothing and is told once, until it has one',
-    'a VolumeEmitter without geometry bears nothing and is told once, until it has one',
-    'a PolylineEmitter without geometry bears nothing and is told once, until it has one',
-    'forces on particles without mass are told, and no more once they have one',
-    'a wind that finds no area, and pushes that come to nothing, are told',
-    'numbers that no system can have are one problem each, and what was valid stays',
   ],
 };
 

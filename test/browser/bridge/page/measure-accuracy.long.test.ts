@@ -69,6 +69,19 @@ describe('measureAccuracy in a page', () => {
     expect(row!.error.position).to.be.above(0);
   });
 
+  it('works in a worker with particles that push', async () => {
+    const sand = `<x3d-particle-system pushes="true" collides="true">
+        <x3d-point-emitter position="0 9 0" direction="0 -1 0" speed="20" mass="0.1"></x3d-point-emitter>
+      </x3d-particle-system>`;
+    const world = await worldOfModule(
+      await openText(MODULE.replace('</scene>', `${sand}</scene>`)),
+    );
+    await until(() => world.effects.some(({ name, active }) => name === 'particles' && active));
+    const [row] = await measured(world);
+    expect(row!.inWorker).to.equal(true);
+    expect(world.problems).to.deep.equal([]);
+  });
+
   it('works in slices where the page allows no workers, and lets frames through', async () => {
     const page = await open('no-workers.html');
     const world = await worldIn(page);

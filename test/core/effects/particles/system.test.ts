@@ -7,14 +7,7 @@ import type { Emitter } from '../../../../physics-core/effects/particles/emit/em
 import { ParticleSystem } from '../../../../physics-core/effects/particles/particle-system.js';
 import type { Settings } from '../../../../physics-core/effects/particles/settings.js';
 import { close } from '../../helpers.js';
-
-/** Born at 1 2 3 with 3 4 5 m/s. */
-const steady: Emitter = {
-  emit(_, birth) {
-    birth.set([1, 2, 3, 3, 4, 5]);
-    return true;
-  },
-};
+import { PLAIN } from './settings.js';
 
 /** The same place, and any speed. */
 const various: Emitter = {
@@ -22,24 +15,6 @@ const various: Emitter = {
     birth.set([0, 0, 0, draws.either(), draws.either(), draws.either()]);
     return true;
   },
-};
-
-const PLAIN: Settings = {
-  enabled: true,
-  creates: true,
-  most: 10,
-  lifetime: 5,
-  lifetimeVariation: 0,
-  seed: 1,
-  emitter: steady,
-  atOnce: false,
-  mass: 1,
-  surfaceArea: 0,
-  damping: 0,
-  force: [0, 0, 0],
-  winds: [],
-  surface: undefined,
-  body: undefined,
 };
 
 /** A system, and what changes what its author says. */
@@ -283,7 +258,7 @@ test('an explosion throws all at once, and once', () => {
 
 test('what comes late begins then: nothing is born of the time before', () => {
   for (const [before, after] of [
-    [{ emitter: undefined }, { emitter: steady }],
+    [{ emitter: undefined }, { emitter: PLAIN.emitter }],
     [{ most: 0 }, { most: 100 }],
     [{ lifetime: 0 }, { lifetime: 1 }],
     [

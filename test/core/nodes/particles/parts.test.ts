@@ -186,7 +186,7 @@ describe('what a ParticleSystem is made of', () => {
     const { registry } = w as unknown as { registry: Effects };
     const find = registry.find.bind(registry);
     let times = 0;
-    const systems = { changed: () => times++ };
+    const systems = { changed: () => times++, hear: () => {} };
     registry.find = ((asked: EffectDescriptor) =>
       asked.name === particles.name ? systems : find(asked)) as Effects['find'];
     for (const [type, { fields }] of Object.entries(particleTypes)) {
