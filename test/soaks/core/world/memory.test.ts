@@ -1,6 +1,7 @@
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { addBody, addFloor, below, box, fact, world, type Vec3 } from '../../../core/helpers.js';
+import { leavesNoTrace } from '../../../core/no-trace.js';
 
 // Code that V8 compiles while it runs lies on the same heap: up to 75 kB over these steps, more or
 // less by how busy the machine is. Without compilers, and with each function's feedback made at its
@@ -55,4 +56,53 @@ fact('nor do 2,000 steps of 50 boxes that lie on the ground leave a quarter of i
   const before = used();
   w.step(2_000);
   below(used() - before, 16_384, 'bytes');
+});
+
+fact(
+  'nor do 1,000 steps of particles that fly, whirl in the wind, bounce off boxes and push them',
+  async () => {
+    const w = await world();
+    addFloor(w, 0, { geometry: [box(200, 1, 200)] });
+    for (let i = 0; i < 9; i++) addBody(w, { position: [3 * i, 0.5, 0], geometry: [box(1, 1, 1)] });
+    w.add('ParticleSystem', {
+      emitter: {
+        type: 'ConeEmitter',
+        position: [6, 2, 0],
+        speed: 6,
+        mass: 0.001,
+        surfaceArea: 1e-4,
+      },
+      physics: [
+        { type: 'ForcePhysicsModel', force: [0, -0.0098, 0] },
+        { type: 'WindPhysicsModel', speed: 2, gustiness: 0.5, turbulence: 0.5 },
+      ],
+      maxParticles: 300,
+      particleLifetime: 2,
+      collides: true,
+      pushes: true,
+      bounce: 0.5,
+    });
+    w.step(WARM);
+    const before = used();
+    w.step(1_000);
+    below(used() - before, 16_384, 'bytes');
+  },
+);
+
+fact('systems that come and go leave nothing of the heap behind', async () => {
+  const w = await world();
+  addFloor(w);
+  await leavesNoTrace(w, () => {
+    for (let i = 0; i < 10; i++) {
+      const surface = { type: 'Sphere', radius: 0.4 };
+      const system = w.add('ParticleSystem', {
+        emitter: { type: 'SurfaceEmitter', surface, mass: 0.001 },
+        collides: true,
+        pushes: true,
+      });
+      w.step(5);
+      system.remove();
+      w.step(1);
+    }
+  });
 });
