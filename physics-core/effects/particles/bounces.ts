@@ -71,6 +71,23 @@ export class Bounces {
     this.#pushed = pushed;
   }
 
+  /** False: nothing is in its way through the time that `drift` is for. */
+  isNear(
+    motion: Float64Array,
+    at: number,
+    push: Float64Array,
+    drift: Drift,
+    { bodies, walls, radius }: Surface,
+  ): boolean {
+    if (walls || !bodies) return true;
+    const { wayOfSpeed, wayOfPush } = drift;
+    for (let i = 0; i < 3; i++) {
+      const from = (this.#from[i] = motion[at + i]!);
+      this.#to[i] = from + motion[at + 3 + i]! * wayOfSpeed + push[i]! * wayOfPush;
+    }
+    return this.#obstacles.isNear(this.#from, this.#to, radius);
+  }
+
   /**
    * Moves a particle through the rest of a step of `dt` seconds, from the share `since` of it on; `motion` holds its place and
    * its velocity from `at` on, `push` what accelerates it.

@@ -234,7 +234,7 @@ export class ParticleSystem {
     const { surface, damping } = this.#said;
     const push = this.#pushOf(numbers[k]!);
     const at = k * PARTICLE;
-    if (surface) {
+    if (surface && this.#bounces.isNear(motion, at, push, drift, surface)) {
       this.#bounces.follow(motion, at, push, damping, surface, dt, since);
       return;
     }

@@ -98,6 +98,29 @@ export class Obstacles {
    * it is out of it again.
    */
   meet(from: Flat, to: Flat, radius: number, out: Flat, since = 0, until = 1): boolean {
+    this.#begin(from, to, radius);
+    ends[8] = since;
+    ends[9] = until;
+    const near = this.#near;
+    const count = this.#search.near(box, near);
+    if (count === 0) return false;
+    this.#part = -1;
+    this.#share = 1;
+    this.#depth = 0;
+    for (let i = 0; i < count; i++) this.#look(near[i]!);
+    if (this.#part < 0) return false;
+    this.#tell(out);
+    return true;
+  }
+
+  /** False: nothing is met on that way, whenever within the step. */
+  isNear(from: Flat, to: Flat, radius: number): boolean {
+    this.#begin(from, to, radius);
+    return this.#search.any(box);
+  }
+
+  /** What is to be known of a way, and the box in which it lies. */
+  #begin(from: Flat, to: Flat, radius: number): void {
     const x = from[0]!;
     const y = from[1]!;
     const z = from[2]!;
@@ -114,24 +137,12 @@ export class Obstacles {
     ends[5] = w;
     ends[6] = radius;
     ends[7] = length;
-    ends[8] = since;
-    ends[9] = until;
     box[0] = (u < 0 ? x + u : x) - margin;
     box[1] = (v < 0 ? y + v : y) - margin;
     box[2] = (w < 0 ? z + w : z) - margin;
     box[3] = (u < 0 ? x : x + u) + margin;
     box[4] = (v < 0 ? y : y + v) + margin;
     box[5] = (w < 0 ? z : z + w) + margin;
-    const near = this.#near;
-    const count = this.#search.near(box, near);
-    if (count === 0) return false;
-    this.#part = -1;
-    this.#share = 1;
-    this.#depth = 0;
-    for (let i = 0; i < count; i++) this.#look(near[i]!);
-    if (this.#part < 0) return false;
-    this.#tell(out);
-    return true;
   }
 
   #look(i: number): void {

@@ -78,6 +78,10 @@ class All implements Search {
     assert.ok(this.#boxes.length >= BOX * this.#count);
     return this.#count;
   }
+
+  any(): boolean {
+    return this.#count > 0;
+  }
 }
 
 const next = random(11);
