@@ -80,17 +80,34 @@ export class Bounces {
     { bodies, walls, radius }: Surface,
   ): boolean {
     if (walls || !bodies) return true;
+    this.#lookAhead(motion, at, push, drift);
+    return this.#obstacles.isNear(this.#from, this.#to, radius);
+  }
+
+  /** What it would meet is what it met a step ago. */
+  isCalm(
+    motion: Float64Array,
+    at: number,
+    push: Float64Array,
+    drift: Drift,
+    { bodies, radius }: Surface,
+  ): boolean {
+    if (!bodies) return true;
+    this.#lookAhead(motion, at, push, drift);
+    return this.#obstacles.isCalm(this.#from, this.#to, radius);
+  }
+
+  #lookAhead(motion: Float64Array, at: number, push: Float64Array, drift: Drift): void {
     const { wayOfSpeed, wayOfPush } = drift;
     for (let i = 0; i < 3; i++) {
       const from = (this.#from[i] = motion[at + i]!);
       this.#to[i] = from + motion[at + 3 + i]! * wayOfSpeed + push[i]! * wayOfPush;
     }
-    return this.#obstacles.isNear(this.#from, this.#to, radius);
   }
 
   /**
    * Moves a particle through the rest of a step of `dt` seconds, from the share `since` of it on; `motion` holds its place and
-   * its velocity from `at` on, `push` what accelerates it.
+   * its velocity from `at` on, `push` what accelerates it. Returns whether that left it as it was.
    */
   follow(
     motion: Float64Array,
@@ -100,7 +117,7 @@ export class Bounces {
     surface: Surface,
     dt: number,
     since: number,
-  ): void {
+  ): boolean {
     this.#damping = damping;
     this.#take(motion, at, push);
     let start = since;
@@ -117,10 +134,14 @@ export class Bounces {
       if (rest > 0)
         for (let i = 0; i < 3; i++) this.#lift[i] = this.#lift[i]! + this.#beyond[i]! / rest;
     }
+    let still = true;
     for (let i = 0; i < 3; i++) {
+      if (motion[at + i] !== this.#from[i] || motion[at + 3 + i] !== this.#velocity[i])
+        still = false;
       motion[at + i] = this.#from[i]!;
       motion[at + 3 + i] = this.#velocity[i]!;
     }
+    return still;
   }
 
   /** A body that throws a particle from a place, at a share of the step, is pushed the other way. */

@@ -21,6 +21,8 @@ export class Cloud {
   ends = new Float64Array(0);
   /** Its number among all that its system ever made: what is drawn at random for it goes by that. */
   numbers = new Float64Array(0);
+  /** 1: the last step left it as it was. */
+  still = new Uint8Array(0);
 
   clear(): void {
     this.count = 0;
@@ -38,6 +40,7 @@ export class Cloud {
   add(): number {
     const k = this.count++;
     if (k >= this.born.length) this.#grow();
+    this.still[k] = 0;
     return k;
   }
 
@@ -52,6 +55,9 @@ export class Cloud {
     this.born = grown(this.born, 1);
     this.ends = grown(this.ends, 1);
     this.numbers = grown(this.numbers, 1);
+    const still = new Uint8Array(room);
+    still.set(this.still);
+    this.still = still;
   }
 
   /** Becomes as others are seen: PARTICLE numbers of each, and when it was born. */
@@ -69,6 +75,7 @@ export class Cloud {
     this.born[to] = this.born[from]!;
     this.ends[to] = this.ends[from]!;
     this.numbers[to] = this.numbers[from]!;
+    this.still[to] = this.still[from]!;
   }
 
   // ---- going back -------------------------------------------------------------------------------------------------

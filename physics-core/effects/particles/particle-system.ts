@@ -42,6 +42,11 @@ export class ParticleSystem {
   readonly #drift = new Drift();
   readonly #rest = new Drift();
   readonly #push = new Float64Array(3);
+  /** In the step before, of so many seconds. */
+  readonly #pushBefore = new Float64Array(3);
+  #dtBefore = 0;
+  /** What a step does to what lies is what the one before did, but for bodies that move: what that left as it was stays. */
+  #calm = false;
   readonly #own = new Float64Array(3);
   readonly #birth = new Float64Array(BIRTH);
   #said!: Settings;
@@ -165,8 +170,10 @@ export class ParticleSystem {
   // ---- a step -----------------------------------------------------------------------------------------------------
 
   step(dt: number): void {
+    this.#calm = !this.stale;
     if (this.stale) this.#read();
     this.#takePush(dt);
+    this.#calm &&= this.#isAsBefore(dt);
     this.#drift.take(this.#said.damping, dt);
     this.#died = 0;
     this.#moveAll(dt);
@@ -188,6 +195,17 @@ export class ParticleSystem {
       wind.begin(gust, surfaceArea / mass);
       if (!wind.whirls) wind.addToAll(push);
     }
+  }
+
+  /** Whether all are pushed as before, and push nobody. */
+  #isAsBefore(dt: number): boolean {
+    let same = dt === this.#dtBefore && !this.#whirls && this.#said.surface?.mass === 0;
+    this.#dtBefore = dt;
+    for (let i = 0; i < 3; i++) {
+      if (this.#push[i] !== this.#pushBefore[i]) same = false;
+      this.#pushBefore[i] = this.#push[i]!;
+    }
+    return same;
   }
 
   /** What pushes one of them. */
@@ -230,14 +248,17 @@ export class ParticleSystem {
 
   /** Through the step of `dt` seconds from the share `since` of it on, which takes as long as `drift` is for. */
   #move(k: number, drift: Drift, dt: number, since: number): void {
-    const { motion, numbers } = this.cloud;
+    const { motion, numbers, still } = this.cloud;
     const { surface, damping } = this.#said;
     const push = this.#pushOf(numbers[k]!);
     const at = k * PARTICLE;
+    if (still[k] === 1 && this.#calm && this.#bounces.isCalm(motion, at, push, drift, surface!))
+      return;
     if (surface && this.#bounces.isNear(motion, at, push, drift, surface)) {
-      this.#bounces.follow(motion, at, push, damping, surface, dt, since);
+      still[k] = Number(this.#bounces.follow(motion, at, push, damping, surface, dt, since));
       return;
     }
+    still[k] = 0;
     for (let i = at; i < at + 3; i++) {
       const speed = motion[i + 3]!;
       const a = push[i - at]!;
@@ -299,6 +320,8 @@ export class ParticleSystem {
     cloud.numbers[k] = number;
     const left = Math.max(0, end - due);
     this.#move(k, this.#rest.take(damping, left), dt, 1 - left / dt);
+    // A whole step does more.
+    cloud.still[k] = 0;
   }
 
   /** Whoever pushes what it meets pushes what it is thrown from, too. */

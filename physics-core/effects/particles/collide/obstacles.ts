@@ -61,6 +61,7 @@ const ends = new Float64Array(10);
 export class Obstacles {
   readonly #simulation: Pick<Simulation, 'bodies' | 'poses'>;
   readonly #search: Search;
+  readonly #stirred = new Slabs();
   readonly #parts = new PlacedParts();
   #near = new Int32Array(0);
 
@@ -80,7 +81,9 @@ export class Obstacles {
    */
   take(dt: number): void {
     const parts = this.#parts;
-    if (!parts.take(this.#simulation, dt)) return;
+    const isOther = parts.take(this.#simulation, dt);
+    this.#stirred.fill(parts.stirred, parts.stirredCount);
+    if (!isOther) return;
     const count = parts.all.length;
     if (this.#near.length < count) this.#near = new Int32Array(2 * count);
     this.#search.fill(parts.boxes, count);
@@ -117,6 +120,13 @@ export class Obstacles {
   isNear(from: Flat, to: Flat, radius: number): boolean {
     this.#begin(from, to, radius);
     return this.#search.any(box);
+  }
+
+  /** Nothing near that way is other, or elsewhere, than it was a step ago. */
+  isCalm(from: Flat, to: Flat, radius: number): boolean {
+    if (this.#parts.isOther) return false;
+    this.#begin(from, to, radius);
+    return !this.#stirred.any(box);
   }
 
   /** What is to be known of a way, and the box in which it lies. */

@@ -39,13 +39,20 @@ export class PlacedParts {
   boxes: Flat = new Float64Array(0);
   /** How much farther a way may come near to what turns most, as a share of its length. */
   slack = 0;
-  /** By slot: what its parts were made of. */
+  /** There are other parts than a step ago. */
+  isOther = true;
+  /** Boxes around where parts were and are that are elsewhere than a step ago, or moving, and how many they are. */
+  stirred: Flat = new Float64Array(0);
+  stirredCount = 0;
+  /** By slot: what its parts were made of; and 1: it is elsewhere. */
   readonly #known: (readonly CollidablePart[])[] = [];
+  #changed = new Uint8Array(0);
 
   /** Whether anything is other, or elsewhere, than it was. */
   take({ bodies, poses }: Pick<Simulation, 'bodies' | 'poses'>, dt: number): boolean {
     const { slots } = bodies.moving;
     this.places.makeRoom(slots);
+    if (this.#changed.length < slots) this.#changed = new Uint8Array(2 * slots);
     let isOther = false;
     let changed = false;
     for (let slot = 0; slot < slots; slot++) {
@@ -56,14 +63,29 @@ export class PlacedParts {
         this.#known[slot] = parts;
         this.places.forget(slot);
       }
+      this.#changed[slot] = 0;
       if (!body || parts.length === 0) continue;
-      if (this.places.take(slot, poses, body.isDynamic, dt)) changed = true;
+      if (!this.places.take(slot, poses, body.isDynamic, dt)) continue;
+      this.#changed[slot] = 1;
+      changed = true;
     }
+    this.isOther = isOther;
+    this.stirredCount = 0;
     if (isOther) this.#list(slots);
     if (!isOther && !changed) return false;
     this.slack = 0;
-    for (let i = 0; i < this.all.length; i++) this.#put(i);
+    for (let i = 0; i < this.all.length; i++) {
+      const stirs = this.#changed[this.all[i]!.slot] === 1;
+      if (stirs) this.#stir(i);
+      this.#put(i);
+      if (stirs) this.#stir(i);
+    }
     return true;
+  }
+
+  #stir(i: number): void {
+    const at = BOX * this.stirredCount++;
+    for (let k = 0; k < BOX; k++) this.stirred[at + k] = this.boxes[BOX * i + k]!;
   }
 
   #list(slots: number): void {
@@ -83,6 +105,7 @@ export class PlacedParts {
     this.all = parts;
     this.frames = new Float64Array(FRAMES * parts.length);
     this.boxes = new Float64Array(BOX * parts.length);
+    this.stirred = new Float64Array(2 * BOX * parts.length);
   }
 
   /** Frames of a part, and the box around it. */
