@@ -45,6 +45,7 @@ const RECIPES = {
   'jointed-bodies': 'Do bodies on one joint collide?',
   reset: 'Reset and kick',
   throwing: 'Throwing',
+  particles: 'Particles: water, snow, dust, smoke',
   many: 'Many bodies',
   sensors: 'Sensors and triggers',
   counting: 'Counting each marble once',

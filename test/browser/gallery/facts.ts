@@ -47,6 +47,52 @@ export const FACTS: Record<string, Fact> = {
     holds: `Math.abs(body('wheel').angularVelocity[2] + 14) < 0.1 && seen.at(-1).length > 500 &&
       seen.flat().every(([x, y, z]) => y > -0.001 || x > 5.9 || Math.abs(z) > 2.4) && Math.max(...seen.flat().map(([x]) => x)) > 2.5`,
   },
+  fountain: {
+    says: 'boxes on axles go on turning under the drops, all of them inwards, and no drop goes through the floor',
+    seconds: 6,
+    each: `[all('.wheel').map(({ angularVelocity: [x, , z] }, i) => {
+      const angle = ((2 * i + 1) * Math.PI) / 4;
+      return z * Math.sin(angle) - x * Math.cos(angle);
+    }), body('water').positions]`,
+    holds: `all('.wheel').length === 4 && all('.wheel').every((_, i) =>
+        seen.slice(60).reduce((sum, [rates]) => sum + rates[i], 0) > 0.5 * seen.slice(60).length) &&
+      seen.at(-1)[1].length > 800 && seen.flatMap(([, drops]) => drops).every(([, y]) => y > 0)`,
+  },
+  snow: {
+    says: 'flakes lie on a car that drives slowly, and leave one that drives fast; none is in the ground',
+    seconds: 15,
+    each: `(() => {
+      const speed = body('speed');
+      if (world.time > 9 && speed.value !== '4') {
+        speed.value = 4;
+        speed.dispatchEvent(new Event('input'));
+      }
+      const [x, y, z] = body('car').position;
+      const flakes = body('snow').positions;
+      // On its roof, which is 0.48 m above its middle; flakes are balls of 0.05 m, and a wheel may press one in by so much.
+      return [flakes.filter((flake) => Math.abs(flake[1] - y - 0.53) < 0.01 && Math.hypot(flake[0] - x, flake[2] - z) < 0.9).length,
+        flakes.filter((flake) => Math.hypot(flake[0], flake[2]) < 4.7 && flake[1] < -0.05 && flake[1] > -0.55).length, Math.hypot(x, z)];
+    })()`,
+    holds: `Math.max(...seen.slice(0, 180).map(([on]) => on)) >= 6 && Math.max(...seen.slice(-20).map(([on]) => on)) <= 3 &&
+      seen.every(([, inGround]) => inGround === 0) && seen.every(([, , far]) => Math.abs(far - 2.6) < 0.6)`,
+  },
+  dust: {
+    says: 'no dust before the stone strikes, then puffs where it does and where slabs fall, and the tower is down',
+    seconds: 7,
+    each: `all('.puff').filter(({ count }) => count > 0).map(({ positions }) => positions[0])`,
+    holds: `seen[7].length === 0 && Math.max(...seen.map(({ length }) => length)) >= 8 && seen.at(-1).length <= 2 &&
+      Math.abs(seen[11][0][0]) < 2 && seen[11][0][1] > 0.5 && moved(all('.slab')).filter((way) => way > 1).length >= 8`,
+  },
+  smoke: {
+    says: 'smoke goes with the wind, round the tower and not into it, and rises straight where there is none',
+    seconds: 12,
+    each: `(world.time > 6 && (body('speed').value = 0), body('smoke').positions)`,
+    holds: `(() => {
+      const middle = (puffs) => puffs.reduce((sum, [x]) => sum + x, 0) / puffs.length;
+      return middle(seen[110]) > -1 && Math.abs(middle(seen.at(-1)) + 3.1) < 0.2 &&
+        seen.flat().every(([x, y, z]) => y > 3.9 || Math.hypot(x - 0.9, z) > 0.9);
+    })()`,
+  },
   dominoes: {
     says: 'all of them fall',
     seconds: 26,
