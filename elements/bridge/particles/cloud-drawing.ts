@@ -13,12 +13,11 @@ import type { Color, Point } from './ramp.js';
 const drawings = new WeakMap<PageWorld, Set<CloudDrawing>>();
 const ofSystem = new WeakMap<Binding, CloudDrawing>();
 
-/** Has a system drawn as long as it has a node. */
-export function drawSystem(system: Binding): void {
-  if (ofSystem.has(system)) return;
-  const drawing = new CloudDrawing(system);
-  ofSystem.set(system, drawing);
-  system.onnode = () => drawing.nodeChanged();
+/** What draws a system: to be told when its node changes. */
+export function drawingOf(system: Binding): { nodeChanged(): void } {
+  const known = ofSystem.get(system) ?? new CloudDrawing(system);
+  ofSystem.set(system, known);
+  return known;
 }
 
 function drawingsIn(world: PageWorld): Set<CloudDrawing> {
