@@ -2,7 +2,7 @@ import { expect } from 'chai';
 import './console.js';
 import { openText, type PageWindow } from './page.js';
 import { nextFrame, until } from './scene.js';
-import { nodeTypes } from '../../physics-core/inside.js';
+import { allTypes } from '../../physics-core/all-types.js';
 import type { World } from './inside.js';
 
 const FALLING = `<transform translation="0 5 0">
@@ -126,7 +126,7 @@ describe('what a page fetches', () => {
   it('no text that only the docs of fields read', async () => {
     const { page } = await show(FALLING);
     const files = await Promise.all(fetched(page).map(async (path) => (await fetch(path)).text()));
-    const docs = Object.values(nodeTypes).flatMap(({ doc, fields }) => [
+    const docs = Object.values(allTypes).flatMap(({ doc, fields }) => [
       doc,
       ...Object.values(fields).map((field) => field.doc),
     ]);

@@ -2,6 +2,7 @@ import { x3dom, type X3DNode } from '../x3dom/x3dom.js';
 
 interface Box {
   setBounds(min: object, max: object): void;
+  valid?: boolean;
 }
 
 /** Room beside what particles take: they move on, and x3dom measures all of its scene anew when the box is another. */
@@ -11,8 +12,6 @@ const ROOM = 0.5;
 export class Bounds {
   readonly #shape: X3DNode;
   readonly #box: Box;
-  readonly #low = [Infinity, Infinity, Infinity];
-  readonly #high = [-Infinity, -Infinity, -Infinity];
   /** What x3dom knows. */
   #lower = [Infinity, Infinity, Infinity];
   #upper = [-Infinity, -Infinity, -Infinity];
@@ -24,35 +23,22 @@ export class Bounds {
     shape.getVolume = () => box;
   }
 
-  begin(): void {
-    this.#low.fill(Infinity);
-    this.#high.fill(-Infinity);
-  }
-
-  /** One point of a particle. */
-  add(points: Float32Array, at: number): void {
-    for (let i = 0; i < 3; i++) {
-      const value = points[at + i]!;
-      if (value < this.#low[i]!) this.#low[i] = value;
-      if (value > this.#high[i]!) this.#high[i] = value;
-    }
-  }
-
-  /** All are in; each reaches so far from its point. */
-  end(reach: number): void {
-    const [low, high] = [this.#low, this.#high];
-    if (!(low[0]! <= high[0]!)) return;
-    const isIn = low.every(
-      (value, i) => value - reach >= this.#lower[i]! && high[i]! + reach <= this.#upper[i]!,
-    );
-    if (isIn) return;
+  /** Particles are from `low` to `high`, and each reaches so far from where it is. */
+  hold(low: readonly number[], high: readonly number[], reach: number): void {
+    if (!(low[0]! <= high[0]!) || this.#holds(low, high, reach)) return;
     const room = reach + ROOM * Math.max(...low.map((value, i) => high[i]! - value));
     this.#lower = low.map((value) => value - room);
     this.#upper = high.map((value) => value + room);
     const { SFVec3f } = x3dom()!.fields;
     const point = ([x, y, z]: number[]): object => new SFVec3f(x!, y!, z!);
     this.#box.setBounds(point(this.#lower), point(this.#upper));
-    (this.#box as { valid?: boolean }).valid = true;
+    this.#box.valid = true;
     for (const parent of this.#shape._parentNodes) parent.invalidateVolume();
+  }
+
+  #holds(low: readonly number[], high: readonly number[], reach: number): boolean {
+    for (let i = 0; i < 3; i++)
+      if (low[i]! - reach < this.#lower[i]! || high[i]! + reach > this.#upper[i]!) return false;
+    return true;
   }
 }

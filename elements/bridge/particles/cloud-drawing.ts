@@ -2,7 +2,7 @@ import { ParticleSystemNode } from '../../../physics-core/particles.js';
 import { identity, type Affine } from '../geometry/matrix.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
-import { nodeOf, type X3DNode } from '../x3dom/x3dom.js';
+import { nodeOf, type X3DDocument, type X3DNode } from '../x3dom/x3dom.js';
 import { CloudShape } from './cloud-shape.js';
 import { frameOf } from './frame.js';
 import type { Look } from './look.js';
@@ -13,12 +13,11 @@ import type { Color, Point } from './ramp.js';
 const drawings = new WeakMap<PageWorld, Set<CloudDrawing>>();
 const ofSystem = new WeakMap<Binding, CloudDrawing>();
 
-/** Has a system drawn as long as it has a node. */
-export function drawSystem(system: Binding): void {
-  if (ofSystem.has(system)) return;
-  const drawing = new CloudDrawing(system);
-  ofSystem.set(system, drawing);
-  system.onnode = () => drawing.nodeChanged();
+/** What draws a system: to be told when its node changes. */
+export function drawingOf(system: Binding): { nodeChanged(): void } {
+  const known = ofSystem.get(system) ?? new CloudDrawing(system);
+  ofSystem.set(system, known);
+  return known;
 }
 
 function drawingsIn(world: PageWorld): Set<CloudDrawing> {
@@ -49,6 +48,8 @@ class CloudDrawing {
   #shape: CloudShape | undefined;
   #frame: Affine = identity();
   #parts: Partial<ReturnType<typeof partsOf>> = {};
+  /** Read anew in each frame: nothing is made for that. */
+  readonly #look = {} as Look;
 
   constructor(system: Binding) {
     this.#system = system;
@@ -77,47 +78,41 @@ class CloudDrawing {
   }
 
   draw(): void {
-    const { node, world, units } = this.#system;
+    const { node, world } = this.#system;
     if (!(node instanceof ParticleSystemNode) || !world) return;
-    const shape = this.#shapeNow();
+    const shape = this.#shapeNow(node);
     const shown = shape && node.shown;
-    if (!shown) return;
-    const since = (1 - world.poses.fraction) * world.timeStep;
-    shape.show({ ...shown, since, length: units.length });
+    if (shown) shape.show(shown, (1 - world.poses.fraction) * world.timeStep);
   }
 
   /** A shape of the present look: made anew where what it is made of is another. */
-  #shapeNow(): CloudShape | undefined {
-    const look = this.#readLook();
-    if (!look) return undefined;
-    if (!this.#shape?.looks(look)) {
+  #shapeNow(node: ParticleSystemNode): CloudShape | undefined {
+    const doc = nodeOf(this.#system.element)?._nameSpace?.doc;
+    if (!doc?._scene) return undefined;
+    this.#readLook(node, doc);
+    if (!this.#shape?.wears(this.#look)) {
       this.#remove();
-      this.#shape = new CloudShape(look);
+      this.#shape = new CloudShape(this.#look);
     }
     return this.#shape;
   }
 
-  #readLook(): Look | undefined {
-    const system = this.#system;
-    const doc = nodeOf(system.element)?._nameSpace?.doc;
-    if (!doc?._scene) return undefined;
-    const geometry = nodeIn(this.#parts.geometry);
-    const color = nodeIn(this.#parts.color);
-    const texCoord = nodeIn(this.#parts.texCoord);
-    return {
-      doc,
-      element: system.element,
-      type: String(system.get('geometryType')),
-      size: system.node!.get('particleSize') as [number, number],
-      frame: this.#frame,
-      appearance: nodeIn(this.#parts.appearance),
-      // Lists that x3dom makes anew with each edit.
-      points: geometry?._mesh?._positions[0],
-      colors: color?._vf.color as Iterable<Color> | undefined,
-      texCoords: texCoord?._vf.point as Iterable<Point> | undefined,
-      geometry: geometry?._mesh,
-      colorKey: system.get('colorKey') as number[],
-      texCoordKey: system.get('texCoordKey') as number[],
-    };
+  #readLook(node: ParticleSystemNode, doc: X3DDocument): void {
+    const look = this.#look;
+    const geometry = nodeIn(this.#parts.geometry)?._mesh;
+    look.doc = doc;
+    look.element = this.#system.element;
+    look.type = node.asked('geometryType');
+    look.size = node.asked('particleSize');
+    look.frame = this.#frame;
+    look.length = this.#system.units.length;
+    look.appearance = nodeIn(this.#parts.appearance);
+    // Lists that x3dom makes anew with each edit, as the node does those of its keys.
+    look.geometry = geometry;
+    look.points = geometry?._positions[0];
+    look.colors = nodeIn(this.#parts.color)?._vf.color as Iterable<Color> | undefined;
+    look.colorKey = node.asked('colorKey');
+    look.texCoords = nodeIn(this.#parts.texCoord)?._vf.point as Iterable<Point> | undefined;
+    look.texCoordKey = node.asked('texCoordKey');
   }
 }

@@ -1,16 +1,12 @@
-import { PARTICLE } from '../../../physics-core/particles.js';
-import {
-  x3dom,
-  type NodeContext,
-  type X3DMatrix,
-  type X3DMesh,
-  type X3DNode,
-} from '../x3dom/x3dom.js';
+import { x3dom, type NodeContext, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
 import { Bounds } from './bounds.js';
-import { formOf, type Form } from './form.js';
-import type { Look, Shown } from './look.js';
-import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
+import type { Form } from './form.js';
+import { formOf } from './forms.js';
 import { isHidden } from './hidden.js';
+import { sameForm, sameShape, type Look } from './look.js';
+import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
+import { makeRoom, NOWHERE, spread, type CloudMesh } from './room.js';
+import { Seen, type Shown } from './seen.js';
 import { farthestFirst } from './sort.js';
 import { withSortType } from './sort-type.js';
 
@@ -27,13 +23,6 @@ interface Sorting extends X3DNode {
   _origSortType: string;
 }
 
-interface CloudMesh extends X3DMesh {
-  _normals: ArrayLike<number>[];
-  _texCoords: ArrayLike<number>[];
-  _colors: ArrayLike<number>[];
-  _numColComponents: number;
-}
-
 interface View {
   getViewMatrix(): X3DMatrix;
 }
@@ -44,31 +33,34 @@ const KINDS: Record<string, string> = {
   POINTS: 'PointSet',
 };
 
+/** Room for so many times those that are seen: seldom made anew, and x3dom copies all of it in each frame. */
+const GROWTH = 1.25;
+
 /** Of a view: right, up and back. */
 const AXES = ['_00', '_01', '_02', '_10', '_11', '_12', '_20', '_21', '_22'] as const;
 
-/** Where what is not alive stands: out of any sight, metres. */
-const NOWHERE = 1e30;
-
 /** All particles of a system in one Shape, which stands in no document: no element, so nothing meets it but x3dom. */
 export class CloudShape {
-  readonly #look: Look;
-  readonly #form: Form;
+  #look: Look;
+  #form: Form;
   readonly #shape: ShapeNode;
   readonly #mesh: CloudMesh;
   readonly #looksOf: Sorting;
   readonly #bounds: Bounds;
   readonly #colors: Ramp | undefined;
   readonly #texCoords: Ramp | undefined;
+  readonly #seen = new Seen();
   #room = 0;
   #drawn = 0;
   #shown: Shown | undefined;
+  /** Seconds that what is shown is past the frame. */
+  #since = 0;
   #stale = true;
   /** Right, up and back of who looks, in the world. */
   readonly #view = new Float64Array(9);
 
   constructor(look: Look) {
-    this.#look = look;
+    this.#look = { ...look };
     const x = x3dom()!;
     const { doc } = look;
     const nameSpace = doc._scene!._nameSpace!;
@@ -109,17 +101,22 @@ export class CloudShape {
     return node as Sorting;
   }
 
-  looks(look: Look): boolean {
-    const own = this.#look as unknown as Record<string, unknown>;
-    return Object.entries(look).every(
-      ([name, value]) =>
-        value === own[name] || (Array.isArray(value) && String(value) === String(own[name])),
-    );
+  /** Takes another look; false: that needs another Shape. `look` may change later. */
+  wears(look: Look): boolean {
+    if (!sameShape(look, this.#look)) return false;
+    if (sameForm(look, this.#look)) return true;
+    this.#look = { ...look };
+    this.#form = formOf(look);
+    this.#form.turn?.(this.#view);
+    this.#spreadNormals();
+    this.#stale = true;
+    return true;
   }
 
-  /** Shows particles as they are now, when x3dom draws next. */
-  show(shown: Shown): void {
+  /** Shows particles as they were `since` seconds before the end of the last step, when x3dom draws next. */
+  show(shown: Shown, since: number): void {
     this.#shown = shown;
+    this.#since = since;
     this.#stale = true;
     const { _scene: scene } = this.#look.doc;
     const any = shown.cloud.count > shown.first;
@@ -145,15 +142,9 @@ export class CloudShape {
     const shown = this.#shown;
     if (!shown) return false;
     const turned = this.#turnView();
-    if (!this.#stale && !(turned && (this.#form.faces || this.#sorted))) return this.#visible;
+    if (turned) this.#turnForm();
+    if (this.#stale || (turned && (this.#form.turn || this.#sorted))) this.#write(shown);
     this.#stale = false;
-    const count = shown.cloud.count - shown.first;
-    if (count > this.#room) this.#grow(count);
-    if (this.#room > 0) this.#write(shown, count);
-    return this.#visible;
-  }
-
-  get #visible(): boolean {
     return this.#drawn > 0 && !isHidden(this.#look.element);
   }
 
@@ -177,48 +168,33 @@ export class CloudShape {
     return turned;
   }
 
-  #grow(count: number): void {
-    this.#room = Math.max(16, count, Math.min(2 * this.#room, 2 * count));
-    const { corners, index, normals, texCoords } = this.#form;
-    const room = this.#room;
-    const mesh = this.#mesh;
-    mesh._positions[0] = new Float32Array(room * corners * 3).fill(NOWHERE);
-    mesh._normals[0] = repeated(normals, room);
-    mesh._texCoords[0] = repeated(texCoords, room);
-    mesh._colors[0] = this.#colors ? new Float32Array(room * corners * 4) : [];
-    const all = new Uint32Array(room * index.length);
-    for (let k = 0, at = 0; k < room; k++)
-      for (let i = 0; i < index.length; i++) all[at++] = index[i] + k * corners;
-    mesh._indices[0] = all;
-    this.#drawn = 0;
-    this.#shape.setAllDirty();
+  #turnForm(): void {
+    if (!this.#form.turn) return;
+    this.#form.turn(this.#view);
+    this.#spreadNormals();
   }
 
-  #write(shown: Shown, count: number): void {
-    const { corners } = this.#form;
-    const { cloud, first, time, since } = shown;
-    const order = this.#sorted ? farthestFirst(cloud.motion, first, count, this.#view) : undefined;
-    const basis = this.#form.faces ? this.#view : undefined;
+  #spreadNormals(): void {
+    spread(this.#form.normals, this.#mesh._normals[0] as Float32Array);
+    this.#shape._dirty.normals = true;
+  }
+
+  #write(shown: Shown): void {
+    const { corners, reach } = this.#form;
+    const seen = this.#seen;
+    seen.take(shown, this.#since, this.#look.length);
+    const { count } = seen;
+    if (count > this.#room) this.#grow(count);
+    if (this.#room === 0) return;
+    if (this.#sorted) farthestFirst(seen, this.#view);
     const positions = this.#mesh._positions[0] as Float32Array;
-    const colors = this.#mesh._colors[0] as Float32Array;
-    const texCoords = this.#mesh._texCoords[0] as Float32Array;
-    let drawn = 0;
-    this.#bounds.begin();
-    for (let i = 0; i < count; i++) {
-      const k = order ? order[i]! : first + i;
-      const age = time - cloud.born[k]! - since;
-      // It is born after this frame.
-      if (age < 0) continue;
-      this.#form.place(cloud.motion, k * PARTICLE, shown, basis, positions, drawn * corners * 3);
-      this.#colors?.write(age, colors, drawn * corners * 4, corners);
-      this.#texCoords?.write(age, texCoords, drawn * corners * 2, corners);
-      this.#bounds.add(positions, drawn * corners * 3);
-      drawn++;
-    }
-    this.#bounds.end(this.#form.reach);
-    const end = drawn * corners * 3;
-    if (drawn < this.#drawn) positions.fill(NOWHERE, end, this.#drawn * corners * 3);
-    this.#drawn = drawn;
+    this.#form.write(seen, positions);
+    this.#colors?.write(seen, corners, this.#mesh._colors[0] as Float32Array);
+    this.#texCoords?.write(seen, corners, this.#mesh._texCoords[0] as Float32Array);
+    this.#bounds.hold(seen.low, seen.high, reach);
+    if (count < this.#drawn)
+      positions.fill(NOWHERE, 3 * corners * count, 3 * corners * this.#drawn);
+    this.#drawn = count;
     this.#noteDirty();
   }
 
@@ -228,10 +204,11 @@ export class CloudShape {
     if (this.#colors) dirty.colors = true;
     if (this.#texCoords) dirty.texcoords = true;
   }
-}
 
-function repeated(values: ArrayLike<number>, times: number): Float32Array {
-  const out = new Float32Array(values.length * times);
-  for (let k = 0; k < times; k++) out.set(values, k * values.length);
-  return out;
+  #grow(count: number): void {
+    this.#room = Math.ceil(GROWTH * count);
+    makeRoom(this.#mesh, this.#form, this.#room, this.#colors !== undefined);
+    this.#drawn = 0;
+    this.#shape.setAllDirty();
+  }
 }

@@ -9,8 +9,9 @@ export function isHidden(element: Element): boolean {
     if (below && whichChoice !== undefined && at._childNodes[whichChoice as number] !== below)
       return true;
   }
-  const said = ['render', 'visible'].map((name) =>
-    Element.prototype.getAttribute.call(element, name),
-  );
-  return said.some((text) => text?.trim().toLowerCase() === 'false');
+  return says(element, 'render') || says(element, 'visible');
 }
+
+/** Also what x3dom knows no field for. */
+const says = (element: Element, name: string): boolean =>
+  Element.prototype.getAttribute.call(element, name)?.trim().toLowerCase() === 'false';

@@ -6,6 +6,7 @@ import { identity, isIdentity, type Affine } from '../geometry/matrix.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, type Plan } from '../plans/plan.js';
+import { holdsNodes } from '../words/fields.js';
 import { frameOf, mapped, scaleIn } from './frame.js';
 
 /** The ParticleSystems that it stands in, or that name it, in document order. */
@@ -85,16 +86,55 @@ function matrixOf(part: Binding, system: Binding): Affine {
   return body && part.type.containerField === 'physics' ? identity() : matrix;
 }
 
+/** All that a part says, as it is in the frame of one of its systems. */
+export const fieldsIn = (part: Binding, system: Binding): Record<string, unknown> => {
+  const matrix = matrixOf(part, system);
+  return { ...placedFields(part, matrix), ...readShape(part, matrix) };
+};
+
+/** Whether a system can't have the node of the part itself: that lives, or says a place, where its first system is. */
+export function isApart(part: Binding, system: Binding): boolean {
+  const [first] = systemsOf(part);
+  if (!first || first === system) return false;
+  return (
+    worldFor(first) !== worldFor(system) ||
+    String(matrixOf(part, first)) !== String(matrixOf(part, system))
+  );
+}
+
+/** Its own fields, so that each edit of them is planned, and reaches all systems that have it. */
+function ownFields(part: Binding): Record<string, unknown> {
+  const asked = part.authoredFields();
+  const own: Record<string, unknown> = {};
+  for (const [name, field] of Object.entries(part.type.fields)) {
+    if (field.access === 'outputOnly' || field.access === 'inputOnly' || holdsNodes(field))
+      continue;
+    const value = codecs[field.type].accept(asked[name] ?? field.default);
+    if (value !== undefined) own[name] = value;
+  }
+  return own;
+}
+
+/** Those that several systems had when they were planned last. */
+const shared = new WeakSet<Binding>();
+
+/** What one of several has for itself follows from what the part says. */
+function tellSystems(part: Binding, systems: readonly Binding[]): void {
+  const before = shared.has(part);
+  const isShared = systems.length > 1;
+  if (isShared) shared.add(part);
+  else shared.delete(part);
+  if (before || isShared) for (const each of systems) each.dirty();
+}
+
 export function planPart(part: Binding, world: World): Plan {
-  const [system, ...others] = systemsOf(part);
-  const matrix = system ? matrixOf(part, system) : identity();
-  // It is one node, and says one place.
-  const other = others.find((each) => String(matrixOf(part, each)) !== String(matrix));
-  if (other)
-    part.fault((faults) => faults.owned(part, system.label, other.label, part.type.containerField));
+  const systems = systemsOf(part);
+  const [system] = systems;
+  tellSystems(part, systems);
+  const apart = systems.some((each) => isApart(part, each));
   return {
     world,
-    collection: collectionNode(part),
-    relations: { ...placedFields(part, matrix), ...readShape(part, matrix) },
+    collection: system ? system.node?.collection : collectionNode(part),
+    relations: { ...(apart && ownFields(part)), ...(system && fieldsIn(part, system)) },
   };
 }

@@ -5,8 +5,9 @@ import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, nodesIn, type Plan } from '../plans/plan.js';
 import { subtree } from '../words/dom.js';
-import { drawSystem } from './cloud-drawing.js';
+import { drawingOf } from './cloud-drawing.js';
 import { frameOf, scaleIn } from './frame.js';
+import { dropParts, partsIn } from './own-parts.js';
 import { LOOKS, partOf } from './parts.js';
 
 /** That of its body; of the collection that it stands in; else the only one, where bodies are that it may meet. */
@@ -25,8 +26,8 @@ export function planSystem(system: Binding, world: World): Plan {
     nodesOf(system, role, ...types).slice(0, 1);
   const { emitter, physics, particleSize } = system.type.fields;
   const relations: Record<string, unknown> = {
-    emitter: nodesIn(world, only('emitter', [...emitter.nodes!]), system)[0] ?? null,
-    physics: nodesIn(world, nodesOf(system, 'physics', ...physics.nodes!), system),
+    emitter: partsIn(world, only('emitter', [...emitter.nodes!]), system)[0] ?? null,
+    physics: partsIn(world, nodesOf(system, 'physics', ...physics.nodes!), system),
     body: (body && nodesIn(world, [body], system)[0]) ?? null,
   };
   const scale = scaleIn(matrix);
@@ -35,7 +36,11 @@ export function planSystem(system: Binding, world: World): Plan {
   if (Math.abs(scale - 1) > SAME && size)
     relations.particleSize = (size as number[]).map((each) => each * scale);
   watchLooks(system);
-  drawSystem(system);
+  const drawing = drawingOf(system);
+  system.onnode = () => {
+    dropParts(system);
+    drawing.nodeChanged();
+  };
   return { world, collection: collectionNode(system), relations };
 }
 

@@ -1,9 +1,11 @@
+import type { Seen } from './seen.js';
+
 /** What changes while a particle lives. */
 export interface Ramp {
   /** Whether anything of it may be seen through. */
   readonly fades: boolean;
-  /** For each corner of a particle of that age, seconds. */
-  write(age: number, out: Float32Array, at: number, corners: number): void;
+  /** Writes it for each corner of each particle, in the order in which they are drawn. */
+  write(seen: Seen, corners: number, out: Float32Array): void;
 }
 
 export interface Color {
@@ -37,22 +39,35 @@ export function colorsOf(given: Iterable<Color>, colorKey: readonly number[]): R
   const count = colors.length / RGBA;
   if (count === 0) return undefined;
   const keys = usable(colorKey, count);
+  const last = RGBA * (keys.length - 1);
   return {
     fades: colors.some((value, i) => i % RGBA === 3 && value < 1),
-    write: (age, out, at, corners) => {
-      const lower = keyAt(keys, age);
-      const from = RGBA * lower;
-      const next = keys[lower + 1];
-      const share =
-        next === undefined ? 0 : Math.max(0, (age - keys[lower]!) / (next - keys[lower]!));
-      for (let i = 0; i < RGBA; i++) {
-        const value = colors[from + i]!;
-        const now = share > 0 ? value + share * (colors[from + RGBA + i]! - value) : value;
-        for (let k = i; k < RGBA * corners; k += RGBA) out[at + k] = now;
+    write: ({ order, ages, count }, corners, out) => {
+      let at = 0;
+      for (let i = 0; i < count; i++) {
+        const age = ages[order[i]!]!;
+        const lower = keyAt(keys, age);
+        const from = RGBA * lower;
+        const to = Math.min(from + RGBA, last);
+        const share = to > from ? shareOf(age, keys[lower]!, keys[lower + 1]!) : 0;
+        const r = colors[from]! + share * (colors[to]! - colors[from]!);
+        const g = colors[from + 1]! + share * (colors[to + 1]! - colors[from + 1]!);
+        const b = colors[from + 2]! + share * (colors[to + 2]! - colors[from + 2]!);
+        const a = colors[from + 3]! + share * (colors[to + 3]! - colors[from + 3]!);
+        for (let corner = 0; corner < corners; corner++, at += RGBA) {
+          out[at] = r;
+          out[at + 1] = g;
+          out[at + 2] = b;
+          out[at + 3] = a;
+        }
       }
     },
   };
 }
+
+/** How far an age is from one key to the next; before the first: not at all. */
+const shareOf = (age: number, key: number, next: number): number =>
+  age > key ? (age - key) / (next - key) : 0;
 
 /** Sets of texture coordinates, one for each key, which hold until the next. */
 export function texCoordsOf(
@@ -67,9 +82,12 @@ export function texCoordsOf(
   const keys = usable(texCoordKey, sets);
   return {
     fades: false,
-    write: (age, out, at) => {
-      const from = keyAt(keys, age) * length;
-      for (let i = 0; i < length; i++) out[at + i] = points[from + i]!;
+    write: ({ order, ages, count }, _, out) => {
+      let at = 0;
+      for (let i = 0; i < count; i++) {
+        const from = keyAt(keys, ages[order[i]!]!) * length;
+        for (let k = 0; k < length; k++) out[at++] = points[from + k]!;
+      }
     },
   };
 }

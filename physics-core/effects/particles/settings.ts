@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
-import type { Surface } from './bounces.js';
 import type { Emitter } from './emit/emitter.js';
+import type { Surface } from './surface.js';
 
 /** A wind, as its author says it. */
 export interface WindSettings {

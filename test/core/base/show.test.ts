@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../physics-core/inside.js';
+import { allTypes } from '../../../physics-core/all-types.js';
 import { show } from '../../../physics-core/base/show.js';
 import { claim, fact, world } from '../helpers.js';
 
@@ -34,9 +34,9 @@ fact(
     const messages: string[] = [];
     w.on('problem', (problem) => messages.push((problem as { message: string }).message));
     claim(w, 'bad-value', 'misplaced');
-    for (const type of Object.keys(nodeTypes)) {
+    for (const type of Object.keys(allTypes)) {
       const node = w.add(type);
-      for (const [field, { access }] of Object.entries(nodeTypes[type]!.fields))
+      for (const [field, { access }] of Object.entries(allTypes[type]!.fields))
         if (access !== 'outputOnly') for (const value of given) node.set(field, value);
       if (type !== 'RigidBodyCollection') node.remove();
     }

@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../physics-core/inside.js';
+import { allTypes } from '../../../physics-core/all-types.js';
 import { fact, world } from '../helpers.js';
 
 fact('a node of an X3D 3 file has the defaults of its version, and gets them back', async () => {
   const w = await world();
-  const fields = Object.entries(nodeTypes).flatMap(([type, node]) =>
+  const fields = Object.entries(allTypes).flatMap(([type, node]) =>
     Object.entries(node.fields)
       .filter(([, field]) => field.default3 !== undefined)
       .map(([name, field]) => ({ type, name, field })),
@@ -21,9 +21,9 @@ fact('a node of an X3D 3 file has the defaults of its version, and gets them bac
 });
 
 fact('every node has metadata, bounded ones a bounding box, and two a description', async () => {
-  for (const [type, { fields }] of Object.entries(nodeTypes)) {
+  for (const [type, { fields }] of Object.entries(allTypes)) {
     assert.equal(fields['metadata']?.type, 'SFNode', type);
-    const bounded = /Body|Collidable|Collision(?!Sensor)/.test(type);
+    const bounded = /Body|Collidable|Collision(?!Sensor)|ParticleSystem/.test(type);
     for (const name of ['bboxCenter', 'bboxSize', 'bboxDisplay', 'visible'])
       assert.equal(name in fields, bounded, `${type}.${name}`);
     assert.equal('description' in fields, /Collision(Collection|Sensor)/.test(type), type);

@@ -1,3 +1,4 @@
+import type { X3DNode } from '../../../../elements/bridge/x3dom/x3dom.js';
 import { nextFrame, show, until } from '../../scene.js';
 
 /** What tests ask of x3dom's renderer. */
@@ -11,7 +12,7 @@ interface Shown {
   ctx: Renderer;
   needRender: boolean;
   _viewarea: unknown;
-  _scene: { _lastMin: unknown; _lastMax: unknown };
+  _scene: { _lastMin: unknown; _lastMax: unknown; _childNodes: X3DNode[] };
   _nodeBag: { trans: unknown[] };
 }
 

@@ -382,7 +382,7 @@ describe('what particles are drawn as', () => {
   });
 
   it('what a Switch does not choose, or nobody renders, is not seen', async () => {
-    const { x3d } = await after(
+    const { x3d, s } = await after(
       0.5,
       `<switch id="w" whichchoice="0"><group id="g">${system(EMITTER)}</group></switch>`,
     );
@@ -393,6 +393,12 @@ describe('what particles are drawn as', () => {
     await drawn();
     expect(seen()).to.be.false;
     document.getElementById('w')!.setAttribute('whichchoice', '0');
+    await drawn();
+    expect(seen()).to.be.true;
+    (s as unknown as { visible: boolean }).visible = false;
+    await drawn();
+    expect(seen()).to.be.false;
+    (s as unknown as { visible: boolean }).visible = true;
     await drawn();
     expect(seen()).to.be.true;
     document.getElementById('g')!.setAttribute('render', 'false');

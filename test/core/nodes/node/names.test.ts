@@ -1,12 +1,12 @@
 import assert from 'node:assert/strict';
-import { nodeTypes } from '../../../../physics-core/inside.js';
+import { allTypes } from '../../../../physics-core/all-types.js';
 import { addBody, claim, fact, world, told } from '../../helpers.js';
 
 fact('names that every object of JavaScript has are no fields, node types or nodes', async () => {
   const w = await world();
   claim(w, 'unknown-attribute', 'no-body');
   const names = ['constructor', 'toString', '__proto__', 'hasOwnProperty', 'valueOf'];
-  for (const type of Object.keys(nodeTypes)) {
+  for (const type of Object.keys(allTypes)) {
     const node = w.add(type);
     for (const name of names) {
       node.set(name, 1);

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import { createWorld, nodeTypes, type World } from '../../../../physics-core/inside.js';
+import { allTypes } from '../../../../physics-core/all-types.js';
+import { createWorld, type World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   close,
@@ -42,7 +43,7 @@ const GEOMETRY =
   'Box Sphere Cylinder Cone IndexedFaceSet IndexedTriangleSet TriangleStripSet QuadSet Torus Disk2D ElevationGrid Mesh';
 const NAMES =
   'size radius height coord index points translation rotation linear stripCount shape collidable geometry constructor toString';
-const types = Object.keys(nodeTypes).filter((type) => type !== 'RigidBodyCollection');
+const types = Object.keys(allTypes).filter((type) => type !== 'RigidBodyCollection');
 
 /** Whatever a careless or unlucky author may hand over, the same in every run. */
 class Careless {
@@ -135,7 +136,7 @@ fact(
       by.nodes.push(addBody(w), addBody(other), w.add('CollisionCollection', { collidables: '*' }));
       for (let i = 0; i < 40; i++) {
         const type = by.one(types);
-        const names = Object.keys(nodeTypes[type]!.fields);
+        const names = Object.keys(allTypes[type]!.fields);
         const fields = [0, 1, 2].map(() => [by.one(names), by.value()]);
         by.nodes.push(w.add(type, Object.fromEntries(fields)));
         for (let k = 0; k < 6; k++) act(w, by);
