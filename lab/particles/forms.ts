@@ -7,6 +7,8 @@ export interface Form {
   fades?: boolean;
   /** They have this many bodies to meet. */
   bodies?: number;
+  /** It has no more: what a frame costs by itself. */
+  alone?: boolean;
   /** Who has something of the kind. */
   sides: readonly string[];
 }
@@ -15,6 +17,7 @@ const X3D = ['ours', 'x-ite'];
 const ALL = [...X3D, 'babylon'];
 
 export const forms: readonly Form[] = [
+  { id: 'alone', name: 'one SPRITE', geometryType: 'SPRITE', alone: true, sides: ALL },
   { id: 'sprite', name: 'SPRITE', geometryType: 'SPRITE', sides: ALL },
   {
     id: 'fading',
@@ -35,6 +38,9 @@ export const forms: readonly Form[] = [
     sides: ['ours'],
   },
 ];
+
+/** How many live of it, of so many. */
+export const countOf = ({ alone }: Form, count: number): number => (alone ? 1 : count);
 
 export function formOf(id: string): Form {
   const found = forms.find((form) => form.id === id);

@@ -4,7 +4,7 @@ import type { ScriptFound } from '../page/asked.js';
 import type { MeasuredBrowser } from '../page/pages.js';
 import { estimate } from '../statistics.js';
 import { spread, type Plan } from './conditions.js';
-import type { Form } from './forms.js';
+import { countOf, type Form } from './forms.js';
 import type { PageRow, PageSide } from './numbers.js';
 import { pageOf } from './pages.js';
 
@@ -27,7 +27,7 @@ export async function measureForm(
   form: Form,
   { count, turns, each, warmUp }: Plan,
 ): Promise<PageRow> {
-  const pages = form.sides.map((library) => pageOf(library, form.id, count));
+  const pages = form.sides.map((library) => pageOf(library, form.id, countOf(form, count)));
   const question = { pages, warmUp, turns, frames: each, most: MOST };
   const found = await asked<ScriptFound>(browser.ask({ kind: 'script', ...question }));
   const sides = form.sides.map((side): [string, PageSide | string] => {

@@ -55,7 +55,8 @@ export const missingIn = ({ node, chromium }: Pick<ParticleNumbers, 'node' | 'ch
   ...node.rows.filter(({ living }) => living === 0).map(({ scene }) => `${scene}: none live`),
   ...chromium.rows.flatMap(({ form, sides }) =>
     Object.entries(sides)
-      .filter(([, side]) => typeof side === 'string' || side.living === 0)
+      // One that is alone may just have died.
+      .filter(([, side]) => typeof side === 'string' || (side.living === 0 && !formOf(form).alone))
       .map(([name, side]) => `${form}, ${name}: ${typeof side === 'string' ? side : 'none live'}`),
   ),
 ];
