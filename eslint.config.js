@@ -249,7 +249,7 @@ export default tseslint.config(
   },
   {
     // What other libraries have in a page has no types.
-    files: ['lab/page/in-page/*.ts'],
+    files: ['lab/page/in-page/*.ts', 'lab/particles/in-page/*.ts'],
     rules: { '@typescript-eslint/no-explicit-any': 'off' },
   },
   {

@@ -7,6 +7,7 @@ const LABS: Record<string, string> = {
   effects: './effects/index.js',
   joints: './joints/index.js',
   page: './page/index.js',
+  particles: './particles/index.js',
   predict: './predict.js',
   price: './price/index.js',
   site: './site.js',

@@ -48,6 +48,12 @@ export function shareOf(pairs: readonly (readonly [number, number])[]): Share {
   return { mean: share(pairs), ...intervalOf(pairs, share) };
 }
 
+/** What that share of all does not exceed. */
+const most = (values: readonly number[], share: number): number =>
+  values.toSorted((a, b) => a - b)[Math.ceil(share * values.length) - 1]!;
+
 /** What 95 of 100 do not exceed. */
-export const ninetyFive = (values: readonly number[]): number =>
-  values.toSorted((a, b) => a - b)[Math.ceil(0.95 * values.length) - 1]!;
+export const ninetyFive = (values: readonly number[]): number => most(values, 0.95);
+
+/** What 9 of 10 do not exceed. */
+export const ninety = (values: readonly number[]): number => most(values, 0.9);

@@ -27,6 +27,8 @@ export interface ScriptFound {
   sides: Record<string, FrameCost[]>;
   /** Where the first thing was by then, metres: the scenes are the same. */
   heights: Record<string, number | null>;
+  /** How many things lived by then, where the library knows. */
+  counts: Record<string, number | null>;
 }
 
 export interface FramesFound {

@@ -42,19 +42,24 @@ function fileAt(path: string): Answer | undefined {
   return found && [found.type, readFileSync(found.file)];
 }
 
-/** All that a browser asks for while it is measured: no network is needed. */
-export async function makePages(): Promise<AskedPages> {
-  const own: Record<string, Answer> = {
-    '/': ['text/html', DRIVER],
-    '/hooks.js': ['text/javascript', await inPageBundle('lab/page/in-page/hooks.ts')],
-    '/driver.js': ['text/javascript', await inPageBundle('lab/page/in-page/driver.ts')],
-  };
+/** All that a browser asks for while it is measured, and no network: `scripts` are bundled, by their paths. */
+export async function pagesWith(
+  scripts: Readonly<Record<string, string>>,
+  answerAt: (address: URL) => Answer | undefined,
+): Promise<AskedPages> {
+  const own: Record<string, Answer> = { '/': ['text/html', DRIVER] };
+  const all = { '/driver.js': 'lab/page/in-page/driver.ts', ...scripts };
+  for (const [path, file] of Object.entries(all))
+    own[path] = ['text/javascript', await inPageBundle(file)];
   const answer = (url: string): Answer | undefined => {
     const address = new URL(url, 'http://localhost');
-    return own[address.pathname] ?? sceneAt(address) ?? fileAt(address.pathname);
+    return own[address.pathname] ?? answerAt(address) ?? fileAt(address.pathname);
   };
   return { answer, headers, draws: true };
 }
+
+export const makePages = (): Promise<AskedPages> =>
+  pagesWith({ '/hooks.js': 'lab/page/in-page/hooks.ts' }, sceneAt);
 
 /** Milliseconds that one question may take. */
 const PATIENCE = 10 * 60_000;

@@ -4,6 +4,7 @@ import type { Running } from '../engines/engine.js';
 import { collect, collectYoung } from '../run/collect.js';
 import { machine, MACHINE, today } from '../run/machine.js';
 import type { Progress } from '../run/progress.js';
+import { timeOf } from '../run/time-of.js';
 import { estimate, median, shareOf, type Estimate, type Share } from '../statistics.js';
 import { engines, running } from './engines.js';
 import { Looks, type Errors } from './errors.js';
@@ -47,14 +48,6 @@ interface Run {
   looks: Looks;
   /** Milliseconds of every step, by turns. */
   turns: number[][];
-}
-
-/** Milliseconds: the lesser of the clock, which other work moves on, and of the processor's time, which compilers beside us take, too. */
-function timeOf(step: () => void): number {
-  const [start, before] = [performance.now(), process.cpuUsage()];
-  step();
-  const { user, system } = process.cpuUsage(before);
-  return Math.min(performance.now() - start, (user + system) / 1000);
 }
 
 function takeTurn({ running: { step, timeStep }, turns }: Run): void {

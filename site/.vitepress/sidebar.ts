@@ -62,6 +62,7 @@ const INSIDE = {
   contacts: 'Contacts that hold',
   price: 'What a step costs',
   particles: 'Particles',
+  'particles-price': 'What particles cost',
   stability: 'What stays stable',
   effects: 'Effects',
   chunks: 'Files',

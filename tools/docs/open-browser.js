@@ -3,6 +3,7 @@ import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { setTimeout as wait } from 'node:timers/promises';
 import { CHROMIUM_ARGUMENTS, findChromium, findFirefox, findWebKit } from '../test/browsers.js';
 import { ensureDisplay } from '../test/display.js';
 import { endWithUs } from '../endings.js';
@@ -40,6 +41,17 @@ const COMMANDS = {
 
 export const BROWSERS = Object.keys(COMMANDS);
 
+/** A browser's helpers write into its profile for a moment after it has ended; what they leave then stays. */
+async function remove(folder) {
+  for (let tries = 0; tries < 10; tries++) {
+    try {
+      return rmSync(folder, { recursive: true, force: true });
+    } catch {
+      await wait(200);
+    }
+  }
+}
+
 /** Opens the page, and answers how it is closed. It ends with our process. `draws`: it needs WebGL. */
 export async function openBrowser(name, address, { draws = false } = {}) {
   const folder = mkdtempSync(join(tmpdir(), `x3d-physics-${name}-`));
@@ -53,7 +65,7 @@ export async function openBrowser(name, address, { draws = false } = {}) {
     async close() {
       child.kill();
       await ended;
-      rmSync(folder, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
+      await remove(folder);
     },
   };
 }

@@ -1,17 +1,7 @@
-// What is asked of each library in its page.
+// What is asked of each library in its page of bodies.
+import type { Adapter } from './adapter.js';
 import * as ammo from './ammo.js';
-import { watchMethod, type FrameCost } from './frames.js';
-
-export interface Adapter {
-  /** Called until it answers true: the scene is there, and what its physics costs is watched. */
-  ready(): boolean;
-  /** Milliseconds of physics in the last frame, where no method of the library is watched. */
-  physics?(cost: FrameCost): number;
-  /** Whether all is here that was asked of another thread. */
-  answered?(): boolean;
-  /** Of the first thing, metres. */
-  height(): number | undefined;
-}
+import { watchMethod } from './frames.js';
 
 const page = window as any;
 

@@ -9,7 +9,7 @@ import type {
   ScriptFound,
   StartFound,
 } from '../asked.js';
-import type { Bench } from './hooks.js';
+import type { Bench } from './bench.js';
 import type { FrameCost } from './frames.js';
 
 /** Milliseconds that a scene may take to be there. */
@@ -66,7 +66,7 @@ async function warm(shown: Shown, frames: number, most: number): Promise<boolean
 
 /** Steady frames of all pages in turns; nothing is drawn. All are measured in the same frames of the scene. */
 async function script(asked: Asked<'script'>): Promise<ScriptFound> {
-  const found: ScriptFound = { sides: {}, heights: {} };
+  const found: ScriptFound = { sides: {}, heights: {}, counts: {} };
   const all: Shown[] = [];
   for (const [side, address] of asked.pages) {
     const shown = await show(side, address);
@@ -82,7 +82,10 @@ async function script(asked: Asked<'script'>): Promise<ScriptFound> {
       const shown = all[(i + k) % all.length]!;
       found.sides[shown.side]!.push(await turn(shown, asked.frames));
     }
-  for (const { side, bench } of all) found.heights[side] = bench.height() ?? null;
+  for (const { side, bench } of all) {
+    found.heights[side] = bench.height() ?? null;
+    found.counts[side] = bench.count() ?? null;
+  }
   return found;
 }
 
