@@ -16,6 +16,8 @@ const LIVES = -1;
 /** Share of the time between two births: what rounding of their sums leaves, in weeks. */
 const SAME_TIME = 1e-6;
 
+const CALM: readonly Wind[] = [];
+
 /** For a snapshot. */
 export interface KeptSystem {
   time: number;
@@ -24,6 +26,8 @@ export interface KeptSystem {
   burst: boolean;
   creates: boolean;
   cloud: KeptCloud;
+  /** The winds that bodies felt in the last step; undefined: none. */
+  felt?: string;
 }
 
 /**
@@ -56,6 +60,9 @@ export class ParticleSystem {
   /** Its author has said something since the last step; what he says now, if somebody asked for it. */
   #stale = true;
   #heard: Settings | undefined;
+  /** The winds that bodies feel, in words, and what its author said when that was looked at last. */
+  #felt: string | undefined;
+  #looked: Settings | undefined;
   /** When those died that this step saw die, seconds. */
   #deaths = new Float64Array(16);
   #died = 0;
@@ -92,6 +99,11 @@ export class ParticleSystem {
   get count(): number {
     const { enabled, most } = this.#latest;
     return enabled ? Math.min(this.cloud.count, most) : 0;
+  }
+
+  /** Whether bodies feel its winds. */
+  get blows(): boolean {
+    return this.#felt !== undefined;
   }
 
   /** Whether it meets bodies. */
@@ -162,11 +174,15 @@ export class ParticleSystem {
     push.fill(0);
     if (mass <= 0) return;
     for (let i = 0; i < 3; i++) push[i] = force[i]! / mass;
-    const gust = Math.floor((this.#time + dt / 2) / GUST);
     for (const wind of this.#winds) {
-      wind.begin(gust, surfaceArea / mass);
+      wind.begin(this.#gustOf(dt), surfaceArea / mass);
       if (!wind.whirls) wind.addToAll(push);
     }
+  }
+
+  /** The number of the gust in a step that begins now. */
+  #gustOf(dt: number): number {
+    return Math.floor((this.#time + dt / 2) / GUST);
   }
 
   /** What pushes one of them. */
@@ -223,6 +239,27 @@ export class ParticleSystem {
       motion[i] = motion[i]! + speed * drift.wayOfSpeed + a * drift.wayOfPush;
       motion[i + 3] = speed * drift.left + a * drift.speedOfPush;
     }
+  }
+
+  // ---- bodies in its winds ----------------------------------------------------------------------------------------
+
+  /** Before a step: whether bodies feel other winds in it than in the one before. */
+  windsChange(): boolean {
+    if (this.stale) this.#read();
+    const said = this.#said;
+    if (said === this.#looked) return false;
+    this.#looked = said;
+    const felt = said.blows ? JSON.stringify(said.winds) : undefined;
+    if (felt === this.#felt) return false;
+    this.#felt = felt;
+    return true;
+  }
+
+  /** The winds that push bodies in a step of `dt` seconds that begins. */
+  windsIn(dt: number): readonly Wind[] {
+    if (!this.#said.blows) return CALM;
+    for (const wind of this.#winds) wind.begin(this.#gustOf(dt));
+    return this.#winds;
   }
 
   // ---- births -----------------------------------------------------------------------------------------------------
@@ -293,11 +330,12 @@ export class ParticleSystem {
     this.cloud.clear();
     this.#time = this.#due = this.#next = 0;
     this.#creates = this.#burst = false;
+    this.#felt = undefined;
     this.stale = true;
   }
 
   save(): KeptSystem {
-    return {
+    const kept: KeptSystem = {
       time: this.#time,
       due: this.#due,
       next: this.#next,
@@ -305,6 +343,8 @@ export class ParticleSystem {
       creates: this.#creates,
       cloud: this.cloud.save(),
     };
+    if (this.#felt !== undefined) kept.felt = this.#felt;
+    return kept;
   }
 
   load(kept: KeptSystem): void {
@@ -314,6 +354,7 @@ export class ParticleSystem {
     this.#next = kept.next;
     this.#burst = kept.burst;
     this.#creates = kept.creates;
+    this.#felt = kept.felt;
     this.stale = true;
   }
 }

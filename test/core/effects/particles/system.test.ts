@@ -38,6 +38,7 @@ const PLAIN: Settings = {
   damping: 0,
   force: [0, 0, 0],
   winds: [],
+  blows: false,
   surface: undefined,
   body: undefined,
 };
