@@ -837,7 +837,7 @@ export interface ParticleSystemProperties {
   /** TRUE: particles bounce off bodies. (SFBool) Default false. */
   get collides(): boolean;
   set collides(value: boolean | string | null | undefined);
-  /** TRUE: particles that bounce off bodies push them by their mass. (SFBool) Default false. */
+  /** TRUE: particles that bounce off bodies push them by their mass, and its winds push bodies. (SFBool) Default false. */
   get pushes(): boolean;
   set pushes(value: boolean | string | null | undefined);
   /** Share of the approach speed that comes back when a particle meets a body. Range [0, 1]. (SFFloat) Default 0. */
@@ -1106,7 +1106,7 @@ export interface WindPhysicsModelProperties {
   /** Greatest share of the speed by which that of a gust is more or less. Range [0, Infinity]. (SFFloat) Default 0.1. */
   get gustiness(): number;
   set gustiness(value: number | string | null | undefined);
-  /** How far particles are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere. Range [0, 1]. (SFFloat) Default 0. */
+  /** How far particles and bodies are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere. Range [0, 1]. (SFFloat) Default 0. */
   get turbulence(): number;
   set turbulence(value: number | string | null | undefined);
   /** Data about the node, for programs that read them. (SFNode) */

@@ -2,7 +2,7 @@ import { particleTypes } from '../physics-core/particles.js';
 import { forType } from './node-element.js';
 
 /**
- * A wind that pushes particles by their surfaceArea, in gusts.
+ * A wind that pushes particles by their surfaceArea, and bodies by what it sees of them where its system pushes, in gusts.
  */
 export class X3DWindPhysicsModelElement extends forType(
   'WindPhysicsModel',

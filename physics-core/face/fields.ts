@@ -796,7 +796,7 @@ export interface ParticleSystemFields {
   physics?: Several<NodeInput<'BoundedPhysicsModel' | 'ForcePhysicsModel' | 'WindPhysicsModel'>>;
   /** TRUE: particles bounce off bodies. (SFBool) Default false. */
   collides?: boolean;
-  /** TRUE: particles that bounce off bodies push them by their mass. (SFBool) Default false. */
+  /** TRUE: particles that bounce off bodies push them by their mass, and its winds push bodies. (SFBool) Default false. */
   pushes?: boolean;
   /** Share of the approach speed that comes back when a particle meets a body. Range [0, 1]. (SFFloat) Default 0. */
   bounce?: number;
@@ -1108,7 +1108,7 @@ export interface WindPhysicsModelFields {
   speed?: number;
   /** Greatest share of the speed by which that of a gust is more or less. Range [0, Infinity]. (SFFloat) Default 0.1. */
   gustiness?: number;
-  /** How far particles are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere. Range [0, 1]. (SFFloat) Default 0. */
+  /** How far particles and bodies are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere. Range [0, 1]. (SFFloat) Default 0. */
   turbulence?: number;
   /** Data about the node, for programs that read them. (SFNode) */
   metadata?: unknown;

@@ -147,6 +147,8 @@ const particles = (wild: boolean): fc.Arbitrary<NodePlan> =>
         emitter: part(EMITTERS, wild),
         physics: fc.array(part(physics!.nodes!, wild), { maxLength: 2 }),
         collides: fc.boolean(),
+        // What winds and particles give to bodies nobody reckons.
+        pushes: wild ? fc.boolean() : fc.constant(false),
         maxParticles: fc.integer({ min: 0, max: 60 }),
       }),
       fc.option(someFields('ParticleSystem', wild, 4), { freq: 1, nil: {} }),

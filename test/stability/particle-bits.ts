@@ -2,10 +2,10 @@ import '../../physics-core/index.js';
 import { createWorld } from '../../physics-core/inside.js';
 
 /**
- * What particles come to after two seconds at `standard`, as a hash of all their places and of the pose of what they push: the
+ * What particles come to after two seconds at `standard`, as a hash of all their places and of the poses of what they and their winds push: the
  * same bits in Node and in every browser. Where the motion is changed on purpose, the test says what they are now.
  */
-export const PARTICLE_BITS = '910b7f02';
+export const PARTICLE_BITS = 'aaf7ae1e';
 
 const STEPS = 240;
 
@@ -22,7 +22,7 @@ const emitters = [
   { type: 'SurfaceEmitter', surface: { type: 'Sphere', radius: 0.4 }, speed: 4, mass: 0.02 },
 ];
 
-/** Four laws of birth, wind that whirls, drag, and bounces off what spins. */
+/** Four laws of birth, wind that whirls and pushes bodies, drag, and bounces off what spins. */
 export async function particleBits(): Promise<string> {
   const world = await createWorld({ rest: 'never' });
   world.add('RigidBody', { fixed: true, geometry: [{ type: 'Box', size: [20, 0.2, 20] }] });
@@ -30,6 +30,10 @@ export async function particleBits(): Promise<string> {
     position: [0.2, 1.5, 0.1],
     angularVelocity: [3, 7, 1],
     geometry: [{ type: 'Box', size: [0.5, 0.7, 0.9] }],
+  });
+  const blown = world.add('RigidBody', {
+    position: [0.2, 3, 1],
+    geometry: [{ type: 'Cone', bottomRadius: 0.4, height: 0.9 }],
   });
   const systems = emitters.map((emitter, seed) =>
     world.add('ParticleSystem', {
@@ -50,9 +54,12 @@ export async function particleBits(): Promise<string> {
   );
   world.step(STEPS);
   const places = systems.map((system) => system.get('positions') as number[][]);
-  const pose = [pushed.get('position'), pushed.get('orientation')] as number[][];
+  const poses = [pushed, blown].flatMap((body) => [
+    body.get('position'),
+    body.get('orientation'),
+  ]) as number[][];
   world.destroy();
-  return hashOf([...places, pose].flat(2));
+  return hashOf([...places, poses].flat(2));
 }
 
 /** FNV-1a, 32 bits, of the bytes of numbers. */

@@ -9,9 +9,9 @@ import { makeRoom, NOWHERE, spread, type CloudMesh } from './room.js';
 import { Seen, type Shown } from './seen.js';
 import { farthestFirst } from './sort.js';
 import { withSortType } from './sort-type.js';
+import { upload, type UploadedShape } from './upload.js';
 
-interface ShapeNode extends X3DNode {
-  _dirty: Record<string, boolean>;
+interface ShapeNode extends UploadedShape {
   _graph: { needCulling: boolean };
   renderFlag(): boolean;
   setAllDirty(): void;
@@ -52,9 +52,7 @@ export class CloudShape {
   readonly #seen = new Seen();
   #room = 0;
   #drawn = 0;
-  #shown: Shown | undefined;
-  /** Seconds that what is shown is past the frame. */
-  #since = 0;
+  #isShown = false;
   #stale = true;
   /** Right, up and back of who looks, in the world. */
   readonly #view = new Float64Array(9);
@@ -115,11 +113,13 @@ export class CloudShape {
 
   /** Shows particles as they were `since` seconds before the end of the last step, when x3dom draws next. */
   show(shown: Shown, since: number): void {
-    this.#shown = shown;
-    this.#since = since;
-    this.#stale = true;
+    const seen = this.#seen;
+    seen.take(shown, since, this.#look.length);
+    // Not while x3dom asks the scene how large it is: that would begin anew in the middle.
+    this.#bounds.hold(seen.low, seen.high, this.#form.reach);
+    this.#isShown = this.#stale = true;
     const { _scene: scene } = this.#look.doc;
-    const any = shown.cloud.count > shown.first;
+    const any = seen.count > 0;
     // x3dom takes no shape that never had anything to draw.
     if (any && this.#shape._parentNodes.length === 0) {
       this.#fill();
@@ -139,11 +139,10 @@ export class CloudShape {
   // ---- what is drawn ----------------------------------------------------------------------------------------------
 
   #fill(): boolean {
-    const shown = this.#shown;
-    if (!shown) return false;
+    if (!this.#isShown) return false;
     const turned = this.#turnView();
     if (turned) this.#turnForm();
-    if (this.#stale || (turned && (this.#form.turn || this.#sorted))) this.#write(shown);
+    if (this.#stale || (turned && (this.#form.turn || this.#sorted))) this.#write();
     this.#stale = false;
     return this.#drawn > 0 && !isHidden(this.#look.element);
   }
@@ -179,30 +178,37 @@ export class CloudShape {
     this.#shape._dirty.normals = true;
   }
 
-  #write(shown: Shown): void {
-    const { corners, reach } = this.#form;
+  #write(): void {
+    const { corners } = this.#form;
     const seen = this.#seen;
-    seen.take(shown, this.#since, this.#look.length);
     const { count } = seen;
     if (count > this.#room) this.#grow(count);
     if (this.#room === 0) return;
     if (this.#sorted) farthestFirst(seen, this.#view);
     const positions = this.#mesh._positions[0] as Float32Array;
     this.#form.write(seen, positions);
-    this.#colors?.write(seen, corners, this.#mesh._colors[0] as Float32Array);
-    this.#texCoords?.write(seen, corners, this.#mesh._texCoords[0] as Float32Array);
-    this.#bounds.hold(seen.low, seen.high, reach);
-    if (count < this.#drawn)
-      positions.fill(NOWHERE, 3 * corners * count, 3 * corners * this.#drawn);
+    const most = Math.max(count, this.#drawn);
+    positions.fill(NOWHERE, 3 * corners * count, 3 * corners * most);
     this.#drawn = count;
-    this.#noteDirty();
+    this.#upload('POSITION', positions, 3 * corners * most);
+    this.#ramp(this.#colors, 'COLOR', this.#mesh._colors[0], 4 * corners * count);
+    this.#ramp(this.#texCoords, 'TEXCOORD', this.#mesh._texCoords[0], 2 * corners * count);
   }
 
-  #noteDirty(): void {
-    const { _dirty: dirty } = this.#shape;
-    dirty.positions = true;
-    if (this.#colors) dirty.colors = true;
-    if (this.#texCoords) dirty.texcoords = true;
+  /** What goes by ages. */
+  #ramp(
+    ramp: Ramp | undefined,
+    list: 'COLOR' | 'TEXCOORD',
+    numbers: ArrayLike<number> | undefined,
+    count: number,
+  ): void {
+    if (!ramp) return;
+    ramp.write(this.#seen, this.#form.corners, numbers as Float32Array);
+    this.#upload(list, numbers as Float32Array, count);
+  }
+
+  #upload(list: Parameters<typeof upload>[2], numbers: Float32Array, count: number): void {
+    upload(this.#shape, this.#look.doc, list, numbers, count);
   }
 
   #grow(count: number): void {

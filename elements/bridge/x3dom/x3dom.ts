@@ -138,6 +138,8 @@ export interface X3DElement extends Element {
 }
 
 export interface X3DOM {
+  /** Where the buffers of a Shape stand in its list of them. */
+  BUFFER_IDX: Record<string, number>;
   nodeTypes: Record<string, X3DNodeClass>;
   nodeTypesLC: Record<string, X3DNodeClass>;
   /** Node types of each component. */

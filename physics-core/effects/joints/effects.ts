@@ -14,6 +14,7 @@ export const jointSolve: EffectDescriptor<JointSolve> = {
     forces: 'it reads what pushes its bodies in the step',
     suspension: 'the same',
     dragging: 'the same',
+    particles: 'the same',
     carrying: 'what is carried takes its ends of joints along',
     motors: 'the same',
     'gyroscopic torque': 'it begins with the spin of free motion',

@@ -9,8 +9,6 @@ import { Reaction } from './reaction.js';
 import type { Surface } from './surface.js';
 import { Touch } from './touch.js';
 
-export type { Surface };
-
 /** Times that a particle is met in a step, at most: in a wedge it is met without end. What is left of the step it waits. */
 const MOST_MET = 8;
 

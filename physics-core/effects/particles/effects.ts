@@ -8,5 +8,6 @@ export const particleSystems = new Chunk({ name: 'particles', causes: 'a Particl
 export const particles: EffectDescriptor<Particles> = {
   name: 'particles',
   causes: 'a ParticleSystem',
+  after: { 'free flight': 'what else the wind does' },
   chunk: particleSystems,
 };

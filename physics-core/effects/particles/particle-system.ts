@@ -17,6 +17,8 @@ const LIVES = -1;
 /** Share of the time between two births: what rounding of their sums leaves, in weeks. */
 const SAME_TIME = 1e-6;
 
+const CALM: readonly Wind[] = [];
+
 /** How far its births have come. */
 export interface Progress {
   time: number;
@@ -29,6 +31,8 @@ export interface KeptSystem extends Progress {
   due: number;
   next: number;
   cloud: KeptCloud;
+  /** The winds that bodies felt in the last step; undefined: none. */
+  felt?: string;
 }
 
 /**
@@ -66,6 +70,9 @@ export class ParticleSystem {
   /** Its author has said something since the last step; what he says now, if somebody asked for it. */
   #stale = true;
   #heard: Settings | undefined;
+  /** The winds that bodies feel, in words, and what its author said when that was looked at last. */
+  #felt: string | undefined;
+  #looked: Settings | undefined;
   /** When those died that this step saw die, seconds. */
   #deaths = new Float64Array(16);
   #died = 0;
@@ -119,6 +126,11 @@ export class ParticleSystem {
     this.changes++;
   }
 
+  /** Whether bodies feel its winds. */
+  get blows(): boolean {
+    return this.#felt !== undefined;
+  }
+
   /** Whether it meets bodies. */
   get collides(): boolean {
     return this.#latest.surface?.bodies === true && this.active;
@@ -144,7 +156,7 @@ export class ParticleSystem {
   #read(): void {
     const said = (this.#said = this.#latest);
     this.#heard = undefined;
-    this.#stale = false;
+    this.#stale = this.#calm = false;
     this.#draws = new Draws(said.seed);
     this.#winds = said.winds.map((wind, n) => new Wind(wind, this.#draws, n));
     this.#whirls = said.mass > 0 && this.#winds.some(({ whirls }) => whirls);
@@ -170,7 +182,6 @@ export class ParticleSystem {
   // ---- a step -----------------------------------------------------------------------------------------------------
 
   step(dt: number): void {
-    this.#calm = !this.stale;
     if (this.stale) this.#read();
     this.#takePush(dt);
     this.#calm &&= this.#isAsBefore(dt);
@@ -180,6 +191,7 @@ export class ParticleSystem {
     if (this.#emits) this.#bear(dt);
     else this.#due = Math.max(this.#due, this.#time + dt);
     this.#time += dt;
+    this.#calm = true;
     this.changes++;
   }
 
@@ -190,9 +202,8 @@ export class ParticleSystem {
     push.fill(0);
     if (mass <= 0) return;
     for (let i = 0; i < 3; i++) push[i] = force[i]! / mass;
-    const gust = Math.floor((this.#time + dt / 2) / GUST);
     for (const wind of this.#winds) {
-      wind.begin(gust, surfaceArea / mass);
+      wind.begin(this.#gustOf(dt), surfaceArea / mass);
       if (!wind.whirls) wind.addToAll(push);
     }
   }
@@ -206,6 +217,11 @@ export class ParticleSystem {
       this.#pushBefore[i] = this.#push[i]!;
     }
     return same;
+  }
+
+  /** The number of the gust in a step that begins now. */
+  #gustOf(dt: number): number {
+    return Math.floor((this.#time + dt / 2) / GUST);
   }
 
   /** What pushes one of them. */
@@ -265,6 +281,27 @@ export class ParticleSystem {
       motion[i] = motion[i]! + speed * drift.wayOfSpeed + a * drift.wayOfPush;
       motion[i + 3] = speed * drift.left + a * drift.speedOfPush;
     }
+  }
+
+  // ---- bodies in its winds ----------------------------------------------------------------------------------------
+
+  /** Before a step: whether bodies feel other winds in it than in the one before. */
+  windsChange(): boolean {
+    if (this.stale) this.#read();
+    const said = this.#said;
+    if (said === this.#looked) return false;
+    this.#looked = said;
+    const felt = said.blows ? JSON.stringify(said.winds) : undefined;
+    if (felt === this.#felt) return false;
+    this.#felt = felt;
+    return true;
+  }
+
+  /** The winds that push bodies in a step of `dt` seconds that begins. */
+  windsIn(dt: number): readonly Wind[] {
+    if (!this.#said.blows) return CALM;
+    for (const wind of this.#winds) wind.begin(this.#gustOf(dt));
+    return this.#winds;
   }
 
   // ---- births -----------------------------------------------------------------------------------------------------
@@ -337,6 +374,7 @@ export class ParticleSystem {
     this.cloud.clear();
     this.#time = this.#due = this.#next = 0;
     this.#creates = this.#burst = false;
+    this.#felt = undefined;
     this.#begun();
   }
 
@@ -347,12 +385,14 @@ export class ParticleSystem {
   }
 
   save(): KeptSystem {
-    return {
+    const kept: KeptSystem = {
       ...this.progress,
       due: this.#due,
       next: this.#next,
       cloud: this.cloud.save(),
     };
+    if (this.#felt !== undefined) kept.felt = this.#felt;
+    return kept;
   }
 
   get progress(): Progress {
@@ -371,6 +411,7 @@ export class ParticleSystem {
     this.progress = kept;
     this.#due = kept.due;
     this.#next = kept.next;
+    this.#felt = kept.felt;
     this.#begun();
   }
 }

@@ -8,6 +8,8 @@ import { Pushed } from './pushed.js';
 import { ParticleSystem, type KeptSystem } from './particle-system.js';
 import { seenIn, type CloudPicture } from './seen.js';
 import type { Settings } from './settings.js';
+import type { Wind } from './wind.js';
+import { WindOnBodies } from './wind-on-bodies.js';
 
 /** A node that has a system of particles. */
 export interface ParticleSource extends Cause {
@@ -27,6 +29,9 @@ export class Particles extends Effect {
   readonly #pushed: Pushed;
   readonly #bounces: Bounces;
   readonly #told = new Told();
+  readonly #windOnBodies: WindOnBodies;
+  /** That push bodies in this step. */
+  readonly #winds: Wind[] = [];
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -34,6 +39,7 @@ export class Particles extends Effect {
     this.#obstacles = new Obstacles(simulation);
     this.#pushed = new Pushed(simulation, effects);
     this.#bounces = new Bounces(this.#obstacles, this.#pushed);
+    this.#windOnBodies = new WindOnBodies(simulation);
   }
 
   /** The system of a node that needs it. */
@@ -52,6 +58,8 @@ export class Particles extends Effect {
   }
 
   override release(node: Cause): void {
+    // What leaned against its wind falls.
+    if (this.#systems.get(node as ParticleSource)?.blows) this.#windOnBodies.wake();
     this.#systems.delete(node as ParticleSource);
     super.release(node);
   }
@@ -60,6 +68,24 @@ export class Particles extends Effect {
   changed(): void {
     for (const system of this.#systems.values()) system.stale = true;
     this.#goOn();
+  }
+
+  /** Winds push bodies, as any force of the step does. */
+  override beforeStep(dt: number): void {
+    const { timeStep } = this.#simulation;
+    this.#winds.length = 0;
+    let change = false;
+    for (const source of this.inOrder as readonly ParticleSource[]) {
+      const system = this.#systems.get(source)!;
+      if (system.windsChange()) change = true;
+      for (const wind of system.windsIn(timeStep)) this.#winds.push(wind);
+    }
+    if (change) this.#windOnBodies.wake();
+    if (this.#winds.length > 0) this.#windOnBodies.blow(this.#winds, dt);
+  }
+
+  override settle(dt: number): void {
+    this.#windOnBodies.settle(this.#winds, dt);
   }
 
   /** Bodies have gone their whole way by then, in however many parts. */

@@ -37,6 +37,8 @@ export interface Settings {
   /** Newtons on each particle. */
   force: Vec3;
   winds: readonly WindSettings[];
+  /** Whether these push bodies, too. */
+  blows: boolean;
   /** How it meets bodies and walls; undefined: it goes through all. */
   surface: Surface | undefined;
   /** What its emitter stands on. */

@@ -7,7 +7,7 @@ import type { WindSettings } from './settings.js';
 export const GUST = 1 / 60;
 
 /** Pascal of a wind of 1 m/s: ISO/IEC 19775-1, 40.4.9 has 10^(2 log₁₀ speed) · 0.64615. */
-const PRESSURE = 0.64615;
+export const PRESSURE = 0.64615;
 
 /** A kind of random numbers is one gust's. */
 const GUSTS = 1;
@@ -21,6 +21,7 @@ export class Wind {
   readonly #direction = new Float64Array(3);
   readonly #cap = new Cap();
   #push = 0;
+  #speed = 0;
   #gust = 0;
 
   /** The `n`-th wind of a system. */
@@ -35,12 +36,13 @@ export class Wind {
     return this.#settings.turbulence > 0;
   }
 
-  /** The `gust`-th begins. `area`: m² by kg. */
-  begin(gust: number, area: number): void {
+  /** The `gust`-th begins. `area`: of a particle, m² by kg. */
+  begin(gust: number, area = 0): void {
     const { direction, speed, gustiness } = this.#settings;
     this.#gust = gust;
     const draws = this.#draws.of(gust, this.#kind);
     const now = Math.max(0, speed * (1 + gustiness * draws.either()));
+    this.#speed = now;
     this.#push = PRESSURE * now * now * area;
     this.#cap.take(direction[0], direction[1], direction[2], 0).draw(draws, this.#direction, 0);
     const [x, y, z] = this.#direction as unknown as Vec3;
@@ -54,9 +56,21 @@ export class Wind {
 
   /** Adds what it does to the `number`-th particle. */
   addTo(number: number, out: Float64Array): void {
+    this.#drawWay(number);
+    for (let i = 0; i < 3; i++) out[i] = out[i]! + this.#push * way[i]!;
+  }
+
+  /** How it blows, m/s, about the body of such an id. */
+  writeAbout(id: number, out: Float64Array): void {
+    if (this.whirls) this.#drawWay(-1 - id);
+    const from = this.whirls ? way : this.#direction;
+    for (let i = 0; i < 3; i++) out[i] = this.#speed * from[i]!;
+  }
+
+  /** Particles are numbered from 0 on, bodies below that. */
+  #drawWay(number: number): void {
     const draws = this.#draws.of(number, this.#kind + WHIRLS * (this.#gust + 1));
     this.#cap.draw(draws, way, 0);
-    for (let i = 0; i < 3; i++) out[i] = out[i]! + this.#push * way[i]!;
   }
 }
 

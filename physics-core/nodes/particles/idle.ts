@@ -18,7 +18,8 @@ export function tellIdle(
     used: 'no particles',
     message: `${system.label}: its ${emitter?.type.name} has nowhere to bear particles: a VolumeEmitter takes a closed surface, a SurfaceEmitter one with an area, a PolylineEmitter a line with a length`,
   });
-  const idle = models.find((model) => isIdle(model, emitter));
+  const pushes = system.asked<boolean>('pushes');
+  const idle = models.find((model) => isIdle(model, emitter, pushes));
   system.reportWhile(idle !== undefined, {
     code: 'idle-force',
     severity: 'warning',
@@ -27,19 +28,21 @@ export function tellIdle(
     used: 'no push',
     message: `${system.label}: its ${idle?.type.name} moves nothing: particles take a mass from their ${emitter?.type.name}, and for the wind a surfaceArea`,
   });
-  const pushes = system.asked<boolean>('pushes');
-  system.reportWhile(pushes && !(system.asked('collides') && emitter?.mass !== 0), {
+  const collides = system.asked<boolean>('collides');
+  system.reportWhile(pushes && !(collides && emitter?.mass !== 0) && !models.some(isWind), {
     code: 'idle-force',
     severity: 'warning',
     attribute: 'pushes',
     value: pushes,
     used: 'no push',
-    message: `${system.label}: pushes without ${system.asked('collides') ? 'a mass at its emitter' : 'collides'}: no body is pushed`,
+    message: `${system.label}: pushes without ${collides ? 'a mass at its emitter' : 'collides'}, and without a wind: no body is pushed`,
   });
 }
 
-/** No force moves what has no mass, and no wind what it finds no area of. */
-function isIdle(model: ModelNode, emitter: EmitterNode | undefined): boolean {
-  if (!emitter || model instanceof BoundedModelNode) return false;
-  return emitter.mass === 0 || (model instanceof WindModelNode && emitter.surfaceArea === 0);
+const isWind = (model: ModelNode): boolean => model instanceof WindModelNode;
+
+/** No force moves what has no mass, and no wind what it finds no area of; there may be bodies for it. */
+function isIdle(model: ModelNode, emitter: EmitterNode | undefined, pushes: boolean): boolean {
+  if (!emitter || model instanceof BoundedModelNode || (pushes && isWind(model))) return false;
+  return emitter.mass === 0 || (isWind(model) && emitter.surfaceArea === 0);
 }

@@ -1,6 +1,6 @@
 import { PARTICLE } from '../../effects/particles/cloud.js';
 import { particles } from '../../effects/particles/effects.js';
-import type { Surface } from '../../effects/particles/bounces.js';
+import type { Surface } from '../../effects/particles/surface.js';
 import type { ParticleSystem } from '../../effects/particles/particle-system.js';
 import type { ParticleSource } from '../../effects/particles/particles.js';
 import type { Seen } from '../../effects/particles/seen.js';
@@ -34,9 +34,12 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     const emitter = standing(this.asked<EmitterNode | null>('emitter'));
     const body = this.asked<BodyNode | null>('body') ?? undefined;
     const models = this.asked<ModelNode[]>('physics').filter((model) => acts(model));
+    const winds = models.flatMap((model) => (model instanceof WindModelNode ? [model.wind] : []));
+    const pushes = this.asked<boolean>('pushes');
+    const enabled = this.asked<boolean>('enabled');
     tellIdle(this, emitter, models);
     return {
-      enabled: this.asked('enabled'),
+      enabled,
       creates: this.asked<boolean>('createParticles') && emitter?.emits === true,
       most: this.asked('maxParticles'),
       lifetime: this.asked('particleLifetime'),
@@ -51,12 +54,14 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
         (sum, model) => (model instanceof ForceModelNode ? add(sum, model.force) : sum),
         NOTHING,
       ),
-      winds: models.flatMap((model) => (model instanceof WindModelNode ? [model.wind] : [])),
-      surface: this.#surfaceOf(models, emitter?.mass ?? 0),
+      winds,
+      blows: enabled && pushes && winds.length > 0,
+      surface: this.#surfaceOf(models, pushes ? (emitter?.mass ?? 0) : 0),
       body,
     };
   }
 
+  /** `mass`: by which each particle pushes bodies, kg. */
   #surfaceOf(models: readonly ModelNode[], mass: number): Surface | undefined {
     const bodies = this.asked<boolean>('collides');
     const walls = wallsOf(models.filter((model) => model instanceof BoundedModelNode));
@@ -64,7 +69,7 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     const size = this.asked<[number, number]>('particleSize');
     return {
       bodies,
-      mass: bodies && this.asked<boolean>('pushes') ? mass : 0,
+      mass: bodies ? mass : 0,
       walls,
       radius: Math.min(...size) / 2,
       bounce: this.asked('bounce'),

@@ -179,7 +179,7 @@ export const particleSystem = defineNode<ParticleSystemNode>({
       own: true,
       edit: 'live',
       patch: changed,
-      doc: 'TRUE: particles that bounce off bodies push them by their mass.',
+      doc: 'TRUE: particles that bounce off bodies push them by their mass, and its winds push bodies.',
     },
     bounce: {
       type: 'SFFloat',

@@ -6,7 +6,7 @@ export const windPhysicsModel = defineNode<WindModelNode>({
   name: 'WindPhysicsModel',
   containerField: 'physics',
   clause: '40.4.10',
-  doc: 'A wind that pushes particles by their surfaceArea, in gusts.',
+  doc: 'A wind that pushes particles by their surfaceArea, and bodies by what it sees of them where its system pushes, in gusts.',
   rank: 4,
   make: (context) => new WindModelNode(context),
   fields: {
@@ -46,7 +46,7 @@ export const windPhysicsModel = defineNode<WindModelNode>({
       range: [0, 1],
       edit: 'live',
       patch: changed,
-      doc: 'How far particles are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere.',
+      doc: 'How far particles and bodies are pushed off the way of the wind, each another way: 0 not at all, 1 anywhere.',
     },
   },
 });

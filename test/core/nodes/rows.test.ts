@@ -45,7 +45,8 @@ describe('tables', () => {
 
   fact('every effect that works in the step has at least one row', async () => {
     const w = await world();
-    const covered = new Set(Object.values(rowsOf).flatMap((rows) => rows.map((r) => r.effect)));
+    const rows = [...Object.values(rowsOf).flat(), ...lateRows];
+    const covered = new Set(rows.map((row) => row.effect));
     for (const descriptor of allEffects) {
       const effect = w.registry.get(descriptor);
       const works = effect.beforeStep || effect.afterStep || effect.contact;

@@ -112,6 +112,27 @@ describe('particle systems in a page', () => {
     expect(world.problems).to.eql([]);
   });
 
+  it('its wind pushes bodies, in the frame of the Transforms above it and without an emitter', async () => {
+    const wind =
+      '<x3d-wind-physics-model direction="0 1 0" speed="5" gustiness="0"></x3d-wind-physics-model>';
+    const ball = `<transform id="t"><shape><sphere radius="0.5"></sphere></shape></transform>
+      <x3d-rigid-body-collection id="c" rest="never" gravity="0 0 0">
+        <x3d-rigid-body id="b" mass="2"><x3d-collidable-shape for="t"></x3d-collidable-shape></x3d-rigid-body>
+      </x3d-rigid-body-collection>`;
+    const { x3d, world, s } = await after(
+      0.5,
+      `<transform rotation="0 0 1 -1.5707963267948966" scale="2 2 2">${system(wind, 'pushes="true"')}</transform>`,
+      ball,
+    );
+    // 5 m/s along x: no scale changes how strong a wind is.
+    const k = (0.64615 * Math.PI * 0.25) / 2;
+    const body = world.node(x3d.querySelector('#b')!)!;
+    const speed = 5 - 5 / (1 + k * 5 * world.time);
+    near(body.get('linearVelocity') as number[], [speed, 0, 0], 1e-5);
+    expect(s.count).to.equal(0);
+    expect(world.problems).to.eql([]);
+  });
+
   it('emits in the frame of the Transforms above it, and follows their edits', async () => {
     const { world, s } = await after(
       0.25,

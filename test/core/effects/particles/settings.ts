@@ -24,6 +24,7 @@ export const PLAIN: Settings = {
   damping: 0,
   force: [0, 0, 0],
   winds: [],
+  blows: false,
   surface: undefined,
   body: undefined,
 };

@@ -67,6 +67,31 @@ fact('a wind that finds no area, and pushes that come to nothing, are told', asy
   }
 });
 
+fact('a wind that pushes bodies needs no particles, nor an area or mass of them', async () => {
+  const wind = { type: 'WindPhysicsModel', speed: 3 };
+  for (const fields of [
+    { emitter: null, maxParticles: 0 },
+    { emitter: { type: 'PointEmitter', speed: 1 } },
+    { collides: true },
+  ]) {
+    const w = await world();
+    system(w, { pushes: true, physics: [wind], ...fields });
+    w.step();
+  }
+});
+
+fact('a wind that is not enabled makes no push of pushes', async () => {
+  const w = await world();
+  claim(w, 'idle-force');
+  const wind = w.add('WindPhysicsModel', { speed: 3, enabled: false });
+  system(w, { pushes: true, physics: [wind] });
+  w.step();
+  assert.match(told(w, 'idle-force')[0]!, /pushes without collides, and without a wind/);
+  wind.set('enabled', true);
+  w.step();
+  assert.deepEqual(told(w, 'idle-force'), []);
+});
+
 fact('numbers that no system can have are one problem each, and what was valid stays', async () => {
   const w = await world();
   claim(w, 'out-of-range', 'bad-value');

@@ -76,7 +76,8 @@ const model = (draw: Draw): Record<string, unknown> =>
       type: 'WindPhysicsModel',
       direction: place(draw, 1),
       speed: sized(draw, 1e-2, 1e3),
-      turbulence: draw(),
+      gustiness: one(draw, [0, 0.1, 2]),
+      turbulence: one(draw, [0, draw()]),
     },
     { type: 'BoundedPhysicsModel', geometry: { type: 'Box', size: [6, 6, 6] } },
     { type: 'BoundedPhysicsModel', geometry: shape(draw) },
@@ -113,6 +114,8 @@ function build(w: World, draw: Draw): { bodies: PhysicsNode[]; systems: PhysicsN
         one(draw, [
           { type: 'Box', size: [1, 0.5, 0.7] },
           { type: 'Sphere', radius: 0.4 },
+          { type: 'Cone', bottomRadius: 0.3, height: 0.8 },
+          { type: 'Rectangle2D', size: [0.5, 0.8] },
         ]),
       ],
     }),
@@ -137,6 +140,11 @@ function check(systems: readonly PhysicsNode[], scene: number): void {
   }
 }
 
+const whereabouts = (bodies: readonly PhysicsNode[], systems: readonly PhysicsNode[]) => [
+  ...systems.map((system) => system.get('positions')),
+  ...bodies.map((body) => [body.get('position'), body.get('linearVelocity')]),
+];
+
 test('random systems have finite particles, no more than may live, and go back to the bit', async () => {
   for (let scene = 0; scene < SCENES; scene++) {
     const draw = random(scene * 7919 + 1);
@@ -155,14 +163,10 @@ test('random systems have finite particles, no more than may live, and go back t
     }
     const kept = w.snapshot();
     w.step(10);
-    const first = systems.map((system) => system.get('positions'));
+    const first = whereabouts(bodies, systems);
     w.restore(kept);
     w.step(10);
-    assert.deepEqual(
-      systems.map((system) => system.get('positions')),
-      first,
-      `scene ${scene}`,
-    );
+    assert.deepEqual(whereabouts(bodies, systems), first, `scene ${scene}`);
     for (const code of codes(w)) assert.ok(EXPECTED.has(code), `scene ${scene}: ${code}`);
     w.destroy();
   }

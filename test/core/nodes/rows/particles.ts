@@ -5,6 +5,7 @@ import {
   addFloor,
   box,
   close,
+  position,
   velocity,
   WEIGHTLESS,
   world,
@@ -26,6 +27,24 @@ export const particleRows: Row[] = [
       w.advance(0.5);
       const [[, y]] = system.get('positions') as [Vec3];
       assert.ok(Math.abs(y - 1) < 1e-9, `${y}`);
+    },
+  },
+  {
+    effect: 'particles',
+    fact: 'a wind of a system that pushes takes bodies along, as far as it does at any level',
+    run: async () => {
+      const w = await world({ ...WEIGHTLESS, accuracy: 'game' });
+      const stone = addBody(w, { mass: 2, geometry: [box(1)] });
+      w.add('ParticleSystem', {
+        maxParticles: 0,
+        pushes: true,
+        physics: [{ type: 'WindPhysicsModel', direction: [1, 0, 0], speed: 20, gustiness: 0 }],
+      });
+      const t = w.advance(0.5);
+      // du/dt = -k u²
+      const k = 0.64615 / 2;
+      close(velocity(stone)[0], 20 - 20 / (1 + k * 20 * t), 1e-4, 'm/s');
+      close(position(stone)[0], 20 * t - Math.log(1 + k * 20 * t) / k, 1e-4, 'm');
     },
   },
 ];
