@@ -64,7 +64,7 @@ export function withoutDocs() {
       walk(this.parse(code), ({ type, key, value, start, end }) => {
         if (type !== 'Property') return;
         if (key.name === reasons && value.type === 'ObjectExpression')
-          for (const { value: why } of value.properties) blank(why.start, why.end, "''");
+          for (const { value: why } of value.properties) blank(why.start, why.end, '0');
         if (!leftOut.includes(key.name) || !isPlain(value)) return;
         const [comma] = /^\s*,?/.exec(code.slice(end));
         blank(start, end + comma.length);
