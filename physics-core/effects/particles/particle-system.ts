@@ -6,6 +6,7 @@ import { Draws } from './emit/draws.js';
 import { Drift } from './drift.js';
 import { BIRTH } from './emit/emitter.js';
 import { EmitterPlace } from './emitter-place.js';
+import { Schedule } from './schedule.js';
 import type { Settings } from './settings.js';
 import { pictureOf, type CloudPicture, type Seen } from './seen.js';
 import { GUST, Wind } from './wind.js';
@@ -13,9 +14,6 @@ import { GUST, Wind } from './wind.js';
 /** Kinds of random numbers of a particle: what its emitter draws, and how long it lives. Those of winds come after. */
 const EMITTED = 0;
 const LIVES = -1;
-
-/** Share of the time between two births: what rounding of their sums leaves, in weeks. */
-const SAME_TIME = 1e-6;
 
 const CALM: readonly Wind[] = [];
 
@@ -59,11 +57,7 @@ export class ParticleSystem {
   #whirls = false;
   /** Seconds since it was made. */
   #time = 0;
-  /** When the next one is born, and which number it has. */
-  #due = 0;
-  #next = 0;
-  /** Seconds from birth to birth. */
-  #interval = Infinity;
+  readonly #schedule = new Schedule();
   /** All that are born at once are. */
   #burst = false;
   #creates = false;
@@ -73,9 +67,6 @@ export class ParticleSystem {
   /** The winds that bodies feel, in words, and what its author said when that was looked at last. */
   #felt: string | undefined;
   #looked: Settings | undefined;
-  /** When those died that this step saw die, seconds. */
-  #deaths = new Float64Array(16);
-  #died = 0;
   /** Of the moment that somebody looks back at. */
   #past: Seen | undefined;
   /** How often it has become another to who looks at it. */
@@ -164,19 +155,13 @@ export class ParticleSystem {
     const creates = said.enabled && said.creates;
     if (creates && !this.#creates) this.#begin();
     this.#creates = creates;
-    this.#takeRate(said);
+    this.#schedule.takeRate(said.most, said.lifetime, this.#time);
   }
 
   /** From this moment on it emits. */
   #begin(): void {
-    this.#due = this.#time;
+    this.#schedule.due = this.#time;
     this.#burst = false;
-  }
-
-  /** As many are born as die, when all that may live do. */
-  #takeRate({ most, lifetime }: Settings): void {
-    this.#interval = most >= 1 && lifetime > 0 ? lifetime / most : Infinity;
-    this.#due = Math.min(this.#due, this.#time + this.#interval);
   }
 
   // ---- a step -----------------------------------------------------------------------------------------------------
@@ -186,11 +171,12 @@ export class ParticleSystem {
     this.#takePush(dt);
     this.#calm &&= this.#isAsBefore(dt);
     this.#drift.take(this.#said.damping, dt);
-    this.#died = 0;
+    this.#bury(dt);
     this.#moveAll(dt);
-    if (this.#emits) this.#bear(dt);
-    else this.#due = Math.max(this.#due, this.#time + dt);
-    this.#time += dt;
+    const end = this.#time + dt;
+    if (this.#emits) this.#bear(end, dt);
+    else this.#schedule.due = Math.max(this.#schedule.due, end);
+    this.#time = end;
     this.#calm = true;
     this.changes++;
   }
@@ -232,34 +218,38 @@ export class ParticleSystem {
     return this.#own;
   }
 
-  /** Those whose time ends go; the others move, and close up. */
-  #moveAll(dt: number): void {
+  /** Those whose time ends in this step go, and the others close up. */
+  #bury(dt: number): void {
     const { cloud } = this;
-    const end = this.#time + dt + this.#sameTime;
+    const schedule = this.#schedule;
+    schedule.beginStep();
+    const end = this.#time + dt + schedule.sameTime;
     let kept = 0;
-    for (let k = 0; k < cloud.count; k++) {
-      if (cloud.ends[k]! <= end) {
-        this.#noteDeath(cloud.ends[k]!);
-        continue;
-      }
-      cloud.move(k, kept);
-      this.#move(kept++, this.#drift, dt, 0);
-    }
+    for (let k = 0; k < cloud.count; k++)
+      if (cloud.ends[k]! <= end) schedule.noteDeath(cloud.ends[k]!);
+      else cloud.move(k, kept++);
     cloud.count = kept;
   }
 
-  /** Where all live as long, each is born when another dies: sums of the same times differ in their last digits. */
-  get #sameTime(): number {
-    return Number.isFinite(this.#interval) ? SAME_TIME * this.#interval : 0;
+  #moveAll(dt: number): void {
+    if (!this.#said.surface && !this.#whirls) return this.#flyAll();
+    for (let k = 0; k < this.cloud.count; k++) this.#move(k, this.#drift, dt, 0);
   }
 
-  #noteDeath(time: number): void {
-    if (this.#died === this.#deaths.length) {
-      const more = new Float64Array(2 * this.#died);
-      more.set(this.#deaths);
-      this.#deaths = more;
+  /** Nothing but drag and what pushes all alike moves them. */
+  #flyAll(): void {
+    const { motion, count } = this.cloud;
+    const { left, speedOfPush, wayOfSpeed, wayOfPush } = this.#drift;
+    for (let axis = 0; axis < 3; axis++) {
+      const a = this.#push[axis]!;
+      const way = a * wayOfPush;
+      const gain = a * speedOfPush;
+      for (let at = axis, end = count * PARTICLE; at < end; at += PARTICLE) {
+        const speed = motion[at + 3]!;
+        motion[at] = motion[at]! + speed * wayOfSpeed + way;
+        motion[at + 3] = speed * left + gain;
+      }
     }
-    this.#deaths[this.#died++] = time;
   }
 
   /** Through the step of `dt` seconds from the share `since` of it on, which takes as long as `drift` is for. */
@@ -307,44 +297,27 @@ export class ParticleSystem {
   // ---- births -----------------------------------------------------------------------------------------------------
 
   /** All that are due before the step ends, and live to its end. */
-  #bear(dt: number): void {
-    const { atOnce, body, most } = this.#said;
+  #bear(end: number, dt: number): void {
+    const { atOnce, body, most, lifetime, lifetimeVariation } = this.#said;
+    const schedule = this.#schedule;
     if (body) this.#place.begin(body);
-    this.#deaths.subarray(0, this.#died).sort();
-    const end = this.#time + dt;
-    const same = this.#sameTime;
-    if (!atOnce) this.#passOver(end);
-    let gone = 0;
+    schedule.sortDeaths();
+    if (!atOnce) schedule.passOver(end, lifetime * (1 + lifetimeVariation));
     // Of a longest life at most twice as many are due as may live at once.
     const atMost = atOnce ? most : 2 * most + 2;
-    const last = end + same;
-    for (let tries = 0; tries < atMost && this.#due <= last; tries++) {
-      const due = this.#due;
-      while (gone < this.#died && this.#deaths[gone]! <= due + same) gone++;
+    const last = end + schedule.sameTime;
+    for (let tries = 0; tries < atMost && schedule.due <= last; tries++) {
       // Those of this step that died later still lived then.
-      if (this.cloud.count + this.#died - gone < most) this.#bearOne(due, end, dt);
-      this.#next++;
-      if (!atOnce) this.#due += this.#interval;
+      if (this.cloud.count + schedule.stillLiving < most) this.#bearOne(schedule.due, end, dt);
+      schedule.pass(atOnce);
     }
     if (atOnce) this.#burst = true;
-    else this.#due = Math.max(this.#due, end);
-  }
-
-  /** Those that are born and die before the step ends are not seen by anybody. */
-  #passOver(end: number): void {
-    const { lifetime, lifetimeVariation } = this.#said;
-    const longest = lifetime * (1 + lifetimeVariation);
-    const over = Math.floor((end - longest - this.#due) / this.#interval);
-    if (!(over > 0)) return;
-    // What lives so briefly that nobody could count it is nowhere.
-    const counted = over < Number.MAX_SAFE_INTEGER;
-    if (counted) this.#next += over;
-    this.#due = counted ? this.#due + over * this.#interval : end;
+    else schedule.due = Math.max(schedule.due, end);
   }
 
   #bearOne(due: number, end: number, dt: number): void {
     const { emitter, lifetime, lifetimeVariation, body, damping } = this.#said;
-    const number = this.#next;
+    const number = this.#schedule.next;
     const lives = lifetime * (1 + lifetimeVariation * this.#draws.of(number, LIVES).either());
     if (due + lives <= end) return;
     if (!emitter!.emit(this.#draws.of(number, EMITTED), this.#birth)) return;
@@ -372,7 +345,7 @@ export class ParticleSystem {
 
   reset(): void {
     this.cloud.clear();
-    this.#time = this.#due = this.#next = 0;
+    this.#time = this.#schedule.due = this.#schedule.next = 0;
     this.#creates = this.#burst = false;
     this.#felt = undefined;
     this.#begun();
@@ -387,8 +360,8 @@ export class ParticleSystem {
   save(): KeptSystem {
     const kept: KeptSystem = {
       ...this.progress,
-      due: this.#due,
-      next: this.#next,
+      due: this.#schedule.due,
+      next: this.#schedule.next,
       cloud: this.cloud.save(),
     };
     if (this.#felt !== undefined) kept.felt = this.#felt;
@@ -409,8 +382,8 @@ export class ParticleSystem {
   load(kept: KeptSystem): void {
     this.cloud.load(kept.cloud);
     this.progress = kept;
-    this.#due = kept.due;
-    this.#next = kept.next;
+    this.#schedule.due = kept.due;
+    this.#schedule.next = kept.next;
     this.#felt = kept.felt;
     this.#begun();
   }
