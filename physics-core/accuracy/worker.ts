@@ -1,5 +1,5 @@
 // Where measurements run so that the page's frames don't: a classic script, which is whole by itself, as a worker.
-import { wholeCode } from '../world/chunks/whole.js';
+import { wholeCode } from '../world/whole-code.js';
 import { loadEngine } from '../engine/engine.js';
 import type { Measured } from '../world/measuring.js';
 import { isWorkerNamed } from '../world/worker.js';

@@ -1,6 +1,6 @@
 // Where a world runs that is shown by a page: a classic script, which is whole by itself, as a worker.
 import { loadEngine } from '../engine/engine.js';
-import { wholeCode } from '../world/chunks/whole.js';
+import { wholeCode } from '../world/whole-code.js';
 import { recordings } from '../world/recording.js';
 import { isWorkerNamed } from '../world/worker.js';
 import { NAME, type Beginning, type Message, type Order } from './messages.js';

@@ -71,6 +71,8 @@ export class ParticleSystem {
   #past: Seen | undefined;
   /** How often it has become another to who looks at it. */
   changes = 0;
+  /** The last one that was due was not born, since others in the world leave it no room. */
+  crowded = false;
 
   readonly #bounces: Bounces;
 
@@ -166,7 +168,8 @@ export class ParticleSystem {
 
   // ---- a step -----------------------------------------------------------------------------------------------------
 
-  step(dt: number): void {
+  /** `room`: so many of it may live, beside those of others. */
+  step(dt: number, room = Infinity): void {
     if (this.stale) this.#read();
     this.#takePush(dt);
     this.#calm &&= this.#isAsBefore(dt);
@@ -174,7 +177,7 @@ export class ParticleSystem {
     this.#bury(dt);
     this.#moveAll(dt);
     const end = this.#time + dt;
-    if (this.#emits) this.#bear(end, dt);
+    if (this.#emits) this.#bear(end, dt, room);
     else this.#schedule.due = Math.max(this.#schedule.due, end);
     this.#time = end;
     this.#calm = true;
@@ -297,7 +300,7 @@ export class ParticleSystem {
   // ---- births -----------------------------------------------------------------------------------------------------
 
   /** All that are due before the step ends, and live to its end. */
-  #bear(end: number, dt: number): void {
+  #bear(end: number, dt: number, room: number): void {
     const { atOnce, body, most, lifetime, lifetimeVariation } = this.#said;
     const schedule = this.#schedule;
     if (body) this.#place.begin(body);
@@ -308,7 +311,9 @@ export class ParticleSystem {
     const last = end + schedule.sameTime;
     for (let tries = 0; tries < atMost && schedule.due <= last; tries++) {
       // Those of this step that died later still lived then.
-      if (this.cloud.count + schedule.stillLiving < most) this.#bearOne(schedule.due, end, dt);
+      const living = this.cloud.count + schedule.stillLiving;
+      if (living < most) this.crowded = living >= room;
+      if (living < most && !this.crowded) this.#bearOne(schedule.due, end, dt);
       schedule.pass(atOnce);
     }
     if (atOnce) this.#burst = true;

@@ -2,6 +2,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { Bounces } from './bounces.js';
+import { MOST_PARTICLES } from './budget.js';
 import { Obstacles } from './collide/obstacles.js';
 import { hear, Told } from './elsewhere.js';
 import { Pushed } from './pushed.js';
@@ -15,8 +16,8 @@ import { WindOnBodies } from './wind-on-bodies.js';
 export interface ParticleSource extends Cause {
   readonly id: number;
   readonly settings: Settings;
-  /** After each step: whether it has particles, or will have some by itself. */
-  stepped(active: boolean): void;
+  /** After each step: whether it has particles, or will have some by itself; and whether the world has no room for more. */
+  stepped(active: boolean, crowded: boolean): void;
 }
 
 const NOTHING: CloudPicture = { motion: new Float32Array(0), ages: new Float32Array(0) };
@@ -93,15 +94,24 @@ export class Particles extends Effect {
     if (this.#anyCollides()) this.#obstacles.take(dt);
     else this.#obstacles.forget();
     let goesOn = false;
+    let room = MOST_PARTICLES - this.#living;
     for (const source of this.inOrder as readonly ParticleSource[]) {
       const system = this.#systems.get(source)!;
-      system.step(dt);
-      const { active } = system;
+      room += system.cloud.count;
+      system.step(dt, room);
+      room -= system.cloud.count;
+      const { active, crowded } = system;
       if (active) goesOn = true;
-      source.stepped(active);
+      source.stepped(active, crowded);
     }
     this.#pushed.end();
     if (goesOn) this.#goOn();
+  }
+
+  get #living(): number {
+    let living = 0;
+    for (const { cloud } of this.#systems.values()) living += cloud.count;
+    return living;
   }
 
   #anyCollides(): boolean {

@@ -1,4 +1,5 @@
 import { PARTICLE } from '../../effects/particles/cloud.js';
+import { MOST_PARTICLES } from '../../effects/particles/budget.js';
 import { particles } from '../../effects/particles/effects.js';
 import type { Surface } from '../../effects/particles/surface.js';
 import type { ParticleSystem } from '../../effects/particles/particle-system.js';
@@ -119,10 +120,25 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     });
   }
 
+  #crowded = false;
+
+  #tellCrowded(crowded: boolean): void {
+    this.#crowded = crowded;
+    this.reportWhile(crowded, {
+      code: 'out-of-range',
+      severity: 'warning',
+      attribute: 'maxParticles',
+      value: this.asked('maxParticles'),
+      used: this.count,
+      message: `${this.label}: at most ${MOST_PARTICLES} particles live in a world at once, in all of its systems: none is born here until others have died`,
+    });
+  }
+
   /** What isActive said last, whatever became of the world since. */
   #told = false;
 
-  stepped(active: boolean): void {
+  stepped(active: boolean, crowded: boolean): void {
+    if (crowded !== this.#crowded) this.#tellCrowded(crowded);
     if (active === this.#told) return;
     this.#told = active;
     this.emit('isActive', active);

@@ -1,10 +1,8 @@
+import { MOST_PARTICLES } from '../../effects/particles/budget.js';
 import { defineNode } from '../node/define.js';
 import { ParticleSystemNode } from './particle-system-node.js';
 
 const changed = (system: ParticleSystemNode): void => system.changed();
-
-/** Of one system: more would take longer than a frame. */
-const MOST_PARTICLES = 100_000;
 
 export const particleSystem = defineNode<ParticleSystemNode>({
   name: 'ParticleSystem',

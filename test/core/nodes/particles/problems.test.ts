@@ -135,3 +135,24 @@ fact('what emits, moves or carries may go at any time', async () => {
   node.remove();
   w.step(10);
 });
+
+fact(
+  'all systems of a world together have 100,000 particles: who finds no room is told, until others go',
+  async () => {
+    const w = await world();
+    claim(w, 'out-of-range');
+    const many = { maxParticles: 100_000, particleLifetime: 1, lifetimeVariation: 0 };
+    const burst = { emitter: { type: 'ExplosionEmitter', mass: 1, speed: 1 } };
+    const first = system(w, { ...many, ...burst, maxParticles: 99_990, particleLifetime: 0.5 });
+    const second = system(w, many);
+    w.advance(0.25);
+    assert.equal(first.get('count'), 99_990);
+    assert.equal(second.get('count'), 10);
+    assert.deepEqual(codes(w), ['out-of-range']);
+    assert.match(told(w, 'out-of-range')[0]!, /at most 100000 particles live in a world/);
+    w.advance(0.5);
+    assert.equal(first.get('count'), 0);
+    assert.ok((second.get('count') as number) > 20_000);
+    assert.deepEqual(codes(w), []);
+  },
+);

@@ -1,0 +1,11 @@
+import type { Chunk } from '../base/chunk.js';
+import { particleSystems } from '../effects/particles/effects.js';
+import { dense } from './snapshot/dense.js';
+import { chunks } from './chunks/all.js';
+
+/** All code that a world may need which is shown none of it before: that of a worker. */
+export const wholeCode: readonly Chunk<unknown>[] = [
+  dense,
+  particleSystems.comesFrom(() => import('./chunks/particle-code.js')),
+  ...chunks,
+];
