@@ -1,5 +1,6 @@
 import { x3dom, type NodeContext, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
 import { Bounds } from './bounds.js';
+import { fading } from './fading.js';
 import type { Form } from './form.js';
 import { formOf } from './forms.js';
 import { isHidden } from './hidden.js';
@@ -8,13 +9,11 @@ import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
 import { makeRoom, NOWHERE, spread, type CloudMesh } from './room.js';
 import { Seen, type Shown } from './seen.js';
 import { farthestFirst } from './sort.js';
-import { withSortType } from './sort-type.js';
 import { upload, type UploadedShape } from './upload.js';
 
 interface ShapeNode extends UploadedShape {
   _graph: { needCulling: boolean };
   renderFlag(): boolean;
-  setAllDirty(): void;
 }
 
 /** An Appearance. */
@@ -81,7 +80,7 @@ export class CloudShape {
     this.#shape.addChild(this.#looksOf, 'appearance');
     // What fades shows what is behind it, if its author says nothing else.
     if (this.#colors?.fades && this.#looksOf._origSortType === 'auto')
-      this.#shape._cf.appearance!.node = withSortType(this.#looksOf, 'transparent');
+      this.#shape._cf.appearance!.node = fading(this.#looksOf, make('DepthMode'));
     this.#shape.addChild(geometry, 'geometry');
     this.#shape._vf.isPickable = false;
     this.#bounds = new Bounds(this.#shape);
@@ -215,6 +214,7 @@ export class CloudShape {
     this.#room = Math.ceil(GROWTH * count);
     makeRoom(this.#mesh, this.#form, this.#room, this.#colors !== undefined);
     this.#drawn = 0;
-    this.#shape.setAllDirty();
+    const { _dirty: dirty } = this.#shape;
+    for (const part of Object.keys(dirty)) dirty[part] = true;
   }
 }

@@ -453,6 +453,36 @@ describe('what particles are drawn as', () => {
     expect(world.problems).to.eql([]);
   });
 
+  it('particles that fade hide nothing that is behind them, unless their author says how depth is written', async () => {
+    const depth = async (inside: string): Promise<unknown> => {
+      const { x3d } = await after(
+        0.5,
+        system(
+          `${EMITTER}<appearance><material></material>${inside}</appearance><colorrgba containerfield="color" color="1 0 0 0"></colorrgba>`,
+        ),
+      );
+      return (clouds(x3d)[0]!._cf.appearance.node as any)._cf.depthMode.node._vf.readOnly;
+    };
+    expect(await depth('')).to.be.true;
+    expect(await depth('<depthmode readonly="false"></depthmode>')).to.be.false;
+  });
+
+  it('what stands far away stays in sight, however far particles fly', async () => {
+    const { x3d, world } = await after(
+      0.1,
+      system(EMITTER.replace('speed="1"', 'speed="60"')) +
+        '<shape><box size="400 1 400"></box></shape>',
+    );
+    const { canvas } = (x3d as any).runtime;
+    const far: number[] = [];
+    for (let frame = 0; frame < 30; frame++) {
+      world.advance(0.05);
+      await drawn();
+      far.push(Math.round(canvas.doc._scene.getViewpoint()._zFar));
+    }
+    expect(far.filter((distance) => distance < 190)).to.deep.equal([]);
+  });
+
   it('an x3d that is taken out and put back draws them again', async () => {
     const { x3d } = await after(0.5, system(EMITTER));
     const { parentElement } = x3d;
