@@ -6,10 +6,11 @@ import { Draws } from './emit/draws.js';
 import { Drift } from './drift.js';
 import { BIRTH } from './emit/emitter.js';
 import { EmitterPlace } from './emitter-place.js';
+import { Pushes } from './pushes.js';
 import { Schedule } from './schedule.js';
 import type { Settings } from './settings.js';
 import { pictureOf, type CloudPicture, type Seen } from './seen.js';
-import { GUST, Wind } from './wind.js';
+import { GUST, type Wind } from './wind.js';
 
 /** Kinds of random numbers of a particle: what its emitter draws, and how long it lives. Those of winds come after. */
 const EMITTED = 0;
@@ -43,18 +44,14 @@ export class ParticleSystem {
   readonly #place: EmitterPlace;
   readonly #drift = new Drift();
   readonly #rest = new Drift();
-  readonly #push = new Float64Array(3);
-  /** In the step before, of so many seconds. */
-  readonly #pushBefore = new Float64Array(3);
+  readonly #pushes = new Pushes();
+  /** Seconds of the step before. */
   #dtBefore = 0;
   /** What a step does to what lies is what the one before did, but for bodies that move: what that left as it was stays. */
   #calm = false;
-  readonly #own = new Float64Array(3);
   readonly #birth = new Float64Array(BIRTH);
   #said!: Settings;
   #draws = new Draws(0);
-  #winds: Wind[] = [];
-  #whirls = false;
   /** Seconds since it was made. */
   #time = 0;
   readonly #schedule = new Schedule();
@@ -151,8 +148,7 @@ export class ParticleSystem {
     this.#heard = undefined;
     this.#stale = this.#calm = false;
     this.#draws = new Draws(said.seed);
-    this.#winds = said.winds.map((wind, n) => new Wind(wind, this.#draws, n));
-    this.#whirls = said.mass > 0 && this.#winds.some(({ whirls }) => whirls);
+    this.#pushes.read(said, this.#draws);
     this.cloud.keep(said.enabled ? said.most : 0);
     const creates = said.enabled && said.creates;
     if (creates && !this.#creates) this.#begin();
@@ -171,7 +167,7 @@ export class ParticleSystem {
   /** `room`: so many of it may live, beside those of others. */
   step(dt: number, room = Infinity): void {
     if (this.stale) this.#read();
-    this.#takePush(dt);
+    this.#pushes.begin(this.#said, this.#gustOf(dt));
     this.#calm &&= this.#isAsBefore(dt);
     this.#drift.take(this.#said.damping, dt);
     this.#bury(dt);
@@ -184,41 +180,16 @@ export class ParticleSystem {
     this.changes++;
   }
 
-  /** What pushes all alike, m/s²: the same in a whole step, since gusts begin with one. */
-  #takePush(dt: number): void {
-    const { force, mass, surfaceArea } = this.#said;
-    const push = this.#push;
-    push.fill(0);
-    if (mass <= 0) return;
-    for (let i = 0; i < 3; i++) push[i] = force[i]! / mass;
-    for (const wind of this.#winds) {
-      wind.begin(this.#gustOf(dt), surfaceArea / mass);
-      if (!wind.whirls) wind.addToAll(push);
-    }
-  }
-
-  /** Whether all are pushed as before, and push nobody. */
+  /** Whether all are pushed as before, for as long, and push nobody. */
   #isAsBefore(dt: number): boolean {
-    let same = dt === this.#dtBefore && !this.#whirls && this.#said.surface?.mass === 0;
+    const before = this.#dtBefore;
     this.#dtBefore = dt;
-    for (let i = 0; i < 3; i++) {
-      if (this.#push[i] !== this.#pushBefore[i]) same = false;
-      this.#pushBefore[i] = this.#push[i]!;
-    }
-    return same;
+    return dt === before && this.#pushes.isAsBefore && this.#said.surface?.mass === 0;
   }
 
   /** The number of the gust in a step that begins now. */
   #gustOf(dt: number): number {
     return Math.floor((this.#time + dt / 2) / GUST);
-  }
-
-  /** What pushes one of them. */
-  #pushOf(number: number): Float64Array {
-    if (!this.#whirls) return this.#push;
-    for (let i = 0; i < 3; i++) this.#own[i] = this.#push[i]!;
-    for (const wind of this.#winds) if (wind.whirls) wind.addTo(number, this.#own);
-    return this.#own;
   }
 
   /** Those whose time ends in this step go, and the others close up. */
@@ -235,7 +206,7 @@ export class ParticleSystem {
   }
 
   #moveAll(dt: number): void {
-    if (!this.#said.surface && !this.#whirls) return this.#flyAll();
+    if (!this.#said.surface && !this.#pushes.whirls) return this.#flyAll();
     for (let k = 0; k < this.cloud.count; k++) this.#move(k, this.#drift, dt, 0);
   }
 
@@ -244,7 +215,7 @@ export class ParticleSystem {
     const { motion, count } = this.cloud;
     const { left, speedOfPush, wayOfSpeed, wayOfPush } = this.#drift;
     for (let axis = 0; axis < 3; axis++) {
-      const a = this.#push[axis]!;
+      const a = this.#pushes.all[axis]!;
       const way = a * wayOfPush;
       const gain = a * speedOfPush;
       for (let at = axis, end = count * PARTICLE; at < end; at += PARTICLE) {
@@ -259,7 +230,7 @@ export class ParticleSystem {
   #move(k: number, drift: Drift, dt: number, since: number): void {
     const { motion, numbers, still } = this.cloud;
     const { surface, damping } = this.#said;
-    const push = this.#pushOf(numbers[k]!);
+    const push = this.#pushes.of(numbers[k]!);
     const at = k * PARTICLE;
     if (still[k] === 1 && this.#calm && this.#bounces.isCalm(motion, at, push, drift, surface!))
       return;
@@ -293,8 +264,9 @@ export class ParticleSystem {
   /** The winds that push bodies in a step of `dt` seconds that begins. */
   windsIn(dt: number): readonly Wind[] {
     if (!this.#said.blows) return CALM;
-    for (const wind of this.#winds) wind.begin(this.#gustOf(dt));
-    return this.#winds;
+    const { winds } = this.#pushes;
+    for (const wind of winds) wind.begin(this.#gustOf(dt));
+    return winds;
   }
 
   // ---- births -----------------------------------------------------------------------------------------------------
