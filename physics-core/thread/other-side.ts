@@ -43,6 +43,7 @@ export class OtherSide extends World {
   constructor(snapshot: Snapshot, engine: Engine) {
     super();
     for (const _ of copyInto(this, snapshot, engine));
+    this.registry.find(particles)?.tellAnew();
     // What overlaps in the first step of all overlapped before.
     if (snapshot.taken === 0) this.stepping.restart();
     this.on('problem', (problem) => this.#tellProblem(problem as Problem));

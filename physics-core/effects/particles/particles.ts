@@ -18,6 +18,8 @@ export interface ParticleSource extends Cause {
   readonly settings: Settings;
   /** After each step: whether it has particles, or will have some by itself; and whether the world has no room for more. */
   stepped(active: boolean, crowded: boolean): void;
+  /** It is told anew whether it is active, whatever was told where it comes from. */
+  tellAnew(): void;
 }
 
 const NOTHING: CloudPicture = { motion: new Float32Array(0), ages: new Float32Array(0) };
@@ -130,6 +132,11 @@ export class Particles extends Effect {
 
   get #byId(): Map<number, ParticleSystem> {
     return new Map([...this.#systems].map(([{ id }, system]) => [id, system]));
+  }
+
+  /** Steps are taken here from now on, of a world of which nobody knows here what it told. */
+  tellAnew(): void {
+    for (const source of this.#systems.keys()) source.tellAnew();
   }
 
   /** What a page is to hear whose steps are taken here. */

@@ -134,8 +134,12 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
     });
   }
 
-  /** What isActive said last, whatever became of the world since. */
-  #told = false;
+  /** What isActive said last, whatever became of the world since; undefined: nobody knows here. */
+  #told: boolean | undefined = false;
+
+  tellAnew(): void {
+    this.#told = undefined;
+  }
 
   stepped(active: boolean, crowded: boolean): void {
     if (crowded !== this.#crowded) this.#tellCrowded(crowded);

@@ -93,3 +93,16 @@ test('come back, they go on as if they had never been away', async () => {
   assert.deepEqual(placesOf(other), placesOf(one));
   closeWorlds();
 });
+
+test('what isActive becomes as the world goes away is told, too', async () => {
+  const w = await world();
+  const system = fountain(w);
+  const told: unknown[] = [];
+  system.on('isActive', (active) => told.push(active));
+  w.step(5);
+  system.set('enabled', false);
+  goAway(w);
+  await w.ask('step', 2);
+  assert.deepEqual(told, [true, false]);
+  closeWorlds();
+});
