@@ -43,9 +43,10 @@ export class CloudPictures {
     this.#keep(({ step }) => step <= after);
   }
 
-  /** Those of steps before are kept no more. */
+  /** Those of steps before are kept no more, but for the last one if that step has none of its own. */
   drop(before: number): void {
-    this.#keep(({ step }) => step >= before);
+    const first = this.#all.findLastIndex(({ step }) => step <= before);
+    this.#keep((_, i) => i >= first);
   }
 }
 

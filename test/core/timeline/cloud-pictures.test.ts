@@ -54,3 +54,12 @@ test('what was cut or dropped is not shown', () => {
   assert.equal(at(4), 4);
   assert.equal(at(3), undefined);
 });
+
+test('what is shown of a step is still shown when those before it are dropped', () => {
+  const { pictures, run, at } = following(10_000);
+  run(600);
+  const before = at(51);
+  assert.ok(before! < 51);
+  pictures.drop(51);
+  assert.equal(at(51), before);
+});
