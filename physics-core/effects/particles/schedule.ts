@@ -13,10 +13,14 @@ export class Schedule {
   #died = 0;
   #gone = 0;
 
-  /** `most` live at once, each so many seconds; the next one is born within one interval from now. */
+  /**
+   * `most` live at once, each so many seconds; the next one is born within one interval from now. Where that is so but for
+   * rounding it stays when it is: who hears the same again bears the same.
+   */
   takeRate(most: number, lifetime: number, now: number): void {
     this.#interval = most >= 1 && lifetime > 0 ? lifetime / most : Infinity;
-    this.due = Math.min(this.due, now + this.#interval);
+    const latest = now + this.#interval;
+    if (this.due > latest + this.sameTime) this.due = latest;
   }
 
   /** Where all live as long, each is born when another dies: sums of the same times differ in their last digits. */

@@ -426,3 +426,13 @@ test('begun anew it is the same, bit for bit; with another seed it is another', 
   run(system, 1);
   assert.notDeepEqual(motionOf(system), first);
 });
+
+test('who hears the same again in each step bears the same, to the bit', () => {
+  const often = { emitter: various, most: 200, lifetime: 5 };
+  const [once, again] = [systemOf(often), systemOf(often)];
+  for (let i = 0; i < 300; i++) {
+    again.say({});
+    for (const { system } of [once, again]) system.step(1 / 60);
+    assert.deepEqual(motionOf(again.system), motionOf(once.system));
+  }
+});
