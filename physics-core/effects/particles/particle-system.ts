@@ -168,13 +168,13 @@ export class ParticleSystem {
   step(dt: number, room = Infinity): void {
     if (this.stale) this.#read();
     this.#pushes.begin(this.#said, this.#gustOf(dt));
-    this.#calm &&= this.#isAsBefore(dt);
+    if (!this.#isAsBefore(dt)) this.#calm = false;
     this.#drift.take(this.#said.damping, dt);
     this.#bury(dt);
     this.#moveAll(dt);
     const end = this.#time + dt;
     if (this.#emits) this.#bear(end, dt, room);
-    else this.#schedule.due = Math.max(this.#schedule.due, end);
+    else this.#rests(end);
     this.#time = end;
     this.#calm = true;
     this.changes++;
@@ -185,6 +185,12 @@ export class ParticleSystem {
     const before = this.#dtBefore;
     this.#dtBefore = dt;
     return dt === before && this.#pushes.isAsBefore && this.#said.surface?.mass === 0;
+  }
+
+  /** None is due before the end of a step, and so none is kept from being born. */
+  #rests(end: number): void {
+    this.#schedule.due = Math.max(this.#schedule.due, end);
+    this.crowded = false;
   }
 
   /** The number of the gust in a step that begins now. */
@@ -331,6 +337,7 @@ export class ParticleSystem {
   /** It goes on from elsewhere. */
   #begun(): void {
     this.stale = true;
+    this.crowded = false;
     this.lookBack(undefined);
   }
 

@@ -156,3 +156,33 @@ fact(
     assert.deepEqual(codes(w), []);
   },
 );
+
+const crowd = { maxParticles: 99_990, emitter: { type: 'ExplosionEmitter' } };
+
+fact('who bears none any more is not told that there is no room', async () => {
+  const w = await world();
+  claim(w, 'out-of-range');
+  system(w, crowd);
+  const burst = system(w, { emitter: { type: 'ExplosionEmitter' } });
+  const steady = system(w, { maxParticles: 1000 });
+  w.step(2);
+  assert.equal(burst.get('count'), 10);
+  assert.deepEqual(codes(w), ['out-of-range']);
+  steady.set('createParticles', false);
+  w.step(1);
+  assert.deepEqual(codes(w), []);
+});
+
+fact('going back to when there was room, nobody is told that there is none', async () => {
+  const w = await world();
+  claim(w, 'out-of-range');
+  system(w, crowd);
+  system(w, { maxParticles: 100, particleLifetime: 10 });
+  w.step(1);
+  const before = w.snapshot();
+  w.advance(1.5);
+  assert.deepEqual(codes(w), ['out-of-range']);
+  w.restore(before);
+  w.step(1);
+  assert.deepEqual(codes(w), []);
+});
