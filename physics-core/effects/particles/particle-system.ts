@@ -150,6 +150,7 @@ export class ParticleSystem {
     this.#draws = new Draws(said.seed);
     this.#pushes.read(said, this.#draws);
     this.cloud.keep(said.enabled ? said.most : 0);
+    if (this.cloud.count >= said.most) this.crowded = false;
     const creates = said.enabled && said.creates;
     if (creates && !this.#creates) this.#begin();
     this.#creates = creates;

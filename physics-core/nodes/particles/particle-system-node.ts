@@ -142,7 +142,8 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
   }
 
   stepped(active: boolean, crowded: boolean): void {
-    if (crowded !== this.#crowded) this.#tellCrowded(crowded);
+    // An edit of maxParticles takes it back: it is told again where that is still so.
+    if (crowded || this.#crowded) this.#tellCrowded(crowded);
     if (active === this.#told) return;
     this.#told = active;
     this.emit('isActive', active);

@@ -173,6 +173,25 @@ fact('who bears none any more is not told that there is no room', async () => {
   assert.deepEqual(codes(w), []);
 });
 
+fact(
+  'who asks for less, but still for too much, is told again; who asks for no more than there is, is not',
+  async () => {
+    const w = await world();
+    claim(w, 'out-of-range');
+    system(w, crowd);
+    const steady = system(w, { maxParticles: 1000 });
+    w.step(10);
+    assert.equal(steady.get('count'), 10);
+    assert.deepEqual(codes(w), ['out-of-range']);
+    steady.set('maxParticles', 900);
+    w.step(5);
+    assert.deepEqual(codes(w), ['out-of-range']);
+    steady.set('maxParticles', 10);
+    w.step(1);
+    assert.deepEqual(codes(w), []);
+  },
+);
+
 fact('going back to when there was room, nobody is told that there is none', async () => {
   const w = await world();
   claim(w, 'out-of-range');
