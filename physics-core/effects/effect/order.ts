@@ -7,7 +7,7 @@ export function inOrder(listed: readonly EffectDescriptor[]): EffectDescriptor[]
   const visit = (effect: EffectDescriptor, below: readonly EffectDescriptor[]): void => {
     if (ordered.includes(effect)) return;
     if (below.includes(effect)) throw new Error(`effects wait for each other: ${effect.name}`);
-    for (const name of Object.keys(effect.after ?? {})) {
+    for (const name in effect.after) {
       const before = byName.get(name);
       if (!before) throw new Error(`${effect.name} comes after "${name}", which is no effect`);
       visit(before, [...below, effect]);
