@@ -32,6 +32,8 @@ export interface KeptSystem extends Progress {
   cloud: KeptCloud;
   /** The winds that bodies felt in the last step; undefined: none. */
   felt?: string;
+  /** It met bodies in the last step. */
+  met?: true;
 }
 
 /**
@@ -64,6 +66,8 @@ export class ParticleSystem {
   /** The winds that bodies feel, in words, and what its author said when that was looked at last. */
   #felt: string | undefined;
   #looked: Settings | undefined;
+  /** It met bodies in the last step. */
+  #met = false;
   /** Of the moment that somebody looks back at. */
   #past: Seen | undefined;
   /** How often it has become another to who looks at it. */
@@ -168,6 +172,7 @@ export class ParticleSystem {
   /** `room`: so many of it may live, beside those of others. */
   step(dt: number, room = Infinity): void {
     if (this.stale) this.#read();
+    this.#met = this.collides;
     this.#pushes.begin(this.#said, this.#gustOf(dt));
     if (!this.#isAsBefore(dt)) this.#calm = false;
     this.#drift.take(this.#said.damping, dt);
@@ -332,6 +337,7 @@ export class ParticleSystem {
     this.#time = this.#schedule.due = this.#schedule.next = 0;
     this.#creates = this.#burst = false;
     this.#felt = undefined;
+    this.#met = false;
     this.#begun();
   }
 
@@ -350,6 +356,7 @@ export class ParticleSystem {
       cloud: this.cloud.save(),
     };
     if (this.#felt !== undefined) kept.felt = this.#felt;
+    if (this.#met) kept.met = true;
     return kept;
   }
 
@@ -370,6 +377,7 @@ export class ParticleSystem {
     this.#schedule.due = kept.due;
     this.#schedule.next = kept.next;
     this.#felt = kept.felt;
+    this.#met = kept.met === true;
     this.#begun();
   }
 }

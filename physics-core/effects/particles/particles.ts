@@ -173,6 +173,7 @@ export class Particles extends Effect {
   override load(saved: readonly [id: number, kept: KeptSystem][]): void {
     const byId = this.#byId;
     for (const [id, kept] of saved) byId.get(id)?.load(kept);
+    if (saved.some(([, { met }]) => met)) this.#obstacles.goOn();
     this.#goOn();
   }
 }

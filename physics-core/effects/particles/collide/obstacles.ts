@@ -94,6 +94,11 @@ export class Obstacles {
     this.#parts.places.forgetAll();
   }
 
+  /** The world goes on from elsewhere, where the step before was looked at, too. */
+  goOn(): void {
+    this.#parts.goOn(this.#simulation);
+  }
+
   /**
    * Whether a ball, or a point where `radius` is 0, meets a body on the straight way between two points of the author's
    * world; what it meets first goes to `out`. It goes from the share `since` of the step to the share `until`: it may be

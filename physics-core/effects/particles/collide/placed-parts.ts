@@ -1,6 +1,7 @@
 import { lengthOf } from '../../../base/exact/index.js';
 import { compose, type Pose } from '../../../base/math.js';
 import { MATRIX } from '../../../base/matrix.js';
+import type { Body } from '../../../dynamics/body.js';
 import type { CollidablePart } from '../../../dynamics/collidable.js';
 import { POSE } from '../../../dynamics/poses.js';
 import type { Simulation } from '../../../dynamics/simulation.js';
@@ -27,6 +28,9 @@ interface Part {
   readonly reach: number;
 }
 
+const partsOf = (body: Body | undefined): readonly CollidablePart[] =>
+  body?.active ? body.solidParts : NONE;
+
 const pose = new Float64Array(POSE);
 
 /** The parts of all bodies, where they are in the course of a step, and what is around them. */
@@ -47,17 +51,32 @@ export class PlacedParts {
   /** By slot: what its parts were made of; and 1: it is elsewhere. */
   readonly #known: (readonly CollidablePart[])[] = [];
   #changed = new Uint8Array(0);
+  /** Parts are known that are in no list yet. */
+  #isUnlisted = false;
+
+  /** The world goes on from elsewhere: what is put from where it stands now is carried, as if it had come there by a step. */
+  goOn({ bodies, poses }: Pick<Simulation, 'bodies' | 'poses'>): void {
+    const { slots } = bodies.moving;
+    this.places.makeRoom(slots);
+    for (let slot = 0; slot < slots; slot++) {
+      const parts = partsOf(bodies.in(slot));
+      this.#known[slot] = parts;
+      if (parts.length > 0) this.places.stand(slot, poses);
+    }
+    this.#isUnlisted = true;
+  }
 
   /** Whether anything is other, or elsewhere, than it was. */
   take({ bodies, poses }: Pick<Simulation, 'bodies' | 'poses'>, dt: number): boolean {
     const { slots } = bodies.moving;
     this.places.makeRoom(slots);
     if (this.#changed.length < slots) this.#changed = new Uint8Array(2 * slots);
-    let isOther = false;
+    let isOther = this.#isUnlisted;
+    this.#isUnlisted = false;
     let changed = false;
     for (let slot = 0; slot < slots; slot++) {
       const body = bodies.in(slot);
-      const parts = body?.active ? body.solidParts : NONE;
+      const parts = partsOf(body);
       if (parts !== this.#known[slot]) {
         isOther = true;
         this.#known[slot] = parts;

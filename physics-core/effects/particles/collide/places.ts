@@ -43,6 +43,13 @@ export class Places {
     this.#known[slot] = 0;
   }
 
+  /** It stands where the last step left it. */
+  stand(slot: number, { current, origin }: Poses): void {
+    const at = slot * POSE;
+    this.#known[slot] = 1;
+    for (let k = 0; k < POSE; k++) this.last[at + k] = current[at + k]! + (k < 3 ? origin[k]! : 0);
+  }
+
   forgetAll(): void {
     this.#known.fill(0);
   }
