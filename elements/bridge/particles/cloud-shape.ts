@@ -69,8 +69,10 @@ export class CloudShape {
     };
     this.#form = formOf(look);
     this.#colors = look.colors && colorsOf(look.colors, look.colorKey);
-    this.#texCoords =
-      look.texCoords && texCoordsOf(look.texCoords, look.texCoordKey, this.#form.corners);
+    const { corners, texCoords } = this.#form;
+    // Points, and geometry that is no texture's, have no room for any.
+    if (look.texCoords && texCoords.length === 2 * corners)
+      this.#texCoords = texCoordsOf(look.texCoords, look.texCoordKey, corners);
     this.#shape = make('Shape') as ShapeNode;
     const geometry = make(KINDS[this.#form.primitive]);
     geometry._vf.solid = false;

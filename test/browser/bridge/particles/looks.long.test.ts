@@ -97,6 +97,14 @@ describe('a picture of particles', () => {
     for (const { sum } of lights(sight, places, 5)) expect(sum).to.be.within(1, 9);
   });
 
+  it('POINT with texture coordinates: it has none, and WebGL refuses nothing', async () => {
+    const point = '<texturecoordinate containerfield="texCoord" point="0 0"></texturecoordinate>';
+    const { x3d, world } = await rowOf('POINT', WHITE + point);
+    world.advance(0.25);
+    await drawn();
+    expect(documentOf(x3d).ctx.ctx3d.getError()).to.equal(0);
+  });
+
   it('GEOMETRY is lit as any Shape: a ball by the cosine, from the side where the light is', async () => {
     const radius = 0.4;
     const { x3d, places } = await rowOf(
