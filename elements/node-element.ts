@@ -122,7 +122,7 @@ function defineReflection(prototype: X3DNodeElement, name: string): void {
 }
 
 function defineProperties(prototype: X3DNodeElement, type: NodeType): void {
-  for (const name of Object.keys(type.fields)) {
+  for (const name in type.fields) {
     const property = {
       configurable: true,
       get(this: X3DNodeElement) {
