@@ -192,7 +192,7 @@ describe('pages', () => {
     const page = (await open('two-scripts.html')) as PageWindow & { problems: string[] };
     const world = await worldIn(page);
     const other = await page.X3DPhysics!.worldOf(named(page, 'other'))!.ready;
-    await wait(100);
+    await until(() => page.problems.length === 2);
     expect(heardIn(page).sort()).to.eql(['custom', 'plain']);
     expect(page.problems).to.eql(['console two-copies', 'two-copies HTML']);
     expect([...world.problems, ...other.problems]).to.eql([]);
