@@ -18,8 +18,9 @@ export class CloudPictures {
 
   /** The end of a step. */
   add(step: number, { registry }: World): void {
-    const clouds = new Map(registry.find(particles)?.pictures);
-    if (clouds.size === 0) return;
+    const effect = registry.find(particles);
+    if (!effect) return;
+    const clouds = new Map(effect.pictures);
     const bytes = [...clouds.values()].reduce((sum, cloud) => sum + bytesOf(cloud), 0);
     this.#all.push({ step, clouds, bytes });
     this.#bytes += bytes;

@@ -1,3 +1,4 @@
+import type { Shown } from '../../../physics-core/particles.js';
 import { x3dom, type NodeContext, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
 import { Bounds } from './bounds.js';
 import { fading } from './fading.js';
@@ -7,7 +8,7 @@ import { isHidden } from './hidden.js';
 import { sameForm, sameShape, type Look } from './look.js';
 import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
 import { makeRoom, NOWHERE, spread, type CloudMesh } from './room.js';
-import { Seen, type Shown } from './seen.js';
+import { Seen } from './seen.js';
 import { farthestFirst } from './sort.js';
 import { upload, type UploadedShape } from './upload.js';
 
@@ -32,7 +33,7 @@ const KINDS: Record<string, string> = {
   POINTS: 'PointSet',
 };
 
-/** Room for so many times those that are seen: seldom made anew, and x3dom copies all of it in each frame. */
+/** Room for so many times those that are seen: seldom made anew, and x3dom draws all of it in each frame. */
 const GROWTH = 1.25;
 
 /** Of a view: right, up and back. */
@@ -51,7 +52,6 @@ export class CloudShape {
   readonly #seen = new Seen();
   #room = 0;
   #drawn = 0;
-  #isShown = false;
   #stale = true;
   /** Right, up and back of who looks, in the world. */
   readonly #view = new Float64Array(9);
@@ -118,7 +118,7 @@ export class CloudShape {
     seen.take(shown, since, this.#look.length);
     // Not while x3dom asks the scene how large it is: that would begin anew in the middle.
     this.#bounds.hold(seen.low, seen.high, this.#form.reach);
-    this.#isShown = this.#stale = true;
+    this.#stale = true;
     const { _scene: scene } = this.#look.doc;
     const any = seen.count > 0;
     // x3dom takes no shape that never had anything to draw.
@@ -140,7 +140,6 @@ export class CloudShape {
   // ---- what is drawn ----------------------------------------------------------------------------------------------
 
   #fill(): boolean {
-    if (!this.#isShown) return false;
     const turned = this.#turnView();
     if (turned) this.#turnForm();
     if (this.#stale || (turned && (this.#form.turn || this.#sorted))) this.#write();

@@ -21,7 +21,7 @@ export function makeRoom(mesh: CloudMesh, form: Form, room: number, hasColors: b
   mesh._indices[0] = indexOf(index, corners, room);
 }
 
-/** As wide as x3dom makes them: it copies them in each frame. */
+/** As wide as x3dom makes them. */
 function indexOf(index: ArrayLike<number>, corners: number, times: number): ArrayLike<number> {
   const Wide = corners * times > 65535 ? Uint32Array : Uint16Array;
   const all = new Wide(times * index.length);

@@ -1,19 +1,4 @@
-import { PARTICLE } from '../../../physics-core/particles.js';
-
-/** Particles after the last step. */
-export interface Shown {
-  cloud: {
-    count: number;
-    /** PARTICLE numbers each. */
-    motion: Float64Array;
-    /** Seconds of their system. */
-    born: Float64Array;
-  };
-  /** Those from there on are alive. */
-  first: number;
-  /** Seconds of their system, at the end of the last step. */
-  time: number;
-}
+import { PARTICLE, type Shown } from '../../../physics-core/particles.js';
 
 /** The particles of one frame, and in which order they are drawn. */
 export class Seen {

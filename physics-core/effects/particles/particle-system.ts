@@ -16,7 +16,7 @@ import { GUST, type Wind } from './wind.js';
 const EMITTED = 0;
 const LIVES = -1;
 
-const CALM: readonly Wind[] = [];
+const NO_WINDS: readonly Wind[] = [];
 
 /** How far its births have come. */
 export interface Progress {
@@ -275,7 +275,7 @@ export class ParticleSystem {
 
   /** The winds that push bodies in a step of `dt` seconds that begins. */
   windsIn(dt: number): readonly Wind[] {
-    if (!this.#said.blows) return CALM;
+    if (!this.#said.blows) return NO_WINDS;
     const { winds } = this.#pushes;
     for (const wind of winds) wind.begin(this.#gustOf(dt));
     return winds;

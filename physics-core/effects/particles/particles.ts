@@ -27,7 +27,8 @@ const NOTHING: CloudPicture = { motion: new Float32Array(0), ages: new Float32Ar
 /** All particle systems of a world. */
 export class Particles extends Effect {
   readonly #simulation: Simulation;
-  readonly #systems = new Map<ParticleSource, ParticleSystem>();
+  /** By the numbers of their nodes. */
+  readonly #systems = new Map<number, ParticleSystem>();
   readonly #obstacles: Obstacles;
   readonly #pushed: Pushed;
   readonly #bounces: Bounces;
@@ -46,12 +47,16 @@ export class Particles extends Effect {
   }
 
   /** The system of a node that needs it. */
-  of(source: ParticleSource): ParticleSystem | undefined {
-    return this.#systems.get(source);
+  of({ id }: ParticleSource): ParticleSystem | undefined {
+    return this.#systems.get(id);
+  }
+
+  get #sources(): readonly ParticleSource[] {
+    return this.inOrder as readonly ParticleSource[];
   }
 
   override need(source: ParticleSource, reason: string): void {
-    if (!this.#systems.has(source)) this.#systems.set(source, this.#make(source));
+    if (!this.of(source)) this.#systems.set(source.id, this.#make(source));
     super.need(source, reason);
     this.changed();
   }
@@ -61,9 +66,10 @@ export class Particles extends Effect {
   }
 
   override release(node: Cause): void {
+    const source = node as ParticleSource;
     // What leaned against its wind falls.
-    if (this.#systems.get(node as ParticleSource)?.blows) this.#windOnBodies.wake();
-    this.#systems.delete(node as ParticleSource);
+    if (this.of(source)?.blows) this.#windOnBodies.wake();
+    this.#systems.delete(source.id);
     super.release(node);
   }
 
@@ -78,8 +84,8 @@ export class Particles extends Effect {
     const { timeStep } = this.#simulation;
     this.#winds.length = 0;
     let change = false;
-    for (const source of this.inOrder as readonly ParticleSource[]) {
-      const system = this.#systems.get(source)!;
+    for (const source of this.#sources) {
+      const system = this.of(source)!;
       if (system.windsChange()) change = true;
       for (const wind of system.windsIn(timeStep)) this.#winds.push(wind);
     }
@@ -97,8 +103,8 @@ export class Particles extends Effect {
     else this.#obstacles.forget();
     let goesOn = false;
     let room = MOST_PARTICLES - this.#living;
-    for (const source of this.inOrder as readonly ParticleSource[]) {
-      const system = this.#systems.get(source)!;
+    for (const source of this.#sources) {
+      const system = this.of(source)!;
       room += system.cloud.count;
       system.step(dt, room);
       room -= system.cloud.count;
@@ -130,32 +136,28 @@ export class Particles extends Effect {
 
   // ---- what is seen -----------------------------------------------------------------------------------------------
 
-  get #byId(): Map<number, ParticleSystem> {
-    return new Map([...this.#systems].map(([{ id }, system]) => [id, system]));
-  }
-
   /** Steps are taken here from now on, of a world of which nobody knows here what it told. */
   tellAnew(): void {
-    for (const source of this.#systems.keys()) source.tellAnew();
+    for (const source of this.#sources) source.tellAnew();
   }
 
   /** What a page is to hear whose steps are taken here. */
   tell(room: Float64Array<ArrayBuffer>): Float64Array<ArrayBuffer> {
-    return this.#told.write(this.#byId, room);
+    return this.#told.write(this.#systems, room);
   }
 
   /** Its steps are taken elsewhere; what that side told. */
   hear(told: Float64Array): void {
-    if (told[0] !== 0) hear(this.#byId, told);
+    if (told[0] !== 0) hear(this.#systems, told);
   }
 
   get pictures(): [id: number, picture: CloudPicture][] {
-    return [...this.#byId].map(([id, { picture }]) => [id, picture]);
+    return [...this.#systems].map(([id, { picture }]) => [id, picture]);
   }
 
   /** Somebody looks back at these; undefined: not any more. What had no particles then has none. */
   lookBack(pictures: ReadonlyMap<number, CloudPicture> | undefined): void {
-    for (const [id, system] of this.#byId)
+    for (const [id, system] of this.#systems)
       system.lookBack(pictures && seenIn(pictures.get(id) ?? NOTHING));
   }
 
@@ -167,12 +169,11 @@ export class Particles extends Effect {
   }
 
   override save(): [id: number, kept: KeptSystem][] {
-    return [...this.#systems].map(([{ id }, system]) => [id, system.save()]);
+    return [...this.#systems].map(([id, system]) => [id, system.save()]);
   }
 
   override load(saved: readonly [id: number, kept: KeptSystem][]): void {
-    const byId = this.#byId;
-    for (const [id, kept] of saved) byId.get(id)?.load(kept);
+    for (const [id, kept] of saved) this.#systems.get(id)?.load(kept);
     if (saved.some(([, { met }]) => met)) this.#obstacles.goOn();
     this.#goOn();
   }

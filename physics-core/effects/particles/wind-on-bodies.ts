@@ -5,7 +5,7 @@ import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { same } from '../../engine/free-fall.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
-import { SeenBody } from './seen-body.js';
+import { BodySilhouette } from './body-silhouette.js';
 import { FREE, HELD, WindPush } from './wind-push.js';
 import type { Wind } from './wind.js';
 
@@ -25,7 +25,7 @@ const half = new Float64Array(3);
 export class WindOnBodies {
   readonly #simulation: Simulation;
   /** By slot. */
-  readonly #seen: (SeenBody | undefined)[] = [];
+  readonly #silhouettes: (BodySilhouette | undefined)[] = [];
   readonly #held: WindPush;
   readonly #free: WindPush;
   /** That were pushed in this step; by slot, what the force is to give them. */
@@ -56,16 +56,16 @@ export class WindOnBodies {
     for (let slot = 0; slot < slots; slot++) {
       const body = pointers[slot] !== 0 && asleep[slot] === 0 ? bodies.in(slot) : undefined;
       if (!body) continue;
-      this.#held.reckon(body, this.#seenOf(body), winds, dt, NOTHING);
+      this.#held.reckon(body, this.#silhouetteOf(body), winds, dt, NOTHING);
       this.#give(body, dt);
       this.#blown.push(body);
     }
   }
 
-  #seenOf(body: Body): SeenBody {
-    const known = this.#seen[body.slot];
+  #silhouetteOf(body: Body): BodySilhouette {
+    const known = this.#silhouettes[body.slot];
     if (known?.isOf(body)) return known;
-    return (this.#seen[body.slot] = new SeenBody(body));
+    return (this.#silhouettes[body.slot] = new BodySilhouette(body));
   }
 
   #give({ body, slot, mass }: Body, dt: number): void {
@@ -81,7 +81,7 @@ export class WindOnBodies {
   settle(winds: readonly Wind[], dt: number): void {
     for (const body of this.#blown) {
       if (body.joints.size > 0 || body.dampedShare.linear > 0 || !this.#isFree(body, dt)) continue;
-      this.#free.reckon(body, this.#seenOf(body), winds, dt, half);
+      this.#free.reckon(body, this.#silhouetteOf(body), winds, dt, half);
       this.#place(body, dt);
       this.#hasten(body);
     }

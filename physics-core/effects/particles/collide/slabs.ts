@@ -48,7 +48,9 @@ export class Slabs implements Search {
   /** Of each axis where the first slab begins, and slabs per metre. */
   readonly #start = new Float64Array(3);
   readonly #perMetre = new Float64Array(3);
+  /** As many as there are boxes, to be ranked, in room for more: how many move is another number in each step. */
   #numbers: Flat = new Float64Array(0);
+  #room: Flat = new Float64Array(0);
   /** Of each slab along y and each along z the slabs along x in which anything lies there, a bit each. */
   readonly #rows = new Int32Array(SLABS * SLABS);
 
@@ -58,10 +60,11 @@ export class Slabs implements Search {
     this.#words = words;
     const size = 3 * SLABS * words;
     if (this.#bits.length < size) this.#bits = new Int32Array(2 * size);
-    if (this.#numbers.length !== count) {
-      this.#numbers = new Float64Array(count);
-      this.#order = new Int32Array(count);
+    if (this.#order.length < count) {
+      this.#order = new Int32Array(2 * count);
+      this.#room = new Float64Array(2 * count);
     }
+    if (this.#numbers.length !== count) this.#numbers = this.#room.subarray(0, count);
     const bits = this.#bits.fill(0);
     this.#rows.fill(0);
     for (let axis = 0; axis < 3; axis++) this.#spread(axis, count);

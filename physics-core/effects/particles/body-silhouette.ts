@@ -16,7 +16,7 @@ const way = new Float64Array(3);
 const seen = new Float64Array(SEEN);
 
 /** What is seen of a body in the frame of its centre of mass: its parts add up, whichever hides another. */
-export class SeenBody implements Silhouette {
+export class BodySilhouette implements Silhouette {
   readonly #of: readonly CollidablePart[];
   readonly #centre: Pose;
   readonly #parts: readonly Part[];
