@@ -4,13 +4,9 @@ import { factsOf } from '../conformance/all.js';
 import type { Fact } from '../conformance/fact.js';
 import { judge, objections } from '../conformance/judge.js';
 import { openInPage, tags } from '../conformance/page-driver.js';
-import { particleTypes } from '../../physics-core/particles.js';
 import type { Thread } from './threads.js';
 
 const spellings = Object.entries(tags);
-
-/** A world in a worker comes back to the page for particles, and says so. */
-const tellsThere = (type: string): string[] => (type in particleTypes ? ['thread-main'] : []);
 
 /** The facts of each node in this page, with the steps of their worlds taken on that thread; `without` those. */
 export function prove(
@@ -26,8 +22,7 @@ export function prove(
         // By turns: the same facts in both spellings would take twice the time and find nothing more.
         const [spelling, tag] = spellings[shown++ % spellings.length]!;
         it(`${fact.field}: ${fact.says} (${spelling} tags)`, async () => {
-          const codes = [...(fact.tells ?? []), ...(thread === 'worker' ? tellsThere(type) : [])];
-          claim(...codes.map((code) => `[${code}]`));
+          claim(...(fact.tells ?? []).map((code) => `[${code}]`));
           const stage = await openInPage(fact, tag, thread);
           expect(objections(await judge(fact, stage))).to.eql([]);
           await stage.close();
