@@ -103,6 +103,7 @@ export function minify() {
       if (moduleIds.every(ofOthers)) return { code, map };
       return terser(code, {
         module: format === 'es',
+        nameCache: { vars: { props: namesOfExports(this.parse(code)) } },
         ecma: Number(TARGET.slice(2)),
         compress: { passes: 3 },
         format: { comments: 'some' },
@@ -110,6 +111,23 @@ export function minify() {
       });
     },
   };
+}
+
+/** Longer names are for people, and a global may have them. */
+const SHORT = /^[\w$]{1,2}$/;
+
+/**
+ * What files of a build know each other's parts by is what these are called inside, too, as Terser keeps names (`$` before
+ * each): `export{a,b}` is half of `export{xy as a,z as b}`.
+ */
+function namesOfExports({ body }) {
+  const names = {};
+  for (const { type, source, specifiers } of body) {
+    if (type !== 'ExportNamedDeclaration' || source) continue;
+    for (const { local, exported } of specifiers)
+      if (SHORT.test(exported.name)) names[`$${local.name}`] ??= exported.name;
+  }
+  return names;
 }
 
 /** `import wasm from 'virtual:ammo-wasm'`, see types/virtual.d.ts: as text, which any script can hold. */
