@@ -34,12 +34,20 @@ export function inlineNumbers() {
 
 const NONE = new Map();
 
-/** Of `export const NAME = 1e-3;` in a text, by name. */
+const COMMENT = /\/\*[^]*?\*\/|\/\/.*/g;
+const NUMBER = String.raw`-?[\d._e-]+`;
+const TABLE = String.raw`\{(?:\s*[a-zA-Z\d]+: ${NUMBER},?)+\s*\} as const`;
+const EXPORT = new RegExp(`^export const (\\w+) = (${NUMBER}|${TABLE});`, 'gm');
+
+/**
+ * Of `export const NAME = 1e-3;` in a text, by name, and of `export const NAME = { a: 1, b: 2 } as const;`: of a table that
+ * stands beside its users a minifier leaves the numbers alone, where they are used.
+ */
 export const numbersOf = (text) =>
   new Map(
-    [...text.matchAll(/^export const (\w+) = (-?[\d._e-]+);/gm)].map(([, name, number]) => [
+    [...text.replace(COMMENT, '').matchAll(EXPORT)].map(([, name, value]) => [
       name,
-      number.replaceAll('_', ''),
+      value.replace(/\s|_|as const$/g, ''),
     ]),
   );
 
