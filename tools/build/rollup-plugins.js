@@ -103,7 +103,7 @@ export function minify() {
       if (moduleIds.every(ofOthers)) return { code, map };
       return terser(code, {
         module: format === 'es',
-        nameCache: { vars: { props: namesOfExports(this.parse(code)) } },
+        nameCache: { vars: { props: namesBetweenFiles(this.parse(code)) } },
         ecma: Number(TARGET.slice(2)),
         compress: { passes: 3 },
         format: { comments: 'some' },
@@ -118,16 +118,16 @@ const SHORT = /^[\w$]{1,2}$/;
 
 /**
  * What files of a build know each other's parts by is what these are called inside, too, as Terser keeps names (`$` before
- * each): `export{a,b}` is half of `export{xy as a,z as b}`.
+ * each): `export{a,b}` is half of `export{xy as a,z as b}`. Exports, which stand last, have the first choice.
  */
-function namesOfExports({ body }) {
-  const names = {};
-  for (const { type, source, specifiers } of body) {
-    if (type !== 'ExportNamedDeclaration' || source) continue;
-    for (const { local, exported } of specifiers)
-      if (SHORT.test(exported.name)) names[`$${local.name}`] ??= exported.name;
-  }
-  return names;
+function namesBetweenFiles({ body }) {
+  const inside = new Map();
+  for (const { specifiers = [] } of body.toReversed())
+    for (const { local, exported, imported } of specifiers) {
+      const name = (exported ?? imported)?.name;
+      if (SHORT.test(name) && !inside.has(name)) inside.set(name, local.name);
+    }
+  return Object.fromEntries([...inside].map(([name, local]) => [`$${local}`, name]));
 }
 
 /** `import wasm from 'virtual:ammo-wasm'`, see types/virtual.d.ts: as text, which any script can hold. */
