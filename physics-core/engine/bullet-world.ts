@@ -39,6 +39,14 @@ const modeOf = ({ givenFrictionDirections, twoFrictionDirections }: SolverSettin
   (givenFrictionDirections ? SOLVER_MODE.cachedFrictionDirections : 0) |
   (twoFrictionDirections ? SOLVER_MODE.twoFrictionDirections : 0);
 
+/** A ball of 1 m that stands in no world yet. */
+export function makeImmovable({ ammo, scratch }: Engine, owner: Owner): BtBody {
+  const shape = owner.own(new ammo.btSphereShape(1));
+  const nothing = scratch.vector(0, 0, 0);
+  const info = owner.own(new ammo.btRigidBodyConstructionInfo(0, null as never, shape, nothing));
+  return owner.own(new ammo.btRigidBody(info));
+}
+
 /** Bullet's dynamics world with its solver settings. Bodies and constraints are owned by their nodes. */
 export class BulletWorld {
   readonly engine: Engine;
@@ -68,7 +76,7 @@ export class BulletWorld {
     this.bullet = this.#owner.own(
       new ammo.btDiscreteDynamicsWorld(this.#dispatcher, broadphase, solver, configuration),
     );
-    this.ground = this.#makeGround();
+    this.ground = makeImmovable(engine, this.#owner);
     // Every body carries its own collection's gravity.
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
     this.#broadphase = ammo.getPointer(broadphase);
@@ -99,15 +107,6 @@ export class BulletWorld {
   /** What it keeps from step to step beside bodies; undefined: nothing touches, or the heap is not trusted. */
   get kept(): KeptWorld | undefined {
     return (this.#kept ??= this.order && keeping.of?.(this, this.#broadphase));
-  }
-
-  #makeGround(): BtBody {
-    const { ammo, scratch } = this.engine;
-    const own = this.#owner;
-    const shape = own.own(new ammo.btSphereShape(1));
-    const nothing = scratch.vector(0, 0, 0);
-    const info = own.own(new ammo.btRigidBodyConstructionInfo(0, null as never, shape, nothing));
-    return own.own(new ammo.btRigidBody(info));
   }
 
   configure(settings: SolverSettings): void {

@@ -1,5 +1,5 @@
 import type { Ammo } from './ammo.js';
-import { HeapReader, ApiReader, type BtBody } from './heap.js';
+import { HeapReader, ApiReader, type BodyReader, type BtBody } from './heap.js';
 import { Owner } from './owner.js';
 import type { SolverHook } from './solver-hook.js';
 import { StepStages } from './step-stages.js';
@@ -24,13 +24,26 @@ const MATRIX = 48;
 
 const close = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * Math.max(1, Math.abs(b));
 
+/** What stands at an address. */
+const wordAt = ({ HEAP32 }: Ammo, at: number): number => HEAP32[at >> 2]!;
+const floatAt = ({ HEAPF32 }: Ammo, at: number): number => HEAPF32[at >> 2]!;
+
+/** Asks objects that are gone afterwards. */
+function asking<T>(ammo: Ammo, ask: (owner: Owner) => T): T {
+  const owner = new Owner(ammo);
+  try {
+    return ask(owner);
+  } finally {
+    owner.dispose();
+  }
+}
+
 /**
  * One body with odd values written through the API must be found at our offsets. Another Ammo build loses the fast
  * reads, never the right values.
  */
-export function bodyOffsetsHold(ammo: Ammo): boolean {
-  const owner = new Owner(ammo);
-  try {
+export const bodyOffsetsHold = (ammo: Ammo): boolean =>
+  asking(ammo, (owner) => {
     const vector = owner.own(new ammo.btVector3(2, 3, 4));
     const shape = owner.own(new ammo.btBoxShape(vector));
     const info = owner.own(new ammo.btRigidBodyConstructionInfo(4, null as never, shape, vector));
@@ -47,14 +60,9 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
     vector.setValue(-9, 0.125, 6);
     body.setAngularVelocity(vector);
     const pointer = ammo.getPointer(body);
-    const fast = new Float64Array(13);
-    const sure = new Float64Array(13);
     const reader = new HeapReader(ammo);
-    const api = new ApiReader();
-    reader.pose(body, pointer, fast, 0);
-    reader.velocity(body, pointer, fast, 7);
-    api.pose(body, pointer, sure, 0);
-    api.velocity(body, pointer, sure, 7);
+    const fast = stateOf(ammo, body, reader);
+    const sure = stateOf(ammo, body, new ApiReader());
     vector.setValue(7, -8, 9);
     body.applyCentralForce(vector);
     vector.setValue(10, 11, -12);
@@ -71,24 +79,20 @@ export function bodyOffsetsHold(ammo: Ammo): boolean {
       return sixDofOffsetsHold(ammo, owner.own(joint), flag);
     });
     body.forceActivationState(5);
-    const heap = ammo.HEAPF32;
     return (
       shapeOffsetsHold(ammo, owner) &&
       fast.every((value, i) => close(value, sure[i]!)) &&
       joints.every(Boolean) &&
-      [7, -8, 9, 10, 11, -12].every((value, i) => load[i] === value) &&
-      ammo.HEAP32[(pointer + BODY.activationState) >> 2] === 5 &&
-      close(heap[(pointer + BODY.inverseMass) >> 2]!, 0.25) &&
-      close(heap[(pointer + BODY.inverseInertiaLocal) >> 2]!, 0.5)
+      String(load) === '7,-8,9,10,11,-12' &&
+      wordAt(ammo, pointer + BODY.activationState) === 5 &&
+      close(floatAt(ammo, pointer + BODY.inverseMass), 0.25) &&
+      close(floatAt(ammo, pointer + BODY.inverseInertiaLocal), 0.5)
     );
-  } finally {
-    owner.dispose();
-  }
-}
+  });
 
 function shapeOffsetsHold(ammo: Ammo, owner: Owner): boolean {
   const typeOf = (shape: Ammo['btCollisionShape']['prototype']): number =>
-    ammo.HEAP32[(ammo.getPointer(owner.own(shape)) + SHAPE.type) >> 2]!;
+    wordAt(ammo, ammo.getPointer(owner.own(shape)) + SHAPE.type);
   return (
     typeOf(new ammo.btConvexHullShape()) === SHAPE_TYPE.hull &&
     typeOf(new ammo.btCompoundShape(true)) === SHAPE_TYPE.compound
@@ -103,14 +107,14 @@ function sixDofOffsetsHold(
 ): boolean {
   const pointer = ammo.getPointer(joint);
   const flags = pointer + SIX_DOF.useLinearReferenceFrameA;
-  const owner = new Owner(ammo);
-  const limit = (x: number, y: number, z: number) => owner.own(new ammo.btVector3(x, y, z));
-  joint.setLinearLowerLimit(limit(-1, -2, -3));
-  joint.setLinearUpperLimit(limit(1, 2, 3));
-  joint.setAngularLowerLimit(limit(-0.25, -0.5, -0.75));
-  joint.setAngularUpperLimit(limit(0.25, 0.5, 0.75));
-  owner.dispose();
-  const at = (offset: number): number => ammo.HEAPF32[(pointer + offset) >> 2]!;
+  asking(ammo, (owner) => {
+    const limit = (x: number, y: number, z: number) => owner.own(new ammo.btVector3(x, y, z));
+    joint.setLinearLowerLimit(limit(-1, -2, -3));
+    joint.setLinearUpperLimit(limit(1, 2, 3));
+    joint.setAngularLowerLimit(limit(-0.25, -0.5, -0.75));
+    joint.setAngularUpperLimit(limit(0.25, 0.5, 0.75));
+  });
+  const at = (offset: number): number => floatAt(ammo, pointer + offset);
   const placed = [0, 1, 2].every((i) => {
     const angle = SIX_DOF.angularLower + i * SIX_DOF.angularSize;
     return (
@@ -133,16 +137,15 @@ function sixDofOffsetsHold(
 
 /** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (Bullet 2.82). */
 export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
-  const heap = ammo.HEAPF32;
-  const at = (offset: number): number => heap[(pointer + offset) >> 2]!;
+  const at = (offset: number): number => floatAt(ammo, pointer + offset);
   return (
-    ammo.HEAP32[(pointer + SOLVER.iterations) >> 2] === 10 &&
+    wordAt(ammo, pointer + SOLVER.iterations) === 10 &&
     close(at(0), 0.6) &&
     close(at(SOLVER.errorReduction), 0.2) &&
     close(at(SOLVER.errorReduction2), 0.8) &&
     close(at(SOLVER.splitImpulseThreshold), -0.04) &&
     close(at(SOLVER.warmstarting), 0.85) &&
-    ammo.HEAP32[(pointer + SOLVER.mode) >> 2] === 260
+    wordAt(ammo, pointer + SOLVER.mode) === 260
   );
 }
 
@@ -179,9 +182,8 @@ function sunkCubes(ammo: Ammo, owner: Owner) {
 type SunkCubes = ReturnType<typeof sunkCubes>;
 
 /** Where their contact points are, how they live, and whether the hook is called when they are found and when they are solved. */
-export function manifoldOffsetsHold(ammo: Ammo, hook: SolverHook): boolean {
-  const owner = new Owner(ammo);
-  try {
+export const manifoldOffsetsHold = (ammo: Ammo, hook: SolverHook): boolean =>
+  asking(ammo, (owner) => {
     const { dispatcher, solver, world, end } = sunkCubes(ammo, owner);
     const called: string[] = [];
     hook.attach(ammo.getPointer(solver));
@@ -194,15 +196,11 @@ export function manifoldOffsetsHold(ammo: Ammo, hook: SolverHook): boolean {
     const holds = called.join() === 'found 1,solved' && layoutHolds(ammo, dispatcher);
     end();
     return holds;
-  } finally {
-    owner.dispose();
-  }
-}
+  });
 
 /** Steps stage by stage, where that moves them as Bullet's own steps do, which tell where its seconds are to be written. */
-export function stagesThatHold(ammo: Ammo): StepStages | undefined {
-  const owner = new Owner(ammo);
-  try {
+export const stagesThatHold = (ammo: Ammo): StepStages | undefined =>
+  asking(ammo, (owner) => {
     const worlds = [sunkCubes(ammo, owner), sunkCubes(ammo, owner)] as const;
     const tables = worlds.map((world) => () => tablesHold(ammo, world));
     const [theirs, ours] = worlds.map(({ world }) => ammo.getPointer(world)) as [number, number];
@@ -215,26 +213,23 @@ export function stagesThatHold(ammo: Ammo): StepStages | undefined {
       for (let step = 0; step < 3; step++) world.stepSimulation(1 / 64, 0);
       known &&= tables[i]!();
       end();
-      return stateOf(ammo, bodies[1]!);
+      return stateOf(ammo, bodies[1]!, new HeapReader(ammo));
     });
     const holds =
       known &&
       [WORLD.dispatchInfo, WORLD.solverInfo + SOLVER.timeStep].every(
-        (offset) => ammo.HEAPF32[(theirs + offset) >> 2] === 1 / 64,
+        (offset) => floatAt(ammo, theirs + offset) === 1 / 64,
       ) &&
       String(expected) === String(found);
     return holds ? stages : undefined;
-  } finally {
-    owner.dispose();
-  }
-}
+  });
 
 /** Where Bullet's tables are in which `SolveOrder` and `KeptWorld` read and write: of one fixed cube, and one that moves. */
 function tablesHold(
   ammo: Ammo,
   { world, broadphase, dispatcher, shape, bodies }: SunkCubes,
 ): boolean {
-  const word = (at: number): number => ammo.HEAP32[at >> 2]!;
+  const word = (at: number): number => wordAt(ammo, at);
   const at = ammo.getPointer(world);
   const pairs = ammo.getPointer(broadphase);
   const [first, second] = bodies.map((body) => ammo.getPointer(body)) as [number, number];
@@ -264,38 +259,38 @@ function tablesHold(
   );
 }
 
-function stateOf(ammo: Ammo, body: BtBody): Float64Array {
+function stateOf(ammo: Ammo, body: BtBody, reader: BodyReader): Float64Array {
   const state = new Float64Array(13);
-  const reader = new HeapReader(ammo);
   reader.pose(body, ammo.getPointer(body), state, 0);
   reader.velocity(body, ammo.getPointer(body), state, 7);
   return state;
 }
 
 function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prototype']): boolean {
+  const word = (at: number): number => wordAt(ammo, at);
   const manifold = dispatcher.getManifoldByIndexInternal(0);
+  const all = ammo.getPointer(dispatcher);
   const at = ammo.getPointer(manifold);
   const first = at + MANIFOLD.points;
   const count = manifold.getNumContacts();
-  const { HEAP32, HEAPF32 } = ammo;
   return (
     count > 1 &&
-    HEAP32[(ammo.getPointer(dispatcher) + DISPATCHER.manifoldCount) >> 2] === 1 &&
-    HEAP32[HEAP32[(ammo.getPointer(dispatcher) + DISPATCHER.manifolds) >> 2]! >> 2] === at &&
-    HEAP32[(at + MANIFOLD.bodyA) >> 2] === ammo.getPointer(manifold.getBody0()) &&
-    HEAP32[(at + MANIFOLD.bodyB) >> 2] === ammo.getPointer(manifold.getBody1()) &&
-    HEAP32[(at + MANIFOLD.pointCount) >> 2] === count &&
+    word(all + DISPATCHER.manifoldCount) === 1 &&
+    word(word(all + DISPATCHER.manifolds)) === at &&
+    word(at + MANIFOLD.bodyA) === ammo.getPointer(manifold.getBody0()) &&
+    word(at + MANIFOLD.bodyB) === ammo.getPointer(manifold.getBody1()) &&
+    word(at + MANIFOLD.pointCount) === count &&
     // A fiftieth of the way from the middle to a corner.
-    close(HEAPF32[(at + MANIFOLD.breaking) >> 2]!, 0.02 * Math.sqrt(3)) &&
+    close(floatAt(ammo, at + MANIFOLD.breaking), 0.02 * Math.sqrt(3)) &&
     ammo.getPointer(manifold.getContactPoint(0)) === first &&
     ammo.getPointer(manifold.getContactPoint(1)) === first + MANIFOLD_POINT.size &&
-    HEAPF32[(first + MANIFOLD_POINT.distance) >> 2] === manifold.getContactPoint(0).getDistance() &&
+    floatAt(ammo, first + MANIFOLD_POINT.distance) === manifold.getContactPoint(0).getDistance() &&
     localsHold(ammo, first)
   );
 }
 
 /** The top of the lower box, the bottom of the upper one. */
-function localsHold({ HEAPF32 }: Ammo, point: number): boolean {
-  const y = (local: number): number => HEAPF32[(point + local + 4) >> 2]!;
+function localsHold(ammo: Ammo, point: number): boolean {
+  const y = (local: number): number => floatAt(ammo, point + local + 4);
   return close(y(MANIFOLD_POINT.localA), 1) && close(y(MANIFOLD_POINT.localB), -1);
 }

@@ -1,5 +1,5 @@
 import type { Ammo } from '../../engine/ammo.js';
-import { BulletWorld } from '../../engine/bullet-world.js';
+import { BulletWorld, makeImmovable } from '../../engine/bullet-world.js';
 import type { BtBody } from '../../engine/heap.js';
 import { Owner } from '../../engine/owner.js';
 import { codecs } from '../../fields/values.js';
@@ -159,15 +159,10 @@ class Probe {
 
   constructor(world: NodeWorld) {
     const { engine } = world;
-    const { ammo, scratch } = engine;
     this.#world = world;
     this.#alone = new BulletWorld(engine);
-    this.#owner = new Owner(ammo);
-    const shape = this.#owner.own(new ammo.btSphereShape(1));
-    const info = this.#owner.own(
-      new ammo.btRigidBodyConstructionInfo(0, null as never, shape, scratch.vector(0, 0, 0)),
-    );
-    this.#body = this.#owner.own(new ammo.btRigidBody(info));
+    this.#owner = new Owner(engine.ammo);
+    this.#body = makeImmovable(engine, this.#owner);
     this.#alone.addBody(this.#body, 0, EVERYTHING, EVERYTHING);
   }
 
