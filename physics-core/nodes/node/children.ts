@@ -26,7 +26,8 @@ interface Parent<N extends Child> {
 /** Nodes made from plain data given to the fields of a node; they live and die with it. */
 export class Children<N extends Child> {
   readonly #parent: Parent<N>;
-  readonly #byField = new Map<string, N[]>();
+  /** By field. */
+  readonly of = new Map<string, N[]>();
 
   constructor(parent: Parent<N>) {
     this.#parent = parent;
@@ -39,7 +40,7 @@ export class Children<N extends Child> {
   adopt(name: string, { nodes: types }: Field, value: Value): Value {
     if (!types || value === '*') return value;
     const items = [value].flat();
-    const before = this.#byField.get(name) ?? [];
+    const before = this.of.get(name) ?? [];
     for (const child of before) if (!items.includes(child)) child.remove();
     const made = before.filter((child) => items.includes(child));
     const taken: unknown[] = [];
@@ -48,7 +49,7 @@ export class Children<N extends Child> {
       if (node !== undefined) taken.push(node);
       if (this.#parent.isNode(node) && node !== item) made.push(node);
     }
-    this.#byField.set(name, made);
+    this.of.set(name, made);
     return Array.isArray(value) ? taken : (taken[0] ?? null);
   }
 
@@ -109,11 +110,11 @@ export class Children<N extends Child> {
   }
 
   get all(): N[] {
-    return [...this.#byField.values()].flat();
+    return [...this.of.values()].flat();
   }
 
   remove(): void {
-    for (const children of this.#byField.values()) for (const child of children) child.remove();
+    for (const children of this.of.values()) for (const child of children) child.remove();
   }
 }
 

@@ -1,5 +1,5 @@
 import type { Engine } from '../../engine/engine.js';
-import type { PhysicsNode } from '../../nodes/node/node.js';
+import { PhysicsNode } from '../../nodes/node/node.js';
 import { momentIn } from './bodies.js';
 import { statesIn } from './states.js';
 import { loadNode, loadState } from './load.js';
@@ -32,6 +32,7 @@ export function* copyInto(
     // It may have been born after those that belong to it.
     if (collection !== undefined) born.get(id)!.collection = born.get(collection);
     loadNode(born.get(id)!, found, elsewhere);
+    adoptChildren(born.get(id)!, found);
     for (const event of heard.get(id) ?? []) born.get(id)!.on(event, () => {});
     yield;
   }
@@ -42,4 +43,15 @@ export function* copyInto(
   world.bodies.countFrom(undefined);
   world.stepping.resume(snapshot.time, snapshot.taken);
   loadState(world, snapshot, momentIn(snapshot));
+}
+
+/** What was made for a field goes with its node here, too, and is made again with it. */
+function adoptChildren({ fieldState, children }: PhysicsNode, { states }: Lookup): void {
+  for (const [name, value] of fieldState.asked) {
+    const own = [value]
+      .flat()
+      .filter((item) => item instanceof PhysicsNode)
+      .filter(({ id }) => states.get(id)?.child);
+    if (own.length > 0) children.of.set(name, own);
+  }
 }

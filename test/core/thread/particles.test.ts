@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { World } from '../../../physics-core/inside.js';
+import type { Snapshot } from '../../../physics-core/world/snapshot/snapshot.js';
+import { statesIn } from '../../../physics-core/world/snapshot/states.js';
 import { claim, closeWorlds, world, type Node } from '../helpers.js';
 import { goAway } from './sides.js';
 
@@ -104,5 +106,17 @@ test('what isActive becomes as the world goes away is told, too', async () => {
   goAway(w);
   await w.ask('step', 2);
   assert.deepEqual(told, [true, false]);
+  closeWorlds();
+});
+
+test('an emitter in the place of another leaves nothing of that on the other side', async () => {
+  const w = await world();
+  const system = fountain(w);
+  goAway(w);
+  system.set('emitter', { type: 'PointEmitter', mass: 1, surfaceArea: 1 });
+  await w.ask('step', 2);
+  const { nodes } = (await w.ask('snapshot')) as Snapshot;
+  const types = statesIn({ nodes }).map(({ type }) => type);
+  assert.deepEqual(types.sort(), [...w.nodes].map(({ type }) => type.name).sort());
   closeWorlds();
 });

@@ -119,3 +119,21 @@ fact('and so it does, gone on from any moment of a recording', async () => {
   w.resume();
   assert.deepEqual(placesOf(system), then);
 });
+
+fact(
+  'gone on from before its emitter was another, a system has that one again, and a body its shape',
+  async () => {
+    const w = await world();
+    const system = fountain(w);
+    const crate = addBody(w, { geometry: [box(1, 1, 1)] });
+    const timeline = await w.record({ seconds: 10 });
+    w.advance(0.5);
+    system.set('emitter', { type: 'PointEmitter', mass: 1, speed: 9 });
+    crate.set('geometry', [box(2, 2, 2)]);
+    w.advance(0.5);
+    timeline.seek(0.5);
+    w.resume();
+    assert.equal((system.get('emitter') as PhysicsNode).get('speed'), 4);
+    assert.equal((crate.get('geometry') as PhysicsNode[]).length, 1);
+  },
+);
