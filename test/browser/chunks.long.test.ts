@@ -90,7 +90,7 @@ describe('what a page fetches', () => {
       'chunk-page.js',
       'x3d-physics.js',
     ]);
-    // 90.2 kB (1.1 more by WebKit's gzip), of which 59 are the core; 4 of these are sines and their like, the same in every
+    // 89.7 kB (1.1 more by WebKit's gzip), of which 58 are the core; 4 of these are sines and their like, the same in every
     // browser, 3 the tables of nodes that are not there, whose elements have their properties all the same, and 9 what
     // page code may call at any time and has to answer at once: rays, snapshots, drags, explain. 85 were asked for: snapshots
     // that go on to the same bits take 3 more than those that did not.
@@ -98,8 +98,8 @@ describe('what a page fetches', () => {
     expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([]);
   });
 
-  // With everything but x3dom 328 kB by gzip and 268 by Brotli: the engine 180 and 139 (glue included), contacts 58 and 50, the
-  // core 59 and 51, the page 31 and 27. 260 by Brotli were asked for when our own code was 18 kB less.
+  // With everything but x3dom 327 kB by gzip and 268 by Brotli: the engine 180 and 139 (glue included), contacts 58 and 50, the
+  // core 58 and 51, the page 31 and 28. 260 by Brotli were asked for when our own code was 18 kB less.
   it('of all files, for a box on a floor: bytes', async () => {
     const { page, world } = await show(FALLING + FLOOR);
     await until(() => world.time > 0);
