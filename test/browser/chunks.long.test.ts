@@ -90,7 +90,7 @@ describe('what a page fetches', () => {
       'chunk-page.js',
       'x3d-physics.js',
     ]);
-    // 89.7 kB (1.1 more by WebKit's gzip), of which 58 are the core; 4 of these are sines and their like, the same in every
+    // 89.7 kB (0.9 more by WebKit's gzip), of which 58 are the core; 4 of these are sines and their like, the same in every
     // browser, 3 the tables of nodes that are not there, whose elements have their properties all the same, and 9 what
     // page code may call at any time and has to answer at once: rays, snapshots, drags, explain. 85 were asked for: snapshots
     // that go on to the same bits take 3 more than those that did not.
