@@ -51,6 +51,17 @@ const OF_CORE =
 const OF_PARTICLES =
   /\/(elements\/(x3d-(particle-system|[a-z]+-emitter|[a-z]+-physics-model)|particles|bridge\/particles\/[\w-]+)|physics-core\/particles)\.ts$/;
 
+/** What floats, with what waves have in common with that. */
+const OF_FLOATING = /\/physics-core\/(effects\/water\/volume|world\/chunks\/water-code)\.ts$/;
+
+/** The same of water. */
+const OF_WATER =
+  /\/(elements\/(x3d-water-volume|water|bridge\/water\/[\w-]+)|physics-core\/water)\.ts$/;
+
+/** Winds and water push what they see of a body. */
+const OF_SILHOUETTES =
+  /\/physics-core\/(dynamics\/body-silhouette|shapes\/silhouette\/[\w-]+)\.ts$/;
+
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
  * also runs without one, with the little that joints, hands, contacts and meshes have in common. What debug drawing and measurement have
@@ -58,6 +69,9 @@ const OF_PARTICLES =
  */
 const together = (id) => {
   if (OF_PARTICLES.test(id)) return 'particle-elements';
+  if (OF_WATER.test(id)) return 'water-elements';
+  if (OF_FLOATING.test(id)) return 'water-code';
+  if (OF_SILHOUETTES.test(id)) return 'silhouettes';
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
   if (OF_CORE.test(id)) return 'core';
   return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;

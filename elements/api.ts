@@ -60,4 +60,5 @@ export type { X3DPointEmitterElement } from './x3d-point-emitter.js';
 export type { X3DPolylineEmitterElement } from './x3d-polyline-emitter.js';
 export type { X3DSurfaceEmitterElement } from './x3d-surface-emitter.js';
 export type { X3DVolumeEmitterElement } from './x3d-volume-emitter.js';
+export type { X3DWaterVolumeElement } from './x3d-water-volume.js';
 export type { X3DWindPhysicsModelElement } from './x3d-wind-physics-model.js';

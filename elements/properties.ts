@@ -1114,6 +1114,75 @@ export interface WindPhysicsModelProperties {
   set metadata(value: Element | null | undefined);
 }
 
+/** Properties of `<x3d-water-volume>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface WaterVolumeProperties {
+  /** FALSE: it is not there. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** Where its middle is, metres; in a page in the frame of the Transform that it stands in, or for. (SFVec3f) Default 0 0 0. */
+  get position(): number[];
+  set position(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** How it is turned: its surface looks along its y. (SFRotation) Default 0 0 1 0. */
+  get orientation(): number[];
+  set orientation(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Its width, depth and length, metres; in a page, where nothing is said, those of the Box of the Shape beside it. Range [0, Infinity]. (SFVec3f) Default 10 2 10. */
+  get size(): number[];
+  set size(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** kg/m³: where volumes overlap there is what is denser. Range [0, Infinity]. (SFFloat) Default 1000. */
+  get density(): number;
+  set density(value: number | string | null | undefined);
+  /** Quadratic drag: half of the density times this, the wetted cross-section and the square of the speed through the water, newtons. Range [0, Infinity]. (SFFloat) Default 1. */
+  get dragCoefficient(): number;
+  set dragCoefficient(value: number | string | null | undefined);
+  /** Lift: what wetted faces that stand aslant are pushed aside by, as drag is reckoned. It takes no energy. Range [0, Infinity]. (SFFloat) Default 1. */
+  get liftCoefficient(): number;
+  set liftCoefficient(value: number | string | null | undefined);
+  /** Linear drag, 1/s: of its speed through the water and of its spin what floats loses this share in a second; what is wetted by more or less than it weighs loses more or less. Range [0, Infinity]. (SFFloat) Default 1. */
+  get damping(): number;
+  set damping(value: number | string | null | undefined);
+  /** Share of the mass of the displaced water that has to be moved along with what moves freely: a ball in deep water has 0.5. Range [0, Infinity]. (SFFloat) Default 0. */
+  get addedMass(): number;
+  set addedMass(value: number | string | null | undefined);
+  /** Where the water goes and how fast, m/s, in its own frame: what floats goes along. (SFVec3f) Default 0 0 0. */
+  get flow(): number[];
+  set flow(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** TRUE: its surface moves. What goes through it makes waves, and what floats rides on them. (SFBool) Default false. */
+  get waves(): boolean;
+  set waves(value: boolean | string | null | undefined);
+  /** Cells of a surface that moves along its width and its length: one number counts for both. More show shorter waves, and cost more. Other cells begin flat. Range [1, 256]. (MFInt32) Default 64 64. */
+  get subdivision(): number[];
+  set subdivision(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** REFLECTING: waves come back from its sides, as in a pool. OPEN: they go on, as in a sea. (SFString) Default REFLECTING. */
+  get edges(): string;
+  set edges(value: string | null | undefined);
+  /** Share of its speed that the water of a surface that moves loses in a second: waves lose half of that of their height. Range [0, Infinity]. (SFFloat) Default 0.2. */
+  get waveDamping(): number;
+  set waveDamping(value: number | string | null | undefined);
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  get bboxCenter(): number[];
+  set bboxCenter(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  get bboxSize(): number[];
+  set bboxSize(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  get bboxDisplay(): boolean;
+  set bboxDisplay(value: boolean | string | null | undefined);
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  get visible(): boolean;
+  set visible(value: boolean | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+  /** DEF or id of the Transform, Shape or group that it stands for. */
+  for: string;
+}
+
 /** By type of node. */
 export interface ElementProperties {
   RigidBodyCollection: RigidBodyCollectionProperties;
@@ -1140,6 +1209,7 @@ export interface ElementProperties {
   BoundedPhysicsModel: BoundedPhysicsModelProperties;
   ForcePhysicsModel: ForcePhysicsModelProperties;
   WindPhysicsModel: WindPhysicsModelProperties;
+  WaterVolume: WaterVolumeProperties;
 }
 
 /** The events of all physics elements. They bubble, so that they can be listened to anywhere above. */
@@ -1164,6 +1234,10 @@ export interface PhysicsEventMap {
   sleep: CustomEvent<{ time: number }>;
   /** It moves again. */
   wake: CustomEvent<{ time: number }>;
+  /** It has come into water. */
+  waterenter: CustomEvent<{ water: Element; depth: number; speed: number; time: number }>;
+  /** It is in water no more. */
+  waterleave: CustomEvent<{ water: Element; depth: number; speed: number; time: number }>;
   /** It has reached one of its stops. */
   jointlimit: CustomEvent<{ limit: 'min' | 'max'; value: number; axis?: number; time: number }>;
   /** Somebody takes hold of it; `preventDefault` forbids that. */

@@ -16,6 +16,12 @@ export interface World extends Core.World {
 
   /** The first thing on the way between two points (world frame, metres), or null. */
   raycast(from: Core.Vector, to: Core.Vector): RayHit | null;
+  /** The same, and with `water` the surface of a WaterVolume, whichever comes first. */
+  raycast(
+    from: Core.Vector,
+    to: Core.Vector,
+    also: { water?: boolean },
+  ): RayHit | Omit<RayHit, 'collidable'> | null;
 }
 
 /** A world of the page as people see it. */

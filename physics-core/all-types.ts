@@ -3,8 +3,10 @@ import type { NodeType } from './inside.js';
 import { nodeTypes } from './nodes/index.js';
 import { byName } from './nodes/node/table.js';
 import { particleTypes } from './nodes/particles/index.js';
+import { waterTypes } from './nodes/water/index.js';
 
 export const allTypes: Readonly<Record<string, NodeType>> = byName({
   ...nodeTypes,
   ...particleTypes,
+  ...waterTypes,
 });

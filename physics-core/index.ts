@@ -2,6 +2,7 @@
 import type { Problem } from './base/problems.js';
 import type { EngineSource } from './engine/wasm.js';
 import { particleSystems } from './effects/particles/effects.js';
+import { waters, waveChunk } from './effects/water/effects.js';
 import { behind, shown } from './face/shown.js';
 import type { RigidBodyCollectionFields } from './face/fields.js';
 import type { World } from './face/world.js';
@@ -12,7 +13,7 @@ export type * from './face/events.js';
 export type * from './face/fields.js';
 export type * from './face/nodes.js';
 export type * from './face/values.js';
-export type { NodeOptions, RayHit, World } from './face/world.js';
+export type { NodeOptions, RayHit, SurfaceHit, World } from './face/world.js';
 export type { Rotation, Vec3 } from './fields/types.js';
 export type { Problem, Severity } from './base/problems.js';
 export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
@@ -28,7 +29,11 @@ export type { Geometry } from './shapes/geometry.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { Stats } from './world/store/types.js';
 
-inside.beyondPages.push(particleSystems.comesFrom(() => import('./world/chunks/particle-code.js')));
+inside.beyondPages.push(
+  particleSystems.comesFrom(() => import('./world/chunks/particle-code.js')),
+  waters.comesFrom(() => import('./world/chunks/water-code.js')),
+  waveChunk.comesFrom(() => import('./effects/wave-code.js')),
+);
 
 /** The fields of RigidBodyCollection, and what only the world itself has. */
 export interface CreateOptions

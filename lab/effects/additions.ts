@@ -17,6 +17,8 @@ export interface Addition {
 // Nothing but Bullet moves these.
 const drifting: Scene = { body: { useGlobalGravity: false, linearVelocity: [0, 1, 0] } };
 const falling: Scene = {};
+// Half as dense as water, at its surface.
+const floating: Scene = { body: { mass: 260 } };
 const slabs = { geometry: [box(1, 2, 0.5)], angularVelocity: [0.1, 3, 0.1] };
 const rods = { geometry: [box(0.6, 0.02, 0.02)] };
 const standing: Scene = { floor: true };
@@ -205,6 +207,37 @@ export const additions: readonly Addition[] = [
           physics: [{ type: 'ForcePhysicsModel', force: [0, -0.0098, 0] }],
           maxParticles: 1000,
           particleLifetime: 1,
+        });
+      },
+    },
+  },
+  {
+    effect: 'water',
+    by: 'a sea that they float in',
+    without: floating,
+    with: {
+      ...floating,
+      also: (world) => {
+        world.add('WaterVolume', { size: [400, 100, 400], position: [40, -49.5, 20] });
+      },
+    },
+  },
+  {
+    effect: 'waves',
+    by: 'waves of that sea',
+    without: {
+      ...floating,
+      also: (world) => {
+        world.add('WaterVolume', { size: [400, 100, 400], position: [40, -49.5, 20] });
+      },
+    },
+    with: {
+      ...floating,
+      also: (world) => {
+        world.add('WaterVolume', {
+          size: [400, 100, 400],
+          position: [40, -49.5, 20],
+          waves: true,
         });
       },
     },

@@ -7,7 +7,7 @@ const O = BODY.origin >> 2;
 const V = BODY.linearVelocity >> 2;
 
 /** Share of a velocity and of its change that single precision may take or add in a step. */
-const SAME = 1e-6;
+export const SAME = 1e-6;
 
 /** m/s: rounding of what is nearly nothing. */
 const TINY = 1e-12;

@@ -94,12 +94,26 @@ export interface CollidableEvents {
   collisionend: CollisionEnd;
 }
 
+/** Detail of `waterenter` and `waterleave`. */
+export interface WaterEvent extends Moment {
+  /** Into which, or out of which; where several overlap, that in which it is deepest. */
+  water: NodeOf<'WaterVolume'>;
+  /** How far its lowest point is below the surface, metres. */
+  depth: number;
+  /** How fast it goes down, m/s; negative is up. */
+  speed: number;
+}
+
 /** What `body.on` hears. */
 export interface BodyEvents extends CollidableEvents {
   /** It has come to rest, and is simulated no longer. */
   sleep: Moment;
   /** It moves again. */
   wake: Moment;
+  /** It has come into water. */
+  waterenter: WaterEvent;
+  /** It is in water no more. */
+  waterleave: WaterEvent;
 }
 
 /** What `joint.on` hears. */

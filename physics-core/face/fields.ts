@@ -1124,6 +1124,71 @@ export interface WindPhysicsModelValues {
   metadata: unknown;
 }
 
+/** What may be said of a WaterVolume; what is left out has its default. */
+export interface WaterVolumeFields {
+  /** FALSE: it is not there. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Where its middle is, metres; in a page in the frame of the Transform that it stands in, or for. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** How it is turned: its surface looks along its y. (SFRotation) Default 0 0 1 0. */
+  orientation?: Numbers;
+  /** Its width, depth and length, metres; in a page, where nothing is said, those of the Box of the Shape beside it. Range [0, Infinity]. (SFVec3f) Default 10 2 10. */
+  size?: Numbers;
+  /** kg/m³: where volumes overlap there is what is denser. Range [0, Infinity]. (SFFloat) Default 1000. */
+  density?: number;
+  /** Quadratic drag: half of the density times this, the wetted cross-section and the square of the speed through the water, newtons. Range [0, Infinity]. (SFFloat) Default 1. */
+  dragCoefficient?: number;
+  /** Lift: what wetted faces that stand aslant are pushed aside by, as drag is reckoned. It takes no energy. Range [0, Infinity]. (SFFloat) Default 1. */
+  liftCoefficient?: number;
+  /** Linear drag, 1/s: of its speed through the water and of its spin what floats loses this share in a second; what is wetted by more or less than it weighs loses more or less. Range [0, Infinity]. (SFFloat) Default 1. */
+  damping?: number;
+  /** Share of the mass of the displaced water that has to be moved along with what moves freely: a ball in deep water has 0.5. Range [0, Infinity]. (SFFloat) Default 0. */
+  addedMass?: number;
+  /** Where the water goes and how fast, m/s, in its own frame: what floats goes along. (SFVec3f) Default 0 0 0. */
+  flow?: Numbers;
+  /** TRUE: its surface moves. What goes through it makes waves, and what floats rides on them. (SFBool) Default false. */
+  waves?: boolean;
+  /** Cells of a surface that moves along its width and its length: one number counts for both. More show shorter waves, and cost more. Other cells begin flat. Range [1, 256]. (MFInt32) Default 64 64. */
+  subdivision?: Numbers;
+  /** REFLECTING: waves come back from its sides, as in a pool. OPEN: they go on, as in a sea. (SFString) Default REFLECTING. */
+  edges?: 'REFLECTING' | 'OPEN';
+  /** Share of its speed that the water of a surface that moves loses in a second: waves lose half of that of their height. Range [0, Infinity]. (SFFloat) Default 0.2. */
+  waveDamping?: number;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a WaterVolume answers. */
+export interface WaterVolumeValues {
+  enabled: boolean;
+  position: Vec3;
+  orientation: Rotation;
+  size: Vec3;
+  density: number;
+  dragCoefficient: number;
+  liftCoefficient: number;
+  damping: number;
+  addedMass: number;
+  flow: Vec3;
+  waves: boolean;
+  subdivision: number[];
+  edges: 'REFLECTING' | 'OPEN';
+  waveDamping: number;
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
 /** What may be said of each type of node. */
 export interface NodeFields {
   RigidBodyCollection: RigidBodyCollectionFields;
@@ -1150,6 +1215,7 @@ export interface NodeFields {
   BoundedPhysicsModel: BoundedPhysicsModelFields;
   ForcePhysicsModel: ForcePhysicsModelFields;
   WindPhysicsModel: WindPhysicsModelFields;
+  WaterVolume: WaterVolumeFields;
 }
 
 /** What each type of node answers. */
@@ -1178,6 +1244,7 @@ export interface NodeValues {
   BoundedPhysicsModel: BoundedPhysicsModelValues;
   ForcePhysicsModel: ForcePhysicsModelValues;
   WindPhysicsModel: WindPhysicsModelValues;
+  WaterVolume: WaterVolumeValues;
 }
 
 /** X3D's names of the types. */

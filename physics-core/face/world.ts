@@ -26,6 +26,9 @@ export interface RayHit {
   fraction: number;
 }
 
+/** The surface of water on the way of a ray. */
+export type SurfaceHit = Omit<RayHit, 'collidable'>;
+
 export interface NodeOptions {
   /** Its DEF, by which `world.node` finds it. */
   name?: string;
@@ -37,7 +40,10 @@ export interface NodeOptions {
 export interface Answers {
   step: { args: [n?: number]; answer: number };
   advance: { args: [seconds: number]; answer: number };
-  raycast: { args: [from: Vector, to: Vector]; answer: RayHit | null };
+  raycast: {
+    args: [from: Vector, to: Vector, also?: { water?: boolean }];
+    answer: RayHit | SurfaceHit | null;
+  };
   snapshot: { args: []; answer: Snapshot };
   exportRun: { args: []; answer: Run | undefined };
   stats: { args: []; answer: Stats };
@@ -169,6 +175,8 @@ export interface World {
 
   /** The first thing on the way between two points (world frame, metres), or null. */
   raycast(from: Vector, to: Vector): RayHit | null;
+  /** The same, and with `water` the surface of a WaterVolume, whichever comes first. */
+  raycast(from: Vector, to: Vector, also: { water?: boolean }): RayHit | SurfaceHit | null;
 
   /** How much there is in it, seconds of the clock it dropped, and milliseconds of the last frame by phase. */
   readonly stats: Stats;

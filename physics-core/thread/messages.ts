@@ -1,6 +1,7 @@
 // What a page and the worker of a world say to each other. Orders are numbered, and carried out one after the other.
 import type { ProblemReport } from '../base/problems.js';
 import type { EffectReport } from '../effects/effect/report.js';
+import type { ToldSurface } from '../effects/water/moving-surface.js';
 import type { Call, StepHash, TimelineMark } from '../world/recording.js';
 import type { Snapshot } from '../world/snapshot/snapshot.js';
 import type { Stats } from '../world/store/types.js';
@@ -94,6 +95,8 @@ export interface Answer extends Rooms {
   number: number;
   /** Bodies that moved: STATE numbers of each are the first of `states`. Those of `clouds` say how many they are. */
   count: number;
+  /** Surfaces of water that are others now. */
+  surfaces: ToldSurface[] | undefined;
   /** Where between the last two steps things are drawn. */
   fraction: number;
   time: number;

@@ -2,6 +2,7 @@ import { PhysicsNode } from '../nodes/node/node.js';
 import type { Problem, ProblemReport } from '../base/problems.js';
 import { seeContacts } from '../effects/debug/contact-marks.js';
 import { particles } from '../effects/particles/effects.js';
+import { waves } from '../effects/water/effects.js';
 import type { Engine } from '../engine/engine.js';
 import { Redoing } from '../timeline/calls.js';
 import { copyInto } from '../world/snapshot/copy.js';
@@ -95,6 +96,7 @@ export class OtherSide extends World {
       number: order.number,
       ...this.#moved.write(this, order.rooms?.states),
       clouds: this.#clouds(order.rooms?.clouds),
+      surfaces: this.registry.find(waves)?.tell(),
       fraction: this.poses.fraction,
       time: this.time,
       taken: this.stepsTaken,

@@ -1,5 +1,6 @@
 import { add } from '../base/math.js';
 import { POSE } from '../dynamics/poses.js';
+import { water } from '../effects/water/effects.js';
 import { contacts } from '../effects/effect/chunks.js';
 import type { LevelName } from '../dynamics/levels.js';
 import type { BulletWorld } from '../engine/bullet-world.js';
@@ -12,6 +13,9 @@ import { CollectionNode } from '../nodes/collection-node.js';
 import type { NodeWorld } from '../nodes/node/node-world.js';
 import type { BtShape } from '../shapes/build.js';
 import type { Stats } from './store/types.js';
+
+/** What knows itself what stands for it. */
+type Shown = PhysicsNode & { inBullet: Record<string, unknown> | undefined };
 
 /** How plain data names a node. */
 type NameOf = (node: PhysicsNode) => string;
@@ -27,7 +31,7 @@ export function bulletHas(
   node.world.flush();
   if (!node.built || !node.world.started) return undefined;
   if (node instanceof BodyNode) return bodyIn(node, nameOf);
-  if (isJoint(node)) return node.inBullet;
+  if ('inBullet' in node) return (node as Shown).inBullet;
   if (node instanceof CollidableNode)
     return node.owner?.built ? { shapeOf: nameOf(node.owner.standsFor) } : undefined;
   return node instanceof CollectionNode ? worldIn(node) : undefined;
@@ -49,6 +53,7 @@ function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
     linearVelocity: [...velocity.subarray(0, 3)],
     angularVelocity: [...velocity.subarray(3)],
     gravity: [...body.gravity],
+    water: body.world.registry.find(water)?.known(body),
     joints: [...body.joints].flatMap((joint) =>
       joint.attached && isJoint(joint) ? [nameOf(joint)] : [],
     ),

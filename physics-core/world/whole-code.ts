@@ -1,5 +1,6 @@
 import type { Chunk } from '../base/chunk.js';
 import { particleSystems } from '../effects/particles/effects.js';
+import { waters, waveChunk } from '../effects/water/effects.js';
 import { dense } from './snapshot/dense.js';
 import { chunks } from './chunks/all.js';
 
@@ -7,5 +8,7 @@ import { chunks } from './chunks/all.js';
 export const wholeCode: readonly Chunk<unknown>[] = [
   dense,
   particleSystems.comesFrom(() => import('./chunks/particle-code.js')),
+  waters.comesFrom(() => import('./chunks/water-code.js')),
+  waveChunk.comesFrom(() => import('../effects/wave-code.js')),
   ...chunks,
 ];

@@ -342,9 +342,9 @@ export class World implements TimedWorld {
 
   // ---- looking in -------------------------------------------------------------------------------------------------
 
-  raycast(from: Vec3, to: Vec3): RayHit | null {
+  raycast(from: Vec3, to: Vec3, also?: { water?: boolean }): RayHit | null {
     if (this.elsewhere) return this.elsewhere.refuse('raycast');
-    return this.rays.cast(from, to);
+    return this.rays.cast(from, to, also?.water);
   }
 
   get stats(): Stats {

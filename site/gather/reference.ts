@@ -11,6 +11,7 @@ import {
   interfaceSections,
   type InterfaceSection,
 } from '../../stories/reference/interface-sections.js';
+import { originOf } from '../../tools/build/origin.js';
 import { storyOf } from './stories.js';
 
 /** Text of the tables, which knows `code` and nothing else of Markdown. */
@@ -57,7 +58,7 @@ outline: [2, 3]
 
 ${plain(type.doc)}
 
-\`<${tagOf(type)}>\` or \`<${type.name}>\`, ISO/IEC 19775-1, clause ${type.clause}; it stands in its parent's \`${type.containerField}\`.
+\`<${tagOf(type)}>\` or \`<${type.name}>\`, ${originOf(type)}; it stands in its parent's \`${type.containerField}\`.
 
 <iframe class="live story" loading="lazy" height="420" title="${type.name}, live" src="/stories/iframe.html?id=${story}&viewMode=story"></iframe>
 

@@ -10,7 +10,14 @@ const EDITS: Record<Field['edit'], string> = {
   passive: 'when read',
 };
 
-const EXPONENTS: Record<number, string> = { 1: '', 2: '²', 3: '³', [-1]: '⁻¹', [-2]: '⁻²' };
+const EXPONENTS: Record<number, string> = {
+  1: '',
+  2: '²',
+  3: '³',
+  [-1]: '⁻¹',
+  [-2]: '⁻²',
+  [-3]: '⁻³',
+};
 
 /** What the file's UNIT statements scale it by. */
 const unitOf = (dimension: Dimension = {}): string =>
@@ -86,11 +93,16 @@ export function fieldSections(type: NodeType): FieldSection[] {
   const fields = Object.entries(type.fields as Record<string, Field>);
   const isOutput = ({ access }: Field) => access === 'outputOnly';
   const given = fields.filter(([, field]) => !isOutput(field));
+  // Of a node that is ours all are.
+  const isAdded = ({ own }: Field) => own && type.clause !== '';
+  const names = type.clause
+    ? 'Attribute and property have the name of the X3D field.'
+    : 'The property is the same name in camel case, which is good for the attribute, too.';
   return [
     inputs(
       'Fields',
-      'Attribute and property have the name of the X3D field. UNIT: which UNIT statements of its file scale it; without any, the SI unit of the sentence holds. Edit: a running object is patched in place, or this one object is made again, or the value counts when something reads it.',
-      given.filter(([, field]) => !field.own && !field.common),
+      `${names} UNIT: which UNIT statements of its file scale it; without any, the SI unit of the sentence holds. Edit: a running object is patched in place, or this one object is made again, or the value counts when something reads it.`,
+      given.filter(([, field]) => !isAdded(field) && !field.common),
     ),
     outputs(
       'Outputs',
@@ -100,7 +112,7 @@ export function fieldSections(type: NodeType): FieldSection[] {
     inputs(
       'Additions',
       'Ours, not X3D’s. They work in both spellings; the property is the same name in camel case.',
-      given.filter(([, field]) => field.own),
+      given.filter(([, field]) => isAdded(field)),
     ),
     inputs(
       'Common fields',

@@ -1,4 +1,5 @@
 // The reference page of one node: what it is, a live example, its markup, its fields.
+import { originOf } from '../../tools/build/origin.js';
 import { html, nothing, type TemplateResult } from 'lit';
 import { tagOf } from '../../elements/bridge/words/dom.js';
 import { allTypes } from '../../physics-core/all-types.js';
@@ -45,8 +46,8 @@ export function referencePage(
       <h1>${type.name}</h1>
       <p class="lead">${type.doc}</p>
       <p>
-        <code>&lt;${tagOf(type)}&gt;</code> or <code>&lt;${type.name}&gt;</code>, ISO/IEC 19775-1,
-        clause ${type.clause}; it stands in its parent's <code>${type.containerField}</code>.
+        <code>&lt;${tagOf(type)}&gt;</code> or <code>&lt;${type.name}&gt;</code>, ${originOf(type)};
+        it stands in its parent's <code>${type.containerField}</code>.
       </p>
       <iframe src="iframe.html?id=${id}&viewMode=story" title="${type.name}, live"></iframe>
       <p><a href="./?path=/story/${id}" target="_top">The example with its controls</a></p>

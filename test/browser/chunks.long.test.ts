@@ -72,6 +72,7 @@ const CONTACTS = /contact-code/;
 const MESHES = /mesh-code/;
 const DRAGS = /drag-code/;
 const BATCHES = /batch-code/;
+const WATERS = /water-(code|elements)/;
 const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
 
 /** WebKitGTK and Safari. */
@@ -190,6 +191,22 @@ describe('what a page fetches', () => {
       else for (let i = 0; i < 10; i++) await nextFrame();
       expect(has(page, BATCHES)).to.equal(fetches);
     });
+
+  it('what water is made of with a WaterVolume alone, at the same time as the engine', async () => {
+    const dry = await show(FALLING);
+    await until(() => dry.world.time > 0);
+    expect(has(dry.page, WATERS)).to.equal(false);
+    for (const tag of ['x3d-water-volume', 'WaterVolume']) {
+      const { page, world } = await show(`${FALLING}<${tag} id="w"></${tag}>`);
+      await until(() => world.time > 0);
+      const files = fetched(page).filter((path) => WATERS.test(path));
+      // The tag, and what floats.
+      expect(files.length, files.join(' ')).to.equal(2);
+      expect(world.effects.find(({ name }) => name === 'water')!.active).to.equal(true);
+      expect(fetched(page).filter((path) => /particle/.test(path))).to.eql([]);
+      expect(world.problems).to.eql([]);
+    }
+  });
 
   it('the code of joints with a joint, before the first step', async () => {
     const { page } = await show(FALLING + JOINT);

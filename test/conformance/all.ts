@@ -24,6 +24,7 @@ import { volumeEmitter } from './facts/volume-emitter.js';
 import { forcePhysicsModel } from './facts/force-physics-model.js';
 import { windPhysicsModel } from './facts/wind-physics-model.js';
 import { boundedPhysicsModel } from './facts/bounded-physics-model.js';
+import { waterVolume } from './facts/water-volume.js';
 
 const own: Record<string, Fact[]> = {
   RigidBodyCollection: rigidBodyCollection,
@@ -50,6 +51,7 @@ const own: Record<string, Fact[]> = {
   ForcePhysicsModel: forcePhysicsModel,
   WindPhysicsModel: windPhysicsModel,
   BoundedPhysicsModel: boundedPhysicsModel,
+  WaterVolume: waterVolume,
 };
 
 /** The facts of each node. */

@@ -10,7 +10,9 @@ import {
   use,
 } from '../conformance/scenes.js';
 import { particleTypes } from '../../physics-core/particles.js';
+import { waterTypes } from '../../physics-core/water.js';
 import { PARTICLE_SUBJECTS, particleScene, POINT_SPARES } from './particles.js';
+import { waterScene } from './water.js';
 
 /** Two arms on a joint of each type, high above the ground and out of each other's way: they swing when they are edited. */
 const JOINTS = [
@@ -119,6 +121,7 @@ export const scene = (type: string): NodeData[] => {
     },
     { type: 'CollisionCollection', DEF: 'others', collidables: [use('spareShape')] },
     ...(type in particleTypes ? particleScene() : []),
+    ...(type in waterTypes ? waterScene() : []),
   ];
 };
 
@@ -137,6 +140,7 @@ export const SUBJECTS: Record<string, string> = {
   Contact: 'contact',
   ...Object.fromEntries(JOINTS.map((type) => [type, type])),
   ...PARTICLE_SUBJECTS,
+  WaterVolume: 'water',
 };
 
 /** Nodes that are no physics, for the fields that take such. */

@@ -3,6 +3,7 @@ import { bodyEdits, offsetEdits, shapeEdits } from './bodies.js';
 import { AXES, kept, OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
 import { edits as jointEdits } from './joints.js';
 import { particleEdits } from './particles.js';
+import { waterEdits } from './water.js';
 import {
   collectionEdits,
   parameterEdits,
@@ -53,6 +54,7 @@ const table: Record<string, Record<string, Edit>> = {
   Contact: contactEdits,
   ...jointEdits,
   ...particleEdits,
+  WaterVolume: waterEdits,
 };
 
 export const editOf = (type: string, field: string): Edit | undefined =>

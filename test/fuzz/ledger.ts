@@ -2,6 +2,7 @@ import type { World } from '../../physics-core/inside.js';
 import { applyInertia } from '../../physics-core/dynamics/inertia.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import { add, cross, dot, length, subtract, type Pose } from '../../physics-core/base/math.js';
+import { water } from '../../physics-core/effects/water/effects.js';
 import { turnOf } from '../../physics-core/effects/drag/carried.js';
 import type { Vec3 } from '../../physics-core/fields/types.js';
 
@@ -126,6 +127,13 @@ export class Ledger {
     this.#given += this.#lifted(body, way, before.speed, timeStep);
     const { force, torque } = body.constantLoad;
     this.#given += length(force) * length(way) + length(torque) * this.#turn(body, timeStep);
+    this.#given += this.#floated(body, length(way) + body.reach * this.#turn(body, timeStep));
+  }
+
+  /** Water lifts a body by the weight of what that displaces, wherever on it. */
+  #floated(body: BodyNode, way: number): number {
+    const carried = this.#world.registry.find(water)?.known(body)?.carried as number | undefined;
+    return carried ? carried * length(this.#world.get('gravity') as Vec3) * way : 0;
   }
 
   /** What an overlap or a gap that edits left takes upwards without motion may fall down again. */

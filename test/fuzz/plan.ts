@@ -56,7 +56,7 @@ export interface Plan {
 
 /** Fields whose work nobody can reckon: belts, springs, softness and what flies about. */
 const UNRECKONED =
-  /^(suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant|pushes)/;
+  /^(flow|suspension|surfaceSpeed|set_contacts|slip|softness|constantForceMix|stop\dConstant|pushes)/;
 
 /** Of worlds, not of bodies: edited by their own acts. */
 const ELSEWHERE = ['metadata', 'accuracy', 'heapLimit', 'thread', 'timeBudget', 'bodies', 'joints'];
@@ -160,6 +160,26 @@ const particleEdit = (steps: number, wild: boolean) =>
   fc.record({
     when: fc.record({ step: fc.nat(steps) }),
     act: setOf(fc.constantFrom('ParticleSystem', ...EMITTERS, ...physics!.nodes!), wild),
+  });
+
+// ---- water ----------------------------------------------------------------------------------------------------------
+
+const water = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        position: vector(4),
+        size: fc.tuple(scale(0.5, 40), scale(0.5, 20), scale(0.5, 40)),
+        density: scale(10, 20_000),
+      }),
+      fc.option(someFields('WaterVolume', wild, 4), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'WaterVolume', fields: { ...base, ...more } }));
+
+const waterEdit = (steps: number, wild: boolean) =>
+  fc.record({
+    when: fc.record({ step: fc.nat(steps) }),
+    act: setOf(fc.constant('WaterVolume'), wild),
   });
 
 // ---- edits -----------------------------------------------------------------------------------------------------------
@@ -305,11 +325,17 @@ const planOf = (wild: boolean): fc.Arbitrary<Plan> =>
         edits: fc.array(fc.record({ when: when(steps), act: act(wild) }), MANY),
         particles: fc.array(particles(wild), { maxLength: 2 }),
         particleEdits: fc.array(particleEdit(steps, wild), { maxLength: 4 }),
+        waters: fc.array(water(wild), { maxLength: 2 }),
+        waterEdits: fc.array(waterEdit(steps, wild), { maxLength: 4 }),
       })
-      .map(({ particles: systems, particleEdits: more, nodes, edits, ...rest }) => ({
+      .map(({ particles: systems, particleEdits, waters, waterEdits, nodes, edits, ...rest }) => ({
         ...rest,
-        nodes: [...nodes, ...systems],
-        edits: systems.length > 0 ? [...edits, ...more] : edits,
+        nodes: [...nodes, ...systems, ...waters],
+        edits: [
+          ...edits,
+          ...(systems.length > 0 ? particleEdits : []),
+          ...(waters.length > 0 ? waterEdits : []),
+        ],
       })),
   );
 

@@ -13,7 +13,9 @@ const all = sources.map((file) => readFileSync(file, 'utf8')).join('\n');
 /** Reports name their code where they are made; those of code that is missing, its beginning. */
 const codes = new Set([
   ...[...all.matchAll(/\bcode: '([a-z0-9-]+)'/g)].map(([, code]) => code!),
-  ...[...all.matchAll(/\bloadFailed\(\s*'([a-z]+)'/g)].map(([, of]) => `${of}-load-failed`),
+  ...[...all.matchAll(/(?:\bloadFailed\(\s*|Tags = new Chunk\(\{ name: )'([a-z]+)'/g)].map(
+    ([, of]) => `${of}-load-failed`,
+  ),
 ]);
 
 const page = readFileSync('site/guide/problems.md', 'utf8');

@@ -88,7 +88,7 @@ const lines = (
     .join('\n');
 
 const coreTypes = (type: NodeType): string => `
-/** What may be said of a ${type.name} (ISO/IEC 19775-1, ${type.clause}); what is left out has its default. */
+/** What may be said of a ${type.name}${type.clause && ` (ISO/IEC 19775-1, ${type.clause})`}; what is left out has its default. */
 export interface ${type.name}Fields {
 ${lines(type, 'outputOnly', (name, field) => `${documented(field)}\n${name}?: ${given(field)};`)}
 }

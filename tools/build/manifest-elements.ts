@@ -98,7 +98,7 @@ const declaration = (type: NodeType) => ({
   tagName: tagOf(type),
   name: `X3D${type.name}Element`,
   summary: type.doc,
-  description: `${type.doc} ISO/IEC 19775-1, ${type.clause}.`,
+  description: type.clause ? `${type.doc} ISO/IEC 19775-1, ${type.clause}.` : type.doc,
   superclass: { name: 'HTMLElement' },
   attributes: attributesIn(type),
   members: [...propertiesOf(type), ...membersOf(type)],

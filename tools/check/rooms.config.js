@@ -53,6 +53,7 @@ export const trees = {
       'plans',
       'outward',
       'particles',
+      'water',
       'scene',
       'page',
     ],

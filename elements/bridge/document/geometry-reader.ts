@@ -14,6 +14,9 @@ import { localMatrix } from '../scopes/transforms.js';
 import { cannotDraw } from '../x3dom/shapes/shapes.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
+/** Shapes with which nothing collides, wherever they stand: what is seen of water. */
+export const unsolid = new WeakSet<Element>();
+
 /** Reads the geometry of Shapes for one node, which is told when something it read changes. */
 export class GeometryReader {
   readonly #user: Binding;
@@ -61,6 +64,7 @@ export class GeometryReader {
 
   #child(child: Element, around: Scope, matrix: Affine): void {
     if (isPhysics(child)) return;
+    if (unsolid.has(child)) return this.#watch(child);
     const meant = this.#meant(child, around);
     if (!meant) return;
     const { element } = meant;

@@ -25,7 +25,9 @@ function drawingsIn(world: PageWorld): Set<CloudDrawing> {
   if (known) return known;
   const all = new Set<CloudDrawing>();
   drawings.set(world, all);
+  const { onshow } = world;
   world.onshow = () => {
+    onshow?.();
     for (const each of all) each.draw();
   };
   return all;

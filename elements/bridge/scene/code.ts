@@ -2,7 +2,7 @@ import { chunks, contacts, drags, meshes, type Chunk } from '../../../physics-co
 import { attribute, isPhysics, isScene, isShape, isType, lowerName, typeOf } from '../words/dom.js';
 import { lacks, shapes } from '../x3dom/shapes/shapes.js';
 import { prefetchEngine } from './engine.js';
-import { isLate, particleTags } from './late-tags.js';
+import { lateCode } from './late-tags.js';
 
 /** What Bullet has shapes for, and what is no geometry. */
 const WITHOUT_TRIANGLES = /^(box|sphere|cylinder|cone|appearance|metadata.*)$/;
@@ -10,7 +10,7 @@ const WITHOUT_TRIANGLES = /^(box|sphere|cylinder|cone|appearance|metadata.*)$/;
 /** Begins fetching what physics elements call for, while x3dom and the rest of the page are read. */
 export function prefetch(elements: Iterable<Element>): void {
   const all = [...elements];
-  if (all.some(isLate)) fetchCode(particleTags);
+  for (const element of all) fetchCode(lateCode(element));
   const physics = all.filter(isPhysics);
   if (physics.length === 0) return;
   prefetchEngine();

@@ -1,12 +1,17 @@
 import { Chunk } from '../../../physics-core/inside.js';
 import { lowerName } from '../words/dom.js';
 
-/** How tags of X3D's component of particle systems end. */
-const PARTICLES = /(particle-?system|emitter|physics-?model)$/;
+/** What reads tags of X3D's component of particle systems. */
+export const particleTags = new Chunk({ name: 'particles', causes: 'a ParticleSystem' });
+/** The same of water. */
+export const waterTags = new Chunk({ name: 'water', causes: 'a WaterVolume' });
 
-/** What reads them. */
-export const particleTags = new Chunk({ name: 'particle-elements', causes: 'a ParticleSystem' });
+/** By how tags end. */
+const LATE: readonly [ends: RegExp, code: Chunk][] = [
+  [/(particle-?system|emitter|physics-?model)$/, particleTags],
+  [/water-?volume$/, waterTags],
+];
 
-/** Whether nobody reads its tag yet, but code that may be had perhaps does. */
-export const isLate = (element: Element): boolean =>
-  !particleTags.here && PARTICLES.test(lowerName(element));
+/** What has to come before somebody reads its tag. */
+export const lateCode = (element: Element): Chunk | undefined =>
+  LATE.find(([ends, { here }]) => !here && ends.test(lowerName(element)))?.[1];

@@ -4,7 +4,7 @@ import type { PageWorld } from '../nodes/surroundings.js';
 import { isPhysics, lowerName } from '../words/dom.js';
 import { faultsFor, type Faults } from '../words/faults.js';
 import { nodeOf } from '../x3dom/x3dom.js';
-import { isLate } from './late-tags.js';
+import { lateCode } from './late-tags.js';
 
 /** Of a name like these somebody expects physics. */
 const OURS = /^(x3d-|(rigid|collid|contact|hinge|physics)|\w+-?joint$)/;
@@ -23,7 +23,7 @@ export class Strangers {
   }
 
   add(element: Element): void {
-    if (OURS.test(lowerName(element)) && isStranger(element) && !isLate(element))
+    if (OURS.test(lowerName(element)) && isStranger(element) && !lateCode(element))
       this.note(element, (faults) => (isStranger(element) ? faults.stranger(element) : undefined));
   }
 

@@ -4,7 +4,7 @@ import type { Scope } from '../scopes/scope.js';
 import { loadFailed } from '../words/load-failed.js';
 import { setUpDropped } from '../x3dom/late.js';
 import { lacks, learnShapes } from '../x3dom/shapes/shapes.js';
-import { isLate, particleTags } from './late-tags.js';
+import { lateCode } from './late-tags.js';
 
 interface Scene {
   readonly x3d: Element;
@@ -26,7 +26,7 @@ export class Unread {
   }
 
   add(element: Element): void {
-    if (!lacks(element) && !isLate(element)) return;
+    if (!lacks(element) && !lateCode(element)) return;
     this.#met.add(element);
     if (!this.pending) void this.#learn();
   }
@@ -37,26 +37,25 @@ export class Unread {
     await undefined;
     const met = this.#met;
     this.#met = new Set();
-    const late = [...met].find(isLate);
+    // One of them says it for all.
+    const late = new Map([...met].map((element) => [lateCode(element), element]));
     if ([...met].some(lacks)) await learnShapes();
-    if (late) await particleTags.load().catch((error: unknown) => this.#fail(late, error));
+    for (const [code, element] of late)
+      await code?.load().catch((error: unknown) => {
+        const report = loadFailed(code.name, `what reads ${code.name}`, error);
+        this.#scene.noteFault(element, () => report);
+      });
     this.pending = false;
     setUpDropped(this.#scene.x3d, met);
     for (const element of met) this.#connect(element);
     if (this.#met.size > 0) void this.#learn();
   }
 
-  /** One of them says it for all. */
-  #fail(element: Element, error: unknown): void {
-    const report = loadFailed('particles', 'what reads particle systems', error);
-    this.#scene.noteFault(element, () => report);
-  }
-
   /** It is a node now, or a stranger for good. */
   #connect(element: Element): void {
     const { readers, scopes, tree } = this.#scene;
     const scope = scopes.around(element);
-    if (scope && !lacks(element) && !isLate(element)) tree.connect(element, scope);
+    if (scope && !lacks(element) && !lateCode(element)) tree.connect(element, scope);
     for (const reader of readers.of(element)) reader.dirty();
   }
 }

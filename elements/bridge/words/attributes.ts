@@ -34,6 +34,7 @@ export const STRUCTURE: Record<string, string[]> = {
   RigidBodyCollection: ['default', 'shared-world', 'batch'],
   RigidBody: ['for', 'batch'],
   CollidableShape: ['for'],
+  WaterVolume: ['for'],
 };
 
 export function known(type: NodeType, name: string): boolean {

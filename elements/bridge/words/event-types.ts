@@ -7,6 +7,7 @@ export interface EventType {
 
 const COLLISION =
   '{ other: Element; impulse: number; contacts: { position: number[]; normal: number[]; depth: number; impulse: number }[]; time: number; reason?: string }';
+const WATER = '{ water: Element; depth: number; speed: number; time: number }';
 const STEP = '{ time: number; timeStep: number }';
 const DRAG =
   "{ point: number[]; mode: string; by: 'mouse' | 'touch' | 'pen' | 'keyboard'; time: number; reason?: string }";
@@ -23,6 +24,11 @@ export const eventTypes: Record<string, EventType> = {
   },
   sleep: { doc: 'It has come to rest and is simulated no longer.', detail: '{ time: number }' },
   wake: { doc: 'It moves again.', detail: '{ time: number }' },
+  waterenter: {
+    doc: 'It has come into water.',
+    detail: WATER,
+  },
+  waterleave: { doc: 'It is in water no more.', detail: WATER },
   jointlimit: {
     doc: 'It has reached one of its stops.',
     detail: "{ limit: 'min' | 'max'; value: number; axis?: number; time: number }",
@@ -55,7 +61,7 @@ const WITH_STOPS = new Set(['SingleAxisHingeJoint', 'DoubleAxisHingeJoint', 'Sli
 
 /** The events of one node that its own node in the core sends. */
 export function nodeEvents(type: string): string[] {
-  if (type === 'RigidBody') return [...COLLISIONS, 'sleep', 'wake'];
+  if (type === 'RigidBody') return [...COLLISIONS, 'sleep', 'wake', 'waterenter', 'waterleave'];
   // A collidable without a body collides itself.
   if (type.startsWith('Collidable')) return COLLISIONS;
   return WITH_STOPS.has(type) ? ['jointlimit'] : [];

@@ -11,6 +11,8 @@ const NAMES = new Set([
   'jointlimit',
   'sleep',
   'wake',
+  'waterenter',
+  'waterleave',
   'beforestep',
   'afterstep',
   'outputchange',

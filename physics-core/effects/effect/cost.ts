@@ -14,20 +14,20 @@ export class EffectCost {
   calls = 0;
   #measured = 0;
   /** Of the present step. */
+  called = 0;
   #spent = 0;
-  #called = 0;
 
   /** A call that began at `start` is over. */
   add(start: number): void {
     this.#spent += performance.now() - start;
-    this.#called++;
+    this.called++;
   }
 
   /** A step that is measured is over. */
   note(): void {
     const weight = Math.max(NEWEST, 1 / ++this.#measured);
     this.ms += (this.#spent - this.ms) * weight;
-    this.calls += (this.#called - this.calls) * weight;
-    this.#spent = this.#called = 0;
+    this.calls += (this.called - this.calls) * weight;
+    this.#spent = this.called = 0;
   }
 }

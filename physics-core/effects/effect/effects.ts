@@ -184,7 +184,7 @@ export class Effects {
   /** The step is over: what each has cost, where that was measured, and whom it concerns. */
   stepOver(dt: number): void {
     this.run('stepOver', dt);
-    if (this.#measured) for (const effect of this.#on) if (isCalled(effect)) effect.cost.note();
+    if (this.#measured) for (const effect of this.#made.values()) note(effect);
     this.#measured = ++this.#steps % MEASURED_EVERY === 0;
   }
 
@@ -214,6 +214,11 @@ export class Effects {
   report(): EffectReport[] {
     return this.#ordered.map((descriptor) => reportOf(descriptor, this));
   }
+}
+
+/** What went off within the step was called in it, too. */
+function note(effect: Effect): void {
+  if (effect.cost.called > 0 || (effect.active && isCalled(effect))) effect.cost.note();
 }
 
 /** By steps; others note themselves what a frame of theirs costs. */

@@ -103,12 +103,18 @@ export class Flight extends Effect {
 
   override load(saved: readonly number[], nodes: Numbered): void {
     for (const id of saved) {
-      const flyer = this.#flyers[nodes.body(id)?.slot ?? -1];
-      if (!flyer) continue;
-      flyer.varies = true;
-      this.#varying.push(flyer);
-      this.#fall.set(flyer.body.slot, motionOf(flyer));
+      const body = nodes.body(id);
+      if (body) this.vary(body);
     }
+  }
+
+  /** Its forces are others in this step than in the one before: it is left as it is. */
+  vary({ slot }: Body): void {
+    const flyer = this.#flyers[slot];
+    if (!flyer) return;
+    flyer.varies = true;
+    this.#varying.push(flyer);
+    this.#fall.set(slot, motionOf(flyer));
   }
 
   /** Whether nothing acts on it in this step but what is known and, evenly, what touches it. */

@@ -15,6 +15,7 @@ export const jointSolve: EffectDescriptor<JointSolve> = {
     suspension: 'the same',
     dragging: 'the same',
     particles: 'the same',
+    water: 'the same',
     carrying: 'what is carried takes its ends of joints along',
     motors: 'the same',
     'gyroscopic torque': 'it begins with the spin of free motion',

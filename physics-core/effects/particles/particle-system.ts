@@ -1,5 +1,6 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import type { Water } from '../water/water.js';
 import type { Bounces } from './bounces.js';
 import { Cloud, PARTICLE, type KeptCloud } from './cloud.js';
 import { Draws } from './emit/draws.js';
@@ -24,6 +25,9 @@ export interface Progress {
   burst: boolean;
   creates: boolean;
 }
+
+/** Water, where there is some. */
+type Sea = Pick<Water, 'soak'>;
 
 /** For a snapshot. */
 export interface KeptSystem extends Progress {
@@ -184,6 +188,13 @@ export class ParticleSystem {
     this.#time = end;
     this.#calm = true;
     this.changes++;
+  }
+
+  /** Those that are in water then. */
+  soak(sea: Sea | undefined, dt: number): void {
+    const { mass, radius } = this.#said;
+    const { motion, count, still } = this.cloud;
+    sea?.soak({ motion, count, still, mass, radius }, dt);
   }
 
   /** Whether all are pushed as before, for as long, and push nobody. */

@@ -10,6 +10,7 @@ import { ParticleSystem, type KeptSystem } from './particle-system.js';
 import { seenIn, type CloudPicture } from './seen.js';
 import type { Settings } from './settings.js';
 import type { Wind } from './wind.js';
+import { water } from '../water/effects.js';
 import { WindOnBodies } from './wind-on-bodies.js';
 
 /** A node that has a system of particles. */
@@ -27,6 +28,7 @@ const NOTHING: CloudPicture = { motion: new Float32Array(0), ages: new Float32Ar
 /** All particle systems of a world. */
 export class Particles extends Effect {
   readonly #simulation: Simulation;
+  readonly #effects: Effects;
   /** By the numbers of their nodes. */
   readonly #systems = new Map<number, ParticleSystem>();
   readonly #obstacles: Obstacles;
@@ -40,6 +42,7 @@ export class Particles extends Effect {
   constructor(simulation: Simulation, effects: Effects) {
     super();
     this.#simulation = simulation;
+    this.#effects = effects;
     this.#obstacles = new Obstacles(simulation);
     this.#pushed = new Pushed(simulation, effects);
     this.#bounces = new Bounces(this.#obstacles, this.#pushed);
@@ -102,11 +105,13 @@ export class Particles extends Effect {
     if (this.#anyCollides()) this.#obstacles.take(dt);
     else this.#obstacles.forget();
     let goesOn = false;
+    const sea = this.#effects.caused(water);
     let room = MOST_PARTICLES - this.#living;
     for (const source of this.#sources) {
       const system = this.of(source)!;
       room += system.cloud.count;
       system.step(dt, room);
+      system.soak(sea, dt);
       room -= system.cloud.count;
       const { active, crowded } = system;
       if (active) goesOn = true;

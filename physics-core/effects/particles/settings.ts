@@ -32,6 +32,8 @@ export interface Settings {
   /** Of each particle, kg and m²; without mass no force moves it. */
   mass: number;
   surfaceArea: number;
+  /** Of the balls that they are to bodies and to water, metres. */
+  radius: number;
   /** Linear drag, 1/s. */
   damping: number;
   /** Newtons on each particle. */

@@ -5,7 +5,7 @@ import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { same } from '../../engine/free-fall.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
-import { BodySilhouette } from './body-silhouette.js';
+import { BodySilhouette } from '../../dynamics/body-silhouette.js';
 import { FREE, HELD, WindPush } from './wind-push.js';
 import type { Wind } from './wind.js';
 

@@ -51,6 +51,7 @@ export class ParticleSystemNode extends PhysicsNode implements ParticleSource {
       atOnce: emitter?.atOnce === true,
       mass: emitter?.mass ?? 0,
       surfaceArea: emitter?.surfaceArea ?? 0,
+      radius: Math.min(...this.asked<[number, number]>('particleSize')) / 2,
       force: models.reduce(
         (sum, model) => (model instanceof ForceModelNode ? add(sum, model.force) : sum),
         NOTHING,

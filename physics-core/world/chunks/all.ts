@@ -6,8 +6,8 @@ import { advice } from '../../nodes/node/advice.js';
 import { threads } from '../../nodes/node/threads.js';
 import { meshes } from '../../shapes/meshes.js';
 
-/** All code that nodes wait for; pages fetch it when it is needed. */
-export const chunks: readonly Chunk<unknown>[] = [
+/** All code that nodes wait for; pages fetch it when it is needed. What comes late itself adds what its nodes wait for. */
+export const chunks: Chunk<unknown>[] = [
   joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),

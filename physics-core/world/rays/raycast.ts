@@ -1,3 +1,4 @@
+import { water } from '../../effects/water/effects.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { BulletWorld, makeImmovable } from '../../engine/bullet-world.js';
 import type { BtBody } from '../../engine/heap.js';
@@ -40,8 +41,9 @@ const PRECISE = 1;
 
 /** The first thing on the way of a ray. */
 export interface RayHit {
-  /** The body, or the collidable where it has none. */
+  /** The body, or the collidable where it has none; a WaterVolume where the surface of water was asked for. */
   node: PhysicsNode;
+  /** Water has none. */
   collidable: CollidableNode;
   /** World frame, metres. */
   position: Vec3;
@@ -71,13 +73,16 @@ export class Rays {
     this.#boxesHold = false;
   }
 
-  cast(from: unknown, to: unknown): RayHit | null {
+  /** `surfaces`: those of water are hit, too. */
+  cast(from: unknown, to: unknown, surfaces?: boolean): RayHit | null {
     const world = this.#world;
     const [start, end] = [this.#point('from', from), this.#point('to', to)];
     if (!start || !end || !world.started) return null;
     world.flush();
     this.#updateBoxes();
-    return this.#seen(start, end);
+    const hit = this.#seen(start, end);
+    const surface = surfaces && world.registry.find(water)?.meets(start, end);
+    return surface && !(surface.fraction > (hit?.fraction ?? 1)) ? (surface as never) : hit;
   }
 
   /** From and to Bullet's origin. */

@@ -33,7 +33,7 @@ fact(
     const w = await world();
     const messages: string[] = [];
     w.on('problem', (problem) => messages.push((problem as { message: string }).message));
-    claim(w, 'bad-value', 'misplaced');
+    claim(w, 'bad-value', 'misplaced', 'out-of-range');
     for (const type of Object.keys(allTypes)) {
       const node = w.add(type);
       for (const [field, { access }] of Object.entries(allTypes[type]!.fields))

@@ -2,6 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { particleSystems as particles } from '../../../physics-core/effects/particles/effects.js';
+import { waters, waveChunk } from '../../../physics-core/effects/water/effects.js';
 import {
   contacts,
   drags,
@@ -28,6 +29,14 @@ const FILES: readonly [name: string, causes: string][] = [
   [
     'chunk-particle-elements',
     `${particles.causes}, an emitter or a model: their tags, and what draws`,
+  ],
+  ['chunk-water-code', `${waters.causes}: what floats in it`],
+  ['chunk-wave-code', `${waveChunk.causes}: its surface, and what it does to what floats`],
+  ['chunk-draw-surface', `${waveChunk.causes}: what draws it`],
+  ['chunk-water-elements', `${waters.causes}: its tag`],
+  [
+    'chunk-silhouettes',
+    `${particles.causes}, or ${waters.causes}: what wind and water see of a body`,
   ],
   ['chunk-hands', 'a body that may be dragged'],
   ['chunk-debug-code', outlines.causes],

@@ -1,10 +1,11 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
-import { particleTags } from '../../../../elements/bridge/index.js';
+import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
 import { worldOf } from '../../../../elements/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { drags, meshes, threads, type Problem } from '../../../../physics-core/inside.js';
 import { particleTypes } from '../../../../physics-core/particles.js';
+import { waterTypes } from '../../../../physics-core/water.js';
 import type { NodeData } from '../../../conformance/fact.js';
 import { fieldText, markup, nodesIn, typesByName } from '../../../conformance/markup.js';
 import { kebab, tags } from '../../../conformance/page-driver.js';
@@ -169,8 +170,9 @@ const WAYS: Record<Way, string> = {
 
 /** What is walked in one scene. */
 const GROUPS = {
-  bodies: ALL_FIELDS.filter(([type]) => !(type in particleTypes)),
+  bodies: ALL_FIELDS.filter(([type]) => !(type in particleTypes) && !(type in waterTypes)),
   particles: ALL_FIELDS.filter(([type]) => type in particleTypes),
+  water: ALL_FIELDS.filter(([type]) => type in waterTypes),
 };
 
 function walkAll(way: Way, fields: typeof ALL_FIELDS): void {
@@ -200,7 +202,7 @@ function walkAll(way: Way, fields: typeof ALL_FIELDS): void {
 const walked = new Set<string>();
 
 // What comes late would have worlds wait for it.
-await particleTags.load();
+await Promise.all([particleTags.load(), waterTags.load()]);
 
 for (const [way, how] of Object.entries(WAYS) as [Way, string][])
   describe(`edits by ${how}`, () => {

@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { particleTags } from '../../../../elements/bridge/index.js';
+import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { codecs, type NodeType } from '../../../../physics-core/inside.js';
 import { contentOf } from '../../particle-sources.js';
@@ -21,7 +21,7 @@ const SCENE = `
   <group id="scene"></group>`;
 
 // What comes late would have worlds wait for it.
-await particleTags.load();
+await Promise.all([particleTags.load(), waterTags.load()]);
 
 /** Where a node belongs, as a selector in the scene. */
 const PARENTS: Record<string, string> = {

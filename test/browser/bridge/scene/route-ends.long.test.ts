@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { particleTags } from '../../../../elements/bridge/index.js';
+import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import type { Field, NodeType } from '../../../../physics-core/inside.js';
 import { attributesOf, contentOf } from '../../particle-sources.js';
@@ -11,7 +11,7 @@ import { show } from '../../scene.js';
 // ROUTEs into and out of every field of every node, generated over the tables.
 
 // What comes late would have worlds wait for it.
-await particleTags.load();
+await Promise.all([particleTags.load(), waterTags.load()]);
 
 interface X3DNode {
   _vf: Record<string, unknown>;
@@ -66,6 +66,7 @@ function sceneFor(type: NodeType, inside: string): string {
       `${collection('<x3d-collision-collection def="k" collidables="*"></x3d-collision-collection>')}
        ${node('', '<x3d-collision-collection use="k"></x3d-collision-collection>')}`,
     ParticleSystem: () => collection('') + node(),
+    WaterVolume: () => collection(node()),
   };
   const joint = (): string => collection(`${body()}${node('body1="b"')}`);
   const system = (content: string): string =>

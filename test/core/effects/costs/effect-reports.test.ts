@@ -1,5 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
+import { givenContacts } from '../../../../physics-core/effects/contacts/effects.js';
+import { steppingOf } from '../../thread/at-once.js';
 import { addBody, addFloor, addJoint, box, close, fact, sphere, world } from '../../helpers.js';
 
 type World = Awaited<ReturnType<typeof world>>;
@@ -72,6 +74,17 @@ describe('world.effects', () => {
     assert.deepEqual([off.active, off.because, off.ms, off.calls], [false, null, 0, 0]);
     const continuous = effect(w, 'continuous collision');
     assert.deepEqual([continuous.ms, continuous.calls], [0, 0]);
+  });
+
+  fact('knows the calls of what goes off within the step, too', async () => {
+    const w = await world();
+    addFloor(w);
+    addBody(w, { position: [0, 0.5, 0], geometry: [box(1)] });
+    const collider = w.add('CollisionCollection', { collidables: '*' });
+    const sensor = w.add('CollisionSensor', { collider });
+    sensor.on('contacts', (contacts) => w.settings.event('set_contacts', contacts));
+    w.step(34);
+    assert.ok(steppingOf(w).registry.find(givenContacts)!.cost.calls > 0);
   });
 
   fact('is measured in one step of 17: in the others effects never look at the clock', async () => {

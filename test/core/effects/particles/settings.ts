@@ -21,6 +21,7 @@ export const PLAIN: Settings = {
   atOnce: false,
   mass: 1,
   surfaceArea: 0,
+  radius: 0.01,
   damping: 0,
   force: [0, 0, 0],
   winds: [],

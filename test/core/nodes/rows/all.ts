@@ -17,6 +17,7 @@ import { doubleHingeRows, universalRows } from './joints/two-axes.js';
 import { rows as rigidBodyRows } from './body/rigid-body.js';
 import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
 import { particleRows, surfaceRows, systemRows, volumeRows } from './particles.js';
+import { floatingRows, waterRows } from './water-volume.js';
 import type { Row } from './row.js';
 import { spaceRows } from './collision/spaces.js';
 
@@ -45,6 +46,7 @@ const ownRows: Record<string, Row[]> = {
   ForcePhysicsModel: [],
   WindPhysicsModel: [],
   BoundedPhysicsModel: [],
+  WaterVolume: waterRows,
 };
 
 /** The rows of each node type, and those that belong to no field. */
@@ -55,4 +57,4 @@ export const rowsOf: Record<string, Row[]> = Object.fromEntries(
 export const guardRows: Row[] = [...valueRows, ...jamRows];
 
 /** Of effects whose nodes' tables come in a chunk. */
-export const lateRows: Row[] = particleRows;
+export const lateRows: Row[] = [...particleRows, ...floatingRows];

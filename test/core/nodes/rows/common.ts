@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { allTypes } from '../../../../physics-core/all-types.js';
-import { addBody, box, close, height, sphere, world } from '../../helpers.js';
+import { addBody, box, close, height, sphere, world, type Body } from '../../helpers.js';
 import type { Row } from './row.js';
 
 const VALUES: Record<string, unknown> = {
@@ -11,6 +11,12 @@ const VALUES: Record<string, unknown> = {
   visible: false,
   description: 'for people',
 };
+
+/** What a node needs to stand there, and to leave the ball alone. */
+function needs(type: string, ball: Body): Record<string, unknown> {
+  if (type.endsWith('Joint')) return { body1: ball };
+  return type === 'WaterVolume' ? { position: [0, -100, 0] } : {};
+}
 
 /** Rows of the fields that a type shares with all others, or all bounded ones: they are kept, and nothing collides otherwise. */
 export const commonRows = (type: string): Row[] =>
@@ -25,8 +31,7 @@ export const commonRows = (type: string): Row[] =>
         addBody(w, { fixed: true, position: [0, -0.5, 0], geometry: [shape] });
         const ball = addBody(w, { position: [0, 0.5, 0], geometry: [sphere(0.5)] });
         const found = [...w.nodes].find((node) => node.type.name === type);
-        const joint = type.endsWith('Joint');
-        const node = found ?? w.add(type, joint ? { body1: ball } : {});
+        const node = found ?? w.add(type, needs(type, ball));
         assert.deepEqual(node.get(field), initial);
         node.set(field, VALUES[field]);
         assert.deepEqual(node.get(field), VALUES[field]);

@@ -55,6 +55,7 @@ export function events(): void {
   body.addEventListener('collisionstart', ({ detail }) => detail.other.id);
   body.addEventListener('collisionend', ({ detail }) => detail.reason?.length);
   hinge.addEventListener('jointlimit', ({ detail }) => detail.limit === 'min');
+  body.addEventListener('waterenter', ({ detail }) => detail.water.id && detail.depth > 0);
   document.querySelector('RigidBody')!.addEventListener('wake', ({ detail }) => detail.time);
   document.addEventListener('physicsproblem', ({ detail }) => detail.message.length);
   const told = ({ detail }: HTMLElementEventMap['bodydragstart']): string => detail.mode;
@@ -86,6 +87,7 @@ export async function core(): Promise<void> {
   const stop = ball.on('collisionstart', ({ other, contacts }) => [other.name, contacts[0]?.depth]);
   stop();
   ball.on('collisionend', ({ reason }) => reason === 'separated');
+  ball.on('waterleave', ({ water, speed }) => water.get('density') > 0 && speed < 0);
   hinge.on('jointlimit', ({ limit, value }) => limit === 'max' && value > 0);
   sensor.on('isActive', (active) => active === true);
   world.on('beforestep', ({ timeStep }) => ball.applyForce([0, timeStep, 0]));

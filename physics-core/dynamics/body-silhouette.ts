@@ -1,9 +1,9 @@
-import { compose, invert, type Pose } from '../../base/math.js';
-import { MATRIX, writeMatrix } from '../../base/matrix.js';
-import type { Body } from '../../dynamics/body.js';
-import type { CollidablePart } from '../../dynamics/collidable.js';
-import { silhouetteOf } from '../../shapes/silhouette/of-outline.js';
-import { SEEN, type Flat, type Silhouette } from '../../shapes/silhouette/silhouette.js';
+import { compose, invert, type Pose } from '../base/math.js';
+import { MATRIX, writeMatrix } from '../base/matrix.js';
+import type { Body } from './body.js';
+import type { CollidablePart } from './collidable.js';
+import { silhouetteOf } from '../shapes/silhouette/of-outline.js';
+import { SEEN, type Flat, type Silhouette } from '../shapes/silhouette/silhouette.js';
 
 /** What is seen of a part, and how its frame is turned in that of the centre of mass, by rows, and where it stands there. */
 interface Part {

@@ -1,0 +1,23 @@
+import { Chunk } from '../../base/chunk.js';
+import type { EffectDescriptor } from '../effect/effect.js';
+import type { MovingSurfaces } from './moving-surface.js';
+import type { Water } from './water.js';
+
+export const waters = new Chunk({ name: 'water', causes: 'a WaterVolume' });
+
+export const waveChunk = new Chunk({ name: 'waves', causes: 'a WaterVolume whose waves are TRUE' });
+
+/** The surface of water moves. */
+export const waves: EffectDescriptor<MovingSurfaces> = {
+  name: 'waves',
+  causes: waveChunk.causes,
+  chunk: waveChunk,
+};
+
+/** Bodies float in water, and are braked by it. */
+export const water: EffectDescriptor<Water> = {
+  name: 'water',
+  causes: 'a WaterVolume',
+  after: { waves: 'what is pushed rides on the surface as it is by then' },
+  chunk: waters,
+};

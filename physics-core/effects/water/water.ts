@@ -1,0 +1,227 @@
+import { lengthOf } from '../../base/exact/index.js';
+import { grown } from '../../base/grown.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { SAME } from '../../engine/free-fall.js';
+import { VELOCITY } from '../../engine/moving-bodies.js';
+import type { Vec3 } from '../../fields/types.js';
+import { Effect, type Cause, type Numbered } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
+import { flight } from '../flight/flight.js';
+import { BodyInWater } from './body-in-water.js';
+import { waves } from './effects.js';
+import { WaterPush } from './push.js';
+import { soak, type Drops } from './soak.js';
+import { volumesOf, type SurfaceMet, type Volume, type WaterSource } from './volume.js';
+import { WetBody, type KeptWet } from './wet.js';
+
+const now = new Float64Array(VELOCITY);
+
+/** Bodies float. */
+export class Water extends Effect {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  readonly #push: WaterPush;
+  #volumes: readonly Volume[] | undefined;
+  /** By slot. */
+  readonly #shapes: (BodyInWater | undefined)[] = [];
+  readonly #wet = new Map<Body, WetBody>();
+  /** By slot: what a body gains in the step if nothing else acts on it, m/s. */
+  #gains = new Float64Array(16 * 3);
+
+  constructor(simulation: Simulation, effects: Effects) {
+    super();
+    this.#simulation = simulation;
+    this.#effects = effects;
+    this.#push = new WaterPush(simulation);
+  }
+
+  override need(source: WaterSource, reason: string): void {
+    super.need(source, reason);
+    this.changed();
+  }
+
+  override release(node: Cause): void {
+    if (!this.isNeededBy(node)) return;
+    super.release(node);
+    this.changed();
+    // Without any water no step looks at them again.
+    if (!this.active) this.#dry();
+  }
+
+  #dry(): void {
+    for (const wet of this.#wet.values()) wet.leave(this.#simulation);
+    this.#wet.clear();
+  }
+
+  override unmade(node: Cause): void {
+    this.#wet.delete(node as Body);
+    super.unmade(node);
+  }
+
+  /** An author said something about a volume: what rested in it floats otherwise, and so does what it comes to. */
+  changed(): void {
+    this.#volumes = undefined;
+    const { bodies } = this.#simulation;
+    const { slots, pointers, asleep } = bodies.moving;
+    for (let slot = 0; slot < slots; slot++) {
+      const body = pointers[slot] !== 0 && asleep[slot] === 1 ? bodies.in(slot) : undefined;
+      if (body && (this.#wet.has(body) || this.#reaches(body))) body.wake();
+    }
+  }
+
+  #reaches(body: Body): boolean {
+    const centre = body.centerOfMassWorld();
+    return this.#here.some((volume) => volume.reaches(centre, body.reach));
+  }
+
+  get #here(): readonly Volume[] {
+    if (this.#volumes) return this.#volumes;
+    const volumes = volumesOf(this.inOrder as readonly WaterSource[]);
+    const moving = this.#effects.caused(waves);
+    for (const volume of volumes) volume.waves = moving?.of(volume.source);
+    return (this.#volumes = volumes);
+  }
+
+  // ---- a step -----------------------------------------------------------------------------------------------------
+
+  override beforeStep(dt: number): void {
+    const volumes = this.#here;
+    const { bodies } = this.#simulation;
+    const { slots, pointers, asleep } = bodies.moving;
+    if (this.#gains.length < 3 * slots) this.#gains = grown(this.#gains, 6 * slots);
+    for (const wet of this.#wet.values()) wet.pushed = false;
+    for (let slot = 0; slot < slots; slot++) {
+      const body = pointers[slot] !== 0 && asleep[slot] === 0 ? bodies.in(slot) : undefined;
+      if (body) this.#pushBody(body, volumes, dt);
+    }
+  }
+
+  #pushBody(body: Body, volumes: readonly Volume[], dt: number): void {
+    const known = this.#wet.get(body);
+    const free = body.joints.size === 0 && (known?.free ?? true);
+    const push = this.#push;
+    for (const { waves } of volumes) waves?.attend(body);
+    const pushed = push.reckon(body, this.#shapeOf(body), volumes, dt, free);
+    for (const { waves } of volumes) waves?.answer(push.force, push.wetting.volume, dt);
+    if (!pushed) return;
+    const { force, torque, gain, wetting } = push;
+    const { scratch } = this.#simulation.engine;
+    body.body.applyCentralForce(scratch.vector(force[0]!, force[1]!, force[2]!));
+    body.body.applyTorque(scratch.vector(torque[0]!, torque[1]!, torque[2]!));
+    this.#gains.set(gain, 3 * body.slot);
+    if (free || wetting.stiffness > 0) this.#effects.caused(flight)?.vary(body);
+    const { deepest, depth, speed, volume, mass } = wetting;
+    const wet = known ?? new WetBody(body, wetting);
+    wet.lying = { deepest, depth, speed, volume, mass };
+    wet.free = free;
+    wet.pushed = wet.wetted = true;
+    this.#wet.set(body, wet);
+  }
+
+  #shapeOf(body: Body): BodyInWater {
+    const known = this.#shapes[body.slot];
+    if (known?.isOf(body)) return known;
+    return (this.#shapes[body.slot] = new BodyInWater(body));
+  }
+
+  /** What is free goes on with the mean of the speeds at both ends of the step. */
+  override settle(dt: number): void {
+    for (const wet of this.#wet.values()) {
+      if (!wet.pushed || wet.body.joints.size > 0) continue;
+      const free = this.#isFree(wet.body, dt);
+      if (wet.free && free) this.#place(wet.body, dt);
+      wet.free = free;
+    }
+  }
+
+  /** Whether its velocity, read into `now`, is what its weight and the water made of it, each as large as the other. */
+  #isFree({ body, pointer, slot, dampedShare, appliedGravity }: Body, dt: number): boolean {
+    const { engine, bodies } = this.#simulation;
+    const left = (1 - dampedShare.linear) ** dt;
+    const fall = lengthOf(appliedGravity) * dt;
+    engine.reader.velocity(body, pointer, now, 0);
+    for (let k = 0; k < 3; k++) {
+      const before = bodies.velocities[slot * VELOCITY + k]! * left;
+      const gain = this.#gains[3 * slot + k]!;
+      const most = SAME * (fall + Math.abs(before) + Math.abs(gain));
+      if (Math.abs(now[k]! - before - gain) > most) return false;
+    }
+    return true;
+  }
+
+  /** Bullet took it there by the speed at the end. */
+  #place({ body, pointer, slot }: Body, dt: number): void {
+    const { engine, bodies } = this.#simulation;
+    const v = bodies.velocities;
+    const at = slot * VELOCITY;
+    const half = -dt / 2;
+    engine.reader.shift(
+      body,
+      pointer,
+      half * (now[0]! - v[at]!),
+      half * (now[1]! - v[at + 1]!),
+      half * (now[2]! - v[at + 2]!),
+    );
+  }
+
+  override stepOver(): void {
+    for (const wet of this.#wet.values()) {
+      if (wet.wetted) wet.enter(this.#simulation);
+      // What sleeps is where it was.
+      else if (!wet.body.sleeping) {
+        this.#wet.delete(wet.body);
+        wet.leave(this.#simulation);
+      }
+      wet.wetted = false;
+    }
+  }
+
+  /** After a step of `dt` seconds of particles in it. */
+  soak(drops: Drops, dt: number): void {
+    soak(drops, this.#here, dt);
+  }
+
+  // ---- looking in -------------------------------------------------------------------------------------------------
+
+  /** What water did to a body in its last step, as plain data; undefined: it is in none. */
+  known(body: Body): Record<string, unknown> | undefined {
+    return this.#wet.get(body)?.known;
+  }
+
+  /** How many bodies are in a volume, and what they displace, m³. */
+  knownOf(source: WaterSource): Record<string, unknown> {
+    const lying = [...this.#wet.values()].map((wet) => wet.lying);
+    const within = lying.filter(({ deepest }) => deepest === source);
+    const displaced = within.reduce((sum, { volume }) => sum + volume, 0);
+    return { bodies: within.length, displaced };
+  }
+
+  /** The first surface on the way between two points of the world. */
+  meets(from: Vec3, to: Vec3): SurfaceMet | undefined {
+    let first: SurfaceMet | undefined;
+    for (const volume of this.#here) {
+      const met = volume.meets(from, to);
+      if (met && !(met.fraction >= (first?.fraction ?? Infinity))) first = met;
+    }
+    return first;
+  }
+
+  // ---- going back -------------------------------------------------------------------------------------------------
+
+  override reset(): void {
+    this.#wet.clear();
+  }
+
+  override save(): KeptWet[] | undefined {
+    if (this.#wet.size === 0) return undefined;
+    return [...this.#wet.values()].map(({ kept }) => kept);
+  }
+
+  override load(saved: readonly KeptWet[], nodes: Numbered): void {
+    for (const kept of saved) {
+      const wet = WetBody.from(kept, nodes, this.inOrder as readonly WaterSource[]);
+      if (wet) this.#wet.set(wet.body, wet);
+    }
+  }
+}

@@ -1,0 +1,7 @@
+// The chunk `waves`.
+import { waves } from './water/effects.js';
+import { Waves } from './water/waves/waves.js';
+
+export function provide(): void {
+  waves.load = (simulation) => new Waves(simulation);
+}

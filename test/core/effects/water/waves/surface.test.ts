@@ -1,0 +1,315 @@
+import assert from 'node:assert/strict';
+import type { WaveField } from '../../../../../physics-core/effects/water/waves/field.js';
+import { waves } from '../../../../../physics-core/effects/water/effects.js';
+import type { WaveSurface } from '../../../../../physics-core/effects/water/waves/surface.js';
+import type { WaterVolumeNode } from '../../../../../physics-core/water.js';
+import type { World } from '../../../../../physics-core/inside.js';
+import {
+  addBody,
+  addFloor,
+  box,
+  fact,
+  height,
+  position,
+  velocity,
+  world,
+  type Node,
+  type Vec3,
+} from '../../../helpers.js';
+import { steppingOf } from '../../../thread/at-once.js';
+
+const G = 9.8;
+const POOL = { size: [20, 2, 20], position: [0, -1, 0], waves: true, waveDamping: 0 };
+const CALM = { dragCoefficient: 0, liftCoefficient: 0, damping: 0 };
+const LEVELS = ['game', 'standard', 'fine', 'precise', 'reference'];
+
+const addPool = (w: World, fields: Record<string, unknown> = {}): Node =>
+  w.add('WaterVolume', { ...POOL, ...fields });
+
+/** The surface of a volume where its steps are taken. */
+function surfaceOf(w: World, pool: Node) {
+  const stepping = steppingOf(w);
+  const source = [...stepping.nodes].find(({ id }) => id === pool.id) as WaterVolumeNode;
+  return stepping.registry.find(waves)!.of(source) as WaveSurface;
+}
+const fieldOf = (w: World, pool: Node): WaveField => surfaceOf(w, pool).field;
+
+const sum = (all: Float64Array): number => all.reduce((total, each) => total + each, 0);
+const squares = (all: Float64Array): number => all.reduce((total, each) => total + each * each, 0);
+
+/** Of what is above the still water, m³. */
+const volumeOf = (field: WaveField): number => field.cellArea * sum(field.heights);
+
+/** Of a surface of water, joules. */
+function energyOf({ heights, alongWidth, alongLength, conditions, cellArea }: WaveField): number {
+  const flows = squares(alongWidth) + squares(alongLength);
+  return 500 * cellArea * (G * squares(heights) + flows / conditions.depth);
+}
+
+fact('a body that floats still leaves the surface flat, and that sleeps', async () => {
+  const w = await world();
+  const pool = addPool(w);
+  const body = addBody(w, { mass: 500, geometry: [box(1)] });
+  w.advance(2);
+  const surface = surfaceOf(w, pool);
+  assert.equal(surface.asleep, true);
+  assert.ok(surface.field.heights.every((each) => each === 0));
+  assert.ok(Math.abs(height(body)) < 1e-6);
+});
+
+fact('a box that falls in lifts the water by what it displaces, at any moment', async () => {
+  const w = await world();
+  const pool = addPool(w, { size: [8, 2, 6], waveDamping: 1 });
+  const body = addBody(w, { mass: 500, position: [0.3, 1, 0.4], geometry: [box(1)] });
+  w.advance(40);
+  const field = fieldOf(w, pool);
+  assert.ok(Math.abs(volumeOf(field) / 0.5 - 1) < 1e-5, `${volumeOf(field)}`);
+  // What it floats in is higher by what it displaces.
+  assert.ok(Math.abs(height(body) - 0.5 / 48) < 1e-5, `${height(body)}`);
+  body.remove();
+  w.advance(0.1);
+  assert.ok(Math.abs(volumeOf(field)) < 1e-9);
+});
+
+fact('what floats and its water keep their momentum, whatever brakes it', async () => {
+  for (const fields of [{}, CALM]) {
+    const w = await world();
+    const pool = addPool(w, { size: [60, 2, 60], subdivision: [128], ...fields });
+    const body = addBody(w, {
+      mass: 500,
+      position: [0.3, 0, 0.7],
+      orientation: [0, 1, 0, 0.4],
+      linearVelocity: [2, 0, 1],
+      geometry: [box(2, 0.5, 1)],
+    });
+    for (let i = 0; i < 10; i++) {
+      w.advance(0.4);
+      const { alongWidth, alongLength, cellArea } = fieldOf(w, pool);
+      const v = velocity(body);
+      const x = 500 * v[0] + 1000 * cellArea * sum(alongWidth);
+      const z = 500 * v[2] + 1000 * cellArea * sum(alongLength);
+      assert.ok(Math.abs(x / 1000 - 1) < 1e-6, `${x}`);
+      assert.ok(Math.abs(z / 500 - 1) < 1e-6, `${z}`);
+    }
+    assert.ok(velocity(body)[0] < 1.99);
+  }
+});
+
+fact(
+  'what heaves in a pool without friction keeps its energy, with that of its waves',
+  async () => {
+    for (const accuracy of LEVELS) {
+      const w = await world({ accuracy } as never);
+      const pool = addPool(w, CALM);
+      const bodies = [-0.8, 0.8].map((x) =>
+        addBody(w, { mass: 500, position: [x, 0.1, 0.2], geometry: [box(1)] }),
+      );
+      const start = 2 * 500 * G * 0.1 ** 2;
+      w.step();
+      let least = Infinity;
+      let most = 0;
+      for (let i = 0; i < 10 / w.timeStep; i++) {
+        w.step();
+        let energy = energyOf(fieldOf(w, pool));
+        for (const body of bodies)
+          energy += 250 * velocity(body).reduce((total, v) => total + v * v, 0);
+        most = Math.max(most, energy);
+        least = Math.min(least, energy);
+      }
+      // What it has of motion and waves is never more than it began with, but for what of it is in the water that it displaces.
+      assert.ok(most < 1.6 * start, `${accuracy}: ${most / start}`);
+      assert.ok(least > 0);
+    }
+  },
+);
+
+/** A long channel that swings along its length, and floats that went along with it from the start. */
+async function swing(accuracy: string) {
+  const w = await world({ accuracy } as never);
+  const pool = addPool(w, { size: [40, 2, 4], subdivision: [128, 12], dragCoefficient: 0 });
+  const flow = 0.2;
+  const k = Math.PI / 40;
+  const omega = k * Math.sqrt(2 * G);
+  const float = (x: number) =>
+    addBody(w, {
+      mass: 125,
+      position: [x, 0, 0],
+      linearVelocity: [(flow / 2) * Math.sin(k * (x + 20)), 0, 0],
+      geometry: [box(1, 0.25, 1)],
+    });
+  const end = float(-15);
+  const middle = float(0);
+  w.step();
+  const surface = surfaceOf(w, pool);
+  const { alongWidth } = surface.field;
+  for (let at = 0; at < alongWidth.length; at++)
+    alongWidth[at] = alongWidth[at]! + flow * Math.sin((Math.PI * (at % 129)) / 128);
+  surface.asleep = false;
+  const apart = { heave: 0, along: 0 };
+  const at: Vec3[] = [];
+  for (let i = 1; i <= 36 / w.timeStep; i++) {
+    w.step();
+    const phase = omega * (w.time - w.timeStep);
+    const [x, y] = position(end);
+    const heave = ((-flow * k) / omega) * Math.cos(k * (x + 20)) * Math.sin(phase);
+    apart.heave = Math.max(apart.heave, Math.abs(y - heave));
+    const along = (flow / 2 / omega) * Math.sin(phase);
+    apart.along = Math.max(apart.along, Math.abs(position(middle)[0] - along));
+    if (i % Math.round(2 / w.timeStep) === 0) at.push([...position(middle)]);
+  }
+  return { apart, at };
+}
+
+fact(
+  'a float rides a wave that passes: up and down with it, and along with its water',
+  async () => {
+    const runs = [];
+    for (const accuracy of LEVELS) {
+      const { apart, at } = await swing(accuracy);
+      assert.ok(apart.heave < 0.002, `${accuracy}: ${apart.heave} of .042`);
+      assert.ok(apart.along < 0.03, `${accuracy}: ${apart.along} of .28`);
+      runs.push(at);
+    }
+    const finest = runs.at(-1)!;
+    let before = Infinity;
+    for (const run of runs.slice(0, -1)) {
+      const apart = Math.max(...run.map((at, i) => Math.abs(at[0] - finest[i]![0])));
+      assert.ok(apart < before, `${apart} after ${before}`);
+      before = apart;
+    }
+  },
+);
+
+fact(
+  'what rests is woken by a wave that comes to it, and a surface at rest asks for no step',
+  async () => {
+    const w = await world({ rest: 'auto' } as never);
+    const pool = addPool(w, { waveDamping: 0.5 });
+    const body = addBody(w, { mass: 500, position: [-6, 0, 0], geometry: [box(1)] });
+    w.advance(4);
+    assert.equal(body.sleeping, true);
+    assert.equal(steppingOf(w).bodies.anyAwake, false);
+    const stone = addBody(w, { mass: 5000, position: [6, 2, 0], geometry: [box(1)] });
+    let most = 0;
+    for (let i = 0; i < 600; i++) {
+      w.step();
+      most = Math.max(most, Math.abs(height(body)));
+    }
+    assert.ok(most > 0.01, `${most}`);
+    stone.remove();
+    w.advance(120);
+    assert.equal(surfaceOf(w, pool).asleep, true);
+    assert.equal(body.sleeping, true);
+  },
+);
+
+fact(
+  'after restore() the surface goes on bit for bit, and after reset() it begins anew',
+  async () => {
+    const w = await world();
+    const pool = addPool(w);
+    const body = addBody(w, { mass: 300, position: [2, 1, 1], geometry: [box(1)] });
+    const run = (seconds: number) => {
+      w.advance(seconds);
+      const { heights, alongWidth } = fieldOf(w, pool);
+      return [[...position(body)], [...heights], [...alongWidth]];
+    };
+    const first = run(1);
+    const kept = JSON.parse(JSON.stringify(w.snapshot())) as ReturnType<World['snapshot']>;
+    const later = run(1);
+    w.restore(kept);
+    assert.deepEqual(run(1), later);
+    w.reset();
+    assert.deepEqual(run(1), first);
+  },
+);
+
+fact('open edges let waves out: less than a hundredth of their energy stays', async () => {
+  const w = await world();
+  const pool = addPool(w, { edges: 'OPEN' });
+  const stone = addBody(w, { mass: 3000, position: [0, 1, 0], geometry: [box(1)] });
+  let most = 0;
+  for (let i = 0; i < 240; i++) {
+    w.step();
+    most = Math.max(most, energyOf(fieldOf(w, pool)));
+  }
+  stone.remove();
+  w.advance(0.1);
+  const thrown = energyOf(fieldOf(w, pool));
+  w.advance(10);
+  assert.ok(energyOf(fieldOf(w, pool)) < 0.01 * Math.max(most, thrown));
+});
+
+fact(
+  'bodies a thousand times lighter and heavier than water, and one as large as its basin, stay where they may',
+  async () => {
+    for (const density of [0.5, 1e6])
+      for (const size of [2, 4]) {
+        const w = await world();
+        const pool = addPool(w, { size: [4, 2, 4], ...CALM });
+        const body = addBody(w, {
+          mass: density * size * size,
+          position: [0.1, 3, 0.2],
+          geometry: [box(size, 1, size)],
+        });
+        w.advance(10);
+        const { heights } = fieldOf(w, pool);
+        assert.ok(heights.every((each) => Math.abs(each) < 10));
+        assert.ok(height(body) < 30, `${height(body)}`);
+      }
+  },
+);
+
+fact('water that weighs nothing has no waves, and does not keep a world awake', async () => {
+  const w = await world({ gravity: [0, 0, 0], rest: 'auto' } as never);
+  const pool = addPool(w);
+  addBody(w, { mass: 500, position: [0, 2, 0], linearVelocity: [0, -2, 0], geometry: [box(1)] });
+  w.advance(10);
+  assert.ok(fieldOf(w, pool).heights.every((each) => each === 0));
+  assert.equal(surfaceOf(w, pool).asleep, true);
+});
+
+fact('who draws it sees the heights, and a version that changes with them', async () => {
+  const w = await world();
+  const pool = addPool(w, { subdivision: [8, 4] }) as WaterVolumeNode;
+  assert.equal(pool.surface, undefined);
+  addBody(w, { mass: 300, position: [2, 0.6, 1], geometry: [box(1)] });
+  w.step();
+  const { columns, rows, width, length, heights, version } = pool.surface!;
+  assert.deepEqual([columns, rows, width, length, heights.length], [8, 4, 20, 20, 32]);
+  assert.equal(pool.surface!.version, version);
+  w.advance(1);
+  const later = pool.surface!;
+  assert.ok(later.version > version);
+  assert.ok(later.heights.some((each) => each > 1e-3));
+  pool.set('waves', false);
+  w.step();
+  assert.equal(pool.surface, undefined);
+});
+
+fact('little water that brakes much is taken along, and throws nothing back', async () => {
+  for (const fields of [{ damping: 200 }, { dragCoefficient: 20 }, {}])
+    for (const accuracy of ['game', 'standard'] as const) {
+      const w = await world({ accuracy });
+      w.add('WaterVolume', {
+        size: [6, 0.5, 6],
+        position: [0, -0.25, 0],
+        waves: true,
+        subdivision: [32, 32],
+        ...fields,
+      });
+      addFloor(w, -0.5);
+      const cube = addBody(w, {
+        mass: 5000,
+        position: [-2, 0, 0],
+        linearVelocity: [8, 0, 0],
+        geometry: [box(1)],
+      });
+      let fastest = 0;
+      for (let i = 0; i < 2 / w.timeStep; i++) {
+        w.step();
+        fastest = Math.max(fastest, Math.hypot(...velocity(cube)));
+      }
+      assert.ok(fastest < 8, `${fastest} m/s`);
+    }
+});
