@@ -9,6 +9,7 @@ import { speeds } from './speeds.js';
 import { spins } from './spins.js';
 import { loads, structures, towers } from './standing.js';
 import { values } from './values.js';
+import { waters } from './water.js';
 
 /** The rows of the matrix, by theme. */
 export const themes: Record<string, readonly StabilityCase[]> = {
@@ -23,6 +24,7 @@ export const themes: Record<string, readonly StabilityCase[]> = {
   Clocks: clocks,
   Mechanisms: mechanisms,
   'Letting go': lettingGo,
+  Water: waters,
   Edits: edits,
 };
 
