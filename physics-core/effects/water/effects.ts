@@ -18,6 +18,9 @@ export const waves: EffectDescriptor<MovingSurfaces> = {
 export const water: EffectDescriptor<Water> = {
   name: 'water',
   causes: 'a WaterVolume',
-  after: { waves: 'what is pushed rides on the surface as it is by then' },
+  after: {
+    carrying: 'what is carried stirs it on its way',
+    waves: 'what is pushed rides on the surface as it is by then',
+  },
   chunk: waters,
 };

@@ -7,6 +7,7 @@ import { VELOCITY } from '../../engine/moving-bodies.js';
 import type { Vec3 } from '../../fields/types.js';
 import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
+import { carrying } from '../drag/effects.js';
 import { flight } from '../flight/flight.js';
 import { BodyInWater } from './body-in-water.js';
 import { waves } from './effects.js';
@@ -95,17 +96,30 @@ export class Water extends Effect {
       const body = pointers[slot] !== 0 && asleep[slot] === 0 ? bodies.in(slot) : undefined;
       if (body) this.#pushBody(body, volumes, dt);
     }
+    if (volumes.some(({ waves }) => waves)) this.#stir(volumes, dt);
+  }
+
+  /** What is carried through surfaces that move stirs them, and goes its own way. */
+  #stir(volumes: readonly Volume[], dt: number): void {
+    const carried = [...(this.#effects.caused(carrying)?.causes ?? [])] as Body[];
+    for (const body of carried.sort((a, b) => a.id - b.id))
+      if (!body.movable) this.#reckon(body, volumes, dt, false);
+  }
+
+  /** False: it is in no water. */
+  #reckon(body: Body, volumes: readonly Volume[], dt: number, free: boolean): boolean {
+    const push = this.#push;
+    for (const { waves } of volumes) waves?.attend(body);
+    const pushed = push.reckon(body, this.#shapeOf(body), volumes, dt, free);
+    for (const { waves } of volumes) waves?.answer(push.force, push.wetting.volume, dt);
+    return pushed;
   }
 
   #pushBody(body: Body, volumes: readonly Volume[], dt: number): void {
     const known = this.#wet.get(body);
     const free = body.joints.size === 0 && (known?.free ?? true);
-    const push = this.#push;
-    for (const { waves } of volumes) waves?.attend(body);
-    const pushed = push.reckon(body, this.#shapeOf(body), volumes, dt, free);
-    for (const { waves } of volumes) waves?.answer(push.force, push.wetting.volume, dt);
-    if (!pushed) return;
-    const { force, torque, gain, wetting } = push;
+    if (!this.#reckon(body, volumes, dt, free)) return;
+    const { force, torque, gain, wetting } = this.#push;
     const { scratch } = this.#simulation.engine;
     body.body.applyCentralForce(scratch.vector(force[0]!, force[1]!, force[2]!));
     body.body.applyTorque(scratch.vector(torque[0]!, torque[1]!, torque[2]!));

@@ -31,6 +31,8 @@ export class Stand {
   alongSpeed = 0;
   /** It was pushed in this step; it is gone. */
   met = false;
+  /** It was looked for in this step. */
+  attended = false;
   gone = false;
 
   /** Whether to stand there with so many m³ changes anything by so many m³. */

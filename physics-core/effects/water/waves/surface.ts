@@ -111,7 +111,7 @@ export class WaveSurface implements MovingSurface {
     if (this.#gravity !== this.field.conditions.gravity) this.follow(this.#volume);
     if (!this.#acts) this.asleep = true;
     if (!this.asleep) this.#step(dt);
-    for (const stand of this.#stands.values()) stand.met = false;
+    for (const stand of this.#stands.values()) stand.met = stand.attended = false;
   }
 
   #step(dt: number): void {
@@ -150,8 +150,10 @@ export class WaveSurface implements MovingSurface {
   }
 
   attend(body: Body): void {
+    const stand = this.#acts ? this.#stands.get(body) : undefined;
     this.#of.body = this.#acts ? body : undefined;
-    this.#of.stand = this.#acts ? this.#stands.get(body) : undefined;
+    this.#of.stand = stand;
+    if (stand) stand.attended = true;
   }
 
   get crest(): number {
@@ -171,7 +173,7 @@ export class WaveSurface implements MovingSurface {
     if (!body) return;
     const stand = (this.#of.stand ??= this.#add(body));
     const under = this.#under;
-    stand.met = true;
+    stand.met = stand.attended = true;
     this.#follow(stand, body, frame);
     this.#place(stand);
     under.feel();
@@ -319,7 +321,8 @@ export class WaveSurface implements MovingSurface {
   end(): void {
     this.#begins = false;
     for (const [body, stand] of this.#stands) {
-      if (stand.met || (!stand.gone && body.sleeping)) continue;
+      // What sleeps, or is carried no longer, stands where it was.
+      if (stand.met || (!stand.gone && !stand.attended)) continue;
       this.#stands.delete(body);
       if (stand.volume === 0) continue;
       this.#take(stand);

@@ -313,3 +313,29 @@ fact('little water that brakes much is taken along, and throws nothing back', as
       assert.ok(fastest < 8, `${fastest} m/s`);
     }
 });
+
+fact('a paddle that is carried makes waves, and stands in the water where it stops', async () => {
+  const w = await world();
+  const size = [40, 1, 4];
+  const pool = addPool(w, { size, position: [0, -0.5, 0], subdivision: [160, 8] });
+  const paddle = addBody(w, {
+    fixed: true,
+    position: [-18, -0.25, 0],
+    geometry: [box(0.5, 1, 4)],
+  });
+  w.step();
+  const field = fieldOf(w, pool);
+  for (let i = 1; i < 2 / w.timeStep; i++) {
+    paddle.set('position', [-18 + 0.05 * Math.sin(Math.PI * i * w.timeStep), -0.25, 0]);
+    w.step();
+  }
+  const far = field.heights.slice(150, 160).map(Math.abs);
+  assert.ok(field.crest > 0.02, `${field.crest} m`);
+  assert.ok(Math.max(...far) < 1e-3, 'no wave is faster than the root of g times the depth');
+  w.advance(8);
+  // Three quarters of it are below the surface, and as much more or less as a wave is high that stands at it.
+  const levelOf = (deep: number): number => (0.5 * 4 * deep) / (size[0]! * size[2]!);
+  const aside = 2 * field.crest;
+  const near = [levelOf(0.75 - aside), field.level, levelOf(0.75 + aside)];
+  assert.ok(near[0]! < near[1]! && near[1]! < near[2]!, near.join(' '));
+});
