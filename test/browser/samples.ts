@@ -7,7 +7,7 @@ export const kebab = (name: string): string =>
 export const holdsNodes = (field: Field): boolean => /Node$/.test(field.type);
 export const attributeOf = (name: string, field: Field): string => (field.own ? kebab(name) : name);
 
-/** Where not every value of the type will do: axes stand at right angles to each other. */
+/** Where not every value of the type will do: axes stand at right angles to each other, and there are few cells. */
 const FITTING: Record<string, unknown> = {
   appliedParameters: ['SLIP-1'],
   axis1: [0, 0, 1],
@@ -15,6 +15,7 @@ const FITTING: Record<string, unknown> = {
   motor1Axis: [0, 1, 0],
   motor2Axis: [-1, 0, 0],
   motor3Axis: [0, 0, -1],
+  subdivision: [32, 16],
 };
 
 /** A value other than the default, and within the range. */

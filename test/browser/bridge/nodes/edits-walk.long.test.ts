@@ -3,6 +3,7 @@ import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
 import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
 import { worldOf } from '../../../../elements/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
+import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import { drags, meshes, threads, type Problem } from '../../../../physics-core/inside.js';
 import { particleTypes } from '../../../../physics-core/particles.js';
 import { waterTypes } from '../../../../physics-core/water.js';
@@ -63,7 +64,8 @@ class PageEditor implements Editor {
 
   /** An edit that has code fetched would hold time still. */
   async ready(): Promise<void> {
-    await Promise.all([this.world.ready, drags.load(), threads.load(), meshes.load()]);
+    const code = [drags, threads, meshes, waveChunk];
+    await Promise.all([this.world.ready, ...code.map((chunk) => chunk.load())]);
   }
 
   /** As the walk finds it. */

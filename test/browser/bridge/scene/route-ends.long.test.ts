@@ -1,6 +1,7 @@
 import { expect } from 'chai';
 import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
+import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import type { Field, NodeType } from '../../../../physics-core/inside.js';
 import { attributesOf, contentOf } from '../../particle-sources.js';
 import { claim } from '../../console.js';
@@ -12,6 +13,7 @@ import { show } from '../../scene.js';
 
 // What comes late would have worlds wait for it.
 await Promise.all([particleTags.load(), waterTags.load()]);
+await waveChunk.load();
 
 interface X3DNode {
   _vf: Record<string, unknown>;
