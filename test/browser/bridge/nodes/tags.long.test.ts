@@ -1,5 +1,6 @@
 import { expect } from 'chai';
 import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
+import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { codecs, type NodeType } from '../../../../physics-core/inside.js';
 import { contentOf } from '../../particle-sources.js';
@@ -22,6 +23,7 @@ const SCENE = `
 
 // What comes late would have worlds wait for it.
 await Promise.all([particleTags.load(), waterTags.load()]);
+await waveChunk.load();
 
 /** Where a node belongs, as a selector in the scene. */
 const PARENTS: Record<string, string> = {
