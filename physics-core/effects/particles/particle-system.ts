@@ -194,7 +194,7 @@ export class ParticleSystem {
   soak(sea: Sea | undefined, dt: number): void {
     const { mass, radius } = this.#said;
     const { motion, count, still } = this.cloud;
-    sea?.soak({ motion, count, still, mass, radius }, dt);
+    sea?.soak({ motion, stride: PARTICLE, count, still, mass, radius }, dt);
   }
 
   /** Whether all are pushed as before, for as long, and push nobody. */

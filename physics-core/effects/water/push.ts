@@ -165,11 +165,11 @@ export class WaterPush {
 }
 
 /**
- * The mean of cos over a step of a spring that turns by h radians in it, times what leapfrog makes of it: so its period is
- * exact up to half a turn. Beyond that no step can show it, and it stays as it is.
+ * The share of a spring's force with which leapfrog has its period exactly, where it turns by h radians in a step: the square
+ * of sin(h / 2) / (h / 2), up to half a turn. Beyond that no step can show it, and it stays as it is.
  */
 function evenShare(square: number): number {
-  if (square < 1e-8) return 1;
+  if (!(square > 0)) return 1;
   const half = Math.sqrt(square) / 2;
   return half < Math.PI / 2 ? (sin(half) / half) ** 2 : 1 / (half * half);
 }

@@ -1,13 +1,11 @@
 import { hypot } from '../../base/exact/index.js';
 import type { Volume } from './volume.js';
 
-/** Numbers of a particle: where it is, then how it moves. */
-const PARTICLE = 6;
-
 /** Particles of one kind: balls. */
 export interface Drops {
-  /** Six numbers each, and how many there are. */
+  /** So many numbers of each, first where it is and how it moves; and how many there are. */
   readonly motion: Float64Array;
+  readonly stride: number;
   readonly count: number;
   /** 1: it lies, and is left alone. */
   readonly still: ArrayLike<number>;
@@ -26,11 +24,11 @@ const gain = new Float64Array(3);
  * and a way that goes by the mean of the speeds at both ends.
  */
 export function soak(drops: Drops, volumes: readonly Volume[], dt: number): void {
-  const { motion, mass, radius } = drops;
+  const { motion, stride, mass, radius } = drops;
   if (!(mass > 0) || !(radius > 0)) return;
   for (let k = 0; k < drops.count; k++) {
     if (drops.still[k] === 1) continue;
-    const at = PARTICLE * k;
+    const at = stride * k;
     for (let i = 0; i < 3; i++) point[i] = motion[at + i]!;
     const around = volumeAround(volumes, radius);
     if (!around) continue;

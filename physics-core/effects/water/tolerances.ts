@@ -14,3 +14,29 @@ export const HASTY = 0.5;
 
 /** Kilograms within this share of each other are the same for people. (Fact: what is known of it says why.) */
 export const CALM = 0.01;
+
+// ---- waves -----------------------------------------------------------------------------------------------------------
+
+/** Metres that nobody sees: a surface so flat is still, and what rests in it is not woken for less. (Fact: a surface at rest.) */
+export const STILL = 1e-4;
+
+/** Metres: what stirs still water by less does not yet. (Fact: what floats still leaves the surface flat, and that sleeps.) */
+export const STIRS = 1e-6;
+
+/** Steps from one look at whether it is still to the next: all heights are gone over. */
+export const LOOKS = 16;
+
+/**
+ * Of what its footprint lifts, a body's cut is at most such a share: else each would lift the other ever more. (Fact: one as
+ * large as its basin stays where it may.)
+ */
+export const MOST_OF_FOOTPRINT = 0.8;
+
+/** A body's footprint is wider by that than itself. */
+export const WIDER = 1.2;
+
+/** Cells on each side of its middle that a footprint has at least: so wherever that is, it slopes evenly. */
+export const LEAST_CELLS = 1.5;
+
+/** Share of the longest step with which a field holds: beyond 1 it breaks up (Courant). */
+export const COURANT = 0.9;

@@ -101,8 +101,9 @@ export class Water extends Effect {
 
   /** What is carried through surfaces that move stirs them, and goes its own way. */
   #stir(volumes: readonly Volume[], dt: number): void {
-    const carried = [...(this.#effects.caused(carrying)?.causes ?? [])] as Body[];
-    for (const body of carried.sort((a, b) => a.id - b.id))
+    const causes = this.#effects.caused(carrying)?.causes;
+    if (!causes) return;
+    for (const body of ([...causes] as Body[]).sort((a, b) => a.id - b.id))
       if (!body.movable) this.#reckon(body, volumes, dt, false);
   }
 
@@ -125,9 +126,8 @@ export class Water extends Effect {
     body.body.applyTorque(scratch.vector(torque[0]!, torque[1]!, torque[2]!));
     this.#gains.set(gain, 3 * body.slot);
     if (free || wetting.stiffness > 0) this.#effects.caused(flight)?.vary(body);
-    const { deepest, depth, speed, volume, mass } = wetting;
     const wet = known ?? new WetBody(body, wetting);
-    wet.lying = { deepest, depth, speed, volume, mass };
+    wet.lie(wetting);
     wet.free = free;
     wet.pushed = wet.wetted = true;
     this.#wet.set(body, wet);

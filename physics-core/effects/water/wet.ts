@@ -28,11 +28,22 @@ export class WetBody {
   pushed = false;
   wetted = false;
   #told = false;
-  lying: Lying;
+  readonly lying: Lying;
 
   constructor(body: Body, lying: Lying) {
     this.body = body;
-    this.lying = lying;
+    const { deepest, depth, speed, volume, mass } = lying;
+    this.lying = { deepest, depth, speed, volume, mass };
+  }
+
+  /** As it does now: each body in each step, so nothing is made for that. */
+  lie({ deepest, depth, speed, volume, mass }: Lying): void {
+    const { lying } = this;
+    lying.deepest = deepest;
+    lying.depth = depth;
+    lying.speed = speed;
+    lying.volume = volume;
+    lying.mass = mass;
   }
 
   static from(

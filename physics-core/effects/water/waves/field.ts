@@ -1,4 +1,5 @@
 import type { Flat } from '../../../shapes/cut/cut.js';
+import { COURANT } from '../tolerances.js';
 
 /** How a surface is divided. */
 export interface Grid {
@@ -21,9 +22,6 @@ export interface Conditions {
   /** Share of its speed that the water loses in a second. */
   readonly damping: number;
 }
-
-/** Share of the longest step with which the field holds: beyond 1 it breaks up. */
-const COURANT = 0.9;
 
 /**
  * The surface of shallow water: linear waves, all of which go at √(g h). Heights stand in the middles of cells, and what

@@ -1,9 +1,7 @@
 import { grown } from '../../../base/grown.js';
 import type { Flat } from '../../../shapes/cut/cut.js';
+import { LEAST_CELLS } from '../tolerances.js';
 import type { WaveField } from './field.js';
-
-/** Cells on each side of its middle that it has at least: so wherever that is, it slopes evenly. */
-const LEAST = 1.5;
 
 /** Along one side of the field: which cells count how much, and how that changes as the middle goes along. */
 class Weights {
@@ -18,7 +16,7 @@ class Weights {
   /** (1 - t²)² of how far it is, t = 1 at `radius`; `middle` in metres from the first edge. */
   take(middle: number, radius: number, cell: number, cells: number): void {
     const at = Math.min(cells, Math.max(0, middle / cell));
-    const reach = Math.max(LEAST, radius / cell);
+    const reach = Math.max(LEAST_CELLS, radius / cell);
     this.first = Math.max(0, Math.ceil(at - reach - 0.5));
     this.count = Math.min(cells - 1, Math.floor(at + reach - 0.5)) - this.first + 1;
     if (this.each.length < this.count) {

@@ -6,26 +6,12 @@ import type { BodyFrame } from '../body-frame.js';
 import type { CutBody } from '../cut-body.js';
 import type { MovingSurface, ShownSurface, ToldSurface } from '../moving-surface.js';
 import type { WaterSettings } from '../settings.js';
+import { LOOKS, MOST_OF_FOOTPRINT, STILL, STIRS, WIDER } from '../tolerances.js';
 import type { Volume } from '../volume.js';
 import { WaveField, type Grid } from './field.js';
 import { Footprint } from './footprint.js';
 import { keepField, restoreField, standAgain, type KeptSurface } from './kept.js';
 import { Stand } from './stand.js';
-
-/** Metres that nobody sees: a surface so flat is still, and what rests in it is not woken for less. */
-const STILL = 1e-4;
-
-/** Metres: what stirs still water by less does not yet. */
-const STIRS = 1e-6;
-
-/** Steps from one look at whether it is still to the next. */
-const LOOKS = 16;
-
-/** Of what its footprint lifts, a body's cut is at most such a share: else each would lift the other ever more. */
-const MOST = 0.8;
-
-/** A body's footprint is wider by that than itself. */
-const WIDER = 1.2;
 
 const ACROSS = 0;
 const ALONG = 2;
@@ -51,7 +37,7 @@ export class WaveSurface implements MovingSurface {
   readonly #under: Footprint;
   readonly #of = { body: undefined as Body | undefined, stand: undefined as Stand | undefined };
   stiffens = 1;
-  column = 0;
+  column = Infinity;
   /** Nothing has stirred it since it was seen to be still. */
   asleep = true;
   /** It is there since this step: what is in it has not come into it. */
@@ -170,6 +156,7 @@ export class WaveSurface implements MovingSurface {
   ): void {
     const { body } = this.#of;
     this.stiffens = 1;
+    this.column = Infinity;
     if (!body) return;
     const stand = (this.#of.stand ??= this.#add(body));
     const under = this.#under;
@@ -187,7 +174,7 @@ export class WaveSurface implements MovingSurface {
     const area = share * Math.max(0, below[BELOW.area]!);
     const lifts = under.area;
     this.column = lifts * this.field.conditions.depth;
-    stand.share = Math.min(1, (MOST * lifts) / area);
+    stand.share = Math.min(1, (MOST_OF_FOOTPRINT * lifts) / area);
     const gain = (stand.share * area) / lifts;
     this.stiffens = 1 / (1 - gain);
     const displaced = stand.share * (share * below[BELOW.volume]! - stand.cutOff);

@@ -339,3 +339,15 @@ fact('a paddle that is carried makes waves, and stands in the water where it sto
   const near = [levelOf(0.75 - aside), field.level, levelOf(0.75 + aside)];
   assert.ok(near[0]! < near[1]! && near[1]! < near[2]!, near.join(' '));
 });
+
+fact('where nothing has weight a surface has no waves, and brakes all the same', async () => {
+  for (const waves of [false, true]) {
+    const w = await world({ gravity: [0, 0, 0] });
+    w.add('WaterVolume', { size: [40, 40, 40], waves, dragCoefficient: 1, damping: 0 });
+    const cube = addBody(w, { mass: 100, linearVelocity: [2, 0, 0], geometry: [box(1)] });
+    w.advance(1);
+    // v / (1 + k v t), k being ½ ρ c A / m.
+    const speed = 2 / (1 + 5 * 2);
+    assert.ok(Math.abs(velocity(cube)[0] / speed - 1) < 1e-3, `${velocity(cube)[0]} of ${speed}`);
+  }
+});
