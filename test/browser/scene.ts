@@ -54,7 +54,7 @@ export async function drawn(): Promise<void> {
 }
 
 /** Milliseconds after which what is waited for won't come: a page that is slow to draw, on a busy machine, takes seconds. */
-const PATIENCE = 40_000;
+export const PATIENCE = 40_000;
 
 /** Waits for a state. */
 export async function until(holds: () => boolean, milliseconds = PATIENCE): Promise<void> {

@@ -51,8 +51,10 @@ class Loop {
   };
 
   #run(now: number, hidden: boolean): void {
-    const passed = this.#last === undefined ? 0 : Math.max(0, (now - this.#last) / 1000);
-    this.#last = now;
+    const last = this.#last ?? now;
+    // A frame may have begun before the turn that it follows: what passed between them passes once.
+    this.#last = Math.max(last, now);
+    const passed = (this.#last - last) / 1000;
     let again = false;
     for (const driven of this.#driven)
       if (driven.frame(Math.min(passed, hidden ? 2 * LONGEST : LONGEST), hidden)) again = true;

@@ -182,8 +182,7 @@ describe('bodies that look alike', () => {
     extension!.loseContext();
     await lost;
     collection.setAttribute('enabled', 'true');
-    await wait(100);
-    expect(world.time).to.be.above(0);
+    await until(() => world.time > 0);
     x3d.querySelector('#t3')!.remove();
     await drawn();
     x3d.remove();

@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
-import { nextFrame, show, wait } from '../../scene.js';
+import { nextFrame, show, until, wait } from '../../scene.js';
 import { worldOf } from '../../inside.js';
 
 type Data = Record<string, unknown>;
@@ -52,10 +52,11 @@ describe('geometry', () => {
     expect((torus.index as number[]).length).to.be.above(100);
     const far = Math.max(...(torus.points as number[]));
     document.querySelector('torus')!.setAttribute('outerradius', '3');
-    await wait(30);
     const body = document.querySelector('#s')!;
-    const [wider] = worldOf(body)!.node(body)!.get('shape') as { points: number[] }[];
-    expect(Math.max(...wider.points)).to.be.above(1.5 * far);
+    await until(() => {
+      const [wider] = worldOf(body)!.node(body)!.get('shape') as { points: number[] }[];
+      return Math.max(...wider.points) > 1.5 * far;
+    });
   });
 
   it('takes the place and scale of the Transforms between', async () => {

@@ -171,7 +171,7 @@ describe('a collidable without a body', () => {
     world.paused = true;
     world.advance(2);
     expect(position(world, 'ball')[1]).to.be.below(0);
-    await wait(30);
+    await until(() => world.problems.length > 0);
     const [problem] = world.problems;
     expect([problem!.code, (problem!.element as Element).id]).to.eql([
       'unused-collidable',
@@ -240,6 +240,7 @@ describe('a collidable without a body', () => {
       '#c',
     );
     world.paused = true;
+    await until(() => world.problems.length > 1);
     await wait(30);
     expect(world.problems.length).to.equal(2);
   });

@@ -131,8 +131,7 @@ describe('problems', () => {
     );
     expect(world.problems.map(({ code }) => code)).to.eql(['waiting-for-geometry']);
     x3d.querySelector('shape')!.innerHTML = '<sphere radius="2"></sphere>';
-    await wait(30);
-    expect(world.problems).to.eql([]);
+    await until(() => world.problems.length === 0);
     expect((world.node('s')!.get('shape') as { radius: number }[])[0].radius).to.equal(2);
   });
 
@@ -144,7 +143,7 @@ describe('problems', () => {
     document.body.innerHTML = '<x3d-rigid-body></x3d-rigid-body><div id="host"></div>';
     const root = document.querySelector('#host')!.attachShadow({ mode: 'open' });
     root.innerHTML = '<x3d><scene><x3d-rigid-body></x3d-rigid-body></scene></x3d>';
-    await wait(20);
+    await until(() => heard.length > 1);
     document.removeEventListener('physicsproblem', listen);
     expect(heard).to.eql(['misplaced', 'shadow-root']);
   });

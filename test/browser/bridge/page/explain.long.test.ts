@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { explain } from '../../../../elements/index.js';
 import { open, worldIn } from '../../page.js';
-import { show, until, wait } from '../../scene.js';
+import { show, until } from '../../scene.js';
 import type { World } from '../../inside.js';
 import { SCENE } from './explained.js';
 
@@ -35,7 +35,7 @@ describe('User Timing', () => {
     run();
     const { time } = world;
     await until(() => world.time > time + 0.1);
-    await wait(50);
+    for (const { name } of observer.takeRecords()) names.add(name);
     observer.disconnect();
     return [...names].filter((name) => name.startsWith('x3d-physics')).sort();
   };

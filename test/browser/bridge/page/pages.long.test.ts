@@ -135,9 +135,12 @@ describe('pages', () => {
         .insertAdjacentHTML('beforeend', '<x3d-rigid-body></x3d-rigid-body>');
       await wait(20);
     }
+    await until(() => page.fetched > 0);
+    await wait(100);
     // The first of them were in the default world of their <x3d>, which they made.
     expect(page.fetched).to.equal(1);
     scene.insertAdjacentHTML('beforeend', anotherWorld);
+    await until(() => page.fetched > 1);
     await wait(100);
     expect(page.fetched).to.equal(2);
     const again = page.X3DPhysics!.worldOf(scene.querySelector('#new')!)!;

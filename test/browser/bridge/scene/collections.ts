@@ -1,4 +1,4 @@
-import { wait } from '../../scene.js';
+import { PATIENCE, wait } from '../../scene.js';
 import { worldOf } from '../../inside.js';
 
 export type PageWorld = NonNullable<ReturnType<typeof worldOf>>;
@@ -17,7 +17,7 @@ export const collection = (attributes = '', inner = ball()): string =>
 
 /** How its promise settles, as far as it has. */
 export async function outcome(world: PageWorld): Promise<unknown> {
-  const late = wait(500).then(() => 'neither');
+  const late = wait(PATIENCE).then(() => 'neither');
   return Promise.race([world.ready, late]).then(
     (value) => (value === world ? 'ready' : value),
     (reason: { code: string }) => reason.code,

@@ -7,7 +7,8 @@ import { attributesOf, contentOf } from '../../particle-sources.js';
 import { claim } from '../../console.js';
 import { plain } from '../../forms.js';
 import { kebab, sample, written } from '../../samples.js';
-import { show } from '../../scene.js';
+import { drawn, show, until } from '../../scene.js';
+import type { World } from '../../inside.js';
 
 // ROUTEs into and out of every field of every node, generated over the tables.
 
@@ -142,6 +143,13 @@ for (const type of Object.values(allTypes)) {
     });
 }
 
+/** A while of the world's own time, and what came of it drawn. */
+async function later(world: World): Promise<void> {
+  const { time } = world;
+  await until(() => world.time > time + 0.2);
+  await drawn();
+}
+
 describe('ROUTEs out of joints', () => {
   const joints = Object.values(allTypes).filter(({ name }) => name.endsWith('Joint'));
   for (const type of joints) {
@@ -164,7 +172,7 @@ describe('ROUTEs out of joints', () => {
           if (outputs.includes(fieldName)) heard.add(fieldName);
         });
         world.paused = false;
-        await new Promise((resolve) => setTimeout(resolve, 200));
+        await later(world);
         const expected = asked === 'ALL' ? outputs : asked === 'NONE' ? [] : [asked];
         expect([...heard].sort()).to.eql([...expected].sort());
       });
@@ -172,14 +180,14 @@ describe('ROUTEs out of joints', () => {
 
   for (const asked of ['NONE', 'body1AnchorPoint'])
     it(`a ROUTE of an output sends ${asked === 'NONE' ? 'nothing where forceOutput does not ask for it' : 'where it does'}`, async () => {
-      const { x3d } = await show(
+      const { x3d, world } = await show(
         `<x3d-rigid-body-collection id="c"><x3d-rigid-body def="b" useglobalgravity="false"></x3d-rigid-body>
           <x3d-ball-joint def="n" body1="b" anchorpoint="0 1 0" forceoutput='"${asked}"'></x3d-ball-joint></x3d-rigid-body-collection>
         <Transform def="t"></Transform>
         <ROUTE fromNode="n" fromField="body1AnchorPoint" toNode="t" toField="translation"></ROUTE>`,
         '#c',
       );
-      await new Promise((resolve) => setTimeout(resolve, 200));
+      await later(world);
       const { y } = nodeOf(x3d, 't')._vf.translation as { y: number };
       expect(y).to.be.closeTo(asked === 'NONE' ? 0 : 1, 0.01);
     });

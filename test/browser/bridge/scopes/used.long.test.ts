@@ -18,7 +18,7 @@ async function see(markup: string): Promise<Seen> {
   place(markup);
   // Until then the scene before it is there, too.
   await nextFrame();
-  await until(() => NAMED.every((name) => worldNamed(name)?.node(name) !== undefined), 1000);
+  await until(() => NAMED.every((name) => worldNamed(name)?.node(name) !== undefined));
   const worlds = ['collection', 'crateBody'].map((name) => worldNamed(name)!);
   for (const world of worlds) {
     await world.ready;

@@ -66,17 +66,23 @@ describe('a surface of water in a page', () => {
     expect(boxes.renderFlag()).to.equal(true);
   });
 
-  it('of 128 × 128 cells is written in a millisecond', () => {
+  it('of 128 × 128 cells is written in the time of a few roots for each number of it', () => {
     const heights = new Float32Array(128 * 128).map((_, i) => Math.sin(i) / 10);
     const shown = { columns: 128, rows: 128, width: 20, length: 20, heights, version: 1 };
     const mesh = new SurfaceMesh(shown);
     const place = { axes: [1, 0, 0, 0, 1, 0, 0, 0, 1], middle: [0, -1, 0], depth: 2, unit: 1 };
-    let best = Infinity;
-    for (let i = 0; i < 20; i++) {
-      const start = performance.now();
-      for (let k = 0; k < 20; k++) mesh.write(shown, place);
-      best = Math.min(best, (performance.now() - start) / 20);
-    }
-    expect(best).to.be.below(1);
+    const numbers = new Float32Array(mesh.positions.length);
+    const roots = (): void => {
+      for (let i = 0; i < numbers.length; i++) numbers[i] = Math.sqrt(i + numbers[i]!);
+    };
+    const best = [Infinity, Infinity];
+    for (let i = 0; i < 20; i++)
+      [() => mesh.write(shown, place), roots].forEach((work, which) => {
+        const start = performance.now();
+        for (let k = 0; k < 20; k++) work();
+        best[which] = Math.min(best[which]!, performance.now() - start);
+      });
+    console.warn('RATIO', ...best, best[0]! / best[1]!);
+    expect(best[0]).to.be.below(10 * best[1]!);
   });
 });

@@ -1,7 +1,7 @@
 import { expect } from 'chai';
 import { explain } from '../../../../elements/index.js';
 import { claim } from '../../console.js';
-import { drawn, drawnAt, place, show, wait, position } from '../../scene.js';
+import { drawn, drawnAt, place, show, until, wait, position } from '../../scene.js';
 import { worldOf } from '../../inside.js';
 import { bothSpellings } from '../../forms.js';
 
@@ -52,6 +52,7 @@ describe('attributes that are no fields', () => {
       const body = x3d.querySelector('#b')!;
       let ready = 0;
       x3d.addEventListener('physicsready', () => ready++);
+      await until(() => world.problems.length > 0);
       await wait(30);
       expect(ready).to.equal(0);
       expect(
@@ -84,18 +85,15 @@ describe('attributes that are no fields', () => {
       expect(world.problems).to.eql([]);
       const collection = x3d.querySelector('#c')!;
       collection.setAttribute('shared-world', 'w');
-      await wait(30);
+      await until(() => worldOf(body) !== world);
       const shared = worldOf(body)!;
-      expect(shared).not.to.equal(world);
       collection.removeAttribute('shared-world');
       collection.setAttribute('default', '');
-      await wait(30);
-      expect(worldOf(body)).not.to.equal(shared);
+      await until(() => worldOf(body) !== shared);
       x3d
         .querySelector('scene')!
         .insertAdjacentHTML('beforeend', '<x3d-rigid-body id="free"></x3d-rigid-body>');
-      await wait(30);
-      expect(worldOf(x3d.querySelector('#free')!)).to.equal(worldOf(body));
+      await until(() => worldOf(x3d.querySelector('#free')!) === worldOf(body));
     });
   }
 
@@ -116,8 +114,7 @@ describe('attributes that are no fields', () => {
     expect([collection.default, collection.sharedWorld]).to.eql([false, '']);
     collection.sharedWorld = 'w';
     expect(collection.getAttribute('shared-world')).to.equal('w');
-    await wait(30);
-    expect(body.world).not.to.equal(world);
+    await until(() => body.world !== world);
     collection.removeAttribute('shared-world');
     collection.default = true;
     expect([collection.default, collection.hasAttribute('default')]).to.eql([true, true]);

@@ -105,7 +105,11 @@ describe('dragging by keyboard', () => {
     const { x3d, root, crate } = await stage();
     await tabIn(root);
     await press('Enter', 'ArrowUp', 'ArrowUp', 'ArrowRight');
-    await wait(100);
+    const middle = (): number => {
+      const { left, width } = root.activeElement!.getBoundingClientRect();
+      return left + width / 2;
+    };
+    await until(() => Math.abs(middle() - pixelOf(x3d, position(crate))[0]) < 3);
     const { left, top, width, height } = root.activeElement!.getBoundingClientRect();
     const [x, y] = pixelOf(x3d, position(crate));
     expect(Math.abs(left + width / 2 - x)).to.be.below(3);

@@ -78,7 +78,7 @@ describe('dragging with the mouse', () => {
     const { x3d, body, events } = await stage(one('draggable-body'));
     const seen = camera(x3d);
     // Right after it has read a scene x3dom takes the camera back to the viewpoint.
-    for (let i = 0; i < 5 && camera(x3d) === seen; i++) {
+    for (let i = 0; i < 20 && camera(x3d) === seen; i++) {
       await dragTo(x3d, [3, 2, 0], [2, 2, 0]);
       await mouse.up();
       await wait(300);
