@@ -52,6 +52,7 @@ describe('geometry', () => {
     expect((torus.index as number[]).length).to.be.above(100);
     const far = Math.max(...(torus.points as number[]));
     document.querySelector('torus')!.setAttribute('outerradius', '3');
+    await wait(30);
     const body = document.querySelector('#s')!;
     await until(() => {
       const [wider] = worldOf(body)!.node(body)!.get('shape') as { points: number[] }[];

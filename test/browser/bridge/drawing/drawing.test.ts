@@ -76,14 +76,17 @@ describe('what is drawn', () => {
     await drawn();
     x3d.querySelector('#up')!.setAttribute('translation', '0 7 0');
     const at = (id: string): number[] => world.node(id)!.get('position') as number[];
+    await wait(20);
     await until(() => at('f')[1] === 7);
     expect(at('f')).to.eql([1, 7, 0]);
     expect(at('d')[0]).to.be.closeTo(3, 1e-5);
     expect(at('d')[1]).to.be.closeTo(7, 0.1);
     x3d.querySelector('#up')!.removeAttribute('translation');
+    await wait(20);
     await until(() => at('f')[1] === 0);
     expect(at('f')).to.eql([1, 0, 0]);
     x3d.querySelector('#up')!.setAttribute('translation', '0 3 0');
+    await wait(20);
     await until(() => at('f')[1] === 3);
     expect(at('f')).to.eql([1, 3, 0]);
   });

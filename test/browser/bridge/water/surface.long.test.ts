@@ -82,7 +82,6 @@ describe('a surface of water in a page', () => {
         for (let k = 0; k < 20; k++) work();
         best[which] = Math.min(best[which]!, performance.now() - start);
       });
-    console.warn('RATIO', ...best, best[0]! / best[1]!);
     expect(best[0]).to.be.below(10 * best[1]!);
   });
 });
