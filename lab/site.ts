@@ -4,13 +4,19 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { chromium, type Browser } from 'playwright';
-import { CHROMIUM_ARGUMENTS, ensureChromium } from '../tools/test/browsers.js';
+import { ensureChromium } from '../tools/test/browsers.js';
 import { FOLDER, serveDocs } from '../tools/docs/site.js';
 import { between } from './draw/between.js';
 import { markdownOf, type Table } from './draw/table.js';
 import { MACHINE, today } from './run/machine.js';
 import { median } from './statistics.js';
-import { arrivalOf, VISITORS, type Arrival, type Visitor } from '../tools/docs/arrival.js';
+import {
+  ARRIVAL_ARGUMENTS,
+  arrivalOf,
+  VISITORS,
+  type Arrival,
+  type Visitor,
+} from '../tools/docs/arrival.js';
 import { OWN_PAGES } from '../tools/docs/own-pages.js';
 
 const TEXT = new URL('../docs/pages.md', import.meta.url);
@@ -25,11 +31,12 @@ const { values: options } = parseArgs({ options: { print: { type: 'boolean', def
 const seconds = (milliseconds: number): string => (milliseconds / 1000).toFixed(1);
 
 function rowOf(what: string, visitor: Visitor, turns: readonly Arrival[]): string[] {
-  const of = (key: 'bytes' | 'files' | 'first' | 'largest' | 'shift') =>
+  const of = (key: 'bytes' | 'before' | 'files' | 'first' | 'largest' | 'shift') =>
     median(turns.map((turn) => turn[key]));
   return [
     `${what}, ${visitor.name}`,
     (of('bytes') / 1000).toFixed(0),
+    (of('before') / 1000).toFixed(0),
     of('files').toFixed(0),
     seconds(of('first')),
     seconds(of('largest')),
@@ -48,13 +55,14 @@ async function measured(browser: Browser, address: string): Promise<Table> {
       rows.push(rowOf(what, visitor, turns));
       console.error([...rows.at(-1)!, ...turns[0]!.moved].join('  '));
     }
-  return { head: ['', 'kB', 'files', 'first word, s', 'largest, s', 'layout shift'], rows };
+  const head = ['', 'kB', 'before a word', 'files', 'first word, s', 'largest, s', 'layout shift'];
+  return { head, rows };
 }
 
 async function main(): Promise<void> {
   const { port, close } = await serveDocs(PORT);
   const executablePath = await ensureChromium();
-  const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
+  const browser = await chromium.launch({ executablePath, args: ARRIVAL_ARGUMENTS });
   const table = markdownOf(await measured(browser, `http://localhost:${port}`));
   const conditions = `Medians of ${TURNS}, ${today()}, Chromium ${browser.version()}: ${MACHINE}.`;
   await browser.close();

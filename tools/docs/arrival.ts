@@ -2,6 +2,16 @@
 import { existsSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Frame, Page as Tab, Request } from 'playwright';
+import { CHROMIUM_ARGUMENTS } from '../test/browsers.js';
+
+/**
+ * For a browser whose arrivals are counted: all that a page loads is heard. A sandbox in a process of its own has mostly asked
+ * for its first files before anyone listens there.
+ */
+export const ARRIVAL_ARGUMENTS = [
+  ...CHROMIUM_ARGUMENTS,
+  '--disable-features=IsolateSandboxedIframes',
+];
 
 /** A visitor: a window, and a line as Lighthouse takes it for its two kinds of device. */
 export interface Visitor {
@@ -27,6 +37,8 @@ export interface Arrival {
    */
   bytes: number;
   files: number;
+  /** Of them the bytes without which nothing is drawn: the page's own text and what that waits for. */
+  before: number;
   /** Milliseconds to the first word or picture, and to the largest. */
   first: number;
   largest: number;
@@ -52,8 +64,14 @@ const WATCH = `
       watched.moved.push(\`\${node?.className || node?.nodeName} from \${from.x}, \${from.y} to \${to.x}, \${to.y}\`);
   });`;
 
-/** Milliseconds, as far as the page is now. */
-const LOOK = `({ ...watched, first: performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? Infinity })`;
+/** As far as the page is now. Chromium says what a page waits for before it draws anything. */
+const LOOK = `({
+  ...watched,
+  first: performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? Infinity,
+  before: [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
+    .filter(({ entryType, renderBlockingStatus }) => entryType === 'navigation' || renderBlockingStatus === 'blocking')
+    .reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0),
+})`;
 
 /** In the window, or the page itself. */
 async function isSeen(frame: Frame, height: number): Promise<boolean> {
@@ -116,7 +134,7 @@ export async function arrivalOf(
   for (const [frame, ofFrame] of sizes)
     if (await isSeen(frame, height))
       bytes.push(...(await Promise.all(ofFrame)).filter((size) => size > 0));
-  const seen = await tab.evaluate<Watched & Pick<Arrival, 'first'>>(LOOK);
+  const seen = await tab.evaluate<Watched & Pick<Arrival, 'first' | 'before'>>(LOOK);
   await context.close();
   return { ...seen, bytes: bytes.reduce((all, each) => all + each, 0), files: bytes.length };
 }
