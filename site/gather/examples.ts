@@ -30,14 +30,13 @@ interface Stories extends Record<string, Story> {
 
 /** Stories that are pages, or show them: stories/pages has these as files. */
 const PAGES = /^(Scenes|In XHTML|Start here)/;
-/** What shows other scenes, and what no one reads as text. */
-const NOT_HERE = new Set(['Monitor', 'TwoThousandBodies', 'ManyBoxes']);
+/** What shows other scenes, what no one reads as text, and what is nothing without its story's buttons. */
+const NOT_HERE = new Set(['Monitor', 'TwoThousandBodies', 'ManyBoxes', 'Auto']);
 
 /** In the menu by another name than in the stories, where the group's name stands above it. */
 const NAMES: Record<string, string> = {
   'Accuracy/Beside reference': 'A level beside the reference',
   'Accuracy/Chart': 'What each level costs',
-  'Accuracy/Auto': 'A level that fits the time',
   'Dragging/Pendulum': 'Drag a pendulum',
   'Dragging/Heap': 'Drag out of a heap',
   'Dragging/Modes': 'Three ways to drag',

@@ -64,16 +64,26 @@ function ofGallery(name: string): Scene {
 /** A scene's own size: there it is as large as its picture. */
 const OWN_SIZE = /(?<=<x3d\b[^>]*)\s(?:width|height|style)="[^"]*"/gi;
 
+/** What ends itself, as in XML: in a page of HTML it would go on. */
+const ENDED = /<([\w-]+)((?:\s[^<>]*)?)\/>/g;
+
 /** Those that have no page in the gallery. */
 const ofMenu = ({ picture, markup }: Example): Scene =>
-  sceneOf(picture, markup.replaceAll(OWN_SIZE, ''), SMALL, SOON);
+  sceneOf(picture, markup.replaceAll(OWN_SIZE, '').replaceAll(ENDED, '<$1$2></$1>'), SMALL, SOON);
+
+interface X3D {
+  runtime: { triggerRedraw(): void; canvas: { doc: { downloadCount: number } } };
+}
 
 /** Runs in the page: its world, as far as it is to be seen, and still. */
 const RUN = async (after: number): Promise<void> => {
-  const x3d = document.querySelector('x3d') as unknown as { runtime: { triggerRedraw(): void } };
+  const x3d = document.querySelector('x3d') as unknown as X3D;
   const { worldOf } = await import('/x3d-physics/x3d-physics.js' as string);
   const world = worldOf(document.querySelector('x3d-rigid-body, RigidBody'));
   await world.ready;
+  // What comes from files of its own, for some seconds at most.
+  for (let i = 0; i < 600 && x3d.runtime.canvas.doc.downloadCount > 0; i++)
+    await new Promise(requestAnimationFrame);
   world.paused = true;
   // Piece by piece: what a scene does by its script comes in between.
   for (let time = 0; time < after; time += 0.1) {
@@ -90,8 +100,10 @@ const RUN = async (after: number): Promise<void> => {
 async function take(tab: Tab, address: string, scene: Scene): Promise<void> {
   await tab.setViewportSize(scene.size);
   await tab.goto(address + pathOf(scene));
-  // The scene alone: its buttons would be too small to read.
-  await tab.addStyleTag({ content: 'body > :not(x3d) { display: none }' });
+  // The scene alone: its buttons would be too small to read, and nothing is to be seen of its loading.
+  await tab.addStyleTag({
+    content: 'body > :not(x3d), .x3dom-progress { display: none !important }',
+  });
   await tab.evaluate(RUN, scene.after);
   await tab.screenshot({ path: scene.kept, type: 'jpeg', quality: 82 });
 }

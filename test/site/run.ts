@@ -5,6 +5,7 @@
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright';
 import { CHROMIUM_ARGUMENTS, ensureChromium, WITHOUT_WEBGL } from '../../tools/test/browsers.js';
+import { ARRIVAL_ARGUMENTS } from '../../tools/docs/arrival.js';
 import { buildDocs, serveDocs } from '../../tools/docs/site.js';
 import { inaccessible } from './checks/accessible.js';
 import { arrivals, unsettled } from './checks/arriving.js';
@@ -50,10 +51,13 @@ async function lookAt(all: Page[], examples: Scene[], address: string): Promise<
   const executablePath = await ensureChromium();
   const browser = await chromium.launch({ executablePath, args: CHROMIUM_ARGUMENTS });
   const plain = await chromium.launch({ executablePath, args: WITHOUT_WEBGL });
+  const counting = await chromium.launch({ executablePath, args: ARRIVAL_ARGUMENTS });
   const shown = examples.filter(({ live }) => live);
+  const pictured = menu();
   const results = [
+    await checked('pictures of the menu', pictured.length, unpictured(plain, pictured)),
     await checked('the search', 1, notFound(plain, address)),
-    await checked('how pages arrive', arrivals, unsettled(browser, address)),
+    await checked('how pages arrive', arrivals, unsettled(counting, address)),
     await checked('what is copied', 1, miscopied(browser, address)),
     await checked('axe', all.length, inaccessible(plain, address, all)),
   ];
@@ -70,19 +74,17 @@ async function lookAt(all: Page[], examples: Scene[], address: string): Promise<
       seen.then(({ looks }) => looks),
     ),
   );
-  await Promise.all([browser.close(), plain.close()]);
+  await Promise.all([browser, plain, counting].map((each) => each.close()));
   return results;
 }
 
 async function main(): Promise<number> {
   if (!options.built) await buildDocs();
   const all = pages();
-  const pictured = menu();
   const examples = [...scenes(), ...stories()];
   const { port, close } = await serveDocs(PORT, madePages(examples));
   const results = [
     result(all.length, deadLinks(all)),
-    result(pictured.length, unpictured(pictured)),
     ...(await lookAt(all, examples, `http://localhost:${port}`)),
   ];
   await close();

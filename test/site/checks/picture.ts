@@ -55,3 +55,13 @@ export function shareBelow({ data, width, height }: Picture, limit: number): num
     if (data[i]! <= limit && data[i + 1]! <= limit && data[i + 2]! <= limit) dark++;
   return dark / (width * height);
 }
+
+/** Share of the pixels whose channels are further than `far` from each other. */
+export function shareColored({ data, width, height }: Picture, far: number): number {
+  let colored = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const color = [...data.subarray(i, i + 3)];
+    if (Math.max(...color) - Math.min(...color) > far) colored++;
+  }
+  return colored / (width * height);
+}
