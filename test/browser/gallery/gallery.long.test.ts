@@ -60,6 +60,10 @@ const LISTENS =
 /** What is drawn without a graphics card is drawn sooner. */
 const SMALL = '<style>x3d { width: 32px !important; height: 20px !important; }</style>';
 
+/** Pixels: of a frame on a phone, and what a thumb finds: https://www.w3.org/WAI/WCAG22/Understanding/target-size-enhanced */
+const PHONE = 342;
+const THUMB = 44;
+
 /** The scene of a page of the gallery, in a page of its own, which keeps what goes wrong in it. */
 async function shown(name: string): Promise<PageWindow & { faults: string[] }> {
   const text = await (await fetch(`/site/gallery/${name}.md`)).text();
@@ -83,21 +87,60 @@ describe('the gallery', () => {
     });
   }
 
-  it('car-on-hills: it drives while a thumb is on the pad, and no longer', async () => {
+  /** Paused, in a frame as wide as a phone's. */
+  async function carOnHills() {
     const page = await shown('car-on-hills');
+    page.frameElement!.setAttribute('style', `width: ${PHONE}px`);
     const find = (selector: string) => page.document.querySelector(selector)!;
-    const motor = () => (find('x3d-double-axis-hinge-joint') as any).desiredAngularVelocity2;
     const car = find('#car') as any;
     const world = await car.world.ready;
     world.paused = true;
+    const joint = () => find('.front') as any;
+    const driven = () => [joint().desiredAngularVelocity2, joint().minAngle1];
+    return { page, find, car, world, driven };
+  }
+
+  it('car-on-hills: it drives while a thumb is on the pad, and no longer', async () => {
+    const { page, find, car, world, driven } = await carOnHills();
     const { x, y } = find('[data-drive="1"]').getBoundingClientRect();
     const { left, top } = page.frameElement!.getBoundingClientRect();
     await touch('start', [Math.round(left + x + 20), Math.round(top + y + 15)]);
-    await until(() => motor() === 18);
+    await until(() => driven()[0] === 18);
     const [from] = car.position;
     world.advance(2);
     expect(car.position[0] - from).to.be.above(4);
     await touch('end');
-    await until(() => motor() === 0);
+    await until(() => driven()[0] === 0);
+  });
+
+  it('car-on-hills: its pads stand side by side on a phone, each as large as a thumb', async () => {
+    const { page } = await carOnHills();
+    const pads = [...page.document.querySelectorAll('.pads button')].map((pad) =>
+      pad.getBoundingClientRect(),
+    );
+    expect(pads.length).to.equal(4);
+    for (const { top, right, height, width } of pads) {
+      expect(top).to.equal(pads[0]!.top);
+      expect(right).to.be.below(PHONE);
+      expect(height).to.be.at.least(THUMB);
+      expect(width).to.be.at.least(THUMB);
+    }
+  });
+
+  it('car-on-hills: it drives and steers while arrow keys are down, and no longer', async () => {
+    const { page, car, world, driven } = await carOnHills();
+    const { KeyboardEvent } = page as unknown as typeof globalThis;
+    const press = (type: string, key: string) =>
+      page.document.body.dispatchEvent(new KeyboardEvent(type, { key, bubbles: true }));
+    press('keydown', 'ArrowUp');
+    press('keydown', 'ArrowLeft');
+    const [from] = car.position;
+    expect(driven()).to.eql([18, -0.4]);
+    world.advance(2);
+    expect(car.position[0] - from).to.be.above(4);
+    press('keyup', 'ArrowLeft');
+    expect(driven()).to.eql([18, 0]);
+    press('keyup', 'ArrowUp');
+    expect(driven()).to.eql([0, 0]);
   });
 });
