@@ -39,7 +39,7 @@ export default defineConfig({
   // The stories are built after the site, into its folder.
   ignoreDeadLinks: [/^\/stories\//],
   head: [
-    ['link', { rel: 'icon', href: 'data:,' }],
+    ['link', { rel: 'icon', href: `${base}logo.svg` }],
     // For the playground and for page code: the package's names, as a page would have them.
     [
       'script',
@@ -69,6 +69,7 @@ export default defineConfig({
     config: (md) => md.use(liveExamples, base).use(charts, base).use(emptyHeads).use(proseTables),
   },
   themeConfig: {
+    logo: { src: '/logo.svg', width: 24, height: 24, alt: '' },
     nav,
     sidebar: sidebar(nodes),
     outline: [2, 3],

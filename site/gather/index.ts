@@ -29,6 +29,7 @@ function copyScripts(): void {
   cpSync('stories/assets/motor.x3d', `${PUBLIC}/scenes/motor.x3d`);
   cpSync('site/markdown/frame.css', `${PUBLIC}/frame.css`);
   cpSync('site/kit/shadows.js', `${PUBLIC}/kit/shadows.js`);
+  cpSync('site/kit/logo.svg', `${PUBLIC}/logo.svg`);
 }
 
 /** A chart takes the room of the outline beside it. */
