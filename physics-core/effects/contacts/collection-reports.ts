@@ -51,3 +51,14 @@ export function reportOneSided(collection: Reported, is: boolean): void {
     message: `${collection.label} lists the collidables of one body only and yet says what its contacts are like; every pair with one member inside collides by it`,
   });
 }
+
+/** What says what contacts are like, of nobody. */
+export function reportIdle(collection: Reported, is: boolean): void {
+  collection.reportWhile(is, {
+    code: 'idle-collection',
+    severity: 'info',
+    attribute: 'collidables',
+    used: 'friction 0.5 and bounce 0, as without it',
+    message: `${collection.label} has no collidables, and so speaks for no contact: collidables="*" are all of its world`,
+  });
+}

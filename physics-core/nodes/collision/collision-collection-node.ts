@@ -2,9 +2,16 @@ import type { CollidableNode } from './collidable.js';
 import type { ContactParameters } from '../../dynamics/contact-parameters.js';
 import type { Collider } from '../../dynamics/pairs.js';
 import { Members, type MemberList } from './members.js';
-import { reportSoftness, reportTokens } from '../../effects/contacts/collection-reports.js';
+import {
+  reportIdle,
+  reportSoftness,
+  reportTokens,
+} from '../../effects/contacts/collection-reports.js';
 import { contactParameters, unknownTokens } from '../../effects/contacts/parameters.js';
 import { PhysicsNode } from '../node/node.js';
+
+/** What is written for somebody. */
+const SPEAKS = ['bounce', 'frictionCoefficients', 'surfaceSpeed', 'slipFactors'];
 
 /** Which collidables are tested against each other, and what their contacts are like. */
 export class CollisionCollectionNode extends PhysicsNode implements Collider {
@@ -31,7 +38,9 @@ export class CollisionCollectionNode extends PhysicsNode implements Collider {
   }
 
   #readMembers(): void {
-    this.#members = new Members(this.asked<MemberList>('collidables'));
+    const list = this.asked<MemberList>('collidables');
+    this.#members = new Members(list);
+    reportIdle(this, list.length === 0 && SPEAKS.some((field) => this.authored(field)));
   }
 
   /** A parameter changed: contacts read it from the next step on. */
