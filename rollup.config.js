@@ -58,6 +58,16 @@ const OF_FLOATING = /\/physics-core\/(effects\/water\/volume|world\/chunks\/wate
 const OF_WATER =
   /\/(elements\/(x3d-water-volume|water|bridge\/water\/[\w-]+)|physics-core\/water)\.ts$/;
 
+/** The same of ropes. */
+const OF_ROPES =
+  /\/(elements\/(x3d-(rope|soft-body-attachment)|ropes|bridge\/ropes\/[\w-]+)|physics-core\/ropes)\.ts$/;
+
+/** What particles and ropes meet. */
+const OF_OBSTACLES = /\/physics-core\/effects\/particles\/collide\/[\w-]+\.ts$/;
+
+/** What draws and takes Shapes for all three. */
+const OF_MATTER = /\/elements\/bridge\/matter\/[\w-]+\.ts$/;
+
 /** Winds and water push what they see of a body. */
 const OF_SILHOUETTES =
   /\/physics-core\/(dynamics\/body-silhouette|shapes\/silhouette\/[\w-]+)\.ts$/;
@@ -70,6 +80,9 @@ const OF_SILHOUETTES =
 const together = (id) => {
   if (OF_PARTICLES.test(id)) return 'particle-elements';
   if (OF_WATER.test(id)) return 'water-elements';
+  if (OF_OBSTACLES.test(id)) return 'obstacles';
+  if (OF_ROPES.test(id)) return 'rope-elements';
+  if (OF_MATTER.test(id)) return 'own-shapes';
   if (OF_FLOATING.test(id)) return 'water-code';
   if (OF_SILHOUETTES.test(id)) return 'silhouettes';
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';

@@ -58,6 +58,8 @@ export type { X3DForcePhysicsModelElement } from './x3d-force-physics-model.js';
 export type { X3DParticleSystemElement } from './x3d-particle-system.js';
 export type { X3DPointEmitterElement } from './x3d-point-emitter.js';
 export type { X3DPolylineEmitterElement } from './x3d-polyline-emitter.js';
+export type { X3DRopeElement } from './x3d-rope.js';
+export type { X3DSoftBodyAttachmentElement } from './x3d-soft-body-attachment.js';
 export type { X3DSurfaceEmitterElement } from './x3d-surface-emitter.js';
 export type { X3DVolumeEmitterElement } from './x3d-volume-emitter.js';
 export type { X3DWaterVolumeElement } from './x3d-water-volume.js';

@@ -1114,6 +1114,85 @@ export interface WindPhysicsModelProperties {
   set metadata(value: Element | null | undefined);
 }
 
+/** Properties of `<x3d-rope>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface RopeProperties {
+  /** FALSE: it stands still, and holds nothing. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** A LineSet or an IndexedLineSet: its first line is the rope as it is laid. (SFNode) */
+  get geometry(): Element | null;
+  set geometry(value: Element | null | undefined);
+  /** The line along which it is laid, metres; it wins over geometry. An edit lays it anew. (MFVec3f) */
+  get points(): number[][];
+  set points(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** How many links of one length it is divided into; 0: as many as its line has. Range [0, 10000]. (SFInt32) Default 0. */
+  get segments(): number;
+  set segments(value: number | string | null | undefined);
+  /** kg, of the whole rope. Range (0, Infinity]. (SFFloat) Default 1. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** Half of its thickness, metres; 0: it touches nothing. Range [0, Infinity]. (SFFloat) Default 0.01. */
+  get radius(): number;
+  set radius(value: number | string | null | undefined);
+  /** Newtons that would stretch it to twice its length, if it went on as it begins; 0: it does not stretch. Range [0, Infinity]. (SFFloat) Default 0. */
+  get stretchStiffness(): number;
+  set stretchStiffness(value: number | string | null | undefined);
+  /** What it takes to bend it, N m²: E I of a beam; 0: it bends freely. More than a step follows is told (soft-too-stiff). Range [0, Infinity]. (SFFloat) Default 0. */
+  get bendStiffness(): number;
+  set bendStiffness(value: number | string | null | undefined);
+  /** Share of its speed that it loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get damping(): number;
+  set damping(value: number | string | null | undefined);
+  /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  get friction(): number;
+  set friction(value: number | string | null | undefined);
+  /** Points that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
+  get fixedIndex(): number[];
+  set fixedIndex(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Where its points are, metres. (MFVec3f) */
+  get positions(): number[][];
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  get bboxCenter(): number[];
+  set bboxCenter(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  get bboxSize(): number[];
+  set bboxSize(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  get bboxDisplay(): boolean;
+  set bboxDisplay(value: boolean | string | null | undefined);
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  get visible(): boolean;
+  set visible(value: boolean | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+  /** DEF or id of the Transform, Shape or group that it stands for. */
+  for: string;
+}
+
+/** Properties of `<x3d-soft-body-attachment>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface SoftBodyAttachmentProperties {
+  /** The rope. (SFNode) */
+  get softBody(): Element | null;
+  set softBody(value: Element | null | undefined);
+  /** Which of its points, counted from 0. Range [0, Infinity]. (SFInt32) Default 0. */
+  get index(): number;
+  set index(value: number | string | null | undefined);
+  /** The body; NULL: the world. (SFNode) */
+  get body(): Element | null;
+  set body(value: Element | null | undefined);
+  /** Where on the body, metres, in its frame; without a body in the world. The point is taken there. (SFVec3f) Default 0 0 0. */
+  get position(): number[];
+  set position(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
 /** Properties of `<x3d-water-volume>`: read live, set to the text of the attribute, too; null takes script's word back. */
 export interface WaterVolumeProperties {
   /** FALSE: it is not there. (SFBool) Default true. */
@@ -1209,6 +1288,8 @@ export interface ElementProperties {
   BoundedPhysicsModel: BoundedPhysicsModelProperties;
   ForcePhysicsModel: ForcePhysicsModelProperties;
   WindPhysicsModel: WindPhysicsModelProperties;
+  Rope: RopeProperties;
+  SoftBodyAttachment: SoftBodyAttachmentProperties;
   WaterVolume: WaterVolumeProperties;
 }
 

@@ -3,10 +3,12 @@ import type { NodeType } from './inside.js';
 import { nodeTypes } from './nodes/index.js';
 import { byName } from './nodes/node/table.js';
 import { particleTypes } from './nodes/particles/index.js';
+import { softTypes } from './nodes/soft/index.js';
 import { waterTypes } from './nodes/water/index.js';
 
 export const allTypes: Readonly<Record<string, NodeType>> = byName({
   ...nodeTypes,
   ...particleTypes,
+  ...softTypes,
   ...waterTypes,
 });

@@ -2,6 +2,7 @@
 import type { Problem } from './base/problems.js';
 import type { EngineSource } from './engine/wasm.js';
 import { particleSystems } from './effects/particles/effects.js';
+import { ropeChunk } from './effects/soft/effects.js';
 import { waters, waveChunk } from './effects/water/effects.js';
 import { behind, shown } from './face/shown.js';
 import type { RigidBodyCollectionFields } from './face/fields.js';
@@ -32,6 +33,7 @@ export type { Stats } from './world/store/types.js';
 inside.beyondPages.push(
   particleSystems.comesFrom(() => import('./world/chunks/particle-code.js')),
   waters.comesFrom(() => import('./world/chunks/water-code.js')),
+  ropeChunk.comesFrom(() => import('./world/chunks/rope-code.js')),
   waveChunk.comesFrom(() => import('./effects/wave-code.js')),
 );
 

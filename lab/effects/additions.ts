@@ -243,6 +243,21 @@ export const additions: readonly Addition[] = [
     },
   },
   {
+    effect: 'ropes',
+    by: 'a rope of a hundred links that hangs beside them',
+    without: drifting,
+    with: {
+      ...drifting,
+      also: (world) => {
+        world.add('Rope', {
+          points: [0, 400, 0, 10, 400, 0],
+          segments: 100,
+          fixedIndex: [0],
+        });
+      },
+    },
+  },
+  {
     effect: 'dragging',
     by: 'a hand that holds one body',
     without: drifting,

@@ -58,6 +58,8 @@ export interface Body extends SimulationNode {
   readonly isDynamic: boolean;
   readonly sleeping: boolean;
   readonly joints: ReadonlySet<Joint>;
+  /** What ties ropes and the like to it. */
+  readonly ties: ReadonlySet<SimulationNode>;
   readonly mass: MassProperties;
   /** Centre of mass and principal axes in the body's frame. */
   readonly centerOfMass: Pose;

@@ -16,6 +16,7 @@ import { continuousCollision, impactPropagation, sweptEnds } from './hits/effect
 import { jointSolve, motors, stops, suspension } from './joints/effects.js';
 import { contactShapes } from './manifolds/effects.js';
 import { particles } from './particles/effects.js';
+import { ropes } from './soft/effects.js';
 import { water, waves } from './water/effects.js';
 import { inOrder } from './effect/order.js';
 import { resting } from './rest/resting.js';
@@ -44,6 +45,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   particles,
   waves,
   water,
+  ropes,
   contactReader,
   meshShapes,
   resting,

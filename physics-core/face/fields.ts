@@ -1,6 +1,6 @@
 // Written by `npm run write -- types` from the tables in physics-core/nodes.
 import type { Rotation, Vec3 } from '../fields/types.js';
-import type { Coordinate, Geometry } from '../shapes/geometry.js';
+import type { Coordinate, Geometry, Line } from '../shapes/geometry.js';
 import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
 import type { NumberLists, Numbers, Several, Strings } from './values.js';
 
@@ -1124,6 +1124,86 @@ export interface WindPhysicsModelValues {
   metadata: unknown;
 }
 
+/** What may be said of a Rope; what is left out has its default. */
+export interface RopeFields {
+  /** FALSE: it stands still, and holds nothing. (SFBool) Default true. */
+  enabled?: boolean;
+  /** A LineSet or an IndexedLineSet: its first line is the rope as it is laid. (SFNode) */
+  geometry?: Line | NumberLists | null;
+  /** The line along which it is laid, metres; it wins over geometry. An edit lays it anew. (MFVec3f) */
+  points?: NumberLists;
+  /** How many links of one length it is divided into; 0: as many as its line has. Range [0, 10000]. (SFInt32) Default 0. */
+  segments?: number;
+  /** kg, of the whole rope. Range (0, Infinity]. (SFFloat) Default 1. */
+  mass?: number;
+  /** Half of its thickness, metres; 0: it touches nothing. Range [0, Infinity]. (SFFloat) Default 0.01. */
+  radius?: number;
+  /** Newtons that would stretch it to twice its length, if it went on as it begins; 0: it does not stretch. Range [0, Infinity]. (SFFloat) Default 0. */
+  stretchStiffness?: number;
+  /** What it takes to bend it, N m²: E I of a beam; 0: it bends freely. More than a step follows is told (soft-too-stiff). Range [0, Infinity]. (SFFloat) Default 0. */
+  bendStiffness?: number;
+  /** Share of its speed that it loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  damping?: number;
+  /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  friction?: number;
+  /** Points that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
+  fixedIndex?: Numbers;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a Rope answers. */
+export interface RopeValues {
+  enabled: boolean;
+  geometry: Line | null;
+  points: Vec3[];
+  segments: number;
+  mass: number;
+  radius: number;
+  stretchStiffness: number;
+  bendStiffness: number;
+  damping: number;
+  friction: number;
+  fixedIndex: number[];
+  positions: Vec3[];
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a SoftBodyAttachment; what is left out has its default. */
+export interface SoftBodyAttachmentFields {
+  /** The rope. (SFNode) */
+  softBody?: NodeInput<'Rope'> | null;
+  /** Which of its points, counted from 0. Range [0, Infinity]. (SFInt32) Default 0. */
+  index?: number;
+  /** The body; NULL: the world. (SFNode) */
+  body?: NodeInput<'RigidBody'> | null;
+  /** Where on the body, metres, in its frame; without a body in the world. The point is taken there. (SFVec3f) Default 0 0 0. */
+  position?: Numbers;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a SoftBodyAttachment answers. */
+export interface SoftBodyAttachmentValues {
+  softBody: NodeHandles['Rope'] | null;
+  index: number;
+  body: NodeHandles['RigidBody'] | null;
+  position: Vec3;
+  metadata: unknown;
+}
+
 /** What may be said of a WaterVolume; what is left out has its default. */
 export interface WaterVolumeFields {
   /** FALSE: it is not there. (SFBool) Default true. */
@@ -1215,6 +1295,8 @@ export interface NodeFields {
   BoundedPhysicsModel: BoundedPhysicsModelFields;
   ForcePhysicsModel: ForcePhysicsModelFields;
   WindPhysicsModel: WindPhysicsModelFields;
+  Rope: RopeFields;
+  SoftBodyAttachment: SoftBodyAttachmentFields;
   WaterVolume: WaterVolumeFields;
 }
 
@@ -1244,6 +1326,8 @@ export interface NodeValues {
   BoundedPhysicsModel: BoundedPhysicsModelValues;
   ForcePhysicsModel: ForcePhysicsModelValues;
   WindPhysicsModel: WindPhysicsModelValues;
+  Rope: RopeValues;
+  SoftBodyAttachment: SoftBodyAttachmentValues;
   WaterVolume: WaterVolumeValues;
 }
 

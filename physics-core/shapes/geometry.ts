@@ -65,6 +65,11 @@ export interface Coordinate {
   point?: number[];
 }
 
+/** X3D's lines as plain data: points, flat xyz, metres; how many each line has, or which, with -1 after each line. */
+export type Line =
+  | { type: 'LineSet'; coord?: number[]; vertexCount?: number[] }
+  | { type: 'IndexedLineSet'; coord?: number[]; coordIndex?: number[] };
+
 /** Points (flat xyz) and triangles (three indices each). */
 export interface Mesh {
   points: number[];

@@ -254,3 +254,42 @@ export const MET_AHEAD = 0.02;
 
 /** Parts, at most, that a step is split into: 1000 rad/s have 0.52 rad in each at `game`. */
 export const MOST_PARTS = 32;
+
+// ---- Ropes -----------------------------------------------------------------------------------------------------------
+
+/**
+ * How a link that does not stretch gives way all the same, as a share of what its points give way by themselves: between two
+ * ends that do not move at all, too far apart, there would be no solution. 500 kg on a rope of 1 kg stretch it by 1e-7 m.
+ */
+export const LINK_COMPLIANCE = 1e-9;
+
+/**
+ * The same of what holds a point along a surface: it remembers how it was held, and so does not creep. A cord of 10 g on a drum
+ * goes by 5 µm to hold 10 N.
+ */
+export const GRIP_COMPLIANCE = 1e-6;
+
+/** Times that links are gone over one at a time where no search finds an end: a step is usable, and no more. */
+export const ROPE_SWEEPS = 40;
+
+/** How fast a link comes back that an edit, or such a step, has left too long, m/s. */
+export const ROPE_RETURN = 1;
+
+/** A link that lacks no more than this share of its length may be taut from the start: those that are not let go at once. */
+export const TAUT = 0.02;
+
+/** Metres that the last round of a search may move a point by. */
+export const ROPE_MISS = 1e-8;
+
+/** Share of their energy of motion that even pulls may give in a step: of what swings they give a hundred times less. */
+export const ROPE_GAIN = 1e-3;
+
+/** A round that takes a point so far, metres, runs away. */
+export const ROPE_FLUNG = 1e6;
+
+/**
+ * Rounds of Newton, at most: of what swings three or four; what takes more whips round within the step, and has no even pulls.
+ * The nearest places are found in twenty and fewer (a rope of 40 links that is let go level with 500 kg at its end).
+ */
+export const ROPE_ROUNDS = 10;
+export const ROPE_ROUNDS_NEAREST = 30;

@@ -1,5 +1,6 @@
 import type { Chunk } from '../base/chunk.js';
 import { particleSystems } from '../effects/particles/effects.js';
+import { ropeChunk } from '../effects/soft/effects.js';
 import { waters, waveChunk } from '../effects/water/effects.js';
 import { dense } from './snapshot/dense.js';
 import { chunks } from './chunks/all.js';
@@ -9,6 +10,7 @@ export const wholeCode: readonly Chunk<unknown>[] = [
   dense,
   particleSystems.comesFrom(() => import('./chunks/particle-code.js')),
   waters.comesFrom(() => import('./chunks/water-code.js')),
+  ropeChunk.comesFrom(() => import('./chunks/rope-code.js')),
   waveChunk.comesFrom(() => import('../effects/wave-code.js')),
   ...chunks,
 ];

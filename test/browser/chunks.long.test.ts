@@ -73,6 +73,7 @@ const MESHES = /mesh-code/;
 const DRAGS = /drag-code/;
 const BATCHES = /batch-code/;
 const WATERS = /water-(code|elements)/;
+const ROPES = /rope-(code|elements)|draw-rope|own-shapes/;
 const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
 
 /** WebKitGTK and Safari. */
@@ -206,6 +207,27 @@ describe('what a page fetches', () => {
       expect(fetched(page).filter((path) => /particle/.test(path))).to.eql([]);
       expect(world.problems).to.eql([]);
     }
+  });
+
+  it('what ropes are made of with a Rope alone, and what draws them with its Shape', async () => {
+    const dry = await show(FALLING);
+    await until(() => dry.world.time > 0);
+    expect(has(dry.page, ROPES)).to.equal(false);
+    const line = '<lineset><coordinate point="0 0 0 1 0 0"></coordinate></lineset>';
+    for (const tag of ['x3d-rope', 'Rope'])
+      for (const [content, files] of [
+        [line, /rope-code|rope-elements|own-shapes/],
+        [`<shape>${line}</shape>`, ROPES],
+      ] as const) {
+        const { page, world } = await show(`${FALLING}<${tag}>${content}</${tag}>`);
+        await until(() => world.time > 0);
+        const count = files === ROPES ? 4 : 3;
+        await until(() => fetched(page).filter((path) => files.test(path)).length === count);
+        expect(fetched(page).filter((path) => ROPES.test(path)).length).to.equal(count);
+        expect(world.effects.find(({ name }) => name === 'ropes')!.active).to.equal(true);
+        expect(fetched(page).filter((path) => /particle|water/.test(path))).to.eql([]);
+        expect(world.problems).to.eql([]);
+      }
   });
 
   it('the code of joints with a joint, before the first step', async () => {

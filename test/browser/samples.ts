@@ -16,6 +16,7 @@ const FITTING: Record<string, unknown> = {
   motor2Axis: [-1, 0, 0],
   motor3Axis: [0, 0, -1],
   subdivision: [32, 16],
+  fixedIndex: [0, 1],
 };
 
 /** A value other than the default, and within the range. */

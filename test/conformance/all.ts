@@ -24,6 +24,8 @@ import { volumeEmitter } from './facts/volume-emitter.js';
 import { forcePhysicsModel } from './facts/force-physics-model.js';
 import { windPhysicsModel } from './facts/wind-physics-model.js';
 import { boundedPhysicsModel } from './facts/bounded-physics-model.js';
+import { ropes } from './facts/rope.js';
+import { attachments } from './facts/soft-body-attachment.js';
 import { waterVolume } from './facts/water-volume.js';
 
 const own: Record<string, Fact[]> = {
@@ -51,6 +53,8 @@ const own: Record<string, Fact[]> = {
   ForcePhysicsModel: forcePhysicsModel,
   WindPhysicsModel: windPhysicsModel,
   BoundedPhysicsModel: boundedPhysicsModel,
+  Rope: ropes,
+  SoftBodyAttachment: attachments,
   WaterVolume: waterVolume,
 };
 

@@ -10,8 +10,10 @@ import {
   use,
 } from '../conformance/scenes.js';
 import { particleTypes } from '../../physics-core/particles.js';
+import { softTypes } from '../../physics-core/ropes.js';
 import { waterTypes } from '../../physics-core/water.js';
 import { PARTICLE_SUBJECTS, particleScene, POINT_SPARES } from './particles.js';
+import { LINE_SPARES, ropeScene, ropeSubjects } from './ropes.js';
 import { waterScene } from './water.js';
 
 /** Two arms on a joint of each type, high above the ground and out of each other's way: they swing when they are edited. */
@@ -121,6 +123,7 @@ export const scene = (type: string): NodeData[] => {
     },
     { type: 'CollisionCollection', DEF: 'others', collidables: [use('spareShape')] },
     ...(type in particleTypes ? particleScene() : []),
+    ...(type in softTypes ? ropeScene() : []),
     ...(type in waterTypes ? waterScene() : []),
   ];
 };
@@ -140,6 +143,7 @@ export const SUBJECTS: Record<string, string> = {
   Contact: 'contact',
   ...Object.fromEntries(JOINTS.map((type) => [type, type])),
   ...PARTICLE_SUBJECTS,
+  ...ropeSubjects,
   WaterVolume: 'water',
 };
 
@@ -150,4 +154,5 @@ export const SPARES: Record<string, NodeData> = {
   data: { type: 'MetadataString', name: 'a' },
   moreData: { type: 'MetadataString', name: 'b' },
   ...POINT_SPARES,
+  ...LINE_SPARES,
 };

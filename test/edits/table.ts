@@ -3,6 +3,7 @@ import { bodyEdits, offsetEdits, shapeEdits } from './bodies.js';
 import { AXES, kept, OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
 import { edits as jointEdits } from './joints.js';
 import { particleEdits } from './particles.js';
+import { attachmentEdits, ropeEdits } from './ropes.js';
 import { waterEdits } from './water.js';
 import {
   collectionEdits,
@@ -54,6 +55,8 @@ const table: Record<string, Record<string, Edit>> = {
   Contact: contactEdits,
   ...jointEdits,
   ...particleEdits,
+  Rope: ropeEdits,
+  SoftBodyAttachment: attachmentEdits,
   WaterVolume: waterEdits,
 };
 

@@ -45,6 +45,7 @@ const READ: Record<string, string> = {
 
 const isGeometry = (types: readonly string[]): boolean => types.includes('Box');
 const isPoints = (types: readonly string[]): boolean => types.includes('Coordinate');
+const isLine = (types: readonly string[]): boolean => types.includes('LineSet');
 const isCollidable = (types: readonly string[]): boolean =>
   types.length === 2 && types.every((type) => type.startsWith('Collidable'));
 
@@ -57,9 +58,11 @@ function given(field: Field): string {
     ? 'Geometry'
     : isPoints(nodes)
       ? 'Coordinate | NumberLists'
-      : isCollidable(nodes)
-        ? 'CollidableInput'
-        : `NodeInput<${union(nodes)}>`;
+      : isLine(nodes)
+        ? 'Line | NumberLists'
+        : isCollidable(nodes)
+          ? 'CollidableInput'
+          : `NodeInput<${union(nodes)}>`;
   if (type === 'SFNode') return `${one} | null`;
   return `Several<${one}>${takesAll ? " | '*'" : ''}`;
 }
@@ -72,7 +75,9 @@ function read({ type, nodes, values, takesAll }: Field): string {
     ? 'Geometry'
     : isPoints(nodes)
       ? 'Coordinate'
-      : nodes.map((name) => `NodeHandles['${name}']`).join(' | ');
+      : isLine(nodes)
+        ? 'Line'
+        : nodes.map((name) => `NodeHandles['${name}']`).join(' | ');
   if (type === 'SFNode') return `${one} | null`;
   return `(${one})[]${takesAll ? " | '*'" : ''}`;
 }
@@ -107,7 +112,7 @@ const mapOf = (name: string, doc: string, types: readonly NodeType[], ending: st
 export const coreFieldTypes = (types: readonly NodeType[]): string =>
   [
     `${HEAD}import type { Rotation, Vec3 } from '../fields/types.js';
-import type { Coordinate, Geometry } from '../shapes/geometry.js';
+import type { Coordinate, Geometry, Line } from '../shapes/geometry.js';
 import type { CollidableInput, NodeHandles, NodeInput } from './nodes.js';
 import type { NumberLists, Numbers, Several, Strings } from './values.js';`,
     ...types.map(coreTypes),

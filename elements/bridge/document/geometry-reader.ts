@@ -14,7 +14,7 @@ import { localMatrix } from '../scopes/transforms.js';
 import { cannotDraw } from '../x3dom/shapes/shapes.js';
 import { nodeOf } from '../x3dom/x3dom.js';
 
-/** Shapes with which nothing collides, wherever they stand: what is seen of water. */
+/** Shapes with which nothing collides, wherever they stand: what is seen of water and of ropes. */
 export const unsolid = new WeakSet<Element>();
 
 /** Reads the geometry of Shapes for one node, which is told when something it read changes. */
@@ -33,7 +33,7 @@ export class GeometryReader {
   /** All Shapes at and under `root` that no nearer body owns; `matrix` takes root's own frame to the collidable's. */
   collect(root: Element, around: Scope, matrix: Affine = identity()): void {
     this.#watch(root);
-    const meant = this.#meant(root, around);
+    const meant = meantBy(this.#user, root, around);
     if (!meant || this.#reading.has(meant.element)) return;
     const { element, scope } = meant;
     this.#reading.add(element);
@@ -50,22 +50,14 @@ export class GeometryReader {
     knows: (name: string) => unknown = knownGeometry,
   ): GeometryData | undefined {
     const geometry = elements.find((element) => knows(lowerName(element)));
-    const meant = geometry && this.#meant(geometry, around);
+    const meant = geometry && meantBy(this.#user, geometry, around);
     return meant && this.#geometry(meant.element, meant.scope);
-  }
-
-  /** An element, or what it stands for by USE, which may stand in another file. */
-  #meant(element: Element, scope: Scope): { element: Element; scope: Scope } | undefined {
-    const use = attribute(element, 'USE');
-    if (!use) return { element, scope };
-    const found = scope.find(use, this.#user);
-    return found && { element: found, scope: scope.all.around(found) ?? scope };
   }
 
   #child(child: Element, around: Scope, matrix: Affine): void {
     if (isPhysics(child)) return;
     if (unsolid.has(child)) return this.#watch(child);
-    const meant = this.#meant(child, around);
+    const meant = meantBy(this.#user, child, around);
     if (!meant) return;
     const { element } = meant;
     if (!isTransform(element)) return this.collect(child, around, matrix);
@@ -78,7 +70,10 @@ export class GeometryReader {
     this.#watch(shape);
     const before = this.found.length;
     for (const child of shape.children) {
-      const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
+      const { element, scope } = meantBy(this.#user, child, around) ?? {
+        element: child,
+        scope: around,
+      };
       const data = this.#geometry(element, scope);
       if (!data) continue;
       this.found.push(placed(data, matrix, scope.units.length));
@@ -109,7 +104,10 @@ export class GeometryReader {
   /** The points of the first Coordinate among some elements. */
   coord(elements: Element[], around: Scope): number[] {
     for (const child of elements) {
-      const { element, scope } = this.#meant(child, around) ?? { element: child, scope: around };
+      const { element, scope } = meantBy(this.#user, child, around) ?? {
+        element: child,
+        scope: around,
+      };
       if (!/^coordinate(double)?$/.test(lowerName(element))) continue;
       this.#watch(element);
       const text = attribute(element, 'point') ?? '';
@@ -127,6 +125,18 @@ export class GeometryReader {
   #malformed(element: Element, name: string, text: string): void {
     this.#user.fault((faults) => faults.malformed(element, name, text));
   }
+}
+
+/** An element, or what it stands for by USE, which may stand in another file. */
+export function meantBy(
+  user: Binding,
+  element: Element,
+  scope: Scope,
+): { element: Element; scope: Scope } | undefined {
+  const use = attribute(element, 'USE');
+  if (!use) return { element, scope };
+  const found = scope.find(use, user);
+  return found && { element: found, scope: scope.all.around(found) ?? scope };
 }
 
 const scaled = (value: number | number[], factor: number): number | number[] =>

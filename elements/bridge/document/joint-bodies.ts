@@ -3,7 +3,8 @@ import { nodeElement } from '../scopes/instances.js';
 import { containerField, isType } from '../words/dom.js';
 import { bodyOf, meant } from './structure.js';
 
-export type Side = 'body1' | 'body2';
+/** Of a joint; or what else names a body. */
+export type Side = 'body1' | 'body2' | 'body';
 
 /** A joint's body: named by an attribute or property, else by a child. */
 export function jointBody(joint: Binding, side: Side): Binding | 'missing' | undefined {
@@ -36,6 +37,6 @@ function jointChild({ element, scope }: Binding, side: Side): Element | undefine
   if (explicit) return node(explicit);
   const taken = new Set(children.map(role));
   const loose = children.filter((child) => role(child) !== 'body1' && role(child) !== 'body2');
-  const left = loose[side === 'body1' || taken.has('body1') ? 0 : 1];
+  const left = loose[side !== 'body2' || taken.has('body1') ? 0 : 1];
   return left && node(left);
 }

@@ -19,7 +19,7 @@ function named(binding: Binding, name: string): StandIn | undefined {
   return { scope: at, transform, shapes: element };
 }
 
-/** Shortcut 1: a body, or water, inside a Transform, with nothing of physics between them. */
+/** Shortcut 1: a body, water or a rope inside a Transform, with nothing of physics between them. */
 function enclosing(binding: Binding): StandIn | undefined {
   for (const place of placesOf(binding)) {
     const found = transformAround(place, binding.scope!.all.around(place) ?? binding.scope!);
@@ -61,7 +61,8 @@ export function standInOf(binding: Binding): StandIn | undefined {
 function shortcutOf(binding: Binding): StandIn | undefined {
   const name = attribute(binding.element, 'for');
   if (name) return named(binding, name);
-  if (binding.is('RigidBody', 'WaterVolume')) return enclosing(binding);
+  if (binding.is('RigidBody', 'WaterVolume', 'Rope', 'SoftBodyAttachment'))
+    return enclosing(binding);
   return binding.is('CollidableShape') ? dialect(binding) : undefined;
 }
 

@@ -1,5 +1,6 @@
 import { ParticleSystemNode } from '../../../physics-core/particles.js';
 import { identity, type Affine } from '../geometry/matrix.js';
+import { drawingsIn } from '../matter/drawings.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { nodeOf, type X3DDocument, type X3DNode } from '../x3dom/x3dom.js';
@@ -9,8 +10,6 @@ import type { Look } from './look.js';
 import { APPEARANCE, COLOR, GEOMETRY, partOf, TEX_COORD } from './parts.js';
 import type { Color, Point } from './ramp.js';
 
-/** The systems of each world that are drawn. */
-const drawings = new WeakMap<PageWorld, Set<CloudDrawing>>();
 const ofSystem = new WeakMap<Binding, CloudDrawing>();
 
 /** What draws a system: to be told when its node changes. */
@@ -18,19 +17,6 @@ export function drawingOf(system: Binding): { nodeChanged(): void } {
   const known = ofSystem.get(system) ?? new CloudDrawing(system);
   ofSystem.set(system, known);
   return known;
-}
-
-function drawingsIn(world: PageWorld): Set<CloudDrawing> {
-  const known = drawings.get(world);
-  if (known) return known;
-  const all = new Set<CloudDrawing>();
-  drawings.set(world, all);
-  const { onshow } = world;
-  world.onshow = () => {
-    onshow?.();
-    for (const each of all) each.draw();
-  };
-  return all;
 }
 
 const nodeIn = (element: Element | undefined): X3DNode | undefined => element && nodeOf(element);

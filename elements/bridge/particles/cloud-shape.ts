@@ -1,16 +1,16 @@
 import type { Shown } from '../../../physics-core/particles.js';
 import { x3dom, type NodeContext, type X3DMatrix, type X3DNode } from '../x3dom/x3dom.js';
-import { Bounds } from './bounds.js';
+import { Bounds } from '../matter/bounds.js';
 import { fading } from './fading.js';
 import type { Form } from './form.js';
 import { formOf } from './forms.js';
-import { isHidden } from './hidden.js';
+import { isHidden } from '../matter/hidden.js';
 import { sameForm, sameShape, type Look } from './look.js';
 import { colorsOf, texCoordsOf, type Ramp } from './ramp.js';
 import { makeRoom, NOWHERE, spread, type CloudMesh } from './room.js';
 import { Seen } from './seen.js';
 import { farthestFirst } from './sort.js';
-import { upload, type UploadedShape } from './upload.js';
+import { upload, type UploadedShape } from '../matter/upload.js';
 
 interface ShapeNode extends UploadedShape {
   _graph: { needCulling: boolean };

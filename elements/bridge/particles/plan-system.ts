@@ -1,6 +1,7 @@
 import { codecs, type World } from '../../../physics-core/inside.js';
-import { collectionOf, nodesOf, placesOf } from '../document/structure.js';
+import { nodesOf, placesOf } from '../document/structure.js';
 import { worldFor } from '../document/world-for.js';
+import { worldAround } from '../matter/world-of.js';
 import type { Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, nodesIn, type Plan } from '../plans/plan.js';
@@ -15,9 +16,7 @@ export function worldOfSystem(system: Binding): PageWorld | undefined {
   if (placesOf(system).length === 0) return undefined;
   const { body } = frameOf(system);
   if (body) return body.scope ? worldFor(body) : undefined;
-  const { worlds } = system.scene!;
-  const collection = collectionOf(system);
-  return collection ? worlds.of(collection) : (worlds.onlyFor(system) ?? worlds.default);
+  return worldAround(system);
 }
 
 export function planSystem(system: Binding, world: World): Plan {

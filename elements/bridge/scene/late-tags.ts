@@ -5,11 +5,14 @@ import { lowerName } from '../words/dom.js';
 export const particleTags = new Chunk({ name: 'particles', causes: 'a ParticleSystem' });
 /** The same of water. */
 export const waterTags = new Chunk({ name: 'water', causes: 'a WaterVolume' });
+/** The same of ropes, and what ties them. */
+export const ropeTags = new Chunk({ name: 'ropes', causes: 'a Rope' });
 
 /** By how tags end. */
 const LATE: readonly [ends: RegExp, code: Chunk][] = [
   [/(particle-?system|emitter|physics-?model)$/, particleTags],
   [/water-?volume$/, waterTags],
+  [/(^|-)rope$|soft-?body-?attachment$/, ropeTags],
 ];
 
 /** What has to come before somebody reads its tag. */

@@ -35,6 +35,7 @@ export const STRUCTURE: Record<string, string[]> = {
   RigidBody: ['for', 'batch'],
   CollidableShape: ['for'],
   WaterVolume: ['for'],
+  Rope: ['for'],
 };
 
 export function known(type: NodeType, name: string): boolean {

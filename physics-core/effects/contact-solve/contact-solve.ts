@@ -11,6 +11,7 @@ import { fullTurns } from '../flight/full-turns.js';
 import { jointSolve } from '../joints/effects.js';
 import { gyroscopic } from '../flight/gyroscopic.js';
 import { resting } from '../rest/resting.js';
+import { ropes } from '../soft/effects.js';
 import { BounceEnergy } from '../../solver/energy/bounce-energy.js';
 import { BoundRows } from '../../solver/rows/bound-rows.js';
 import { ConeContacts } from '../../solver/rows/cone-contacts.js';
@@ -425,6 +426,8 @@ export class ContactSolve extends Effect {
       if (part.jointed) for (const i of part.rows) this.#joints.keep(i);
       else this.#rolling.keep(part);
     }
+    // What is tied goes on as its ropes let it.
+    if (this.#solved.length > 0) this.#effects.caused(ropes)?.goOn(dt);
   }
 
   /** Contacts may have spun it up within this step: it is to turn as far as that says. */

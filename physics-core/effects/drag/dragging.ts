@@ -121,6 +121,10 @@ export class Dragging extends Effect implements Pull {
     if (!isJointed(body)) spring.push(dt);
   }
 
+  pullsAt(body: Body): boolean {
+    return this.#of(body).some(({ mode }) => mode === 'spring');
+  }
+
   /** A body in the joint solve, where it is number `i`. */
   pullIn(body: Body, system: RowSystem, i: number, dt: number): void {
     for (const { body: held, mode, spring } of this.#drags)

@@ -34,10 +34,22 @@ const DISTURBED = 2e-5;
 /** Bodies of a chain from which on its end may be faster than steps can follow (60 gain 4 % at `reference`, 120 fourteen times). */
 const LONG = 24;
 
+/** A body as a step begins with it: where its numbers stand in those of all. */
+export interface Ahead {
+  inertia: Float64Array;
+  momentum: Float64Array;
+  velocity: Float64Array;
+  i: number;
+  /** How many times its own mass hangs together with it, itself included. */
+  hangs: number;
+}
+
 /** Pulls at bodies that joints hold, by more than a force: their joints give way to it as they can. */
 export interface Pull {
   /** Body number `i` of the system. */
   pullIn(body: Body, system: RowSystem, i: number, dt: number): void;
+  /** Whether it pulls at a body. */
+  pullsAt(body: Body): boolean;
 }
 
 /** What is known of a component from the steps before. */
@@ -370,11 +382,27 @@ export class ComponentSolve {
     for (const component of this.torn) this.#tornJoints.turnSpins(component);
   }
 
+  /** What a body begins a step with, as it is in its arrays until the next is asked for. */
+  ahead(component: Component, body: Body, dt: number): Ahead | undefined {
+    this.bodies.read(component, dt);
+    const { inertia, momentum } = this.#system;
+    let mass = 0;
+    let at = -1;
+    for (const i of component.bodies) {
+      mass += this.bodies.mass(i);
+      if (this.bodies.bodies[i] === body) at = i;
+    }
+    if (at < 0) return undefined;
+    const hangs = mass / this.bodies.mass(at);
+    return { inertia, momentum, velocity: this.bodies.velocity, i: at, hangs };
+  }
+
   // ---- between steps ------------------------------------------------------------------------------------------------
 
   /** Whether nothing acts on it but forces, motors, and joints that give way to nobody: what half a step of them does is known. */
-  hangsFree({ joints }: Component): boolean {
-    if (this.pulls.size > 0) return false;
+  hangsFree({ joints, bodies }: Component): boolean {
+    for (const pull of this.pulls)
+      for (const i of bodies) if (pull.pullsAt(this.bodies.bodies[i]!)) return false;
     for (const k of joints)
       if (this.#ends.moves(k) || this.#rows.anySoft(k) || this.#bounded.stopped(k)) return false;
     return true;

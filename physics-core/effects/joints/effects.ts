@@ -16,6 +16,7 @@ export const jointSolve: EffectDescriptor<JointSolve> = {
     dragging: 'the same',
     particles: 'the same',
     water: 'the same',
+    ropes: 'they pull at its bodies',
     carrying: 'what is carried takes its ends of joints along',
     motors: 'the same',
     'gyroscopic torque': 'it begins with the spin of free motion',

@@ -7,7 +7,7 @@ import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { stops } from './effects.js';
 import { isBounded, type Bound } from './bounded-rows.js';
-import { ComponentSolve, type KeptComponent, type Pull } from './component-solve.js';
+import { ComponentSolve, type Ahead, type KeptComponent, type Pull } from './component-solve.js';
 import { Forest, type Component, type Edge } from '../../solver/joints/forest.js';
 import type { Way } from './joint-ends.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -63,6 +63,8 @@ export class JointSolve extends Effect {
   /** Those that slept when this step began. */
   readonly #asleep: Component[] = [];
   readonly #alone = new Set<Body>();
+  /** Bodies that something else than a joint holds, by what ties them. */
+  readonly #ties = new Map<Cause, Body>();
   readonly #componentOf = new Map<Body, Component>();
   readonly #jointed = new Map<Component, Jointed>();
   /** How wide joints gaped that were told of, m or rad. */
@@ -102,8 +104,25 @@ export class JointSolve extends Effect {
     super.need(joint, reason);
   }
 
+  /** What ties a body is no joint: it pulls in the solve of this body and of all that hangs together with it. */
+  tie(node: Cause, body: Body, reason: string): void {
+    if (this.#ties.get(node) === body) return;
+    this.#ties.set(node, body);
+    this.#stale = true;
+    super.need(node, reason);
+  }
+
+  /** What a step of `dt` seconds finds a tied body with; undefined: it does not move, or sleeps. */
+  ahead(body: Body, dt: number): Ahead | undefined {
+    if (this.#stale) this.#rebuild();
+    const component = this.#componentOf.get(body);
+    if (!component || this.#bodies.asleep(component)) return undefined;
+    return this.#solver.ahead(component, body, dt);
+  }
+
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
+    this.#ties.delete(node);
     this.#letsGo(node as Joint);
     this.#stale = true;
     super.release(node);
@@ -183,7 +202,7 @@ export class JointSolve extends Effect {
     kept.joints = known.map((k) => [of(k), pack(solver.keepJoint(k))]);
     kept.components = [];
     for (const component of this.#forest.components) {
-      const state = solver.keepComponent(component);
+      const state = component.joints.length > 0 && solver.keepComponent(component);
       if (state) kept.components.push([of(component.joints[0]!), state]);
     }
     return kept;
@@ -369,8 +388,8 @@ export class JointSolve extends Effect {
     this.#sleepingRows.reset(component);
     // Who brought numbers that are none is told so by another.
     if (!this.#bodies.finite) return;
-    const joint = this.#joints[component.joints[0]!]!;
-    joint.report({
+    const joint = this.#joints[component.joints[0]!];
+    joint?.report({
       code: 'joint-solve',
       severity: 'warning',
       used: "Bullet's iterations",
@@ -403,7 +422,9 @@ export class JointSolve extends Effect {
   #rebuild(): void {
     this.#stale = false;
     // In the order of the scene, whoever came first.
-    const joints = ([...this.causes] as Joint[]).sort((a, b) => a.id - b.id);
+    const joints = ([...this.causes] as Joint[])
+      .filter((cause) => !this.#ties.has(cause))
+      .sort((a, b) => a.id - b.id);
     const numbers = new Map<Body, number>();
     const number = (body: Body | undefined): number => {
       if (!body?.movable) return -1;
@@ -416,6 +437,7 @@ export class JointSolve extends Effect {
       pin: isPin(joint),
       rows: joint.lockedRows.length > 3 || isBounded(joint),
     }));
+    for (const body of [...this.#ties.values()].sort((a, b) => a.id - b.id)) number(body);
     this.#edges = edges;
     this.#forest.build(numbers.size, edges);
     this.#turns.take([...numbers.keys()]);

@@ -1,3 +1,4 @@
+import { isHeld } from '../../dynamics/jointed.js';
 import { add, rotate, subtract, type Quaternion } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
@@ -106,7 +107,7 @@ export class Pushed {
   #kick(body: Body, impulse: Vec3, about: Vec3): void {
     const { engine, bodies } = this.#simulation;
     if (body.sleeping) body.wake();
-    if (body.joints.size > 0) this.#effects.find(jointSolve)?.loadChanges(body);
+    if (isHeld(body)) this.#effects.find(jointSolve)?.loadChanges(body);
     body.body.applyCentralImpulse(engine.scratch.vector(...impulse));
     body.body.applyTorqueImpulse(engine.scratch.vector(...about));
     bodies.readVelocity(body);

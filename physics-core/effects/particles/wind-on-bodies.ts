@@ -1,3 +1,4 @@
+import { isHeld } from '../../dynamics/jointed.js';
 import { compose7 } from '../../base/flat-math.js';
 import { grown } from '../../base/grown.js';
 import type { Body } from '../../dynamics/body.js';
@@ -80,7 +81,7 @@ export class WindOnBodies {
   /** When Bullet has taken that step. */
   settle(winds: readonly Wind[], dt: number): void {
     for (const body of this.#blown) {
-      if (body.joints.size > 0 || body.dampedShare.linear > 0 || !this.#isFree(body, dt)) continue;
+      if (isHeld(body) || body.dampedShare.linear > 0 || !this.#isFree(body, dt)) continue;
       this.#free.reckon(body, this.#silhouetteOf(body), winds, dt, half);
       this.#place(body, dt);
       this.#hasten(body);

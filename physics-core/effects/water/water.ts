@@ -1,3 +1,4 @@
+import { isHeld } from '../../dynamics/jointed.js';
 import { lengthOf } from '../../base/exact/index.js';
 import { grown } from '../../base/grown.js';
 import type { Body } from '../../dynamics/body.js';
@@ -118,7 +119,7 @@ export class Water extends Effect {
 
   #pushBody(body: Body, volumes: readonly Volume[], dt: number): void {
     const known = this.#wet.get(body);
-    const free = body.joints.size === 0 && (known?.free ?? true);
+    const free = !isHeld(body) && (known?.free ?? true);
     if (!this.#reckon(body, volumes, dt, free)) return;
     const { force, torque, gain, wetting } = this.#push;
     const { scratch } = this.#simulation.engine;
@@ -142,7 +143,7 @@ export class Water extends Effect {
   /** What is free goes on with the mean of the speeds at both ends of the step. */
   override settle(dt: number): void {
     for (const wet of this.#wet.values()) {
-      if (!wet.pushed || wet.body.joints.size > 0) continue;
+      if (!wet.pushed || isHeld(wet.body)) continue;
       const free = this.#isFree(wet.body, dt);
       if (wet.free && free) this.#place(wet.body, dt);
       wet.free = free;

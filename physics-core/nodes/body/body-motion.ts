@@ -1,3 +1,4 @@
+import { isHeld } from '../../dynamics/jointed.js';
 import { BOUNDS, shownBound } from '../../fields/bounds.js';
 import { guards } from '../../base/guards.js';
 import {
@@ -194,7 +195,7 @@ export class BodyMotion {
   /** It is about to be pushed, struck or turned otherwise than before. */
   loadChanges(): void {
     const node = this.#node;
-    if (node.built && node.joints.size > 0) node.world.registry.find(jointSolve)?.loadChanges(node);
+    if (node.built && isHeld(node)) node.world.registry.find(jointSolve)?.loadChanges(node);
   }
 
   setVelocityAtOrigin({ linear, angular }: Velocity): void {

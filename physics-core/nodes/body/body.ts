@@ -40,6 +40,7 @@ export class BodyNode extends PhysicsNode implements Body {
   readonly geometry: BodyGeometry;
   readonly #commands = new BodyCommands(this);
   readonly joints = new Set<BodyJoint>();
+  readonly ties = new Set<PhysicsNode>();
 
   mass: MassProperties = { mass: 1, moments: [0.4, 0.4, 0.4], centerOfMass: identityPose() };
   /** Centre of mass and principal axes in the body's frame. */

@@ -40,7 +40,8 @@ export class Forest {
     edges.forEach(({ a, b }, edge) => {
       if (a < 0 || b < 0) growth.from(Math.max(a, b), edge);
     });
-    edges.forEach(({ a }) => growth.from(a, -1));
+    // The others, those of no joint, too.
+    for (let body = 0; body < bodies; body++) growth.from(body, -1);
   }
 }
 

@@ -93,6 +93,43 @@ export const FACTS: Record<string, Fact> = {
         seen.flat().every(([x, y, z]) => y > 3.9 || Math.hypot(x - 0.9, z) > 0.9);
     })()`,
   },
+  'rope-bridge': {
+    says: 'the roller goes over and comes back, the ropes give way under it and are no longer than they were laid',
+    seconds: 9,
+    each: `[body('roller').position, Math.min(...body('rope0').positions.map(([, y]) => y)), Math.max(...[0, 1].map((side) => {
+      const { positions } = body('rope' + side);
+      return positions.slice(1).reduce((sum, at, i) => sum + Math.hypot(...at.map((value, k) => value - positions[i][k])), 0);
+    })), all('.plank').map(({ position }) => position[1])]`,
+    holds: `Math.max(...seen.map(([[x]]) => x)) > 3.3 && seen.at(-1)[0][0] < 1 && seen.every(([[, y]]) => y > 0.2) &&
+      seen.some(([, low]) => low < -0.33) && seen.every(([, , long]) => Math.abs(long - seen[0][2]) < 1e-5) &&
+      seen.every(([, , , planks]) => planks.every((y) => y > -0.5 && y < 0.05))`,
+  },
+  derrick: {
+    says: 'half a tonne goes after the beam, swings as a pendulum of its length, and its rope stretches by no millimetre',
+    seconds: 12,
+    each: `(asked.slew = world.time < 1.5 ? -1 : 0, (() => {
+      const { positions } = body('rope');
+      return [positions.slice(1).reduce((sum, at, i) => sum + Math.hypot(...at.map((value, k) => value - positions[i][k])), 0),
+        body('load').position[2] - positions[0][2], body('load').position[1]];
+    })())`,
+    holds: `(() => {
+      const sides = seen.slice(60).map(([, z]) => z);
+      // From its middle to the load's: 3.59 m of rope and half a metre.
+      const passes = sides.flatMap((z, i) => (i && sides[i - 1] < 0 && z >= 0 ? [i - z / (z - sides[i - 1])] : []));
+      const period = (0.05 * (passes.at(-1) - passes[0])) / (passes.length - 1);
+      return seen.every(([long]) => Math.abs(long - 3.5862) < 0.001) && Math.max(...sides) > 0.2 &&
+        Math.abs(period / (2 * Math.PI * Math.sqrt(4.09 / 9.8)) - 1) < 0.05 && seen.every(([, , y]) => y > 1.4);
+    })()`,
+  },
+  tetherball: {
+    says: 'the rope winds round its post and does not go into it, until the ball is at it; then it winds off again',
+    seconds: 6,
+    each: `[Math.hypot(body('ball').position[0], body('ball').position[2]), body('rope').positions, wound()]`,
+    holds: `Math.min(...seen.map(([far]) => far)) < 0.3 && Math.max(...seen.map(([, , turns]) => turns)) > 2.2 &&
+      seen.at(-1)[2] < 1 &&
+      seen.every(([, points]) => points.every(([x, y, z]) => y > 2.5 || Math.hypot(x, z) > 0.1)) &&
+      seen.every(([, points]) => Math.hypot(...points.at(-1).map((value, k) => value - points[0][k])) < 1.84)`,
+  },
   harbour: {
     says: 'the boat goes round the buoy on its keel, crates swim as deep as they are heavy, and no chain opens',
     seconds: 12,

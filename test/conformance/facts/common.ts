@@ -32,6 +32,7 @@ const FIELDS: Record<string, string[]> = {
   CollisionSpace: BOUNDED,
   CollisionCollection: [...BOUNDED, 'description'],
   CollisionSensor: ['metadata', 'description'],
+  Rope: BOUNDED,
   WaterVolume: BOUNDED,
   ParticleSystem: [...BOUNDED, ...Object.keys(looks)],
 };

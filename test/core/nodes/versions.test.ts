@@ -23,7 +23,8 @@ fact('a node of an X3D 3 file has the defaults of its version, and gets them bac
 fact('every node has metadata, bounded ones a bounding box, and two a description', async () => {
   for (const [type, { fields }] of Object.entries(allTypes)) {
     assert.equal(fields['metadata']?.type, 'SFNode', type);
-    const bounded = /Body|Collidable|Collision(?!Sensor)|ParticleSystem|WaterVolume/.test(type);
+    const bounded =
+      /^(RigidBody|Rope)|Collidable|Collision(?!Sensor)|ParticleSystem|WaterVolume/.test(type);
     for (const name of ['bboxCenter', 'bboxSize', 'bboxDisplay', 'visible'])
       assert.equal(name in fields, bounded, `${type}.${name}`);
     assert.equal('description' in fields, /Collision(Collection|Sensor)/.test(type), type);

@@ -2,6 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { particleSystems as particles } from '../../../physics-core/effects/particles/effects.js';
+import { ropeChunk } from '../../../physics-core/effects/soft/effects.js';
 import { waters, waveChunk } from '../../../physics-core/effects/water/effects.js';
 import {
   contacts,
@@ -34,6 +35,14 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-wave-code', `${waveChunk.causes}: its surface, and what it does to what floats`],
   ['chunk-draw-surface', `${waveChunk.causes}: what draws it`],
   ['chunk-water-elements', `${waters.causes}: its tag`],
+  ['chunk-rope-code', `${ropeChunk.causes}: what moves it, and what it is tied to`],
+  ['chunk-rope-elements', `${ropeChunk.causes} or a SoftBodyAttachment: their tags`],
+  ['chunk-draw-rope', `${ropeChunk.causes} with a Shape: what draws it`],
+  [
+    'chunk-own-shapes',
+    `${particles.causes}, ${waters.causes} or ${ropeChunk.causes}: what draws them has this in common`,
+  ],
+  ['chunk-obstacles', `${particles.causes}, or ${ropeChunk.causes}: what they meet`],
   [
     'chunk-silhouettes',
     `${particles.causes}, or ${waters.causes}: what wind and water see of a body`,

@@ -1,11 +1,12 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
-import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
+import { particleTags, ropeTags, waterTags } from '../../../../elements/bridge/index.js';
 import { worldOf } from '../../../../elements/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import { drags, meshes, threads, type Problem } from '../../../../physics-core/inside.js';
 import { particleTypes } from '../../../../physics-core/particles.js';
+import { softTypes } from '../../../../physics-core/ropes.js';
 import { waterTypes } from '../../../../physics-core/water.js';
 import type { NodeData } from '../../../conformance/fact.js';
 import { fieldText, markup, nodesIn, typesByName } from '../../../conformance/markup.js';
@@ -172,8 +173,11 @@ const WAYS: Record<Way, string> = {
 
 /** What is walked in one scene. */
 const GROUPS = {
-  bodies: ALL_FIELDS.filter(([type]) => !(type in particleTypes) && !(type in waterTypes)),
+  bodies: ALL_FIELDS.filter(
+    ([type]) => ![particleTypes, softTypes, waterTypes].some((types) => type in types),
+  ),
   particles: ALL_FIELDS.filter(([type]) => type in particleTypes),
+  ropes: ALL_FIELDS.filter(([type]) => type in softTypes),
   water: ALL_FIELDS.filter(([type]) => type in waterTypes),
 };
 
@@ -204,7 +208,7 @@ function walkAll(way: Way, fields: typeof ALL_FIELDS): void {
 const walked = new Set<string>();
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), waterTags.load()]);
+await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
 
 for (const [way, how] of Object.entries(WAYS) as [Way, string][])
   describe(`edits by ${how}`, () => {

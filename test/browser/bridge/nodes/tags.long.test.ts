@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
+import { particleTags, ropeTags, waterTags } from '../../../../elements/bridge/index.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { codecs, type NodeType } from '../../../../physics-core/inside.js';
@@ -22,7 +22,7 @@ const SCENE = `
   <group id="scene"></group>`;
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), waterTags.load()]);
+await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
 await waveChunk.load();
 
 /** Where a node belongs, as a selector in the scene. */
@@ -47,6 +47,7 @@ function furnish(element: Element, { name }: NodeType): void {
     CollidableShape: '<shape><sphere></sphere></shape>',
     CollidableOffset:
       '<x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape>',
+    Rope: '<lineset><coordinate point="0 5 0 1 5 0 2 5 0"></coordinate></lineset>',
     CollisionSensor: '<x3d-collision-collection use="K"></x3d-collision-collection>',
   };
   element.innerHTML = inside[name] ?? contentOf(name);

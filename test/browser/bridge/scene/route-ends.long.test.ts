@@ -1,5 +1,5 @@
 import { expect } from 'chai';
-import { particleTags, waterTags } from '../../../../elements/bridge/index.js';
+import { particleTags, ropeTags, waterTags } from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import type { Field, NodeType } from '../../../../physics-core/inside.js';
@@ -13,7 +13,7 @@ import type { World } from '../../inside.js';
 // ROUTEs into and out of every field of every node, generated over the tables.
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), waterTags.load()]);
+await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
 await waveChunk.load();
 
 interface X3DNode {
@@ -70,6 +70,8 @@ function sceneFor(type: NodeType, inside: string): string {
        ${node('', '<x3d-collision-collection use="k"></x3d-collision-collection>')}`,
     ParticleSystem: () => collection('') + node(),
     WaterVolume: () => collection(node()),
+    Rope: () => collection(node('points="0 5 0 1 5 0"')),
+    SoftBodyAttachment: () => collection(node()),
   };
   const joint = (): string => collection(`${body()}${node('body1="b"')}`);
   const system = (content: string): string =>

@@ -18,6 +18,7 @@ import { rows as rigidBodyRows } from './body/rigid-body.js';
 import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
 import { particleRows, surfaceRows, systemRows, volumeRows } from './particles.js';
 import { floatingRows, waterRows } from './water-volume.js';
+import { attachmentRows, hangingRows, ropeRows } from './rope.js';
 import type { Row } from './row.js';
 import { spaceRows } from './collision/spaces.js';
 
@@ -46,6 +47,8 @@ const ownRows: Record<string, Row[]> = {
   ForcePhysicsModel: [],
   WindPhysicsModel: [],
   BoundedPhysicsModel: [],
+  Rope: ropeRows,
+  SoftBodyAttachment: attachmentRows,
   WaterVolume: waterRows,
 };
 
@@ -57,4 +60,4 @@ export const rowsOf: Record<string, Row[]> = Object.fromEntries(
 export const guardRows: Row[] = [...valueRows, ...jamRows];
 
 /** Of effects whose nodes' tables come in a chunk. */
-export const lateRows: Row[] = [...particleRows, ...floatingRows];
+export const lateRows: Row[] = [...particleRows, ...floatingRows, ...hangingRows];

@@ -15,6 +15,7 @@ const VALUES: Record<string, unknown> = {
 /** What a node needs to stand there, and to leave the ball alone. */
 function needs(type: string, ball: Body): Record<string, unknown> {
   if (type.endsWith('Joint')) return { body1: ball };
+  if (type === 'Rope') return { points: [0, -100, 0, 1, -100, 0] };
   return type === 'WaterVolume' ? { position: [0, -100, 0] } : {};
 }
 

@@ -89,6 +89,45 @@ fact(
   },
 );
 
+fact('nor do 2,000 steps of ropes that swing, lie on the ground and carry balls', async () => {
+  const w = await world();
+  addFloor(w, -3, { geometry: [box(200, 1, 200)] });
+  const along = (x: number, y: number): Vec3[] => [
+    [x, y, 0],
+    [x + 1, y, 0],
+  ];
+  w.add('Rope', { points: along(0, 0), segments: 8, fixedIndex: [0] });
+  w.add('Rope', { points: along(5, -2.9), segments: 8 });
+  const softBody = w.add('Rope', { points: along(10, 0), segments: 8, fixedIndex: [0] });
+  const body = addBody(w, { position: [11, 0, 0], geometry: [{ type: 'Sphere', radius: 0.1 }] });
+  w.add('SoftBodyAttachment', { softBody, index: 8, body });
+  w.step(WARM);
+  const before = used();
+  w.step(2_000);
+  below(used() - before, 16_384, 'bytes');
+});
+
+fact('ropes that come and go leave nothing of the heap behind', async () => {
+  const w = await world();
+  addFloor(w, -3);
+  const body = addBody(w, { position: [1, 0, 0], fixed: true });
+  await leavesNoTrace(w, () => {
+    for (let i = 0; i < 10; i++) {
+      const points = [
+        [0, 0, 0],
+        [1, 0, 0],
+      ];
+      const softBody = w.add('Rope', { points, segments: 8 });
+      const tied = w.add('SoftBodyAttachment', { softBody, index: 8, body });
+      w.step(5);
+      if (i % 2) tied.remove();
+      softBody.remove();
+      if (!(i % 2)) tied.remove();
+      w.step(1);
+    }
+  });
+});
+
 fact('systems that come and go leave nothing of the heap behind', async () => {
   const w = await world();
   addFloor(w);

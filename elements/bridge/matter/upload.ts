@@ -9,7 +9,12 @@ export interface UploadedShape extends X3DNode {
 }
 
 /** Lists of a mesh, by the names that x3dom has for their buffers and for what is to be made anew. */
-const LISTS = { POSITION: 'positions', TEXCOORD: 'texcoords', COLOR: 'colors' } as const;
+const LISTS = {
+  POSITION: 'positions',
+  NORMAL: 'normals',
+  TEXCOORD: 'texcoords',
+  COLOR: 'colors',
+} as const;
 
 /**
  * Writes the first `count` numbers of a list of a Shape's mesh into the buffer that x3dom has for it. Told that the list has
@@ -21,7 +26,7 @@ export function upload(
   doc: X3DDocument,
   list: keyof typeof LISTS,
   numbers: Float32Array,
-  count: number,
+  count = numbers.length,
 ): void {
   const gl = (doc as X3DDrawnDocument).ctx?.ctx3d;
   const buffer = shape._webgl?.buffers[x3dom()!.BUFFER_IDX[list]!];

@@ -1,0 +1,220 @@
+import { exp } from '../../base/exact/index.js';
+import { doublesOf, pack } from '../../base/packed.js';
+import { FREE, HELD, Strand } from '../../solver/ropes/strand.js';
+import type { Vec3 } from '../../fields/types.js';
+import { Bending } from './bending.js';
+import type { RopeSettings, RopeSource } from './settings.js';
+
+/** Below this for so long a rope rests, m/s and seconds: as bodies do of which nobody wrote autoDisable. */
+const SLOW = 0.01;
+const QUIET = 2;
+
+/** One as another thread is told of it, by the number of its node. */
+export interface ToldRope {
+  readonly id: number;
+  readonly places: Float64Array;
+}
+
+/** For a snapshot. */
+export interface KeptRope {
+  /** Seconds of its last step, seconds that it was slow for, and whether it rests. */
+  last: number;
+  quiet: number;
+  asleep: boolean;
+  /** Places, velocities, pulls, and of what it touches and is tied to. */
+  state: string;
+}
+
+/** A rope as the world has it. */
+export class Rope {
+  readonly source: RopeSource;
+  strand = new Strand(2);
+  settings: RopeSettings;
+  /** What was said of it since it was read. */
+  stale = false;
+  #last = 0;
+  #quiet = 0;
+  asleep = false;
+  /** Another number whenever its points are elsewhere. */
+  version = 0;
+  #laid: readonly number[] = [];
+  #bending = new Bending(this.strand);
+
+  constructor(source: RopeSource) {
+    this.source = source;
+    this.settings = source.settings;
+    this.reset();
+  }
+
+  /** As it was laid. */
+  reset(): void {
+    this.settings = this.source.settings;
+    this.#lay();
+  }
+
+  #lay(): void {
+    const { points, mass, softness } = this.settings;
+    this.#laid = points;
+    this.strand = new Strand(Math.max(2, points.length / 3));
+    this.strand.lay(points, mass);
+    this.strand.softness.fill(softness);
+    this.#bending = new Bending(this.strand);
+    this.#last = this.#quiet = 0;
+    this.asleep = false;
+    this.version++;
+  }
+
+  /** Its author says something else. Returns whether it is another rope. */
+  read(): boolean {
+    const before = this.settings;
+    this.settings = this.source.settings;
+    this.stale = false;
+    this.wake();
+    const { points, mass, softness } = this.settings;
+    const isOther =
+      this.#laid.length !== points.length || points.some((x, i) => x !== this.#laid[i]);
+    if (isOther) this.#lay();
+    else if (mass !== before.mass) this.#weigh(mass / before.mass);
+    this.strand.softness.fill(softness);
+    return isOther;
+  }
+
+  #weigh(share: number): void {
+    const { masses } = this.strand;
+    for (let i = 0; i < masses.length; i++) masses[i]! *= share;
+  }
+
+  wake(): void {
+    this.asleep = false;
+    this.#quiet = 0;
+  }
+
+  /** A point is put elsewhere: what hangs on it comes along as far as it has to, without any speed of that. */
+  jump(index: number, place: readonly number[]): void {
+    const { places, holders, points } = this.strand;
+    places.set(place, 3 * index);
+    for (const way of [1, -1])
+      for (let i = index + way; i >= 0 && i < points && holders[i] === FREE; i += way)
+        this.#pull(i, i - way, Math.min(i, i - way));
+    this.version++;
+  }
+
+  /** Point `i` comes as near to point `to` as link `link` is long. */
+  #pull(i: number, to: number, link: number): void {
+    const { places, lengths } = this.strand;
+    let square = 0;
+    for (let k = 0; k < 3; k++) square += (places[3 * i + k]! - places[3 * to + k]!) ** 2;
+    const share = lengths[link]! / Math.sqrt(square);
+    if (!(share < 1)) return;
+    for (let k = 0; k < 3; k++) {
+      const from = places[3 * to + k]!;
+      places[3 * i + k] = from + share * (places[3 * i + k]! - from);
+    }
+  }
+
+  /** Whether a ball may touch it. */
+  isNear(centre: Vec3, reach: number): boolean {
+    const { places } = this.strand;
+    const near = 2 * this.settings.radius + reach;
+    for (let axis = 0; axis < 3; axis++) {
+      let least = Infinity;
+      let most = -Infinity;
+      for (let j = axis; j < places.length; j += 3) {
+        least = Math.min(least, places[j]!);
+        most = Math.max(most, places[j]!);
+      }
+      if (centre[axis]! < least - near || centre[axis]! > most + near) return false;
+    }
+    return true;
+  }
+
+  get quiet(): boolean {
+    return this.#quiet >= QUIET;
+  }
+
+  /** What it would do in a step if nothing pulled. Velocities belong to the middle of each step: the first is half a one. */
+  begin(dt: number): void {
+    const { gravity, damping } = this.settings;
+    const { strand } = this;
+    const time = (this.#last + dt) / 2;
+    const left = damping > 0 ? exp(-damping * time) : 1;
+    strand.begin(dt);
+    for (let j = 0; j < strand.free.length; j += 3)
+      for (let k = 0; k < 3; k++)
+        strand.free[j + k] = strand.velocities[j + k]! * left + time * gravity[k]!;
+    if (this.settings.bending > 0) this.#bend(dt, time);
+  }
+
+  #bend(dt: number, time: number): void {
+    const { bending } = this.settings;
+    const most = this.#bending.most(dt);
+    this.source.bends(most);
+    this.#bending.push(Math.min(bending, most), time);
+  }
+
+  /** It goes where it was found to go. */
+  move(dt: number): void {
+    const { strand } = this;
+    const { holders, arms, armsBefore, velocities, points } = strand;
+    strand.move(dt);
+    for (let i = 0; i < points; i++)
+      if (holders[i]! > HELD) for (let k = 3 * i; k < 3 * i + 3; k++) armsBefore[k] = arms[k]!;
+    let most = 0;
+    for (const v of velocities) most = Math.max(most, Math.abs(v));
+    this.#quiet = most < SLOW && this.settings.rests ? this.#quiet + dt : 0;
+    this.#last = dt;
+    this.version++;
+  }
+
+  /** Numbers that are none: it stands where it is. */
+  stop(): void {
+    const { velocities, pulls, presses, rubs, found } = this.strand;
+    for (const all of [velocities, pulls, presses, rubs, found]) all.fill(0);
+    this.#last = 0;
+  }
+
+  letGo(): void {
+    this.strand.holders.fill(FREE);
+  }
+
+  // ---- on another thread ----------------------------------------------------------------------------------------------
+
+  /** Its steps are taken there; what that side told. */
+  hear({ places }: ToldRope): void {
+    const own = this.strand.places;
+    if (places.length !== own.length) return;
+    own.set(places);
+    this.version++;
+    this.source.stepped();
+  }
+
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  get #lasting(): Float64Array[] {
+    const { places, velocities, pulls, presses, rubs, armsBefore } = this.strand;
+    return [places, velocities, pulls, presses, rubs, armsBefore];
+  }
+
+  save(): KeptRope {
+    return {
+      last: this.#last,
+      quiet: this.#quiet,
+      asleep: this.asleep,
+      state: pack(Float64Array.from(this.#lasting.flatMap((part) => [...part]))),
+    };
+  }
+
+  load({ last, quiet, asleep, state }: KeptRope): void {
+    const kept = doublesOf(state);
+    let at = 0;
+    for (const part of this.#lasting) {
+      if (at + part.length > kept.length) return;
+      part.set(kept.subarray(at, at + part.length));
+      at += part.length;
+    }
+    this.#last = last;
+    this.#quiet = quiet;
+    this.asleep = asleep;
+    this.version++;
+  }
+}

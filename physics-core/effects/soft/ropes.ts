@@ -1,0 +1,354 @@
+import { add, compose, cross, length, subtract } from '../../base/math.js';
+import type { Body } from '../../dynamics/body.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { VELOCITY } from '../../engine/moving-bodies.js';
+import type { Vec3 } from '../../fields/types.js';
+import { HELD } from '../../solver/ropes/strand.js';
+import type { RowSystem } from '../../solver/joints/row-system.js';
+import { Effect, type Cause } from '../effect/effect.js';
+import type { Effects } from '../effect/effects.js';
+import type { Pull } from '../joints/component-solve.js';
+import { jointSolve } from '../joints/effects.js';
+import { resting } from '../rest/resting.js';
+import { Rope, type KeptRope, type ToldRope } from './rope.js';
+import { RopeTouch } from './rope-touch.js';
+import type { RopeSource, Tie } from './settings.js';
+import { TiedGroup } from './tied-group.js';
+
+/** What is put elsewhere faster than this, m/s, is not carried there: it jumps. */
+const CARRIED = 20;
+
+/** All ropes of a world. */
+export class Ropes extends Effect implements Pull {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  /** By the numbers of their nodes. */
+  readonly #ropes = new Map<number, Rope>();
+  readonly #ties = new Set<Tie>();
+  readonly #touch: RopeTouch;
+  /** By rope: the body that each point touches, by slot. */
+  readonly #slots = new Map<Rope, Int32Array>();
+  /** Which version of each another thread knows. */
+  readonly #told = new WeakMap<Rope, number>();
+  #groups: TiedGroup[] = [];
+  /** Which bodies the joint solve has for what ties them. */
+  #tied = new Map<Tie, Body>();
+  /** What the groups were made of: who holds which points. */
+  #layout = '';
+
+  constructor(simulation: Simulation, effects: Effects) {
+    super();
+    this.#simulation = simulation;
+    this.#effects = effects;
+    this.#touch = new RopeTouch(simulation);
+  }
+
+  of({ id }: RopeSource): Rope | undefined {
+    return this.#ropes.get(id);
+  }
+
+  override need(source: RopeSource, reason: string): void {
+    if (!this.of(source)) this.#ropes.set(source.id, new Rope(source));
+    super.need(source, reason);
+    this.changed(source);
+  }
+
+  override release(node: Cause): void {
+    if (!this.isNeededBy(node)) return;
+    this.#ropes.delete((node as RopeSource).id);
+    super.release(node);
+    this.#divide(this.#holding());
+    if (!this.active) this.#effects.find(jointSolve)?.pulls.delete(this);
+    else this.#goOn();
+  }
+
+  /** An author said something about a rope. */
+  changed(source: RopeSource): void {
+    const rope = this.of(source);
+    if (rope) rope.stale = true;
+    this.#wakeTied(source);
+    this.#goOn();
+  }
+
+  tie(tie: Tie): void {
+    this.#ties.add(tie);
+    tie.body?.wake();
+    this.tieChanged(tie);
+  }
+
+  untie(tie: Tie): void {
+    this.#ties.delete(tie);
+    this.tieChanged(tie);
+    this.#divide(this.#holding());
+  }
+
+  tieChanged({ rope }: Tie): void {
+    if (rope) this.of(rope)?.wake();
+    if (rope) this.#wakeTied(rope);
+    if (this.active) this.#goOn();
+  }
+
+  #wakeTied(source: RopeSource): void {
+    for (const { rope, body } of this.#ties) if (rope === source && body?.sleeping) body.wake();
+  }
+
+  /** Where no body moves, steps are taken all the same. */
+  #goOn(): void {
+    const { bodies } = this.#simulation;
+    bodies.awake = Math.max(bodies.awake, 1);
+    this.#simulation.work();
+  }
+
+  // ---- who holds what -------------------------------------------------------------------------------------------------
+
+  get #inOrder(): Rope[] {
+    return (this.inOrder as readonly RopeSource[]).map((source) => this.of(source)!);
+  }
+
+  get #tiesInOrder(): Tie[] {
+    return [...this.#ties].sort((a, b) => a.id - b.id);
+  }
+
+  /** Those that hold something now. */
+  #holding(): Tie[] {
+    return this.#tiesInOrder.filter(({ rope, holds, index }) => {
+      const strand = rope && this.of(rope)?.strand;
+      return holds && strand !== undefined && index >= 0 && index < strand.points;
+    });
+  }
+
+  /** Groups are made anew where other bodies hold other points. */
+  #divide(ties: readonly Tie[]): void {
+    const ropes = this.#inOrder.filter(({ settings }) => settings.enabled);
+    const layout = JSON.stringify([
+      ropes.map(({ source, strand, settings }) => [source.id, strand.points, settings.fixed]),
+      ties.map(({ rope, index, body }) => [rope!.id, index, body?.id, body?.movable]),
+    ]);
+    if (layout === this.#layout) return;
+    this.#layout = layout;
+    for (const rope of ropes) {
+      rope.letGo();
+      for (const i of rope.settings.fixed)
+        if (i < rope.strand.points) rope.strand.holders[i] = HELD;
+      this.#slots.set(rope, new Int32Array(rope.strand.points).fill(-1));
+    }
+    const groupOf = groups(ropes, ties);
+    this.#groups = [...new Set(groupOf.values())].map((members) => {
+      const bodies: Body[] = [];
+      for (const tie of ties) {
+        const rope = this.of(tie.rope!)!;
+        if (!members.has(rope)) continue;
+        const { body } = tie;
+        if (body?.movable && !bodies.includes(body)) bodies.push(body);
+        rope.strand.holders[tie.index] = body?.movable ? bodies.indexOf(body) : HELD;
+      }
+      return new TiedGroup([...members], bodies);
+    });
+    this.#tieBodies(ties);
+  }
+
+  /** What is tied no more falls. */
+  #tieBodies(ties: readonly Tie[]): void {
+    const tied = new Map(ties.flatMap((tie) => (tie.body?.movable ? [[tie, tie.body]] : [])));
+    const joints = this.#effects[tied.size > 0 ? 'get' : 'find'](jointSolve);
+    for (const [tie, body] of this.#tied) {
+      if (tied.get(tie) === body) continue;
+      joints?.release(tie);
+      if (body.sleeping) body.wake();
+    }
+    for (const [tie, body] of tied) joints!.tie(tie, body, 'a rope');
+    this.#tied = tied;
+  }
+
+  // ---- a step -----------------------------------------------------------------------------------------------------------
+
+  /** Before anything of the step begins: the joint solve may have to come for what is tied. */
+  override parts(): number {
+    for (const rope of this.#ropes.values()) if (rope.stale) rope.read();
+    this.#divide(this.#holding());
+    this.#wakeTogether();
+    return 1;
+  }
+
+  override beforeStep(dt: number): void {
+    const ties = this.#holding();
+    const joints = this.#effects.caused(jointSolve);
+    joints?.pulls.add(this);
+    this.#touch.take(dt);
+    for (const group of this.#groups) {
+      if (group.asleep) continue;
+      group.read(joints, dt);
+      for (const rope of group.ropes) this.#begin(rope, ties, dt);
+      this.#look(group, dt);
+      if (!group.solve.solve(dt)) this.#stop(group);
+      group.note();
+      for (const rope of group.ropes) this.#touch.push(rope.strand, this.#slots.get(rope)!, dt);
+    }
+  }
+
+  /** What moves keeps awake what it is tied to, and the other way round. */
+  #wakeTogether(): void {
+    const rest = this.#effects.find(resting);
+    for (const { ropes, bodies } of this.#groups) {
+      const moves =
+        ropes.some((rope) => !rope.quiet || this.#isMet(rope)) ||
+        bodies.some((body) => !body.sleeping);
+      if (!moves) continue;
+      for (const rope of ropes) rope.asleep = false;
+      if (ropes.every(({ quiet }) => quiet)) continue;
+      for (const body of bodies) {
+        if (body.sleeping) body.wake();
+        rest?.restart(body.slot);
+      }
+    }
+  }
+
+  /** Whether a rope that rests is about to be touched by what moves. */
+  #isMet(rope: Rope): boolean {
+    if (!rope.asleep) return false;
+    const { bodies } = this.#simulation;
+    const { slots, pointers, asleep } = bodies.moving;
+    for (let slot = 0; slot < slots; slot++) {
+      if (pointers[slot] === 0 || asleep[slot] === 1) continue;
+      const body = bodies.in(slot)!;
+      if (!rope.isNear(body.centerOfMassWorld(), body.reach)) continue;
+      rope.wake();
+      return true;
+    }
+    return false;
+  }
+
+  #begin(rope: Rope, ties: readonly Tie[], dt: number): void {
+    const { strand, source, settings } = rope;
+    const { found } = strand;
+    for (const i of settings.fixed) if (i < strand.points) found.fill(0, 3 * i, 3 * i + 3);
+    for (const tie of ties) if (tie.rope === source) this.#place(rope, tie, dt);
+    rope.begin(dt);
+  }
+
+  /** A tied point is where its body has it; one that others move is on its way there. */
+  #place(rope: Rope, { body, position, index }: Tie, dt: number): void {
+    const { places, found, arms } = rope.strand;
+    const at = body ? compose(body.pose(), { p: position, q: [0, 0, 0, 1] }).p : position;
+    const arm = body ? subtract(at, body.centerOfMassWorld()) : at;
+    const v = body?.movable ? undefined : this.#speedAt(body, arm);
+    const off = length(
+      subtract(at, [places[3 * index]!, places[3 * index + 1]!, places[3 * index + 2]!]),
+    );
+    if (off > CARRIED * dt) rope.jump(index, at);
+    for (let k = 0; k < 3; k++) {
+      const j = 3 * index + k;
+      if (v) found[j] = (at[k]! - places[j]!) / dt + v[k]!;
+      else places[j] = at[k]!;
+      arms[j] = arm[k]!;
+    }
+  }
+
+  #speedAt(body: Body | undefined, arm: Vec3): Vec3 {
+    if (!body) return [0, 0, 0];
+    const { velocities } = this.#simulation.bodies;
+    const [x, y, z, u, v, w] = velocities.subarray(body.slot * VELOCITY) as unknown as number[];
+    return add([x!, y!, z!], cross([u!, v!, w!], arm));
+  }
+
+  #look({ ropes }: TiedGroup, dt: number): void {
+    for (const rope of ropes) this.#touch.look(rope, this.#slots.get(rope)!, dt);
+    for (const rope of ropes) this.#touch.share(rope.strand, this.#slots.get(rope)!);
+  }
+
+  /** Numbers that are none go nowhere. */
+  #stop({ ropes }: TiedGroup): void {
+    for (const rope of ropes) rope.stop();
+  }
+
+  pullsAt(body: Body): boolean {
+    return body.ties.size > 0;
+  }
+
+  pullIn(body: Body, system: RowSystem, i: number): void {
+    for (const group of this.#groups) group.pullIn(body, system, i);
+  }
+
+  override solved(dt: number): void {
+    this.goOn(dt);
+  }
+
+  /** Bodies have other velocities in this step than were found: their ropes go on from those. */
+  goOn(dt: number): void {
+    for (const group of this.#groups) if (!group.asleep) group.goOn(this.#simulation, dt);
+  }
+
+  override settle(dt: number): void {
+    for (const group of this.#groups) {
+      if (group.asleep) continue;
+      for (const rope of group.ropes) rope.move(dt);
+    }
+  }
+
+  override stepOver(): void {
+    let goesOn = false;
+    for (const { ropes, bodies } of this.#groups) {
+      const rests = ropes.every(({ quiet }) => quiet) && bodies.every(({ sleeping }) => sleeping);
+      for (const rope of ropes) {
+        if (!rope.asleep) rope.source.stepped();
+        rope.asleep = rests;
+      }
+      if (!rests) goesOn = true;
+    }
+    if (goesOn) this.#goOn();
+  }
+
+  // ---- on another thread ------------------------------------------------------------------------------------------------
+
+  /** What a page is to hear whose steps are taken here: those that have moved since it was told. */
+  tell(): ToldRope[] | undefined {
+    const told: ToldRope[] = [];
+    for (const [id, rope] of this.#ropes) {
+      if (this.#told.get(rope) === rope.version) continue;
+      this.#told.set(rope, rope.version);
+      told.push({ id, places: rope.strand.places.slice() });
+    }
+    return told.length > 0 ? told : undefined;
+  }
+
+  /** Its steps are taken elsewhere; what that side told. */
+  hear(told: readonly ToldRope[]): void {
+    for (const each of told) this.#ropes.get(each.id)?.hear(each);
+  }
+
+  // ---- going back -------------------------------------------------------------------------------------------------------
+
+  override reset(): void {
+    for (const rope of this.#ropes.values()) rope.reset();
+    this.#layout = '';
+  }
+
+  override save(): [id: number, kept: KeptRope][] {
+    return [...this.#ropes].map(([id, rope]) => [id, rope.save()]);
+  }
+
+  override load(saved: readonly [id: number, kept: KeptRope][]): void {
+    for (const [id, kept] of saved) this.#ropes.get(id)?.load(kept);
+    this.#goOn();
+  }
+}
+
+/** Ropes that hang together by bodies that move. */
+function groups(ropes: readonly Rope[], ties: readonly Tie[]): Map<Rope, Set<Rope>> {
+  const groupOf = new Map(ropes.map((rope) => [rope, new Set([rope])]));
+  const byBody = new Map<Body, Rope>();
+  for (const { rope: source, body } of ties) {
+    const rope = ropes.find((each) => each.source === source);
+    if (!rope || !body?.movable) continue;
+    const other = byBody.get(body) ?? rope;
+    byBody.set(body, other);
+    const one = groupOf.get(rope)!;
+    const two = groupOf.get(other)!;
+    if (one === two) continue;
+    for (const member of two) {
+      one.add(member);
+      groupOf.set(member, one);
+    }
+  }
+  return groupOf;
+}

@@ -1,0 +1,161 @@
+import { SIDE } from '../joints/blocks.js';
+import { DenseLu } from '../matrix/dense-lu.js';
+import { ROPE_SWEEPS } from '../tolerances.js';
+import type { Links } from './links.js';
+import { HELD, type Strand } from './strand.js';
+import type { TiedBodies } from './tied-bodies.js';
+
+const BLOCK = SIDE * SIDE;
+const way = new Float64Array(3);
+const given = new Float64Array(SIDE);
+
+/**
+ * Links and touches one at a time, to and fro: each impulse only takes energy, so this never runs away, and what it leaves
+ * open is made good in the steps that follow. For steps in which Newton's search finds no end.
+ */
+export class RopeSweeps {
+  readonly #bodies: TiedBodies;
+  readonly #block = new DenseLu();
+  #inverses = new Float64Array(0);
+
+  constructor(bodies: TiedBodies) {
+    this.#bodies = bodies;
+  }
+
+  /** From velocities without pulls on. */
+  begin(): void {
+    const { count, inertias, momenta, velocities } = this.#bodies;
+    if (this.#inverses.length < BLOCK * count) this.#inverses = new Float64Array(BLOCK * count);
+    for (let b = 0; b < count; b++) {
+      this.#block.resize(SIDE);
+      for (let n = 0; n < BLOCK; n++) this.#block.matrix[n] = inertias[BLOCK * b + n]!;
+      this.#block.factor();
+      this.#block.inverseBlock(0, SIDE, this.#inverses.subarray(BLOCK * b, BLOCK * (b + 1)));
+      for (let r = 0; r < SIDE; r++) {
+        let v = 0;
+        for (let c = 0; c < SIDE; c++)
+          v += this.#inverses[BLOCK * b + SIDE * r + c]! * momenta[SIDE * b + c]!;
+        velocities[SIDE * b + r] = v;
+      }
+    }
+  }
+
+  solve(strands: readonly Links[], dt: number): void {
+    for (const { strand } of strands) {
+      strand.pulls.fill(0);
+      strand.presses.fill(0);
+      strand.rubs.fill(0);
+    }
+    for (let sweep = 0; sweep < ROPE_SWEEPS; sweep++)
+      for (const links of strands) this.#sweep(links, dt, sweep % 2 === 1);
+    for (const { strand } of strands)
+      for (let i = 0; i < strand.points; i++) if (strand.holders[i]! >= 0) this.#follow(strand, i);
+  }
+
+  #sweep(links: Links, dt: number, back: boolean): void {
+    const { strand } = links;
+    const { points } = strand;
+    for (let n = 0; n < points; n++) {
+      const i = back ? points - 1 - n : n;
+      if (i < points - 1) this.#link(links, i, dt);
+      if (strand.touches[i] && strand.holders[i]! < HELD) this.#touch(strand, i, dt);
+    }
+  }
+
+  /** A link that would be too long. */
+  #link({ strand, limits }: Links, i: number, dt: number): void {
+    const { ways, pulls, found } = strand;
+    this.#follow(strand, i);
+    this.#follow(strand, i + 1);
+    let square = 0;
+    for (let k = 0; k < 3; k++) {
+      const j = 3 * i + k;
+      way[k] = ways[j]! + dt * (found[j + 3]! - found[j]!);
+      square += way[k]! ** 2;
+    }
+    const length = Math.sqrt(square);
+    const over = length - limits[i]!;
+    if (!(over > 0)) return;
+    for (let k = 0; k < 3; k++) way[k]! /= length;
+    const gives = this.#softness(strand, i) + this.#softness(strand, i + 1);
+    if (!(gives > 0)) return;
+    const impulse = over / (dt * gives);
+    pulls[i]! += impulse / length;
+    this.#push(strand, i, impulse);
+    this.#push(strand, i + 1, -impulse);
+  }
+
+  /** What 1 N s along `way` does to the speed of a point along it. */
+  #softness(strand: Strand, i: number): number {
+    const holder = strand.holders[i]!;
+    if (holder === HELD) return 0;
+    if (holder < HELD) return 1 / strand.masses[i]!;
+    this.#turn(strand, i, 1);
+    let sum = 0;
+    for (let r = 0; r < SIDE; r++)
+      for (let c = 0; c < SIDE; c++)
+        sum += given[r]! * this.#inverses[BLOCK * holder + SIDE * r + c]! * given[c]!;
+    return sum;
+  }
+
+  /** An impulse along `way` as the body of a tied point has it. */
+  #turn({ arms }: Strand, i: number, impulse: number): void {
+    const x = arms[3 * i]!;
+    const y = arms[3 * i + 1]!;
+    const z = arms[3 * i + 2]!;
+    for (let k = 0; k < 3; k++) given[k] = impulse * way[k]!;
+    given[3] = y * given[2]! - z * given[1]!;
+    given[4] = z * given[0]! - x * given[2]!;
+    given[5] = x * given[1]! - y * given[0]!;
+  }
+
+  #push(strand: Strand, i: number, impulse: number): void {
+    const { holders, masses, found } = strand;
+    const holder = holders[i]!;
+    if (holder === HELD) return;
+    if (holder < HELD) {
+      for (let k = 0; k < 3; k++) found[3 * i + k]! += (impulse * way[k]!) / masses[i]!;
+      return;
+    }
+    const { velocities } = this.#bodies;
+    this.#turn(strand, i, impulse);
+    for (let r = 0; r < SIDE; r++)
+      for (let c = 0; c < SIDE; c++)
+        velocities[SIDE * holder + r]! +=
+          this.#inverses[BLOCK * holder + SIDE * r + c]! * given[c]!;
+  }
+
+  /** A tied point goes where its body takes it. */
+  #follow({ holders, arms, found }: Strand, i: number): void {
+    if (holders[i]! < 0) return;
+    const v = this.#bodies.velocities;
+    const b = SIDE * holders[i]!;
+    const j = 3 * i;
+    found[j] = v[b]! + v[b + 4]! * arms[j + 2]! - v[b + 5]! * arms[j + 1]!;
+    found[j + 1] = v[b + 1]! + v[b + 5]! * arms[j]! - v[b + 3]! * arms[j + 2]!;
+    found[j + 2] = v[b + 2]! + v[b + 3]! * arms[j + 1]! - v[b + 4]! * arms[j]!;
+  }
+
+  /** Pushed out, and rubbed by as much of that as Coulomb's law allows. */
+  #touch(strand: Strand, i: number, dt: number): void {
+    const { normals, gaps, surfaces, found, masses, presses, rubs, frictions } = strand;
+    const j = 3 * i;
+    const mass = masses[i]!;
+    let away = 0;
+    for (let k = 0; k < 3; k++)
+      away += normals[j + k]! * (way[k] = found[j + k]! - surfaces[j + k]!);
+    const out = Math.max(0, -gaps[i]! / dt - away);
+    let square = 0;
+    for (let k = 0; k < 3; k++) {
+      way[k]! -= away * normals[j + k]!;
+      square += way[k]! ** 2;
+    }
+    const slip = Math.sqrt(square);
+    const share = slip > 0 ? Math.min(1, (frictions[i]! * out) / slip) : 0;
+    presses[i]! += mass * out;
+    for (let k = 0; k < 3; k++) {
+      found[j + k]! += out * normals[j + k]! - share * way[k]!;
+      rubs[j + k]! -= mass * share * way[k]!;
+    }
+  }
+}
