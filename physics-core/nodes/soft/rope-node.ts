@@ -83,8 +83,7 @@ export class RopeNode extends PhysicsNode implements RopeSource {
   /** A line of one point is none. */
   protected override create(): boolean {
     const points = this.#points.length / 3;
-    const said = this.authored('points') || this.authored('geometry');
-    this.reportWhile(said && points < 2, {
+    this.reportWhile(points < 2, {
       code: 'bad-value',
       severity: 'warning',
       attribute: 'points',

@@ -75,7 +75,7 @@ fact('numbers that are none are told, and other ropes go on', async () => {
     [1e20, 'out-of-range'],
   ] as const) {
     const w = await world();
-    claim(w, code);
+    claim(w, 'bad-value', code);
     const good = addRope(w, line(4, 1, [5, 0, 0], DOWN), { fixedIndex: [0] });
     const bad = addRope(w, [
       [0, 0, 0],
