@@ -38,8 +38,23 @@ export class RopeTouch {
     this.#counts.clear();
   }
 
+  /** A point is tied to a body, maybe deep within it: so much of the rope does not touch that. */
+  comeOut({ strand, settings: { radius }, within }: Rope, index: number, slot: number): void {
+    const { places, lengths, points } = strand;
+    for (let k = 0; k < 3; k++) from[k] = places[3 * index + k]!;
+    const inside = this.#obstacles.meet(from, from, 0, met, 1, 1) && met[MET.body] === slot;
+    const most = (inside ? met[MET.depth]! : 0) + 2 * radius;
+    let first = index;
+    let last = index;
+    for (let far = 0; first > 0 && far < most; first--) far += lengths[first - 1]!;
+    for (let far = 0; last < points - 1 && far < most; last++) far += lengths[last]!;
+    within.push({ slot, first, last });
+  }
+
   /** Who each point of a rope may touch in a step that begins: `slots` has the bodies, -1 for none. */
-  look({ strand, settings: { radius, friction } }: Rope, slots: Int32Array, dt: number): void {
+  look(rope: Rope, slots: Int32Array, dt: number): void {
+    const { strand, within } = rope;
+    const { radius, friction } = rope.settings;
     const { points, holders, touches, places, free, frictions } = strand;
     for (let i = 0; i < points; i++) {
       touches[i] = 0;
@@ -53,7 +68,7 @@ export class RopeTouch {
         square += way * way;
       }
       const margin = AHEAD * radius + Math.sqrt(square);
-      if (!this.#meets(radius, margin)) continue;
+      if (!this.#meets(radius, margin) || isWithin(within, i, met[MET.body]!)) continue;
       touches[i] = 1;
       frictions[i] = friction;
       this.#note(strand, i, radius, slots, dt);
@@ -121,6 +136,9 @@ export class RopeTouch {
     }
   }
 }
+
+const isWithin = (within: Rope['within'], i: number, slot: number): boolean =>
+  within.some((each) => each.slot === slot && i >= each.first && i <= each.last);
 
 const isMoved = (body: Body): boolean => body.isDynamic && !body.sleeping;
 

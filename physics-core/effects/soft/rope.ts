@@ -35,6 +35,8 @@ export class Rope {
   #last = 0;
   #quiet = 0;
   asleep = false;
+  /** Points that come out of a body they are tied within, by its slot: they do not touch it. */
+  readonly within: { slot: number; first: number; last: number }[] = [];
   /** Another number whenever its points are elsewhere. */
   version = 0;
   #laid: readonly number[] = [];

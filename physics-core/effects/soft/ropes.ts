@@ -222,7 +222,12 @@ export class Ropes extends Effect implements Pull {
     const { strand, source, settings } = rope;
     const { found } = strand;
     for (const i of settings.fixed) if (i < strand.points) found.fill(0, 3 * i, 3 * i + 3);
-    for (const tie of ties) if (tie.rope === source) this.#place(rope, tie, dt);
+    rope.within.length = 0;
+    for (const tie of ties) {
+      if (tie.rope !== source) continue;
+      this.#place(rope, tie, dt);
+      if (tie.body) this.#touch.comeOut(rope, tie.index, tie.body.slot);
+    }
     rope.begin(dt);
   }
 

@@ -1,4 +1,3 @@
-import { isHeld } from '../../dynamics/jointed.js';
 import { BOUNDS, shownBound } from '../../fields/bounds.js';
 import { guards } from '../../base/guards.js';
 import {
@@ -195,7 +194,8 @@ export class BodyMotion {
   /** It is about to be pushed, struck or turned otherwise than before. */
   loadChanges(): void {
     const node = this.#node;
-    if (node.built && isHeld(node)) node.world.registry.find(jointSolve)?.loadChanges(node);
+    if (node.built && node.joints.size + node.ties.size > 0)
+      node.world.registry.find(jointSolve)?.loadChanges(node);
   }
 
   setVelocityAtOrigin({ linear, angular }: Velocity): void {
