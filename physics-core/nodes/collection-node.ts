@@ -41,7 +41,9 @@ export class CollectionNode extends PhysicsNode implements ContactGiver {
   /** Bodies read gravity and rest from their own collection. */
   eachBody(field: string): void {
     for (const node of this.world.nodes)
-      if (node instanceof BodyNode && node.settings === this) node.touch(field);
+      if (node instanceof BodyNode) {
+        if (node.settings === this) node.touch(field);
+      } else if ((node.collection ?? this.world.settings) === this) node.collectionChanged?.();
   }
 
   updateColliders(): void {

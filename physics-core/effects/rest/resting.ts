@@ -10,7 +10,7 @@ import { Effect, type Cause, type EffectDescriptor, type Numbered } from '../eff
  * When nobody wrote autoDisable: below these for this long, and not drifting meanwhile, an island may sleep unseen.
  * The drift bound keeps a slow slide awake, which the speeds alone would freeze.
  */
-const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
+export const LIBRARY = { time: 2, linearSpeed: 0.01, angularSpeed: 0.01, drift: 1e-4 };
 
 /**
  * Where a heap is so large that its contacts are gone over one at a time all creep a little, and single bodies slip for long.

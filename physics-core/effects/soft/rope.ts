@@ -2,12 +2,9 @@ import { exp } from '../../base/exact/index.js';
 import { doublesOf, pack } from '../../base/packed.js';
 import { FREE, HELD, Strand } from '../../solver/ropes/strand.js';
 import type { Vec3 } from '../../fields/types.js';
+import { LIBRARY } from '../rest/resting.js';
 import { Bending } from './bending.js';
 import type { RopeSettings, RopeSource } from './settings.js';
-
-/** Below this for so long a rope rests, m/s and seconds: as bodies do of which nobody wrote autoDisable. */
-const SLOW = 0.01;
-const QUIET = 2;
 
 /** One as another thread is told of it, by the number of its node. */
 export interface ToldRope {
@@ -39,7 +36,6 @@ export class Rope {
   readonly within: { slot: number; first: number; last: number }[] = [];
   /** Another number whenever its points are elsewhere. */
   version = 0;
-  #laid: readonly number[] = [];
   #bending = new Bending(this.strand);
 
   constructor(source: RopeSource) {
@@ -56,7 +52,6 @@ export class Rope {
 
   #lay(): void {
     const { points, mass, softness } = this.settings;
-    this.#laid = points;
     this.strand = new Strand(Math.max(2, points.length / 3));
     this.strand.lay(points, mass);
     this.strand.softness.fill(softness);
@@ -66,19 +61,15 @@ export class Rope {
     this.version++;
   }
 
-  /** Its author says something else. Returns whether it is another rope. */
-  read(): boolean {
+  /** Its author says something else. */
+  read(): void {
     const before = this.settings;
     this.settings = this.source.settings;
     this.stale = false;
     this.wake();
-    const { points, mass, softness } = this.settings;
-    const isOther =
-      this.#laid.length !== points.length || points.some((x, i) => x !== this.#laid[i]);
-    if (isOther) this.#lay();
-    else if (mass !== before.mass) this.#weigh(mass / before.mass);
+    const { mass, softness } = this.settings;
+    if (mass !== before.mass) this.#weigh(mass / before.mass);
     this.strand.softness.fill(softness);
-    return isOther;
   }
 
   #weigh(share: number): void {
@@ -131,7 +122,7 @@ export class Rope {
   }
 
   get quiet(): boolean {
-    return this.#quiet >= QUIET;
+    return this.#quiet >= LIBRARY.time;
   }
 
   /** What it would do in a step if nothing pulled. Velocities belong to the middle of each step: the first is half a one. */
@@ -163,7 +154,7 @@ export class Rope {
       if (holders[i]! > HELD) for (let k = 3 * i; k < 3 * i + 3; k++) armsBefore[k] = arms[k]!;
     let most = 0;
     for (const v of velocities) most = Math.max(most, Math.abs(v));
-    this.#quiet = most < SLOW && this.settings.rests ? this.#quiet + dt : 0;
+    this.#quiet = most < LIBRARY.linearSpeed && this.settings.rests ? this.#quiet + dt : 0;
     this.#last = dt;
     this.version++;
   }

@@ -262,8 +262,12 @@ export class Ropes extends Effect implements Pull {
   }
 
   /** Numbers that are none go nowhere. */
-  #stop({ ropes }: TiedGroup): void {
-    for (const rope of ropes) rope.stop();
+  #stop({ ropes, solve }: TiedGroup): void {
+    solve.forget();
+    for (const rope of ropes) {
+      rope.stop();
+      rope.source.stopped();
+    }
   }
 
   pullsAt(body: Body): boolean {

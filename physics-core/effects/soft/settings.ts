@@ -32,6 +32,8 @@ export interface RopeSource extends Cause {
   readonly settings: RopeSettings;
   /** Steps of this length follow so much of its bending, N m². */
   bends(most: number): void;
+  /** Its numbers were lost: it stands where it was. */
+  stopped(): void;
   /** After each step of one that moved. */
   stepped(): void;
 }

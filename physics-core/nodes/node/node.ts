@@ -52,6 +52,9 @@ export class PhysicsNode implements SimulationNode, EditedNode {
     if (context.early) return Object.setPrototypeOf(context.early, new.target.prototype) as this;
   }
 
+  /** A setting of its collection is another. */
+  collectionChanged?(): void;
+
   /** The same node on another thread told something. False: that was told here before. */
   toldElsewhere?(event: string, detail: unknown): boolean;
 

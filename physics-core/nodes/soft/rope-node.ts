@@ -62,6 +62,16 @@ export class RopeNode extends PhysicsNode implements RopeSource {
     return alongSegments(line, this.asked('segments'));
   }
 
+  /** Its gravity and rest are those of its collection. */
+  override belongTo(collection: PhysicsNode | undefined): void {
+    super.belongTo(collection);
+    this.collectionChanged();
+  }
+
+  override collectionChanged(): void {
+    if (this.built) this.changed();
+  }
+
   changed(): void {
     this.#tellFixed();
     this.world.registry.find(ropes)?.changed(this);
@@ -138,6 +148,15 @@ export class RopeNode extends PhysicsNode implements RopeSource {
       value: stiffness,
       used: most,
       message: `${this.label}: bendStiffness="${stiffness}" is more than steps of this accuracy follow: it bends as if it had ${show(most)} N m²; ${level ? `accuracy ${level.name} follows it` : 'longer or heavier links would'}`,
+    });
+  }
+
+  stopped(): void {
+    this.report({
+      code: 'nan-state',
+      severity: 'error',
+      used: 'its last good place',
+      message: `${this.label}: the simulation lost its numbers (NaN); it goes on from its last good place, at rest`,
     });
   }
 

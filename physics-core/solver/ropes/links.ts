@@ -44,7 +44,6 @@ export class Links {
   readonly stiffness: Float64Array;
   /** How long each may be when the step ends, metres: one that is too long when it begins comes back in time. */
   readonly limits: Float64Array;
-  worst = 0;
 
   constructor(strand: Strand) {
     const links = strand.points - 1;
@@ -107,7 +106,6 @@ export class Links {
     const { ways, changes, found, lengths, pulls, masses, points } = this.strand;
     const { limits } = this;
     const { units, pulling, excess, taut, stiffness } = this;
-    this.worst = 0;
     for (let i = 0, j = 0; i < points - 1; i++, j += 3) {
       let square = 0;
       for (let k = j; k < j + 3; k++) {
@@ -134,7 +132,6 @@ export class Links {
       if (taut[i]) {
         excess[i] = over - this.compliance[i]! * pulls[i]!;
         stiffness[i] = after * dt * Math.max(0, pulls[i]!);
-        this.worst = Math.max(this.worst, Math.abs(excess[i]!));
       } else pulls[i] = stiffness[i] = 0;
     }
   }

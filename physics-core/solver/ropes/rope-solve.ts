@@ -68,14 +68,10 @@ export class RopeSolve {
   /** Of each body, a block: what the ropes and all that hangs on them resists its velocity by; and what they give it. */
   resistance = new Float64Array(0);
   impulse = new Float64Array(0);
-  /** Whether the last search found even pulls. */
+  /** Whether the last step was found with even pulls. */
   even = false;
-  /** Steps of which no search found an end. */
-  swept = 0;
-  /** Rounds of the last search. */
-  rounds = 0;
-  /** Metres that a link was left too long by. */
-  worst = 0;
+  /** Rounds of the search so far. */
+  #rounds = 0;
 
   take(strands: readonly Strand[], bodies: number): void {
     this.#parts.length = 0;
@@ -143,12 +139,11 @@ export class RopeSolve {
 
   /** What never runs away. */
   #sweep(dt: number): boolean {
-    this.swept++;
     this.#goBack();
     this.#sweeps.begin();
     this.#sweeps.solve(this.#links, dt);
     for (const { strand } of this.#parts) strand.armsAfter.set(strand.arms);
-    for (let n = 0; n < this.resistance.length; n++) this.resistance[n] = 0;
+    this.resistance.fill(0);
     this.#tellImpulses();
     return this.#isFinite();
   }
@@ -182,14 +177,14 @@ export class RopeSolve {
   }
 
   #search(dt: number, directions: Directions, most: number): boolean {
-    for (this.rounds = 1; this.rounds <= most; this.rounds++) {
+    for (this.#rounds = 1; this.#rounds <= most; this.#rounds++) {
       this.#assemble(dt, directions);
       this.#system.factor();
       this.#change.set(this.#rest);
       this.#system.solve(this.#change);
       const step = this.#follow(dt);
       if (!(step < ROPE_FLUNG)) return false;
-      if (step < ROPE_MISS && !this.#pushes(dt)) return this.#end(dt, directions);
+      if (step < ROPE_MISS && !this.#pushes(dt)) return this.#end(dt);
     }
     return false;
   }
@@ -217,8 +212,8 @@ export class RopeSolve {
     const { strand, links, touches, elimination, stops } = part;
     const { holders, masses, free, found } = strand;
     this.#placeTied(part, dt);
-    links.read(dt, directions, this.rounds === 1);
-    touches.read(dt, this.rounds === 1);
+    links.read(dt, directions, this.#rounds === 1);
+    touches.read(dt, this.#rounds === 1);
     elimination.fill(dt);
     for (const i of stops) {
       if (holders[i]! < 0) continue;
@@ -403,13 +398,8 @@ export class RopeSolve {
   }
 
   /** What there is to know of what was found. */
-  #end(dt: number, directions: Directions): boolean {
-    this.worst = 0;
-    for (const part of this.#parts) {
-      this.#placeTied(part, dt);
-      part.links.read(dt, directions, false);
-      this.worst = Math.max(this.worst, part.links.worst);
-    }
+  #end(dt: number): boolean {
+    for (const part of this.#parts) this.#placeTied(part, dt);
     const { count, inertias } = this.bodies;
     const block = this.#block;
     for (let b = 0; b < count; b++) {
@@ -422,6 +412,13 @@ export class RopeSolve {
     }
     this.#tellImpulses();
     return true;
+  }
+
+  /** Nothing was found that makes sense: ropes do nothing in this step. */
+  forget(): void {
+    this.bodies.velocities.fill(0);
+    this.resistance.fill(0);
+    this.impulse.fill(0);
   }
 
   #tellImpulses(): void {

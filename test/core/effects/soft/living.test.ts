@@ -241,3 +241,15 @@ fact('without rest it is within a millimetre of where it is with it', async () =
   );
   one!.forEach((at, i) => below(distance(at, two![i]!), 1e-3));
 });
+
+fact('gravity of its world, edited, acts on a rope, whether it rests or not', async () => {
+  for (const seconds of [0.5, 6]) {
+    const w = await world();
+    const rope = addRope(w, line(4, 1, [0, 0, 0], DOWN), { fixedIndex: [0], damping: 4 });
+    w.advance(seconds);
+    close(place(rope, 4), [0, -1, 0], 1e-6);
+    w.settings.set('gravity', [9.8, 0, 0]);
+    w.advance(6);
+    close(place(rope, 4), [1, 0, 0], 1e-2);
+  }
+});
