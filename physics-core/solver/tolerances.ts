@@ -278,6 +278,15 @@ export const ROPE_RETURN = 1;
 /** A link that lacks no more than this share of its length may be taut from the start: those that are not let go at once. */
 export const TAUT = 0.02;
 
+/** Metres: what is no farther away when a step begins may be touched from its start. Single precision at ten metres. */
+export const ROPE_NEAR = 1e-6;
+
+/** Halvings of the share of a round in which friction turns: a millionth is left. (A cord on a drum: two rounds, not thirty.) */
+export const SHARE_TRIES = 20;
+
+/** Metres: points in one place are as far apart, so that no link is without a length. */
+export const SHORTEST_LINK = 1e-6;
+
 /** Metres that the last round of a search may move a point by. */
 export const ROPE_MISS = 1e-8;
 

@@ -2,7 +2,7 @@ import { isHeld } from '../../dynamics/jointed.js';
 import { add, rotate, subtract, type Quaternion } from '../../base/math.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
-import { applyInverseInertia } from '../../dynamics/inertia.js';
+import { inverseInertiaOf } from '../../dynamics/inertia.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from '../effect/effects.js';
@@ -115,15 +115,10 @@ export class Pushed {
 }
 
 function pushedOf(body: Body, simulation: Simulation): PushedBody {
-  const axes: Vec3[] = [
-    [1, 0, 0],
-    [0, 1, 0],
-    [0, 0, 1],
-  ];
   return {
     body,
     inverseMass: 1 / body.mass.mass,
-    inverseInertia: Float64Array.from(axes.flatMap((axis) => applyInverseInertia(body, axis))),
+    inverseInertia: inverseInertiaOf(body),
     centre: body.centerOfMassWorld(),
     way: wayOf(body, simulation),
     impulse: [0, 0, 0],

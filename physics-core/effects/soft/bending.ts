@@ -1,7 +1,5 @@
 import type { Strand } from '../../solver/ropes/strand.js';
-
-/** Share of the stiffest that a step follows: at all of it the shortest waves only just keep their height. */
-const SURE = 0.9;
+import { SURE } from './tolerances.js';
 
 const bend = new Float64Array(3);
 

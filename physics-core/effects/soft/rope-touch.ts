@@ -1,41 +1,34 @@
-import type { Body } from '../../dynamics/body.js';
-import { applyInverseInertia } from '../../dynamics/inertia.js';
+import { dot3 } from '../../base/flat-math.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { VELOCITY } from '../../engine/moving-bodies.js';
-import { cross, dot, subtract } from '../../base/math.js';
-import type { Vec3 } from '../../fields/types.js';
 import { ROPE_RETURN } from '../../solver/tolerances.js';
-import { FREE, type Strand } from '../../solver/ropes/strand.js';
+import { FREE } from '../../solver/ropes/strand.js';
 import { MET, METS, Obstacles } from '../particles/collide/obstacles.js';
 import type { Rope } from './rope.js';
-
-/** How much farther than it goes in a step a point looks for something to touch, as a share of the radius of the rope. */
-const AHEAD = 0.5;
+import type { TiedGroup } from './tied-group.js';
+import { AHEAD } from './tolerances.js';
+import { TouchedBodies } from './touched-bodies.js';
 
 const met = new Float64Array(METS);
 const from = new Float64Array(3);
 const to = new Float64Array(3);
-
-const normalOf = (): Vec3 => [met[MET.normal]!, met[MET.normal + 1]!, met[MET.normal + 2]!];
-const pointOf = (): Vec3 => [met[MET.point]!, met[MET.point + 1]!, met[MET.point + 2]!];
+const point = new Float64Array(3);
+const force = new Float64Array(3);
 
 /** What points of ropes touch in a step, and what they do to it. */
 export class RopeTouch {
-  readonly #simulation: Simulation;
   readonly #obstacles: Obstacles;
-  /** By slot: how many points touch it. */
-  readonly #counts = new Map<number, number>();
+  readonly #bodies: TouchedBodies;
 
   constructor(simulation: Simulation) {
-    this.#simulation = simulation;
     this.#obstacles = new Obstacles(simulation);
+    this.#bodies = new TouchedBodies(simulation);
   }
 
   /** Where bodies are when a step begins, however they came there. */
   take(dt: number): void {
     this.#obstacles.forget();
     this.#obstacles.take(dt);
-    this.#counts.clear();
+    this.#bodies.begin();
   }
 
   /** A point is tied to a body, maybe deep within it: so much of the rope does not touch that. */
@@ -51,15 +44,22 @@ export class RopeTouch {
     within.push({ slot, first, last });
   }
 
-  /** Who each point of a rope may touch in a step that begins: `slots` has the bodies, -1 for none. */
-  look(rope: Rope, slots: Int32Array, dt: number): void {
-    const { strand, within } = rope;
-    const { radius, friction } = rope.settings;
+  /** Who each point may touch in a step that begins. All that touch a body push it by themselves: each counts for its share. */
+  look({ ropes }: TiedGroup, dt: number): void {
+    for (const rope of ropes) this.#look(rope, dt);
+    for (const { strand, touched } of ropes)
+      for (let i = 0; i < strand.points; i++)
+        if (touched[i]! >= 0) strand.yields[i]! *= this.#bodies.counts[touched[i]!]!;
+  }
+
+  #look({ strand, settings, within, touched }: Rope, dt: number): void {
+    const { radius, friction } = settings;
     const { points, holders, touches, places, free, frictions } = strand;
+    touches.fill(0);
+    touched.fill(-1);
+    if (!(radius > 0)) return;
     for (let i = 0; i < points; i++) {
-      touches[i] = 0;
-      slots[i] = -1;
-      if (holders[i] !== FREE || !(radius > 0)) continue;
+      if (holders[i] !== FREE) continue;
       let square = 0;
       for (let k = 0; k < 3; k++) {
         const way = dt * free[3 * i + k]!;
@@ -70,8 +70,9 @@ export class RopeTouch {
       const margin = AHEAD * radius + Math.sqrt(square);
       if (!this.#meets(radius, margin) || isWithin(within, i, met[MET.body]!)) continue;
       touches[i] = 1;
+      touched[i] = met[MET.body]!;
       frictions[i] = friction;
-      this.#note(strand, i, radius, slots, dt);
+      this.#note(strand, i, radius, dt);
     }
   }
 
@@ -85,65 +86,45 @@ export class RopeTouch {
     );
   }
 
-  #note(strand: Strand, i: number, radius: number, slots: Int32Array, dt: number): void {
-    const { normals, gaps, surfaces, yields } = strand;
-    const slot = met[MET.body]!;
-    const normal = normalOf();
-    const point = pointOf();
-    const way: Vec3 = [from[0]! - point[0], from[1]! - point[1], from[2]! - point[2]];
-    // What begins inside comes out in time.
-    gaps[i] = Math.max(dot(way, normal) - radius, -ROPE_RETURN * dt);
-    const body = this.#simulation.bodies.in(slot)!;
-    const arm = subtract(point, body.centerOfMassWorld());
-    const v = this.#simulation.bodies.velocities;
-    const at = slot * VELOCITY;
-    const turning = cross([v[at + 3]!, v[at + 4]!, v[at + 5]!], arm);
-    for (let k = 0; k < 3; k++) {
-      normals[3 * i + k] = normal[k]!;
-      surfaces[3 * i + k] = v[at + k]! + turning[k]!;
-    }
-    yields[i] = isMoved(body) ? softness(body, arm, normal) : 0;
-    slots[i] = slot;
-    this.#counts.set(slot, (this.#counts.get(slot) ?? 0) + 1);
-  }
-
-  /** All that touch a body push it by themselves: each counts for its share of it. */
-  share({ points, yields }: Strand, slots: Int32Array): void {
-    for (let i = 0; i < points; i++) if (slots[i]! >= 0) yields[i]! *= this.#counts.get(slots[i]!)!;
-  }
-
-  /** What it touches is pushed the other way, evenly through the step. */
-  push(
-    { points, normals, presses, rubs, places, gaps }: Strand,
-    slots: Int32Array,
+  #note(
+    { normals, gaps, surfaces, yields }: Rope['strand'],
+    i: number,
+    radius: number,
     dt: number,
-  ): void {
-    const { scratch } = this.#simulation.engine;
-    for (let i = 0; i < points; i++) {
-      const body =
-        slots[i]! >= 0 && presses[i]! > 0 ? this.#simulation.bodies.in(slots[i]!) : undefined;
-      if (!body || !isMoved(body)) continue;
-      const j = 3 * i;
-      const force: Vec3 = [0, 0, 0];
-      const point: Vec3 = [0, 0, 0];
-      for (let k = 0; k < 3; k++) {
-        force[k] = -(presses[i]! * normals[j + k]! + rubs[j + k]!) / dt;
-        point[k] = places[j + k]! - gaps[i]! * normals[j + k]!;
+  ) {
+    const bodies = this.#bodies;
+    const slot = met[MET.body]!;
+    for (let k = 0; k < 3; k++) {
+      normals[3 * i + k] = met[MET.normal + k]!;
+      point[k] = met[MET.point + k]!;
+      to[k] = from[k]! - point[k]!;
+    }
+    // What begins inside comes out in time.
+    gaps[i] = Math.max(dot3(to, 0, normals, 3 * i) - radius, -ROPE_RETURN * dt);
+    bodies.add(slot);
+    bodies.velocityAt(slot, point, surfaces, 3 * i);
+    yields[i] = bodies.softness(slot, point, normals, 3 * i);
+  }
+
+  /** What is touched is pushed the other way, evenly through the step. */
+  push({ ropes }: TiedGroup, dt: number): void {
+    for (const { strand, touched } of ropes) {
+      const { points, normals, presses, rubs, places, gaps } = strand;
+      for (let i = 0; i < points; i++) {
+        if (touched[i]! < 0 || !(presses[i]! > 0)) continue;
+        for (let k = 0; k < 3; k++) {
+          const j = 3 * i + k;
+          force[k] = -(presses[i]! * normals[j]! + rubs[j]!) / dt;
+          point[k] = places[j]! - gaps[i]! * normals[j]!;
+        }
+        this.#bodies.push(touched[i]!, point, force);
       }
-      const torque = cross(subtract(point, body.centerOfMassWorld()), force);
-      body.body.applyCentralForce(scratch.vector(...force));
-      body.body.applyTorque(scratch.vector(...torque));
     }
   }
 }
 
-const isWithin = (within: Rope['within'], i: number, slot: number): boolean =>
-  within.some((each) => each.slot === slot && i >= each.first && i <= each.last);
-
-const isMoved = (body: Body): boolean => body.isDynamic && !body.sleeping;
-
-/** What a push of 1 N s along a direction does to the speed of a body along it, at the end of an arm: 1/kg. */
-function softness(body: Body, arm: Vec3, direction: Vec3): number {
-  const moment = cross(arm, direction);
-  return 1 / body.mass.mass + dot(cross(applyInverseInertia(body, moment), arm), direction);
+function isWithin(within: Rope['within'], i: number, slot: number): boolean {
+  for (const each of within)
+    if (each.slot === slot && i >= each.first && i <= each.last) return true;
+  return false;
 }

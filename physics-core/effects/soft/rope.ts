@@ -32,6 +32,8 @@ export class Rope {
   #last = 0;
   #quiet = 0;
   asleep = false;
+  /** Of each point, the slot of the body that it may touch in this step; -1: none. */
+  touched = new Int32Array(2);
   /** Points that come out of a body they are tied within, by its slot: they do not touch it. */
   readonly within: { slot: number; first: number; last: number }[] = [];
   /** Another number whenever its points are elsewhere. */
@@ -55,6 +57,7 @@ export class Rope {
     this.strand = new Strand(Math.max(2, points.length / 3));
     this.strand.lay(points, mass);
     this.strand.softness.fill(softness);
+    this.touched = new Int32Array(this.strand.points).fill(-1);
     this.#bending = new Bending(this.strand);
     this.#last = this.#quiet = 0;
     this.asleep = false;
@@ -166,8 +169,18 @@ export class Rope {
     this.#last = 0;
   }
 
-  letGo(): void {
-    this.strand.holders.fill(FREE);
+  /** Nobody holds it but its author, at points that stay where they are. */
+  hold(): void {
+    const { holders, points } = this.strand;
+    holders.fill(FREE);
+    for (const i of this.settings.fixed) if (i < points) holders[i] = HELD;
+  }
+
+  /** Those points go nowhere in the step that begins. */
+  stand(): void {
+    const { found, points } = this.strand;
+    for (const i of this.settings.fixed) if (i < points) found.fill(0, 3 * i, 3 * i + 3);
+    this.within.length = 0;
   }
 
   // ---- on another thread ----------------------------------------------------------------------------------------------

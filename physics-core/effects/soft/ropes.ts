@@ -10,13 +10,12 @@ import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
 import { resting } from '../rest/resting.js';
+import { Holding, together } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
 import { RopeTouch } from './rope-touch.js';
 import type { RopeSource, Tie } from './settings.js';
 import { TiedGroup } from './tied-group.js';
-
-/** What is put elsewhere faster than this, m/s, is not carried there: it jumps. */
-const CARRIED = 20;
+import { CARRIED } from './tolerances.js';
 
 /** All ropes of a world. */
 export class Ropes extends Effect implements Pull {
@@ -24,17 +23,15 @@ export class Ropes extends Effect implements Pull {
   readonly #effects: Effects;
   /** By the numbers of their nodes. */
   readonly #ropes = new Map<number, Rope>();
-  readonly #ties = new Set<Tie>();
+  readonly #holding = new Holding((source) => this.of(source));
   readonly #touch: RopeTouch;
-  /** By rope: the body that each point touches, by slot. */
-  readonly #slots = new Map<Rope, Int32Array>();
   /** Which version of each another thread knows. */
   readonly #told = new WeakMap<Rope, number>();
   #groups: TiedGroup[] = [];
   /** Which bodies the joint solve has for what ties them. */
   #tied = new Map<Tie, Body>();
-  /** What the groups were made of: who holds which points. */
-  #layout = '';
+  /** Groups are to be made anew. */
+  #stale = true;
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -49,6 +46,7 @@ export class Ropes extends Effect implements Pull {
 
   override need(source: RopeSource, reason: string): void {
     if (!this.of(source)) this.#ropes.set(source.id, new Rope(source));
+    this.#stale = true;
     super.need(source, reason);
     this.changed(source);
   }
@@ -57,7 +55,8 @@ export class Ropes extends Effect implements Pull {
     if (!this.isNeededBy(node)) return;
     this.#ropes.delete((node as RopeSource).id);
     super.release(node);
-    this.#divide(this.#holding());
+    this.#stale = true;
+    this.#divide();
     if (!this.active) this.#effects.find(jointSolve)?.pulls.delete(this);
     else this.#goOn();
   }
@@ -71,25 +70,27 @@ export class Ropes extends Effect implements Pull {
   }
 
   tie(tie: Tie): void {
-    this.#ties.add(tie);
+    this.#holding.add(tie);
     tie.body?.wake();
     this.tieChanged(tie);
   }
 
   untie(tie: Tie): void {
-    this.#ties.delete(tie);
+    this.#holding.delete(tie);
     this.tieChanged(tie);
-    this.#divide(this.#holding());
+    this.#divide();
   }
 
   tieChanged({ rope }: Tie): void {
+    this.#stale = true;
     if (rope) this.of(rope)?.wake();
     if (rope) this.#wakeTied(rope);
     if (this.active) this.#goOn();
   }
 
   #wakeTied(source: RopeSource): void {
-    for (const { rope, body } of this.#ties) if (rope === source && body?.sleeping) body.wake();
+    for (const { rope, body } of this.#holding.ties)
+      if (rope === source && body?.sleeping) body.wake();
   }
 
   /** Where no body moves, steps are taken all the same. */
@@ -101,55 +102,31 @@ export class Ropes extends Effect implements Pull {
 
   // ---- who holds what -------------------------------------------------------------------------------------------------
 
-  get #inOrder(): Rope[] {
-    return (this.inOrder as readonly RopeSource[]).map((source) => this.of(source)!);
-  }
-
-  get #tiesInOrder(): Tie[] {
-    return [...this.#ties].sort((a, b) => a.id - b.id);
-  }
-
-  /** Those that hold something now. */
-  #holding(): Tie[] {
-    return this.#tiesInOrder.filter(({ rope, holds, index }) => {
-      const strand = rope && this.of(rope)?.strand;
-      return holds && strand !== undefined && index >= 0 && index < strand.points;
-    });
-  }
-
   /** Groups are made anew where other bodies hold other points. */
-  #divide(ties: readonly Tie[]): void {
-    const ropes = this.#inOrder.filter(({ settings }) => settings.enabled);
-    const layout = JSON.stringify([
-      ropes.map(({ source, strand, settings }) => [source.id, strand.points, settings.fixed]),
-      ties.map(({ rope, index, body }) => [rope!.id, index, body?.id, body?.movable]),
-    ]);
-    if (layout === this.#layout) return;
-    this.#layout = layout;
-    for (const rope of ropes) {
-      rope.letGo();
-      for (const i of rope.settings.fixed)
-        if (i < rope.strand.points) rope.strand.holders[i] = HELD;
-      this.#slots.set(rope, new Int32Array(rope.strand.points).fill(-1));
-    }
-    const groupOf = groups(ropes, ties);
-    this.#groups = [...new Set(groupOf.values())].map((members) => {
-      const bodies: Body[] = [];
-      for (const tie of ties) {
-        const rope = this.of(tie.rope!)!;
-        if (!members.has(rope)) continue;
-        const { body } = tie;
-        if (body?.movable && !bodies.includes(body)) bodies.push(body);
-        rope.strand.holders[tie.index] = body?.movable ? bodies.indexOf(body) : HELD;
-      }
-      return new TiedGroup([...members], bodies);
+  #divide(): void {
+    if (!this.#stale && !this.#holding.changed) return;
+    this.#stale = false;
+    this.#holding.list();
+    const { held } = this.#holding;
+    const ropes = (this.inOrder as readonly RopeSource[])
+      .map((source) => this.of(source)!)
+      .filter(({ settings }) => settings.enabled);
+    for (const rope of ropes) rope.hold();
+    this.#groups = [...together(ropes, held)].map((members) => {
+      const own = held.filter(({ rope }) => members.has(rope));
+      const bodies = [...new Set(own.flatMap(({ body, movable }) => (movable ? [body!] : [])))];
+      for (const { tie, rope, body, movable } of own)
+        rope.strand.holders[tie.index] = movable ? bodies.indexOf(body!) : HELD;
+      return new TiedGroup([...members], bodies, own);
     });
-    this.#tieBodies(ties);
+    this.#tieBodies();
   }
 
   /** What is tied no more falls. */
-  #tieBodies(ties: readonly Tie[]): void {
-    const tied = new Map(ties.flatMap((tie) => (tie.body?.movable ? [[tie, tie.body]] : [])));
+  #tieBodies(): void {
+    const tied = new Map(
+      this.#holding.held.flatMap(({ tie, body, movable }) => (movable ? [[tie, body!]] : [])),
+    );
     const joints = this.#effects[tied.size > 0 ? 'get' : 'find'](jointSolve);
     for (const [tie, body] of this.#tied) {
       if (tied.get(tie) === body) continue;
@@ -164,25 +141,28 @@ export class Ropes extends Effect implements Pull {
 
   /** Before anything of the step begins: the joint solve may have to come for what is tied. */
   override parts(): number {
-    for (const rope of this.#ropes.values()) if (rope.stale) rope.read();
-    this.#divide(this.#holding());
+    for (const rope of this.#ropes.values()) {
+      if (!rope.stale) continue;
+      rope.read();
+      this.#stale = true;
+    }
+    this.#divide();
     this.#wakeTogether();
     return 1;
   }
 
   override beforeStep(dt: number): void {
-    const ties = this.#holding();
     const joints = this.#effects.caused(jointSolve);
     joints?.pulls.add(this);
     this.#touch.take(dt);
     for (const group of this.#groups) {
       if (group.asleep) continue;
       group.read(joints, dt);
-      for (const rope of group.ropes) this.#begin(rope, ties, dt);
-      this.#look(group, dt);
+      this.#begin(group, dt);
+      this.#touch.look(group, dt);
       if (!group.solve.solve(dt)) this.#stop(group);
       group.note();
-      for (const rope of group.ropes) this.#touch.push(rope.strand, this.#slots.get(rope)!, dt);
+      this.#touch.push(group, dt);
     }
   }
 
@@ -218,25 +198,27 @@ export class Ropes extends Effect implements Pull {
     return false;
   }
 
-  #begin(rope: Rope, ties: readonly Tie[], dt: number): void {
-    const { strand, source, settings } = rope;
-    const { found } = strand;
-    for (const i of settings.fixed) if (i < strand.points) found.fill(0, 3 * i, 3 * i + 3);
-    rope.within.length = 0;
-    for (const tie of ties) {
-      if (tie.rope !== source) continue;
-      this.#place(rope, tie, dt);
-      if (tie.body) this.#touch.comeOut(rope, tie.index, tie.body.slot);
+  #begin({ ropes, held }: TiedGroup, dt: number): void {
+    for (const rope of ropes) rope.stand();
+    for (const { tie, rope, body, movable } of held) {
+      this.#place(rope, tie, body, movable, dt);
+      if (body) this.#touch.comeOut(rope, tie.index, body.slot);
     }
-    rope.begin(dt);
+    for (const rope of ropes) rope.begin(dt);
   }
 
   /** A tied point is where its body has it; one that others move is on its way there. */
-  #place(rope: Rope, { body, position, index }: Tie, dt: number): void {
+  #place(
+    rope: Rope,
+    { position, index }: Tie,
+    body: Body | undefined,
+    movable: boolean,
+    dt: number,
+  ): void {
     const { places, found, arms } = rope.strand;
     const at = body ? compose(body.pose(), { p: position, q: [0, 0, 0, 1] }).p : position;
     const arm = body ? subtract(at, body.centerOfMassWorld()) : at;
-    const v = body?.movable ? undefined : this.#speedAt(body, arm);
+    const v = movable ? undefined : this.#speedAt(body, arm);
     const off = length(
       subtract(at, [places[3 * index]!, places[3 * index + 1]!, places[3 * index + 2]!]),
     );
@@ -254,11 +236,6 @@ export class Ropes extends Effect implements Pull {
     const { velocities } = this.#simulation.bodies;
     const [x, y, z, u, v, w] = velocities.subarray(body.slot * VELOCITY) as unknown as number[];
     return add([x!, y!, z!], cross([u!, v!, w!], arm));
-  }
-
-  #look({ ropes }: TiedGroup, dt: number): void {
-    for (const rope of ropes) this.#touch.look(rope, this.#slots.get(rope)!, dt);
-    for (const rope of ropes) this.#touch.share(rope.strand, this.#slots.get(rope)!);
   }
 
   /** Numbers that are none go nowhere. */
@@ -329,7 +306,7 @@ export class Ropes extends Effect implements Pull {
 
   override reset(): void {
     for (const rope of this.#ropes.values()) rope.reset();
-    this.#layout = '';
+    this.#stale = true;
   }
 
   override save(): [id: number, kept: KeptRope][] {
@@ -340,24 +317,4 @@ export class Ropes extends Effect implements Pull {
     for (const [id, kept] of saved) this.#ropes.get(id)?.load(kept);
     this.#goOn();
   }
-}
-
-/** Ropes that hang together by bodies that move. */
-function groups(ropes: readonly Rope[], ties: readonly Tie[]): Map<Rope, Set<Rope>> {
-  const groupOf = new Map(ropes.map((rope) => [rope, new Set([rope])]));
-  const byBody = new Map<Body, Rope>();
-  for (const { rope: source, body } of ties) {
-    const rope = ropes.find((each) => each.source === source);
-    if (!rope || !body?.movable) continue;
-    const other = byBody.get(body) ?? rope;
-    byBody.set(body, other);
-    const one = groupOf.get(rope)!;
-    const two = groupOf.get(other)!;
-    if (one === two) continue;
-    for (const member of two) {
-      one.add(member);
-      groupOf.set(member, one);
-    }
-  }
-  return groupOf;
 }

@@ -7,13 +7,9 @@ import type { RowSystem } from '../../solver/joints/row-system.js';
 import { RopeSolve } from '../../solver/ropes/rope-solve.js';
 import type { Ahead } from '../joints/component-solve.js';
 import type { JointSolve } from '../joints/joint-solve.js';
+import type { Held } from './held.js';
 import type { Rope } from './rope.js';
-
-/** Share of a velocity that single precision, and rounding on the way there, may change. */
-const SAME = 1e-5;
-
-/** A hit gives a body more than so many times what its weight does in the step. */
-const HIT = 4;
+import { HIT, SAME } from './tolerances.js';
 
 const BLOCK = SIDE * SIDE;
 const now = new Float64Array(SIDE);
@@ -23,14 +19,17 @@ const tried = new Float64Array(BODY_BLOCK);
 export class TiedGroup {
   readonly ropes: readonly Rope[];
   readonly bodies: readonly Body[];
+  /** What ties their points. */
+  readonly held: readonly Held[];
   readonly solve = new RopeSolve();
   /** As found, before anything else acted on the bodies. */
   readonly #found: Float64Array;
   readonly #resists: Float64Array;
 
-  constructor(ropes: readonly Rope[], bodies: readonly Body[]) {
+  constructor(ropes: readonly Rope[], bodies: readonly Body[], held: readonly Held[]) {
     this.ropes = ropes;
     this.bodies = bodies;
+    this.held = held;
     this.#found = new Float64Array(SIDE * bodies.length);
     this.#resists = new Float64Array(BODY_BLOCK * bodies.length);
     this.solve.take(

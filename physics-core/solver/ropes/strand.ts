@@ -1,9 +1,8 @@
+import { SHORTEST_LINK } from '../tolerances.js';
+
 /** A point that nothing holds, or that goes where it is taken; else the number of the body that it is tied to. */
 export const FREE = -2;
 export const HELD = -1;
-
-/** Metres: points in one place are as far apart. */
-const SHORTEST = 1e-6;
 
 /** Points and the links between them, in flat arrays: what a rope is made of, and how it stands in a step. */
 export class Strand {
@@ -96,7 +95,7 @@ export class Strand {
       const x = places[3 * i + 3]! - places[3 * i]!;
       const y = places[3 * i + 4]! - places[3 * i + 1]!;
       const z = places[3 * i + 5]! - places[3 * i + 2]!;
-      whole += lengths[i] = Math.max(SHORTEST, Math.sqrt(x * x + y * y + z * z));
+      whole += lengths[i] = Math.max(SHORTEST_LINK, Math.sqrt(x * x + y * y + z * z));
     }
     masses.fill(0);
     for (let i = 0; i < points - 1; i++) {

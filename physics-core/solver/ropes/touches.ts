@@ -1,15 +1,15 @@
-import { GRIP_COMPLIANCE, LINK_COMPLIANCE, ROPE_MISS } from '../tolerances.js';
+import {
+  GRIP_COMPLIANCE,
+  LINK_COMPLIANCE,
+  ROPE_MISS,
+  ROPE_NEAR,
+  SHARE_TRIES,
+} from '../tolerances.js';
 import { HELD, type Strand } from './strand.js';
 
 const NONE = 0;
 const STICKS = 1;
 const SLIPS = 2;
-
-/** Metres: what is no farther away may be touched from the start. */
-const NEAR = 1e-6;
-
-/** Halvings of the share of a round. */
-const SHARE_TRIES = 20;
 
 const tried = new Float64Array(3);
 
@@ -82,7 +82,7 @@ export class Touches {
     const gap = gaps[i]! + dt * away;
     const before = presses[i]!;
     const pressed = before > 0 ? before * dt > gap * masses[i]! : gap < -ROPE_MISS;
-    if (!pressed && !(first && gaps[i]! <= NEAR)) {
+    if (!pressed && !(first && gaps[i]! <= ROPE_NEAR)) {
       this.#state[i] = presses[i] = rubs[j] = rubs[j + 1] = rubs[j + 2] = 0;
       return;
     }

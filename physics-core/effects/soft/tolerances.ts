@@ -1,0 +1,23 @@
+// The numbers of this room: unit, reason, and the fact that fixes each.
+
+/**
+ * What is put elsewhere faster than this, m/s, is not carried there: it jumps, and what hangs on it comes along without any
+ * speed of that. (Fact: an attachment that jumps by 100 m flings nothing.)
+ */
+export const CARRIED = 20;
+
+/**
+ * A hit gives a body more than so many times what its weight does in a step; what rubs or bears it gives no more than that, and
+ * ropes answer it in the next step: at once they would pull what friction holds. (Facts: a box on a floor is held by friction;
+ * what is struck from above goes no lower.)
+ */
+export const HIT = 4;
+
+/** How much farther than it goes in a step a point looks for something to touch, as a share of the radius of the rope. */
+export const AHEAD = 0.5;
+
+/** Share of the stiffest bending that a step follows: at all of it the shortest waves only just keep their height. */
+export const SURE = 0.9;
+
+/** Share of a velocity that single precision, and rounding on the way there, may change. */
+export const SAME = 1e-5;
