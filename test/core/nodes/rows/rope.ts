@@ -129,6 +129,7 @@ const rows: Row[] = [
       };
       w.advance(0.25);
       w.settings.set('gravity', [0, 0, 0]);
+      w.step();
       rope.set('damping', 2);
       const first = speed();
       const seconds = w.advance(1) + w.timeStep;
