@@ -31,7 +31,7 @@ const meta: Meta<Args> = {
         </transform>
         <transform translation="0 2.2 0">
           ${shape('red', html`<box size="0.6 0.6 0.6"></box>`)}
-          <x3d-rigid-body id="crate" mass=${mass} linear-velocity="0 0 1.5"></x3d-rigid-body>
+          <x3d-rigid-body id="crate" mass=${mass} linearVelocity="0 0 1.5"></x3d-rigid-body>
         </transform>
         <x3d-rope
           id="line"
