@@ -1,0 +1,24 @@
+import type { Masses } from './masses.js';
+import type { Surface } from './surface.js';
+
+/**
+ * What gives way: points of mass, and what acts between them. A step is taken in equal parts: `push`, then all go as fast as
+ * they are, then `hold`, and how far each went is how fast it was (small steps; Macklin and others, 2019). What acts by
+ * `push` alone is symplectic: nothing is lost, as long as no wave is shorter than a part.
+ */
+export interface Material {
+  readonly masses: Masses;
+  readonly surface: Surface;
+  /** In how many equal parts its forces want a step of `dt` seconds to be taken: no wave is shorter then. */
+  parts(dt: number): number;
+  /** In so many parts: what would follow more quickly is made softer. Answers by how much: 1, not at all. */
+  soften(parts: number, dt: number): number;
+  /** Adds to the velocities what forces between its points do in `time` seconds, places being what they are. */
+  push(time: number): void;
+  /** Takes places, `time` seconds after `before`, to where what does not stretch allows them to be. */
+  hold(time: number): void;
+  /** What else the next step reads, for a snapshot. */
+  readonly lasting: readonly (Float64Array | Int32Array | Uint8Array)[];
+  /** How far the most stretched of what does not stretch is stretched, as a share of its length; 0: nothing is. */
+  readonly strain: number;
+}
