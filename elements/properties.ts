@@ -1176,7 +1176,7 @@ export interface RopeProperties {
 
 /** Properties of `<x3d-soft-body-attachment>`: read live, set to the text of the attribute, too; null takes script's word back. */
 export interface SoftBodyAttachmentProperties {
-  /** The rope. (SFNode) */
+  /** The rope, the cloth or the soft body. (SFNode) */
   get softBody(): Element | null;
   set softBody(value: Element | null | undefined);
   /** Which of its points, counted from 0. Range [0, Infinity]. (SFInt32) Default 0. */
@@ -1188,6 +1188,133 @@ export interface SoftBodyAttachmentProperties {
   /** Where on the body, metres, in its frame; without a body in the world. The point is taken there. (SFVec3f) Default 0 0 0. */
   get position(): number[];
   set position(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-cloth>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface ClothProperties {
+  /** FALSE: it stands still, touches nothing and holds nothing. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** Its surface as it is laid: an IndexedTriangleSet, an IndexedFaceSet, or any other geometry by its triangles. (SFNode) */
+  get geometry(): Element | null;
+  set geometry(value: Element | null | undefined);
+  /** Width and height of a sheet around its origin in the x-y plane, as X3DOM’s Plane lies, metres; without it there is what geometry says. Range [0, Infinity]. (SFVec2f) Default 0 0. */
+  get size(): number[];
+  set size(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** How many cells such a sheet has along its width and its height: its points are counted from its lower left corner, row by row. Range [1, 200]. (SFVec2f) Default 16 16. */
+  get subdivision(): number[];
+  set subdivision(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** kg, of all of it. Range (0, Infinity]. (SFFloat) Default 1. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** How thick it is, metres; 0: it touches nothing. Range [0, Infinity]. (SFFloat) Default 0.01. */
+  get thickness(): number;
+  set thickness(value: number | string | null | undefined);
+  /** Newtons for each metre of width that would stretch it to twice its length along its threads, if it went on as it begins; 0: it does not stretch. Range [0, Infinity]. (SFFloat) Default 0. */
+  get stretchStiffness(): number;
+  set stretchStiffness(value: number | string | null | undefined);
+  /** The same for what makes its squares slanted, N/m. Range [0, Infinity]. (SFFloat) Default 10. */
+  get shearStiffness(): number;
+  set shearStiffness(value: number | string | null | undefined);
+  /** What it takes to bend a metre of width of it, N m; 0: it bends freely. More than a step follows is told (soft-too-stiff). Range [0, Infinity]. (SFFloat) Default 0. */
+  get bendStiffness(): number;
+  set bendStiffness(value: number | string | null | undefined);
+  /** Share of its speed that it loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get damping(): number;
+  set damping(value: number | string | null | undefined);
+  /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  get friction(): number;
+  set friction(value: number | string | null | undefined);
+  /** Points of its geometry that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
+  get fixedIndex(): number[];
+  set fixedIndex(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** TRUE: its points do not come nearer to each other than it is thick. (SFBool) Default false. */
+  get selfCollision(): boolean;
+  set selfCollision(value: boolean | string | null | undefined);
+  /** A thread that is stretched by more than this share of its length tears, and the triangles it borders with it; 0: none does. Range [0, Infinity]. (SFFloat) Default 0. */
+  get tearStrain(): number;
+  set tearStrain(value: number | string | null | undefined);
+  /** Where the air goes and how fast, m/s, in the world; 0 0 0: there is none. (SFVec3f) Default 0 0 0. */
+  get wind(): number[];
+  set wind(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Where the points of its geometry are, metres. (MFVec3f) */
+  get positions(): number[][];
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  get bboxCenter(): number[];
+  set bboxCenter(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  get bboxSize(): number[];
+  set bboxSize(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  get bboxDisplay(): boolean;
+  set bboxDisplay(value: boolean | string | null | undefined);
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  get visible(): boolean;
+  set visible(value: boolean | string | null | undefined);
+  /** Data about the node, for programs that read them. (SFNode) */
+  get metadata(): Element | null;
+  set metadata(value: Element | null | undefined);
+}
+
+/** Properties of `<x3d-soft-body>`: read live, set to the text of the attribute, too; null takes script's word back. */
+export interface SoftBodyProperties {
+  /** FALSE: it stands still, touches nothing and holds nothing. (SFBool) Default true. */
+  get enabled(): boolean;
+  set enabled(value: boolean | string | null | undefined);
+  /** Its surface as it is laid: an IndexedTriangleSet, an IndexedFaceSet, or any other geometry by its triangles. (SFNode) */
+  get geometry(): Element | null;
+  set geometry(value: Element | null | undefined);
+  /** kg, of all of it. Range (0, Infinity]. (SFFloat) Default 1. */
+  get mass(): number;
+  set mass(value: number | string | null | undefined);
+  /** What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff). Range (0, Infinity]. (SFFloat) Default 100000. */
+  get youngsModulus(): number;
+  set youngsModulus(value: number | string | null | undefined);
+  /** How much thinner it gets where it is stretched: 0.5 would keep its volume. Range [0, 0.499]. (SFFloat) Default 0.3. */
+  get poissonsRatio(): number;
+  set poissonsRatio(value: number | string | null | undefined);
+  /** Pa above that of the air, as it is laid: it is hollow then, a ball or a cushion. 0: it is solid. Range [0, Infinity]. (SFFloat) Default 0. */
+  get pressure(): number;
+  set pressure(value: number | string | null | undefined);
+  /** How thick its skin is where it is hollow, metres; 0: as thick as its mass is of rubber, 1000 kg/m³. Range [0, Infinity]. (SFFloat) Default 0. */
+  get thickness(): number;
+  set thickness(value: number | string | null | undefined);
+  /** Share of its speed that it loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  get damping(): number;
+  set damping(value: number | string | null | undefined);
+  /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  get friction(): number;
+  set friction(value: number | string | null | undefined);
+  /** Points of its geometry that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
+  get fixedIndex(): number[];
+  set fixedIndex(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Where the points of its geometry are, metres. (MFVec3f) */
+  get positions(): number[][];
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  get bboxCenter(): number[];
+  set bboxCenter(
+    value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
+  );
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  get bboxSize(): number[];
+  set bboxSize(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  get bboxDisplay(): boolean;
+  set bboxDisplay(value: boolean | string | null | undefined);
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  get visible(): boolean;
+  set visible(value: boolean | string | null | undefined);
   /** Data about the node, for programs that read them. (SFNode) */
   get metadata(): Element | null;
   set metadata(value: Element | null | undefined);
@@ -1290,6 +1417,8 @@ export interface ElementProperties {
   WindPhysicsModel: WindPhysicsModelProperties;
   Rope: RopeProperties;
   SoftBodyAttachment: SoftBodyAttachmentProperties;
+  Cloth: ClothProperties;
+  SoftBody: SoftBodyProperties;
   WaterVolume: WaterVolumeProperties;
 }
 

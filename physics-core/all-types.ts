@@ -3,6 +3,7 @@ import type { NodeType } from './inside.js';
 import { nodeTypes } from './nodes/index.js';
 import { byName } from './nodes/node/table.js';
 import { particleTypes } from './nodes/particles/index.js';
+import { deformableTypes } from './nodes/soft/deformable-types.js';
 import { softTypes } from './nodes/soft/index.js';
 import { waterTypes } from './nodes/water/index.js';
 
@@ -10,5 +11,6 @@ export const allTypes: Readonly<Record<string, NodeType>> = byName({
   ...nodeTypes,
   ...particleTypes,
   ...softTypes,
+  ...deformableTypes,
   ...waterTypes,
 });

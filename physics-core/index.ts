@@ -2,6 +2,7 @@
 import type { Problem } from './base/problems.js';
 import type { EngineSource } from './engine/wasm.js';
 import { particleSystems } from './effects/particles/effects.js';
+import { deformableChunk } from './effects/deformables/effects.js';
 import { ropeChunk } from './effects/soft/effects.js';
 import { waters, waveChunk } from './effects/water/effects.js';
 import { behind, shown } from './face/shown.js';
@@ -34,6 +35,7 @@ inside.beyondPages.push(
   particleSystems.comesFrom(() => import('./world/chunks/particle-code.js')),
   waters.comesFrom(() => import('./world/chunks/water-code.js')),
   ropeChunk.comesFrom(() => import('./world/chunks/rope-code.js')),
+  deformableChunk.comesFrom(() => import('./world/chunks/deformable-code.js')),
   waveChunk.comesFrom(() => import('./effects/wave-code.js')),
 );
 

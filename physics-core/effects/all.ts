@@ -16,6 +16,7 @@ import { continuousCollision, impactPropagation, sweptEnds } from './hits/effect
 import { jointSolve, motors, stops, suspension } from './joints/effects.js';
 import { contactShapes } from './manifolds/effects.js';
 import { particles } from './particles/effects.js';
+import { deformables } from './deformables/effects.js';
 import { ropes } from './soft/effects.js';
 import { water, waves } from './water/effects.js';
 import { inOrder } from './effect/order.js';
@@ -46,6 +47,7 @@ export const allEffects: readonly EffectDescriptor[] = inOrder([
   waves,
   water,
   ropes,
+  deformables,
   contactReader,
   meshShapes,
   resting,

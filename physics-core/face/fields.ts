@@ -1183,8 +1183,8 @@ export interface RopeValues {
 
 /** What may be said of a SoftBodyAttachment; what is left out has its default. */
 export interface SoftBodyAttachmentFields {
-  /** The rope. (SFNode) */
-  softBody?: NodeInput<'Rope'> | null;
+  /** The rope, the cloth or the soft body. (SFNode) */
+  softBody?: NodeInput<'Rope' | 'Cloth' | 'SoftBody'> | null;
   /** Which of its points, counted from 0. Range [0, Infinity]. (SFInt32) Default 0. */
   index?: number;
   /** The body; NULL: the world. (SFNode) */
@@ -1197,10 +1197,133 @@ export interface SoftBodyAttachmentFields {
 
 /** What a SoftBodyAttachment answers. */
 export interface SoftBodyAttachmentValues {
-  softBody: NodeHandles['Rope'] | null;
+  softBody: NodeHandles['Rope'] | NodeHandles['Cloth'] | NodeHandles['SoftBody'] | null;
   index: number;
   body: NodeHandles['RigidBody'] | null;
   position: Vec3;
+  metadata: unknown;
+}
+
+/** What may be said of a Cloth; what is left out has its default. */
+export interface ClothFields {
+  /** FALSE: it stands still, touches nothing and holds nothing. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Its surface as it is laid: an IndexedTriangleSet, an IndexedFaceSet, or any other geometry by its triangles. (SFNode) */
+  geometry?: Geometry | null;
+  /** Width and height of a sheet around its origin in the x-y plane, as X3DOM’s Plane lies, metres; without it there is what geometry says. Range [0, Infinity]. (SFVec2f) Default 0 0. */
+  size?: Numbers;
+  /** How many cells such a sheet has along its width and its height: its points are counted from its lower left corner, row by row. Range [1, 200]. (SFVec2f) Default 16 16. */
+  subdivision?: Numbers;
+  /** kg, of all of it. Range (0, Infinity]. (SFFloat) Default 1. */
+  mass?: number;
+  /** How thick it is, metres; 0: it touches nothing. Range [0, Infinity]. (SFFloat) Default 0.01. */
+  thickness?: number;
+  /** Newtons for each metre of width that would stretch it to twice its length along its threads, if it went on as it begins; 0: it does not stretch. Range [0, Infinity]. (SFFloat) Default 0. */
+  stretchStiffness?: number;
+  /** The same for what makes its squares slanted, N/m. Range [0, Infinity]. (SFFloat) Default 10. */
+  shearStiffness?: number;
+  /** What it takes to bend a metre of width of it, N m; 0: it bends freely. More than a step follows is told (soft-too-stiff). Range [0, Infinity]. (SFFloat) Default 0. */
+  bendStiffness?: number;
+  /** Share of its speed that it loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  damping?: number;
+  /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  friction?: number;
+  /** Points of its geometry that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
+  fixedIndex?: Numbers;
+  /** TRUE: its points do not come nearer to each other than it is thick. (SFBool) Default false. */
+  selfCollision?: boolean;
+  /** A thread that is stretched by more than this share of its length tears, and the triangles it borders with it; 0: none does. Range [0, Infinity]. (SFFloat) Default 0. */
+  tearStrain?: number;
+  /** Where the air goes and how fast, m/s, in the world; 0 0 0: there is none. (SFVec3f) Default 0 0 0. */
+  wind?: Numbers;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a Cloth answers. */
+export interface ClothValues {
+  enabled: boolean;
+  geometry: Geometry | null;
+  size: [number, number];
+  subdivision: [number, number];
+  mass: number;
+  thickness: number;
+  stretchStiffness: number;
+  shearStiffness: number;
+  bendStiffness: number;
+  damping: number;
+  friction: number;
+  fixedIndex: number[];
+  selfCollision: boolean;
+  tearStrain: number;
+  wind: Vec3;
+  positions: Vec3[];
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
+  metadata: unknown;
+}
+
+/** What may be said of a SoftBody; what is left out has its default. */
+export interface SoftBodyFields {
+  /** FALSE: it stands still, touches nothing and holds nothing. (SFBool) Default true. */
+  enabled?: boolean;
+  /** Its surface as it is laid: an IndexedTriangleSet, an IndexedFaceSet, or any other geometry by its triangles. (SFNode) */
+  geometry?: Geometry | null;
+  /** kg, of all of it. Range (0, Infinity]. (SFFloat) Default 1. */
+  mass?: number;
+  /** What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff). Range (0, Infinity]. (SFFloat) Default 100000. */
+  youngsModulus?: number;
+  /** How much thinner it gets where it is stretched: 0.5 would keep its volume. Range [0, 0.499]. (SFFloat) Default 0.3. */
+  poissonsRatio?: number;
+  /** Pa above that of the air, as it is laid: it is hollow then, a ball or a cushion. 0: it is solid. Range [0, Infinity]. (SFFloat) Default 0. */
+  pressure?: number;
+  /** How thick its skin is where it is hollow, metres; 0: as thick as its mass is of rubber, 1000 kg/m³. Range [0, Infinity]. (SFFloat) Default 0. */
+  thickness?: number;
+  /** Share of its speed that it loses, 1/s. Range [0, Infinity]. (SFFloat) Default 0. */
+  damping?: number;
+  /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
+  friction?: number;
+  /** Points of its geometry that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
+  fixedIndex?: Numbers;
+  /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
+  bboxCenter?: Numbers;
+  /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
+  bboxSize?: Numbers;
+  /** Whether the bounding box is drawn. (SFBool) Default false. */
+  bboxDisplay?: boolean;
+  /** Whether it is drawn; it collides either way. (SFBool) Default true. */
+  visible?: boolean;
+  /** Data about the node, for programs that read them. (SFNode) */
+  metadata?: unknown;
+}
+
+/** What a SoftBody answers. */
+export interface SoftBodyValues {
+  enabled: boolean;
+  geometry: Geometry | null;
+  mass: number;
+  youngsModulus: number;
+  poissonsRatio: number;
+  pressure: number;
+  thickness: number;
+  damping: number;
+  friction: number;
+  fixedIndex: number[];
+  positions: Vec3[];
+  bboxCenter: Vec3;
+  bboxSize: Vec3;
+  bboxDisplay: boolean;
+  visible: boolean;
   metadata: unknown;
 }
 
@@ -1297,6 +1420,8 @@ export interface NodeFields {
   WindPhysicsModel: WindPhysicsModelFields;
   Rope: RopeFields;
   SoftBodyAttachment: SoftBodyAttachmentFields;
+  Cloth: ClothFields;
+  SoftBody: SoftBodyFields;
   WaterVolume: WaterVolumeFields;
 }
 
@@ -1328,6 +1453,8 @@ export interface NodeValues {
   WindPhysicsModel: WindPhysicsModelValues;
   Rope: RopeValues;
   SoftBodyAttachment: SoftBodyAttachmentValues;
+  Cloth: ClothValues;
+  SoftBody: SoftBodyValues;
   WaterVolume: WaterVolumeValues;
 }
 

@@ -1,6 +1,7 @@
 // What a page and the worker of a world say to each other. Orders are numbered, and carried out one after the other.
 import type { ProblemReport } from '../base/problems.js';
 import type { EffectReport } from '../effects/effect/report.js';
+import type { ToldDeformable } from '../effects/deformables/deformable.js';
 import type { ToldRope } from '../effects/soft/rope.js';
 import type { ToldSurface } from '../effects/water/moving-surface.js';
 import type { Call, StepHash, TimelineMark } from '../world/recording.js';
@@ -100,6 +101,8 @@ export interface Answer extends Rooms {
   surfaces: ToldSurface[] | undefined;
   /** Ropes that have moved. */
   ropes: ToldRope[] | undefined;
+  /** Cloth and soft bodies that have moved. */
+  deformables: ToldDeformable[] | undefined;
   /** Where between the last two steps things are drawn. */
   fraction: number;
   time: number;

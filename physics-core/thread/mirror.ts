@@ -5,6 +5,7 @@ import { writeMatrix } from '../base/matrix.js';
 import { POSE } from '../dynamics/poses.js';
 import { jointSolve } from '../effects/joints/effects.js';
 import { particles } from '../effects/particles/effects.js';
+import { deformables } from '../effects/deformables/effects.js';
 import { ropes } from '../effects/soft/effects.js';
 import { waves } from '../effects/water/effects.js';
 import { MovingBodies, VELOCITY } from '../engine/moving-bodies.js';
@@ -54,7 +55,7 @@ export class Mirror {
   }
 
   /** `stepped`: since the last one; what moves is told anew with each step, and the rest stands. */
-  take({ number, states, count, clouds, surfaces, ropes: hung }: Answer, stepped: boolean): void {
+  take({ number, states, count, clouds, surfaces, ropes: hung, deformables: bent }: Answer, stepped: boolean): void {
     const { poses, bodies, registry } = this.#world;
     const { moving } = bodies;
     this.#lookUp();
@@ -86,6 +87,7 @@ export class Mirror {
     registry.find(particles)?.hear(clouds);
     if (surfaces) registry.find(waves)?.hear(surfaces);
     if (hung) registry.find(ropes)?.hear(hung);
+    if (bent) registry.find(deformables)?.hear(bent);
   }
 
   #lookUp(): void {

@@ -2,6 +2,7 @@ import { PhysicsNode } from '../nodes/node/node.js';
 import type { Problem, ProblemReport } from '../base/problems.js';
 import { seeContacts } from '../effects/debug/contact-marks.js';
 import { particles } from '../effects/particles/effects.js';
+import { deformables } from '../effects/deformables/effects.js';
 import { ropes } from '../effects/soft/effects.js';
 import { waves } from '../effects/water/effects.js';
 import type { Engine } from '../engine/engine.js';
@@ -99,6 +100,7 @@ export class OtherSide extends World {
       clouds: this.#clouds(order.rooms?.clouds),
       surfaces: this.registry.find(waves)?.tell(),
       ropes: this.registry.find(ropes)?.tell(),
+      deformables: this.registry.find(deformables)?.tell(),
       fraction: this.poses.fraction,
       time: this.time,
       taken: this.stepsTaken,

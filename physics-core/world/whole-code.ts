@@ -1,5 +1,6 @@
 import type { Chunk } from '../base/chunk.js';
 import { particleSystems } from '../effects/particles/effects.js';
+import { deformableChunk } from '../effects/deformables/effects.js';
 import { ropeChunk } from '../effects/soft/effects.js';
 import { waters, waveChunk } from '../effects/water/effects.js';
 import { dense } from './snapshot/dense.js';
@@ -11,6 +12,7 @@ export const wholeCode: readonly Chunk<unknown>[] = [
   particleSystems.comesFrom(() => import('./chunks/particle-code.js')),
   waters.comesFrom(() => import('./chunks/water-code.js')),
   ropeChunk.comesFrom(() => import('./chunks/rope-code.js')),
+  deformableChunk.comesFrom(() => import('./chunks/deformable-code.js')),
   waveChunk.comesFrom(() => import('../effects/wave-code.js')),
   ...chunks,
 ];

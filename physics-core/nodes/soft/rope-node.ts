@@ -30,6 +30,8 @@ export class RopeNode extends PhysicsNode implements RopeSource {
     return { type: 'LineSet', coord: (value as LineData).points ?? [] } satisfies Line;
   }
 
+  /** What ties points of it. */
+  readonly tiedBy = ropes;
   #tooStiff = false;
 
   get #rope(): Rope | undefined {

@@ -20,7 +20,8 @@ export class Masses {
 
   /** What each weighs now is what it is moved by, but for those that are held. */
   free(): void {
-    for (let i = 0; i < this.count; i++) this.inverse[i] = this.masses[i]! > 0 ? 1 / this.masses[i]! : 0;
+    for (let i = 0; i < this.count; i++)
+      this.inverse[i] = this.masses[i]! > 0 ? 1 / this.masses[i]! : 0;
   }
 
   weigh(share: number): void {

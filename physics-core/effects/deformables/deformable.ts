@@ -1,0 +1,222 @@
+import { exp } from '../../base/exact/index.js';
+import { pack, bytesOf } from '../../base/packed.js';
+import type { Vec3 } from '../../fields/types.js';
+import { blow } from '../../solver/deformables/air.js';
+import type { Material } from '../../solver/deformables/material.js';
+import { MOST_PARTS } from '../../solver/deformables/tolerances.js';
+import { LIBRARY } from '../rest/resting.js';
+import type { DeformableSettings, DeformableSource } from './settings.js';
+import { STRAINED } from './tolerances.js';
+import { Touches } from './touches.js';
+
+/** One as another thread is told of it, by the number of its node. */
+export interface ToldDeformable {
+  readonly id: number;
+  readonly places: Float64Array;
+}
+
+/** For a snapshot. */
+export interface KeptDeformable {
+  /** Seconds of its last part, seconds that it was slow for, and whether it rests. */
+  last: number;
+  quiet: number;
+  asleep: boolean;
+  /** Places and velocities, and what its material keeps. */
+  state: string[];
+}
+
+/** A cloth or a soft body as the world has it. */
+export class Deformable {
+  readonly source: DeformableSource;
+  material: Material;
+  settings: DeformableSettings;
+  readonly touches = new Touches();
+  /** Points of its surface that are tied within a body do not touch that: its slot. */
+  readonly within = new Map<number, number>();
+  /** What was said of it since it was read. */
+  stale = false;
+  asleep = false;
+  #last = 0;
+  #quiet = 0;
+  /** Another number whenever its points are elsewhere. */
+  version = 0;
+  /** Of the points of its surface, m/s. */
+  velocities: Float64Array;
+  #before: Float64Array;
+
+  constructor(source: DeformableSource) {
+    this.source = source;
+    this.settings = source.settings;
+    this.material = source.lay();
+    this.velocities = new Float64Array(3 * this.material.surface.count);
+    this.#before = new Float64Array(this.velocities.length);
+  }
+
+  get places(): Float64Array {
+    return this.material.surface.places;
+  }
+
+  get triangles(): Int32Array {
+    return this.material.surface.triangles;
+  }
+
+  /** As it was laid. */
+  reset(): void {
+    this.settings = this.source.settings;
+    this.material = this.source.lay();
+    this.velocities = new Float64Array(3 * this.material.surface.count);
+    this.#before = new Float64Array(this.velocities.length);
+    this.#last = this.#quiet = 0;
+    this.asleep = false;
+    this.version++;
+  }
+
+  /** Its author says something else. */
+  read(): void {
+    this.settings = this.source.settings;
+    this.source.read(this.material);
+    this.stale = false;
+    this.wake();
+  }
+
+  wake(): void {
+    this.asleep = false;
+    this.#quiet = 0;
+  }
+
+  get quiet(): boolean {
+    return this.#quiet >= LIBRARY.time;
+  }
+
+  /** Points that its author holds go nowhere; all others by what they weigh. */
+  hold(): void {
+    const { masses, surface } = this.material;
+    masses.free();
+    for (const i of this.settings.fixed) if (i < surface.count) this.fix(i);
+  }
+
+  /** Whatever carries a point of its surface stays where it is. */
+  fix(i: number): void {
+    const { masses, surface } = this.material;
+    for (let n = surface.width * i; n < surface.width * (i + 1); n++) {
+      const carrier = surface.carriers[n]!;
+      if (surface.shares[n] === 0) continue;
+      masses.inverse[carrier] = 0;
+      masses.velocities.fill(0, 3 * carrier, 3 * carrier + 3);
+    }
+  }
+
+  /** In how many parts it wants a step of `dt` seconds to be taken. */
+  parts(dt: number): number {
+    const parts = Math.min(MOST_PARTS, this.material.parts(dt));
+    this.source.softened(this.material.soften(parts, dt));
+    return parts;
+  }
+
+  begin(): void {
+    this.#before.set(this.places);
+  }
+
+  /** A part of a step by itself: it falls, gives way, and goes as fast as it is. Velocities belong to the middle of each part. */
+  fall(time: number): void {
+    const { masses } = this.material;
+    const { velocities, places, before, inverse, count } = masses;
+    const { gravity, damping, wind } = this.settings;
+    const pushed = (this.#last + time) / 2;
+    const left = damping > 0 ? exp(-damping * pushed) : 1;
+    this.material.push(pushed);
+    if (wind) blow(this.material, wind, pushed);
+    for (let i = 0; i < count; i++)
+      for (let k = 0; k < 3; k++) {
+        const j = 3 * i + k;
+        if (inverse[i]! > 0) velocities[j] = velocities[j]! * left + pushed * gravity[k]!;
+        before[j] = places[j]!;
+        places[j]! += time * velocities[j]!;
+      }
+    this.#last = time;
+  }
+
+  /** How far each went is how fast it was. */
+  go(time: number): void {
+    const { velocities, places, before } = this.material.masses;
+    for (let j = 0; j < places.length; j++) velocities[j] = (places[j]! - before[j]!) / time;
+  }
+
+  /** The step is over. False: its numbers are none. */
+  end(dt: number): boolean {
+    const { material, settings, velocities } = this;
+    material.surface.follow(material.masses);
+    let most = 0;
+    for (let j = 0; j < velocities.length; j++) {
+      const v = (velocities[j] = (this.places[j]! - this.#before[j]!) / dt);
+      most = Math.max(most, Math.abs(v));
+    }
+    this.version++;
+    if (!Number.isFinite(most) || !material.masses.places.every(Number.isFinite)) return false;
+    this.#quiet = most < LIBRARY.linearSpeed && settings.rests ? this.#quiet + dt : 0;
+    const { strain } = material;
+    this.source.strained(strain > STRAINED ? strain : 0);
+    return true;
+  }
+
+  /** Numbers that are none: it stands where it was when the step began. */
+  stop(): void {
+    this.reset();
+    this.source.stopped();
+  }
+
+  /** Whether a ball may touch it. */
+  isNear(centre: Vec3, reach: number): boolean {
+    const near = 2 * this.settings.radius + reach;
+    for (let axis = 0; axis < 3; axis++) {
+      let least = Infinity;
+      let most = -Infinity;
+      for (let j = axis; j < this.places.length; j += 3) {
+        least = Math.min(least, this.places[j]!);
+        most = Math.max(most, this.places[j]!);
+      }
+      if (centre[axis]! < least - near || centre[axis]! > most + near) return false;
+    }
+    return true;
+  }
+
+  // ---- on another thread ----------------------------------------------------------------------------------------------
+
+  /** Its steps are taken there; what that side told. */
+  hear({ places }: ToldDeformable): void {
+    const own = this.places;
+    if (places.length !== own.length) return;
+    own.set(places);
+    this.version++;
+    this.source.stepped();
+  }
+
+  // ---- going back -----------------------------------------------------------------------------------------------------
+
+  get #lasting(): readonly (Float64Array | Int32Array | Uint8Array)[] {
+    const { places, velocities } = this.material.masses;
+    return [places, velocities, this.velocities, ...this.material.lasting];
+  }
+
+  save(): KeptDeformable {
+    return {
+      last: this.#last,
+      quiet: this.#quiet,
+      asleep: this.asleep,
+      state: this.#lasting.map((part) => pack(part)),
+    };
+  }
+
+  load({ last, quiet, asleep, state }: KeptDeformable): void {
+    this.#lasting.forEach((part, n) => {
+      const bytes = bytesOf(state[n] ?? '');
+      const own = new Uint8Array(part.buffer, part.byteOffset, part.byteLength);
+      if (bytes.length >= own.length) own.set(bytes.subarray(0, own.length));
+    });
+    this.material.surface.follow(this.material.masses);
+    this.#last = last;
+    this.#quiet = quiet;
+    this.asleep = asleep;
+    this.version++;
+  }
+}

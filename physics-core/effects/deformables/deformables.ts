@@ -1,0 +1,227 @@
+import type { Simulation } from '../../dynamics/simulation.js';
+import { Effect, type Cause } from '../effect/effect.js';
+import { Obstacles } from '../particles/collide/obstacles.js';
+import { resting } from '../rest/resting.js';
+import type { Effects } from '../effect/effects.js';
+import { Deformable, type KeptDeformable, type ToldDeformable } from './deformable.js';
+import { Guests, type KeptGuests } from './guests.js';
+import type { DeformableSource } from './settings.js';
+import { Tied, type DeformableTie } from './ties.js';
+
+interface Kept {
+  guests: KeptGuests;
+  all: [id: number, kept: KeptDeformable][];
+}
+
+/** All cloth and soft bodies of a world. */
+export class Deformables extends Effect {
+  readonly #simulation: Simulation;
+  readonly #effects: Effects;
+  /** By the numbers of their nodes. */
+  readonly #all = new Map<number, Deformable>();
+  readonly #ties = new Set<DeformableTie>();
+  /** Of those that are there, by the numbers of their nodes. */
+  #tied: Tied[] = [];
+  readonly #obstacles: Obstacles;
+  readonly #guests: Guests;
+  /** Which version of each another thread knows. */
+  readonly #told = new WeakMap<Deformable, number>();
+  /** Points are held by others than they were. */
+  #stale = true;
+
+  constructor(simulation: Simulation, effects: Effects) {
+    super();
+    this.#simulation = simulation;
+    this.#effects = effects;
+    this.#obstacles = new Obstacles(simulation);
+    this.#guests = new Guests(simulation);
+  }
+
+  of({ id }: DeformableSource): Deformable | undefined {
+    return this.#all.get(id);
+  }
+
+  override need(source: DeformableSource, reason: string): void {
+    if (!this.of(source)) this.#all.set(source.id, new Deformable(source));
+    super.need(source, reason);
+    this.changed(source);
+  }
+
+  override release(node: Cause): void {
+    if (!this.isNeededBy(node)) return;
+    this.#all.delete((node as DeformableSource).id);
+    super.release(node);
+    this.#stale = true;
+    if (this.active) this.#goOn();
+  }
+
+  /** An author said something about one. */
+  changed(source: DeformableSource): void {
+    const deformable = this.of(source);
+    if (deformable) deformable.stale = true;
+    this.#stale = true;
+    this.#goOn();
+  }
+
+  tie(tie: DeformableTie): void {
+    this.#ties.add(tie);
+    this.tieChanged(tie);
+  }
+
+  untie(tie: DeformableTie): void {
+    this.#ties.delete(tie);
+    this.tieChanged(tie);
+  }
+
+  tieChanged({ soft, body }: DeformableTie): void {
+    this.#stale = true;
+    if (soft) this.of(soft)?.wake();
+    if (body?.sleeping) body.wake();
+    if (this.active) this.#goOn();
+  }
+
+  /** Where no body moves, steps are taken all the same. */
+  #goOn(): void {
+    const { bodies } = this.#simulation;
+    bodies.awake = Math.max(bodies.awake, 1);
+    this.#simulation.work();
+  }
+
+  /** By the numbers of their nodes: what they do adds up to the same bits, whoever came first. */
+  get #moving(): Deformable[] {
+    return (this.inOrder as readonly DeformableSource[])
+      .map((source) => this.of(source)!)
+      .filter(({ settings, asleep }) => settings.enabled && !asleep);
+  }
+
+  #holds({ soft, holds, index }: DeformableTie): boolean {
+    const deformable = soft && this.of(soft);
+    return holds && deformable !== undefined && index < deformable.material.surface.count;
+  }
+
+  #divide(): void {
+    for (const deformable of this.#all.values()) {
+      if (deformable.stale) deformable.read();
+      deformable.hold();
+      deformable.within.clear();
+    }
+    this.#tied = [...this.#ties]
+      .filter((tie) => this.#holds(tie))
+      .sort((a, b) => a.id - b.id)
+      .map((tie) => new Tied(tie, this.of(tie.soft!)!));
+    this.#stale = false;
+  }
+
+  // ---- a step -----------------------------------------------------------------------------------------------------------
+
+  override beforeStep(dt: number): void {
+    if (this.#stale) this.#divide();
+    this.#wakeTogether();
+    const moving = this.#moving;
+    if (moving.length === 0) return;
+    const guests = this.#guests;
+    guests.begin();
+    this.#obstacles.forget();
+    this.#obstacles.take(dt);
+    for (const deformable of moving) deformable.begin();
+    const tied = this.#tied.filter(({ deformable }) => moving.includes(deformable));
+    for (const each of tied) each.begin(guests, dt);
+    let parts = 1;
+    for (const deformable of moving) {
+      deformable.touches.look(deformable, this.#obstacles, guests, dt);
+      parts = Math.max(parts, deformable.parts(dt));
+    }
+    for (let part = 1; part <= parts; part++) this.#go(moving, tied, dt / parts, part);
+    for (const deformable of moving) if (!deformable.end(dt)) deformable.stop();
+    guests.end(dt);
+  }
+
+  /** One part of a step. */
+  #go(moving: readonly Deformable[], tied: readonly Tied[], time: number, part: number): void {
+    const guests = this.#guests;
+    guests.go(time);
+    for (const deformable of moving) {
+      deformable.fall(time);
+      deformable.material.hold(time);
+    }
+    for (const each of tied) each.hold(guests, time);
+    for (const deformable of moving) deformable.touches.hold(deformable, guests, time, part * time);
+    for (const deformable of moving) deformable.go(time);
+  }
+
+  /** What moves keeps awake what it is tied to, and the other way round. */
+  #wakeTogether(): void {
+    for (const deformable of this.#all.values())
+      if (deformable.asleep && this.#isMet(deformable)) deformable.wake();
+    for (const { tie, deformable } of this.#tied) {
+      const { body } = tie;
+      if (!body?.movable) continue;
+      if (deformable.asleep && !body.sleeping) deformable.wake();
+      else if (!deformable.quiet && body.sleeping) body.wake();
+      if (!deformable.quiet) this.#effects.find(resting)?.restart(body.slot);
+    }
+  }
+
+  /** Whether one that rests is about to be touched by what moves. */
+  #isMet(deformable: Deformable): boolean {
+    const { bodies } = this.#simulation;
+    const { slots, pointers, asleep } = bodies.moving;
+    for (let slot = 0; slot < slots; slot++) {
+      if (pointers[slot] === 0 || asleep[slot] === 1) continue;
+      const body = bodies.in(slot)!;
+      if (deformable.isNear(body.centerOfMassWorld(), body.reach)) return true;
+    }
+    return false;
+  }
+
+  override stepOver(): void {
+    let goesOn = false;
+    for (const deformable of this.#moving) {
+      deformable.source.stepped();
+      const tied = this.#tied.filter((each) => each.deformable === deformable);
+      deformable.asleep =
+        deformable.quiet && tied.every(({ tie }) => !tie.body?.movable || tie.body.sleeping);
+      if (!deformable.asleep) goesOn = true;
+    }
+    if (goesOn) this.#goOn();
+  }
+
+  // ---- on another thread ------------------------------------------------------------------------------------------------
+
+  /** What a page is to hear whose steps are taken here: those that have moved since it was told. */
+  tell(): ToldDeformable[] | undefined {
+    const told: ToldDeformable[] = [];
+    for (const [id, deformable] of this.#all) {
+      if (this.#told.get(deformable) === deformable.version) continue;
+      this.#told.set(deformable, deformable.version);
+      told.push({ id, places: deformable.places.slice() });
+    }
+    return told.length > 0 ? told : undefined;
+  }
+
+  /** Its steps are taken elsewhere; what that side told. */
+  hear(told: readonly ToldDeformable[]): void {
+    for (const each of told) this.#all.get(each.id)?.hear(each);
+  }
+
+  // ---- going back -------------------------------------------------------------------------------------------------------
+
+  override reset(): void {
+    for (const deformable of this.#all.values()) deformable.reset();
+    this.#guests.forget();
+    this.#stale = true;
+  }
+
+  override save(): Kept {
+    return {
+      guests: this.#guests.save(),
+      all: [...this.#all].map(([id, deformable]) => [id, deformable.save()]),
+    };
+  }
+
+  override load({ guests, all }: Kept): void {
+    this.#guests.load(guests);
+    for (const [id, kept] of all) this.#all.get(id)?.load(kept);
+    this.#goOn();
+  }
+}

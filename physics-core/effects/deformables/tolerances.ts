@@ -1,0 +1,19 @@
+// The numbers of this room: unit, reason, and the fact that fixes each.
+
+/** What is pushed by more than this share of its weight does not sleep on. (Fact: a cloth that falls on what sleeps wakes it.) */
+export const WAKES = 0.01;
+
+/**
+ * What is put elsewhere faster than this, m/s, jumps: it takes what hangs on it along without any speed of that, and what does
+ * not stretch comes back no faster. (Fact: pins that jump by 100 m fling nothing.)
+ */
+export const CARRIED = 20;
+
+/** How fast what begins a step inside a body comes out of it, m/s. */
+export const RETURN = 1;
+
+/** How much farther than it goes in a step a point looks for something to touch, as a share of how far it keeps away. */
+export const AHEAD = 1;
+
+/** Stretched by more than this share what does not stretch is told: as long as it bears less it holds. */
+export const STRAINED = 0.05;

@@ -1,0 +1,195 @@
+import { Corners } from './corners.js';
+import { edgesOf, type Edge } from './edges.js';
+import { Hinges } from './hinges.js';
+import { Masses } from './masses.js';
+import type { Material } from './material.js';
+import { Surface } from './surface.js';
+import { Threads } from './threads.js';
+import { LEAST_PARTS, MOST_PARTS, SURE } from './tolerances.js';
+import { weld } from './weld.js';
+
+/** What the author of a cloth says: kg; N/m; N m; a share. */
+export interface ClothWords {
+  readonly mass: number;
+  /** 0: it does not stretch. */
+  readonly stretch: number;
+  readonly shear: number;
+  readonly bend: number;
+  /** 0: it never tears. */
+  readonly tear: number;
+}
+
+/** A sheet of threads. */
+export class Cloth implements Material {
+  readonly masses: Masses;
+  readonly surface: Surface;
+  readonly #threads: Threads;
+  readonly #corners: Corners;
+  readonly #hinges: Hinges;
+  /** Of each point 1/s² for each N/m, N/m and N m: what the fastest of each kind are answered by. */
+  readonly #stretchRate: number;
+  readonly #shearRate: number;
+  readonly #bendRate: number;
+  readonly #laid: number;
+  #mass: number;
+  #words: ClothWords = { mass: 1, stretch: 0, shear: 0, bend: 0, tear: 0 };
+  /** Threads go to their length instead of pulling there: they would be too fast. */
+  #held = true;
+  #shear = 0;
+  #bend = 0;
+
+  constructor(points: ArrayLike<number>, index: ArrayLike<number>, mass: number) {
+    const { places, carriers } = weld(points);
+    const triangles = wholeTriangles(index, carriers);
+    const areas = areasOf(places, triangles);
+    this.masses = new Masses(places);
+    this.#laid = this.#mass = mass;
+    this.#weigh(triangles, areas);
+    this.surface = new Surface(
+      Array.from(index).slice(0, index.length - (index.length % 3)),
+      1,
+      carriers,
+      new Float64Array(carriers.length).fill(1),
+    );
+    this.surface.follow(this.masses);
+    const edges = edgesOf(places, triangles);
+    this.#threads = new Threads(edges, areas, this.masses.count);
+    this.#corners = new Corners(places, triangles, areas, this.#threads);
+    this.#hinges = new Hinges(places, edges, areas);
+    this.#stretchRate = most(this.#stretchRates(edges, areas, places));
+    this.#shearRate = most(
+      this.#rates((rates) => this.#corners.addRates(rates, this.masses, places)),
+    );
+    this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
+  }
+
+  /** Each triangle a third to each of its corners. */
+  #weigh(triangles: readonly number[], areas: Float64Array): void {
+    const { masses, count } = this.masses;
+    let whole = 0;
+    for (const area of areas) whole += area;
+    triangles.forEach((point, n) => {
+      masses[point]! += (this.#mass * areas[Math.floor(n / 3)]!) / whole / 3;
+    });
+    // What borders nothing that has an area weighs what the others do.
+    for (let i = 0; i < count; i++) if (!(masses[i]! > 0)) masses[i] = this.#mass / count;
+    this.masses.free();
+  }
+
+  #rates(add: (rates: Float64Array) => void): Float64Array {
+    const rates = new Float64Array(this.masses.count);
+    add(rates);
+    return rates;
+  }
+
+  /** By the sum of what its threads answer a point along each axis. */
+  #stretchRates(edges: readonly Edge[], areas: Float64Array, places: readonly number[]): number[] {
+    const { masses, count } = this.masses;
+    const sums = new Float64Array(9 * count);
+    for (const { a, b, faces, length, thread } of edges) {
+      if (!thread || !(length > 0)) continue;
+      const width = faces.reduce((sum, f) => sum + areas[f]!, 0) / length;
+      for (let r = 0; r < 3; r++)
+        for (let c = 0; c < 3; c++) {
+          const way = (k: number): number => (places[3 * b + k]! - places[3 * a + k]!) / length;
+          const push = (width / length) * way(r) * way(c);
+          sums[9 * a + 3 * r + c]! += push;
+          sums[9 * b + 3 * r + c]! += push;
+        }
+    }
+    return Array.from({ length: count }, (_, i) => {
+      let greatest = 0;
+      for (let r = 0; r < 3; r++) {
+        let sum = 0;
+        for (let c = 0; c < 3; c++) sum += Math.abs(sums[9 * i + 3 * r + c]!);
+        greatest = Math.max(greatest, sum);
+      }
+      return (2 * greatest) / masses[i]!;
+    });
+  }
+
+  say(words: ClothWords): void {
+    if (words.mass !== this.#mass) {
+      this.masses.weigh(words.mass / this.#mass);
+      this.#mass = words.mass;
+    }
+    this.#words = words;
+    this.#shear = words.shear;
+    this.#bend = words.bend;
+  }
+
+  /** Rates are those of the mass that it was laid with. */
+  get #lightness(): number {
+    return this.#laid / this.#mass;
+  }
+
+  parts(dt: number): number {
+    const { stretch, shear, bend } = this.#words;
+    const slow = this.#lightness * (shear * this.#shearRate + bend * this.#bendRate);
+    const all = slow + this.#lightness * stretch * this.#stretchRate;
+    const parts = Math.ceil((dt * Math.sqrt(all)) / (2 * SURE));
+    this.#held = !(stretch > 0) || parts > MOST_PARTS;
+    return Math.max(
+      LEAST_PARTS,
+      this.#held ? Math.ceil((dt * Math.sqrt(slow)) / (2 * SURE)) : parts,
+    );
+  }
+
+  soften(parts: number, dt: number): number {
+    const { shear, bend } = this.#words;
+    const slow = this.#lightness * (shear * this.#shearRate + bend * this.#bendRate);
+    const share = Math.min(1, (2 * SURE * parts) ** 2 / (dt * dt * slow || 1));
+    this.#shear = share * shear;
+    this.#bend = share * bend;
+    return share;
+  }
+
+  push(time: number): void {
+    if (!this.#held) this.#threads.push(this.masses, this.#words.stretch, time);
+    if (this.#shear > 0) this.#corners.push(this.masses, this.#shear, time);
+    if (this.#bend > 0) this.#hinges.push(this.masses, this.#bend, time);
+  }
+
+  hold(time: number): void {
+    if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time);
+    if (this.#words.tear > 0) this.#threads.tear(this.masses, this.#words.tear);
+  }
+
+  get lasting(): readonly Uint8Array[] {
+    return [this.#threads.torn, this.#threads.turns];
+  }
+
+  get strain(): number {
+    return this.#held && this.#words.stretch === 0 ? this.#threads.strain : 0;
+  }
+}
+
+const most = (rates: ArrayLike<number>): number => {
+  let greatest = 0;
+  for (let i = 0; i < rates.length; i++) greatest = Math.max(greatest, rates[i]!);
+  return greatest;
+};
+
+/** By the points that stand for them, without those that have two corners in one place, or corners that are no points. */
+function wholeTriangles(index: ArrayLike<number>, carriers: readonly number[]): number[] {
+  const out: number[] = [];
+  for (let n = 0; n + 2 < index.length; n += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => carriers[index[n + k]!]);
+    if (a === undefined || b === undefined || c === undefined) continue;
+    if (a !== b && b !== c && c !== a) out.push(a, b, c);
+  }
+  return out;
+}
+
+function areasOf(places: readonly number[], triangles: readonly number[]): Float64Array {
+  const areas = new Float64Array(triangles.length / 3);
+  for (let f = 0; f < areas.length; f++) {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[3 * f + k]!) as [number, number, number];
+    const way = (p: number, k: number): number => places[p + k]! - places[a + k]!;
+    const x = way(b, 1) * way(c, 2) - way(b, 2) * way(c, 1);
+    const y = way(b, 2) * way(c, 0) - way(b, 0) * way(c, 2);
+    const z = way(b, 0) * way(c, 1) - way(b, 1) * way(c, 0);
+    areas[f] = Math.sqrt(x * x + y * y + z * z) / 2;
+  }
+  return areas;
+}
