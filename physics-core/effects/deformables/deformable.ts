@@ -43,11 +43,14 @@ export class Deformable {
   /** Of the points of its surface, m/s. */
   velocities: Float64Array;
   #before: Float64Array;
+  /** Where what has mass was when the step began. */
+  #good: Float64Array;
 
   constructor(source: DeformableSource) {
     this.source = source;
     this.settings = source.settings;
     this.material = source.lay();
+    this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
   }
@@ -64,6 +67,7 @@ export class Deformable {
   reset(): void {
     this.settings = this.source.settings;
     this.material = this.source.lay();
+    this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
     this.#last = this.#quiet = 0;
@@ -115,6 +119,7 @@ export class Deformable {
 
   begin(): void {
     this.#before.set(this.places);
+    this.#good.set(this.material.masses.places);
   }
 
   /** A part of a step by itself: it falls, gives way, and goes as fast as it is. Velocities belong to the middle of each part. */
@@ -161,7 +166,12 @@ export class Deformable {
 
   /** Numbers that are none: it stands where it was when the step began. */
   stop(): void {
-    this.reset();
+    const { masses, surface } = this.material;
+    masses.places.set(this.#good);
+    masses.velocities.fill(0);
+    this.velocities.fill(0);
+    surface.follow(masses);
+    this.#last = 0;
     this.source.stopped();
   }
 

@@ -57,9 +57,7 @@ export class Cloth implements Material {
     this.#corners = new Corners(places, triangles, areas, this.#threads);
     this.#hinges = new Hinges(places, edges, areas);
     this.#stretchRate = most(this.#stretchRates(edges, areas, places));
-    this.#shearRate = most(
-      this.#rates((rates) => this.#corners.addRates(rates, this.masses, places)),
-    );
+    this.#shearRate = most(this.#rates((rates) => this.#corners.addRates(rates, this.masses)));
     this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
   }
 
@@ -150,8 +148,8 @@ export class Cloth implements Material {
     if (this.#bend > 0) this.#hinges.push(this.masses, this.#bend, time);
   }
 
-  hold(time: number): void {
-    if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time);
+  hold(time: number, again: boolean): void {
+    if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time, again);
     if (this.#words.tear > 0) this.#threads.tear(this.masses, this.#words.tear);
   }
 
@@ -160,7 +158,7 @@ export class Cloth implements Material {
   }
 
   get strain(): number {
-    return this.#held && this.#words.stretch === 0 ? this.#threads.strain : 0;
+    return this.#held ? this.#threads.strain : 0;
   }
 }
 
