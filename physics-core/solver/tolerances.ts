@@ -315,6 +315,15 @@ export const LEAST_COVER = 0.1;
 export const LEAST_POISSON = -0.9;
 export const MOST_POISSON = 0.495;
 
+/** Of a skin: at .5 it is incompressible, since its thickness gives way. */
+export const MOST_SHELL_POISSON = 0.5;
+
+/** Share of its volume below which a gas presses no more than there: it would be as stiff as a wall in what is crumpled. */
+export const LEAST_VOLUME = 0.25;
+
+/** Sum of the squares of its stretches along two directions, from which on a gas pushes a triangle no harder: four in each. */
+export const MOST_SWOLLEN = 32;
+
 /**
  * Share of the longest part that symplectic steps follow, which is 2 over the greatest frequency. (Fact: a free body that
  * tumbles and trembles keeps its energy.)

@@ -1,6 +1,7 @@
 import { LEAST_COVER, MOST_CELLS } from '../tolerances.js';
 import { coverOf, type Grid } from './lattice-cover.js';
 import { Surface } from './surface.js';
+import { finiteTriangles } from './weld.js';
 
 /** Points sampled along each side of a cell; and where there are many triangles, which each take time for all they cover. */
 const SAMPLES = 4;
@@ -55,21 +56,6 @@ export function cellsOf(
     places,
     surface: surfaceOf(points, triangles, grid, kept, corners),
   };
-}
-
-/** Those whose corners are points that are somewhere. */
-export function finiteTriangles(points: ArrayLike<number>, index: ArrayLike<number>): Int32Array {
-  const count = Math.floor(points.length / 3);
-  const finite = new Uint8Array(count);
-  for (let i = 0; i < count; i++)
-    if (Number.isFinite(points[3 * i]! + points[3 * i + 1]! + points[3 * i + 2]!)) finite[i] = 1;
-  const triangles = new Int32Array(index.length);
-  let length = 0;
-  for (let t = 0; t + 2 < index.length; t += 3) {
-    if (!finite[index[t]!] || !finite[index[t + 1]!] || !finite[index[t + 2]!]) continue;
-    for (let c = 0; c < 3; c++) triangles[length++] = index[t + c]!;
-  }
-  return triangles.slice(0, length);
 }
 
 /** The box around the triangles, in cells that are about as long as wide and high; null where it is flat. */

@@ -1,16 +1,11 @@
-import { MOST_POISSON, LEAST_POISSON, PART_SHARE } from '../tolerances.js';
+import { LEAST_POISSON, MOST_POISSON } from '../tolerances.js';
+import { followed, type Elasticity } from './elasticity.js';
 import { Hexahedra } from './hexahedra.js';
 import { cellsOf } from './lattice-cells.js';
 import { Masses } from './masses.js';
 import type { Material } from './material.js';
 import type { Surface } from './surface.js';
 import { quickest } from './waves.js';
-
-export interface Elasticity {
-  /** Pa. */
-  readonly youngsModulus: number;
-  readonly poissonsRatio: number;
-}
 
 export interface LatticeSettings extends Elasticity {
   /** Of all of it, kg. */
@@ -77,29 +72,24 @@ export class Lattice implements Material {
     return this.masses.count > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
   }
 
-  /** The square of the greatest frequency that parts of so many seconds follow, 1/s². */
-  private followed(time: number): number {
-    return ((2 * PART_SHARE) / time) ** 2;
-  }
-
   /** By how it is deformed now: what is pressed flat is stiffer than at rest. */
   parts(dt: number): number {
     const stiffest = this.hexahedra.stiffest(this.hourglassShare);
-    return Math.max(1, Math.ceil(Math.sqrt((this.frequency() * stiffest) / this.followed(dt))));
+    return Math.max(1, Math.ceil(Math.sqrt((this.frequency() * stiffest) / followed(dt))));
   }
 
   /** By its frequency at rest: what is deformed so much that it is stiffer pushes less there, in `push`. */
   soften(parts: number, dt: number): number {
     const square = this.frequency();
-    const followed = this.followed(dt / parts);
-    this.hexahedra.soft = square > followed ? followed / square : 1;
+    const most = followed(dt / parts);
+    this.hexahedra.soft = square > most ? most / square : 1;
     return this.hexahedra.soft;
   }
 
   push(time: number): void {
     const { hexahedra } = this;
     const square = this.frequency() * hexahedra.soft;
-    const most = square > 0 ? Math.max(1, this.followed(time) / square) : 1;
+    const most = square > 0 ? Math.max(1, followed(time) / square) : 1;
     hexahedra.push(time, most, this.hourglassShare);
   }
 
