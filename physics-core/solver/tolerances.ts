@@ -311,8 +311,8 @@ export const MOST_CELLS = 4096;
 /** Share of a cell that counts as covered where less of it is: less would leave points that weigh all but nothing. */
 export const LEAST_COVER = 0.1;
 
-/** Poisson's ratios that are solved: at .5 nothing would be compressible, and at -1 nothing would shear. */
-export const LEAST_POISSON = -0.9;
+/** Poisson's ratios that are solved: at .5 nothing would be compressible, and below 0 energies would have no bound. */
+export const LEAST_POISSON = 0;
 export const MOST_POISSON = 0.495;
 
 /** Of a skin: at .5 it is incompressible, since its thickness gives way. */

@@ -63,7 +63,7 @@ export class Lattice implements Material {
     hexahedra.soft = 1;
     this.weighed = masses.masses[0]!;
     const least = Math.min(...this.size);
-    this.square = quickest(masses, this.rest, least, () => hexahedra.push(1, Infinity, 0));
+    this.square = quickest(masses, this.rest, least, () => hexahedra.push(1));
     this.hourglassShare = hexahedra.hourglassShare(this.square, this.cellMass);
   }
 
@@ -72,25 +72,27 @@ export class Lattice implements Material {
     return this.masses.count > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
   }
 
-  /** By how it is deformed now: what is pressed flat is stiffer than at rest. */
-  parts(dt: number): number {
-    const stiffest = this.hexahedra.stiffest(this.hourglassShare);
-    return Math.max(1, Math.ceil(Math.sqrt((this.frequency() * stiffest) / followed(dt))));
+  /** The same as it is deformed now: what is pressed flat is stiffer than at rest. */
+  private frequencyNow(): number {
+    const square = this.frequency();
+    return square > 0 ? square * this.hexahedra.stiffest(this.hourglassShare) : 0;
   }
 
-  /** By its frequency at rest: what is deformed so much that it is stiffer pushes less there, in `push`. */
+  /** As it is deformed now: to be asked in each step. */
+  parts(dt: number): number {
+    return Math.max(1, Math.ceil(Math.sqrt(this.frequencyNow() / followed(dt))));
+  }
+
+  /** As it is deformed now, too. */
   soften(parts: number, dt: number): number {
-    const square = this.frequency();
+    const square = this.frequencyNow();
     const most = followed(dt / parts);
     this.hexahedra.soft = square > most ? most / square : 1;
     return this.hexahedra.soft;
   }
 
   push(time: number): void {
-    const { hexahedra } = this;
-    const square = this.frequency() * hexahedra.soft;
-    const most = square > 0 ? Math.max(1, followed(time) / square) : 1;
-    hexahedra.push(time, most, this.hourglassShare);
+    this.hexahedra.push(time);
   }
 
   hold(): void {
