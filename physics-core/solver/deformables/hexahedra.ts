@@ -57,7 +57,7 @@ export class Hexahedra {
     this.qx = 1 / (4 * size[0]!);
     this.qy = 1 / (4 * size[1]!);
     this.qz = 1 / (4 * size[2]!);
-    this.scale = (this.qx ** 2 + this.qy ** 2 + this.qz ** 2) / 3;
+    this.scale = Math.max(this.qx, this.qy, this.qz) ** 2;
   }
 
   /** Pa, and without a unit. */

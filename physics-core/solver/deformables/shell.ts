@@ -41,7 +41,7 @@ export class Shell implements Material {
   /** 1: triangles look outward; -1: inward. */
   private readonly side: number;
   private gas = 0;
-  /** Of all pressure, this share is left, for parts of a step that are too long for more. */
+  /** Of all pressure this share is left, for parts of a step that are too long for more. */
   private gasSoft = 1;
   private softened = false;
   /** kg of all of it, and of the first point, as laid: `weigh` changes all alike. */
@@ -136,8 +136,7 @@ export class Shell implements Material {
       skin.count > MANY
         ? skin.squares.reduce((most, square) => Math.max(most, square)) * this.perSquare() +
           this.gasSquare
-        : now *
-          quickest(masses, this.rest, length, () => skin.push(1, Infinity, false, this.presses()));
+        : now * quickest(masses, this.rest, length, () => skin.push(1, this.presses()));
   }
 
   /** In times what it did when laid. */
@@ -165,42 +164,45 @@ export class Shell implements Material {
     return presses / share;
   }
 
-  /** By how it is stretched, and pressed together, now. */
+  /** The square of the greatest frequency, stretched and pressed together as it is now, of what it weighed when laid, 1/s². */
+  private frequencyNow(): number {
+    const { gas, gasSoft, gasSquare, skin } = this;
+    const pressed = gas > 0 ? (this.presses() / (gasSoft * gas)) ** 2 * gasSquare : 0;
+    return Math.max(this.square * skin.stiffest(), pressed);
+  }
+
+  /** As it is deformed now: to be asked in each step. */
   parts(dt: number): number {
     if (this.masses.count === 0) return 1;
-    const { gas, gasSquare, skin } = this;
-    const pressed = gas > 0 ? (this.presses() / (this.gasSoft * gas)) ** 2 * gasSquare : 0;
-    const square = Math.max(this.square * skin.stiffest(), pressed) / this.weighs();
+    const square = this.frequencyNow() / this.weighs();
     return Math.max(1, Math.ceil(Math.sqrt(square / followed(dt))));
   }
 
-  /** By its frequency as laid; triangle by triangle, so that a sliver makes nothing soft but itself. */
+  /** As it is deformed now, too; triangle by triangle, so that a sliver makes nothing soft but itself. */
   soften(parts: number, dt: number): number {
-    const { skin } = this;
+    const { skin, gasSquare } = this;
     if (this.softened) this.harden();
     if (this.masses.count === 0) return 1;
     const most = followed(dt / parts) * this.weighs();
-    if (this.square <= most) return 1;
+    const square = this.frequencyNow();
+    if (square <= most) return 1;
     this.softened = true;
-    // The gas has its part of what can be followed, and the skin the rest.
-    const quickest = skin.squares.reduce((all, square) => Math.max(all, square));
-    const whole = this.gasSquare + quickest * this.perSquare();
-    const left = (most * (1 - this.gasSquare / whole)) / this.perSquare();
+    // The quickest triangles get what is left of what all together need, and none that is slower gets less.
+    const slower = most * (this.square / square);
+    const quickest = skin.squares.reduce((all, each) => Math.max(all, each));
+    const left = (slower / this.square) * quickest;
     let all = 0;
     for (let t = 0; t < skin.count; t++) {
       skin.soft[t] = Math.min(1, left / skin.squares[t]!);
       all += skin.soft[t]! * skin.areas[t]!;
     }
     // As much less pressure as there is less skin to bear it: the shape stays.
-    this.gasSoft = Math.min(all / this.area, most / whole);
+    this.gasSoft = Math.min(all / this.area, slower / gasSquare);
     return all / this.area;
   }
 
   push(time: number): void {
-    const { masses, skin, softened } = this;
-    if (masses.count === 0) return;
-    const most = followed(time) * this.weighs();
-    skin.push(time, most / (softened ? this.perSquare() : this.square), softened, this.presses());
+    if (this.masses.count > 0) this.skin.push(time, this.presses());
   }
 
   hold(): void {

@@ -2,8 +2,9 @@ import { MOST_SWOLLEN } from '../tolerances.js';
 import type { Masses } from './masses.js';
 
 /**
- * Triangles of constant strain that are stiff in their plane alone (St. Venant and Kirchhoff, plane stress), and what a gas
- * does to them that they enclose.
+ * Triangles of constant strain that are stiff in their plane alone, and what a gas does to them that they enclose. Their
+ * energy is that of St. Venant and Kirchhoff (plane stress) over (2 + |F|²) / 4, which is 1 as laid: it grows by the square of
+ * a stretch, not by its fourth power, and what is stretched is never more than twice as stiff as it was.
  */
 export class Skin {
   readonly triangles: Int32Array;
@@ -93,7 +94,7 @@ export class Skin {
 
   /** How many times as stiff as laid the most stretched triangle is. */
   stiffest(): number {
-    const { triangles, inverses, poisson, masses } = this;
+    const { triangles, inverses, masses } = this;
     const { places } = masses;
     let most = 1;
     for (let t = 0, n = 0; t < this.count; t++, n += 3) {
@@ -115,18 +116,14 @@ export class Skin {
         fg += f * g;
         gg += g * g;
       }
-      most = Math.max(most, stretched(ff, fg, gg, poisson));
+      most = Math.max(most, stretched(ff, fg, gg));
     }
     return most;
   }
 
-  /**
-   * What the skin does in `time`, and a gas of `pressure` Pa on the side that triangles look to from within (negative: they
-   * look inward). A triangle that is more than `most` times as stiff as laid pushes less; where `single`, more than each
-   * may be by itself: `most` is then the square of a frequency for a skin of 1 kg/m² and 1 N/m, 1/m².
-   */
-  push(time: number, most: number, single: boolean, pressure: number): void {
-    const { triangles, inverses, areas, soft, squares, stiffness, poisson } = this;
+  /** What the skin does in `time`, and a gas of `pressure` Pa on the side that triangles look from (negative: look to). */
+  push(time: number, pressure: number): void {
+    const { triangles, inverses, areas, soft, stiffness, poisson } = this;
     const { places, velocities, inverse } = this.masses;
     for (let t = 0, n = 0; t < this.count; t++, n += 3) {
       const o = triangles[n]!;
@@ -154,13 +151,15 @@ export class Skin {
       const ff = fx * fx + fy * fy + fz * fz;
       const fg = fx * gx + fy * gy + fz * gz;
       const gg = gx * gx + gy * gy + gz * gz;
-      const bound = single ? most / (squares[t]! * soft[t]!) : most;
-      const excess = stretched(ff, fg, gg, poisson) / Math.max(1, bound);
-      const share = (time * stiffness * areas[t]! * soft[t]!) / Math.max(1, excess);
+      const large = 4 / (2 + ff + gg);
+      const share = (large * time * stiffness * areas[t]! * soft[t]!) / 2;
       // Stress, times area and time; then along the sides.
-      const sff = (share * (ff - 1 + poisson * (gg - 1))) / 2;
-      const sgg = (share * (gg - 1 + poisson * (ff - 1))) / 2;
-      const sfg = (share * (1 - poisson) * fg) / 2;
+      const ef = ff - 1;
+      const eg = gg - 1;
+      const less = (large / 8) * (ef * ef + eg * eg + 2 * poisson * ef * eg + 2 * (1 - poisson) * fg * fg); // prettier-ignore
+      const sff = share * (ef + poisson * eg - less);
+      const sgg = share * (eg + poisson * ef - less);
+      const sfg = share * (1 - poisson) * fg;
       const pf = sff * xx + sfg * xy;
       const pg = sfg * xx + sgg * xy;
       const qf = sfg * yy;
@@ -193,7 +192,7 @@ export class Skin {
 }
 
 /** By the square of the greatest stretch, or a little more: how many times as stiff as laid, but never less than that. */
-function stretched(ff: number, fg: number, gg: number, poisson: number): number {
+function stretched(ff: number, fg: number, gg: number): number {
   const most = Math.max(ff, gg) + Math.abs(fg);
-  return most > 1 ? most + ((1 + Math.abs(poisson)) * (most - 1)) / 2 : 1;
+  return most > 1 ? 2 - 1 / most : 1;
 }

@@ -21,6 +21,36 @@ export function boxMesh([x, y, z]: Readonly<Vec3>): Mesh {
   return { points, index };
 }
 
+/** The same with each face divided into squares, `cells` along each side; points along edges are laid twice, and thrice. */
+export function fineBoxMesh(size: Readonly<Vec3>, cells: number): Mesh {
+  const points: number[] = [];
+  const index: number[] = [];
+  for (let axis = 0; axis < 3; axis++)
+    for (const end of [0, 1]) {
+      const u = (axis + 1) % 3;
+      const v = (axis + 2) % 3;
+      const first = points.length / 3;
+      for (let j = 0; j <= cells; j++)
+        for (let i = 0; i <= cells; i++) {
+          const point: Vec3 = [0, 0, 0];
+          point[axis] = end * size[axis]!;
+          point[u] = (i / cells) * size[u]!;
+          point[v] = (j / cells) * size[v]!;
+          points.push(...point);
+        }
+      for (let j = 0; j < cells; j++)
+        for (let i = 0; i < cells; i++) {
+          const a = first + j * (cells + 1) + i;
+          const corners = [a, a + 1, a + cells + 2, a + cells + 1] as const;
+          const [b, c, d] = end
+            ? [corners[1], corners[2], corners[3]]
+            : [corners[3], corners[2], corners[1]];
+          index.push(a, b, c, a, c, d);
+        }
+    }
+  return { points, index };
+}
+
 /** A ball of triangles that are nearly alike: an octahedron's, each divided into four, `rounds` times. */
 export function ballMesh(radius: number, rounds: number): Mesh {
   let points: Vec3[] = [
