@@ -39,7 +39,8 @@ export class Cloth implements Material {
   #bend = 0;
 
   constructor(points: ArrayLike<number>, index: ArrayLike<number>, mass: number) {
-    const { places, carriers } = weld(points);
+    const { places: all, numbers: carriers } = weld(points);
+    const places = [...all];
     const triangles = wholeTriangles(index, carriers);
     const areas = areasOf(places, triangles);
     this.masses = new Masses(places);
