@@ -13,10 +13,9 @@ export function planDeformable(soft: Binding, world: World): Plan | undefined {
   // Without what it stands for, nobody knows where it is.
   if (soft.waiting.has('for')) return undefined;
   const shapes = surface.shape ? [surface.shape] : [];
-  const { texture } = surface.own ?? surface.data ?? {};
   soft.onnode = () => {
     takeShapes(soft, soft.node ? shapes : []);
-    void showDeformable(soft, shapes, texture);
+    void showDeformable(soft, shapes, surface.own ?? surface.data);
   };
   return { world, collection: collectionNode(soft), relations: laid(soft, surface) };
 }
@@ -29,7 +28,7 @@ function laid(soft: Binding, { own, data }: Surface): Record<string, unknown> {
   const { geometry } = own ?? data ?? {};
   const relations = soft.type.fields.size ? words(soft, isSheet) : {};
   if (!geometry || isSheet) return relations;
-  relations.geometry = isMoved ? placed(geometry, frame, soft.units.length) : geometry;
+  relations.geometry = isMoved ? placed({ ...geometry }, frame, soft.units.length) : geometry;
   return relations;
 }
 

@@ -1,11 +1,11 @@
 import { Chunk } from '../../../../physics-core/inside.js';
 import type { Binding } from '../../nodes/binding.js';
-import type { Texture } from '../texture.js';
+import type { SurfaceData } from '../surface-of.js';
 
 /** What draws cloth and soft bodies. */
 export interface DeformablesDrawn {
   /** One changed; these Shapes are what is seen of it. */
-  show(soft: Binding, shapes: readonly Element[], texture: Texture | undefined): void;
+  show(soft: Binding, shapes: readonly Element[], surface: SurfaceData | undefined): void;
 }
 
 /** Nobody needs it whose cloth and soft bodies have no Shapes. */
@@ -18,7 +18,7 @@ export const deformablesDrawn = new Chunk<DeformablesDrawn>({
 export async function showDeformable(
   soft: Binding,
   shapes: readonly Element[],
-  texture: Texture | undefined,
+  surface: SurfaceData | undefined,
 ): Promise<void> {
   if (!deformablesDrawn.here) {
     if (!soft.node || shapes.length === 0) return;
@@ -28,5 +28,5 @@ export async function showDeformable(
       return;
     }
   }
-  deformablesDrawn.code.show(soft, shapes, texture);
+  deformablesDrawn.code.show(soft, shapes, surface);
 }

@@ -3,7 +3,7 @@ import { DeformableNode } from '../../../../physics-core/deformables.js';
 import { OwnDrawing } from '../../matter/own-drawing.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { X3DNode } from '../../x3dom/x3dom.js';
-import type { Texture } from '../texture.js';
+import type { SurfaceData } from '../surface-of.js';
 import type { DeformablesDrawn } from './deformables-drawn.js';
 import { SurfaceShape } from './surface-shape.js';
 
@@ -11,7 +11,7 @@ const drawings = new WeakMap<Binding, DeformableDrawing>();
 
 /** One Cloth or SoftBody as x3dom draws it. */
 class DeformableDrawing extends OwnDrawing<SurfaceShape> {
-  texture: Texture | undefined;
+  surface: SurfaceData | undefined;
 
   draw(): void {
     const { node, world, units } = this.binding;
@@ -22,7 +22,11 @@ class DeformableDrawing extends OwnDrawing<SurfaceShape> {
     const since = (1 - world.poses.fraction) * world.timeStep;
     drawn.show(
       { places, velocities: velocities!, triangles: triangles!, moves, since },
-      { laid: () => node.mesh.points, texture: this.texture, isSmooth: node.type.name === 'Cloth' },
+      {
+        laid: () => node.mesh.points,
+        surface: this.surface,
+        isSolid: node.type.name === 'SoftBody',
+      },
       units.length,
     );
   }
@@ -33,10 +37,10 @@ class DeformableDrawing extends OwnDrawing<SurfaceShape> {
 }
 
 export const provide = (): DeformablesDrawn => ({
-  show(soft, shapes, texture) {
+  show(soft, shapes, surface) {
     const known = drawings.get(soft) ?? new DeformableDrawing(soft);
     drawings.set(soft, known);
-    known.texture = texture;
+    known.surface = surface;
     known.changed(shapes);
   },
 });

@@ -1,20 +1,25 @@
 /** What meets at a sharper angle than this as it is laid has an edge there: the cosine of 60°. */
 const EDGE = 0.5;
 
+/** What is as near as this share of all is in one place. */
+const NEAR = 1e-9;
+
 /**
  * Corners of triangles that are one round: those in one place whose triangles, as the surface is laid, go over into each other.
- * Answers which group each corner is of.
+ * Answers which group each corner is of; -1: its triangle has two corners in one place, and is not to be seen.
  */
 export function groupsOf(
   laid: ArrayLike<number>,
   triangles: Int32Array,
-  isSmooth: boolean,
 ): { groups: Int32Array; count: number } {
   const { placeOf, count } = placesOf(laid);
   const groups = Int32Array.from(triangles, (point) => placeOf[point]!);
-  if (isSmooth) return { groups, count };
   const around: number[][] = Array.from({ length: count }, () => []);
-  groups.forEach((place, corner) => around[place]!.push(corner));
+  for (let n = 0; n + 2 < groups.length; n += 3) {
+    const [a, b, c] = groups.subarray(n, n + 3) as unknown as [number, number, number];
+    if (a === b || b === c || c === a) groups.fill(-1, n, n + 3);
+    else [a, b, c].forEach((place, k) => around[place]!.push(n + k));
+  }
   const normals = normalsOf(laid, triangles);
   let next = 0;
   for (const corners of around)
@@ -25,9 +30,13 @@ export function groupsOf(
 /** Which points are in one place. */
 function placesOf(laid: ArrayLike<number>): { placeOf: Int32Array; count: number } {
   const known = new Map<string, number>();
+  let size = 0;
+  for (let i = 0; i < laid.length; i++) size = Math.max(size, Math.abs(laid[i]!));
+  // The points of a Sphere's pole are beside each other by the rounding of a sine.
+  const at = (i: number): number => Math.round(laid[i]! / (NEAR * size || 1)) + 0;
   const placeOf = new Int32Array(laid.length / 3);
   for (let i = 0; i < placeOf.length; i++) {
-    const key = `${laid[3 * i]! + 0} ${laid[3 * i + 1]! + 0} ${laid[3 * i + 2]! + 0}`;
+    const key = `${at(3 * i)} ${at(3 * i + 1)} ${at(3 * i + 2)}`;
     const place = known.get(key) ?? known.size;
     known.set(key, place);
     placeOf[i] = place;

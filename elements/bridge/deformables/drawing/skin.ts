@@ -1,7 +1,6 @@
 import { indexOf } from '../../matter/index-of.js';
-import type { Texture } from '../texture.js';
 import { groupsOf } from './groups.js';
-import { textureOn } from './texture-on.js';
+import type { TextureOn } from './texture-on.js';
 
 /** What the mesh of a surface consists of; written anew in each frame in which it moved. */
 export class Skin {
@@ -10,33 +9,30 @@ export class Skin {
   readonly texCoords: Float32Array;
   readonly index: Uint16Array | Uint32Array;
   readonly #triangles: Int32Array;
-  /** Of each corner of a triangle: with which others it is one round. */
+  /** Of each corner of a triangle: with which others it is one round; -1: it is not to be seen. */
   readonly #rounds: Int32Array;
   /** The same of each corner of the mesh, and which point of the surface it is. */
   readonly #roundOf: Int32Array;
   readonly #pointOf: Int32Array;
   readonly #sums: Float64Array;
 
-  constructor(
-    laid: ArrayLike<number>,
-    triangles: Int32Array,
-    texture: Texture | undefined,
-    isSmooth: boolean,
-  ) {
-    const { groups, count } = groupsOf(laid, triangles, isSmooth);
-    const on = textureOn(laid, triangles, texture);
+  /** `laid`: its points as it is laid, which say what belongs together. */
+  constructor(laid: ArrayLike<number>, triangles: Int32Array, on: TextureOn) {
+    const { groups, count } = groupsOf(laid, triangles);
     this.#triangles = triangles;
     this.#rounds = groups;
     this.#sums = new Float64Array(3 * count);
     const known = new Map<number, number>();
     const corners: number[] = [];
-    const index = new Uint32Array(triangles.length);
+    const index: number[] = [];
     const points = laid.length / 3;
+    const places = Math.max(1, on.places.length / 2);
     for (let n = 0; n < triangles.length; n++) {
-      const key = (groups[n]! * points + triangles[n]!) * on.count + on.index[n]!;
+      if (groups[n]! < 0) continue;
+      const key = (groups[n]! * points + triangles[n]!) * places + on.index[n]!;
       let at = known.get(key);
       if (at === undefined) known.set(key, (at = corners.push(n) - 1));
-      index[n] = at;
+      index.push(at);
     }
     this.#roundOf = Int32Array.from(corners, (n) => groups[n]!);
     this.#pointOf = Int32Array.from(corners, (n) => triangles[n]!);
@@ -67,6 +63,7 @@ export class Skin {
     const rounds = this.#rounds;
     const triangles = this.#triangles;
     for (let n = 0; n + 2 < triangles.length; n += 3) {
+      if (rounds[n]! < 0) continue;
       const a = 3 * triangles[n]!;
       const b = 3 * triangles[n + 1]!;
       const c = 3 * triangles[n + 2]!;

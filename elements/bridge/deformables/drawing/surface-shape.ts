@@ -2,8 +2,10 @@ import { Bounds } from '../../matter/bounds.js';
 import { isHidden } from '../../matter/hidden.js';
 import { OwnShape } from '../../matter/own-shape.js';
 import type { X3DNode } from '../../x3dom/x3dom.js';
-import type { Texture } from '../texture.js';
+import type { SurfaceData } from '../surface-of.js';
 import { Skin } from './skin.js';
+import { isOutward } from './outward.js';
+import { textureOn } from './texture-on.js';
 
 /** Where a surface is, metres: as the last step left it, and how fast that went there. */
 export interface ShownSurface {
@@ -21,9 +23,10 @@ export interface ShownSurface {
 export interface Look {
   /** Its points as it is laid, which say what belongs together. */
   laid: () => ArrayLike<number>;
-  texture: Texture | undefined;
-  /** It has no edges, however it is laid. */
-  isSmooth: boolean;
+  /** In its own frame. */
+  surface: SurfaceData | undefined;
+  /** It is seen from outside alone. */
+  isSolid: boolean;
 }
 
 /** A cloth or a soft body, drawn instead of its author's Shape. */
@@ -32,7 +35,7 @@ export class SurfaceShape extends OwnShape {
   readonly #bounds: Bounds;
   #skin: Skin | undefined;
   #triangles: Int32Array | undefined;
-  #texture: Texture | undefined;
+  #surface: SurfaceData | undefined;
   #unit = 0;
   #points = new Float64Array(0);
   #moves = -1;
@@ -54,7 +57,7 @@ export class SurfaceShape extends OwnShape {
     const { places, velocities, triangles, moves, since } = shown;
     const isOther =
       this.#triangles !== triangles ||
-      this.#texture !== look.texture ||
+      this.#surface !== look.surface ||
       this.#points.length !== places.length ||
       this.#unit !== unit;
     if (!isOther && this.#moves === moves && this.#since === since) return;
@@ -72,21 +75,20 @@ export class SurfaceShape extends OwnShape {
     this.draw();
   }
 
-  #wear(
-    { places, triangles }: ShownSurface,
-    { laid, texture, isSmooth }: Look,
-    unit: number,
-  ): void {
+  #wear({ places, triangles }: ShownSurface, { laid, surface, isSolid }: Look, unit: number): void {
     this.#triangles = triangles;
-    this.#texture = texture;
+    this.#surface = surface;
     this.#unit = unit;
     this.#points = new Float64Array(places.length);
-    const skin = new Skin(laid(), triangles, texture, isSmooth);
+    const points = laid();
+    const skin = new Skin(points, triangles, textureOn(points, triangles, surface));
     this.#skin = skin;
     this.mesh._positions[0] = skin.positions;
     this.mesh._normals[0] = skin.normals;
     this.mesh._texCoords[0] = skin.texCoords;
     this.mesh._indices[0] = skin.index;
+    // Of what is seen from both sides x3dom turns normals round that look away: near its rim a solid would be dark.
+    this.shape._cf.geometry!.node!._vf.solid = isSolid && isOutward(points, triangles);
     this.remake();
   }
 }

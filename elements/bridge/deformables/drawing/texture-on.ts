@@ -1,20 +1,34 @@
-import type { Texture } from '../texture.js';
+import { meshes, type Geometry } from '../../../../physics-core/inside.js';
+import type { SurfaceData } from '../surface-of.js';
+import { onSolid } from './on-solid.js';
 
-/** Texture coordinates, and which each corner of a triangle has. */
+/** Texture coordinates, two numbers each, and which each corner of a triangle has. */
 export interface TextureOn {
   places: ArrayLike<number>;
-  count: number;
-  index: Int32Array;
+  index: ArrayLike<number>;
 }
 
+/** As its author says; else as X3D has it for what it is. `laid`: its points in the world. */
 export function textureOn(
   laid: ArrayLike<number>,
   triangles: Int32Array,
-  texture: Texture | undefined,
+  surface: SurfaceData | undefined,
 ): TextureOn {
-  const { faces, places } = texture ?? { places: overBox(laid) };
-  const index = faces ? byFaces(triangles, faces.points, faces.places) : triangles;
-  return { places, count: Math.max(1, places.length / 2, laid.length / 3), index };
+  const { geometry, texture } = surface ?? {};
+  if (texture?.faces)
+    return {
+      places: texture.places,
+      index: byFaces(triangles, texture.faces.points, texture.faces.places),
+    };
+  if (texture) return { places: texture.places, index: triangles };
+  const own = geometry && meshes.code.tessellate(geometry as Geometry).points;
+  const points = own?.length === laid.length ? own : laid;
+  return (
+    onSolid(geometry?.type ?? '', points, triangles) ?? {
+      places: overBox(points),
+      index: triangles,
+    }
+  );
 }
 
 /** A triangle lies by the first face that has all of its points. */

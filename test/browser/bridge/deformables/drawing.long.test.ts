@@ -1,7 +1,9 @@
 import { expect } from 'chai';
 import { Skin } from '../../../../elements/bridge/deformables/drawing/skin.js';
+import { textureOn } from '../../../../elements/bridge/deformables/drawing/texture-on.js';
 import { deformablesDrawn } from '../../../../elements/bridge/deformables/drawing/deformables-drawn.js';
 import { deformableTags } from '../../../../elements/bridge/index.js';
+import { meshes } from '../../../../physics-core/inside.js';
 import type { X3DNode } from '../../../../elements/bridge/x3dom/x3dom.js';
 import { documentOf } from '../batch/pictures.js';
 import { drawn, show, until } from '../../scene.js';
@@ -165,6 +167,8 @@ describe('a cloth is drawn', () => {
   });
 });
 
+const BOX = { geometry: { type: 'Box', size: [2, 2, 2] } };
+
 describe('a skin', () => {
   const box = {
     points: [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [
@@ -177,28 +181,43 @@ describe('a skin', () => {
       3, 7, 1, 7, 5,
     ]),
   };
-  const draw = (isSmooth: boolean): Skin => {
-    const skin = new Skin(box.points, box.index, undefined, isSmooth);
+  const draw = (index = box.index): Skin => {
+    const skin = new Skin(box.points, index, textureOn(box.points, index, BOX));
     skin.write(Float64Array.from(box.points));
     return skin;
   };
 
-  it('of a box has edges, unless it is to have none; its normals have a length of 1', () => {
-    const edged = draw(false);
+  it('of a box has edges, with the whole of a picture on each side; its normals have a length of 1', () => {
+    const edged = draw();
     expect(edged.positions.length).to.equal(3 * 24);
     for (let i = 0; i < 72; i += 3)
       expect(Math.max(...[0, 1, 2].map((k) => Math.abs(edged.normals[i + k]!)))).to.equal(1);
-    const round = draw(true);
-    expect(round.positions.length).to.equal(3 * 8);
-    for (let i = 0; i < 24; i += 3) {
-      const [n, p] = [round.normals, round.positions].map((list) => [...list.slice(i, i + 3)]);
-      expect(Math.hypot(...n!)).to.be.closeTo(1, 1e-6);
-      n!.forEach((value, k) => expect(value * p![k]!).to.be.above(0.3));
+    expect(Array.from(edged.texCoords).reduce((a, b) => a + b, 0)).to.equal(24);
+  });
+
+  it('of a ball is round, and has the picture once around it, and from pole to pole', () => {
+    const { points, index } = meshes.code.tessellate({ type: 'Sphere', radius: 2 });
+    const all = Int32Array.from(index);
+    const ball = { geometry: { type: 'Sphere', radius: 2 } };
+    const skin = new Skin(points, all, textureOn(points, all, ball));
+    skin.write(Float64Array.from(points));
+    const { positions, normals, texCoords } = skin;
+    for (let i = 0; i < positions.length; i += 3)
+      for (let k = 0; k < 3; k++)
+        expect(normals[i + k]! - positions[i + k]! / 2).to.be.closeTo(0, 0.1);
+    for (let n = 0; n < skin.index.length; n += 3) {
+      const s = [0, 1, 2].map((k) => texCoords[2 * skin.index[n + k]!]!);
+      expect(Math.max(...s) - Math.min(...s)).to.be.below(0.1);
     }
+    for (let i = 0; 3 * i < positions.length; i++)
+      expect(texCoords[2 * i + 1]).to.be.closeTo(
+        0.5 + Math.asin(positions[3 * i + 1]! / 2) / Math.PI,
+        1e-5,
+      );
   });
 
   it('follows triangles that go, and points that fall together', () => {
-    const torn = new Skin(box.points, box.index.slice(0, 6), undefined, false);
+    const torn = draw(box.index.slice(0, 6));
     torn.write(new Float64Array(24));
     expect(torn.index.length).to.equal(6);
     expect([...torn.positions, ...torn.normals].every(Number.isFinite)).to.equal(true);
@@ -206,8 +225,9 @@ describe('a skin', () => {
 
   it('goes round where points stand twice for a picture, and has that as its author says', () => {
     const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0];
+    const all = Int32Array.from([0, 1, 2, 3, 4, 5]);
     const places = [0, 0, 1, 0, 1, 1, 0.5, 0.5, 0.6, 0.6, 0, 1];
-    const skin = new Skin(points, Int32Array.from([0, 1, 2, 3, 4, 5]), { places }, false);
+    const skin = new Skin(points, all, { places, index: all });
     const bent = Float64Array.from(points);
     bent[5] = bent[17] = 1;
     skin.write(bent);
@@ -227,7 +247,8 @@ describe('a skin', () => {
         const a = j * side + i;
         index.push(a, a + 1, a + side, a + 1, a + side + 1, a + side);
       }
-    const skin = new Skin(points, Int32Array.from(index), undefined, true);
+    const all = Int32Array.from(index);
+    const skin = new Skin(points, all, textureOn(points, all, undefined));
     const places = Float64Array.from(points);
     let best = Infinity;
     for (let i = 0; i < 20; i++) {
