@@ -1,8 +1,8 @@
 /** What meets at a sharper angle than this as it is laid has an edge there: the cosine of 60°. */
 const EDGE = 0.5;
 
-/** What is as near as this share of all is in one place. */
-const NEAR = 1e-9;
+/** What is as near as this share of all is in one place, as the core has it. */
+const NEAR = 1e-6;
 
 /**
  * Corners of triangles that are one round: those in one place whose triangles, as the surface is laid, go over into each other.
@@ -31,9 +31,10 @@ export function groupsOf(
 function placesOf(laid: ArrayLike<number>): { placeOf: Int32Array; count: number } {
   const known = new Map<string, number>();
   let size = 0;
-  for (let i = 0; i < laid.length; i++) size = Math.max(size, Math.abs(laid[i]!));
+  const off = (i: number): number => laid[i]! - laid[i % 3]!;
+  for (let i = 0; i < laid.length; i++) size = Math.max(size, Math.abs(off(i)));
   // The points of a Sphere's pole are beside each other by the rounding of a sine.
-  const at = (i: number): number => Math.round(laid[i]! / (NEAR * size || 1)) + 0;
+  const at = (i: number): number => Math.round(off(i) / (NEAR * size || 1)) + 0;
   const placeOf = new Int32Array(laid.length / 3);
   for (let i = 0; i < placeOf.length; i++) {
     const key = `${at(3 * i)} ${at(3 * i + 1)} ${at(3 * i + 2)}`;
