@@ -10,7 +10,7 @@ import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
 import { resting } from '../rest/resting.js';
-import { Holding, together } from './held.js';
+import { byWhole, Holding, together } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
 import { RopeTouch } from './rope-touch.js';
 import type { RopeSource, Tie } from './settings.js';
@@ -32,6 +32,8 @@ export class Ropes extends Effect implements Pull {
   #tied = new Map<Tie, Body>();
   /** Groups are to be made anew. */
   #stale = true;
+  /** By which numbering of joints they were made. */
+  #numbering: number | undefined;
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -104,7 +106,8 @@ export class Ropes extends Effect implements Pull {
 
   /** Groups are made anew where other bodies hold other points. */
   #divide(): void {
-    if (!this.#stale && !this.#holding.changed) return;
+    const numbering = this.#effects.find(jointSolve)?.numbering;
+    if (!this.#stale && !this.#holding.changed && numbering === this.#numbering) return;
     this.#stale = false;
     this.#holding.list();
     const { held } = this.#holding;
@@ -112,14 +115,18 @@ export class Ropes extends Effect implements Pull {
       .map((source) => this.of(source)!)
       .filter(({ settings }) => settings.enabled);
     for (const rope of ropes) rope.hold();
-    this.#groups = [...together(ropes, held)].map((members) => {
+    this.#tieBodies();
+    const joints = this.#effects.find(jointSolve);
+    this.#numbering = joints?.numbering;
+    const of = (body: Body): object => joints?.togetherWith(body) ?? body;
+    this.#groups = [...together(ropes, held, of)].map((members) => {
       const own = held.filter(({ rope }) => members.has(rope));
-      const bodies = [...new Set(own.flatMap(({ body, movable }) => (movable ? [body!] : [])))];
+      const wholes = byWhole(own, of);
+      const bodies = wholes.flat();
       for (const { tie, rope, body, movable } of own)
         rope.strand.holders[tie.index] = movable ? bodies.indexOf(body!) : HELD;
-      return new TiedGroup([...members], bodies, own);
+      return new TiedGroup([...members], wholes, own);
     });
-    this.#tieBodies();
   }
 
   /** What is tied no more falls. */
@@ -157,7 +164,7 @@ export class Ropes extends Effect implements Pull {
     this.#touch.take(dt);
     for (const group of this.#groups) {
       if (group.asleep) continue;
-      group.read(joints, dt);
+      group.read(joints, dt, this);
       this.#begin(group, dt);
       this.#touch.look(group, dt);
       if (!group.solve.solve(dt)) this.#stop(group);
