@@ -59,8 +59,7 @@ export class Ropes extends Effect implements Pull {
     super.release(node);
     this.#stale = true;
     this.#divide();
-    if (!this.active) this.#effects.find(jointSolve)?.pulls.delete(this);
-    else this.#goOn();
+    if (this.active) this.#goOn();
   }
 
   /** An author said something about a rope. */
@@ -141,6 +140,7 @@ export class Ropes extends Effect implements Pull {
       if (body.sleeping) body.wake();
     }
     for (const [tie, body] of tied) joints!.tie(tie, body, 'a rope');
+    joints?.pulls[tied.size > 0 ? 'add' : 'delete'](this);
     this.#tied = tied;
   }
 
@@ -148,19 +148,22 @@ export class Ropes extends Effect implements Pull {
 
   /** Before anything of the step begins: the joint solve may have to come for what is tied. */
   override parts(): number {
+    this.#takeEdits();
+    this.#wakeTogether();
+    return 1;
+  }
+
+  #takeEdits(): void {
     for (const rope of this.#ropes.values()) {
       if (!rope.stale) continue;
       rope.read();
       this.#stale = true;
     }
     this.#divide();
-    this.#wakeTogether();
-    return 1;
   }
 
   override beforeStep(dt: number): void {
     const joints = this.#effects.caused(jointSolve);
-    joints?.pulls.add(this);
     this.#touch.take(dt);
     for (const group of this.#groups) {
       if (group.asleep) continue;
@@ -316,11 +319,14 @@ export class Ropes extends Effect implements Pull {
     this.#stale = true;
   }
 
+  /** What waits to be tied is, so that joints are numbered in what is kept of them as they are in the next step. */
   override save(): [id: number, kept: KeptRope][] {
+    this.#takeEdits();
     return [...this.#ropes].map(([id, rope]) => [id, rope.save()]);
   }
 
   override load(saved: readonly [id: number, kept: KeptRope][]): void {
+    this.#takeEdits();
     for (const [id, kept] of saved) this.#ropes.get(id)?.load(kept);
     this.#goOn();
   }
