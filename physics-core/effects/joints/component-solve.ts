@@ -401,7 +401,21 @@ export class ComponentSolve {
     this.#system.firm = this.#search.taut.has(component);
     this.#search.setTargets(component, dt, torn ? 0 : 1);
     if (!this.bodies.finite || !this.#system.solveAsHeld(component)) return false;
+    to.whole = !torn;
     return this.bodies.sane(component) && this.#yields.find(component, bodies, to);
+  }
+
+  /**
+   * After `yields`, by what is given to its bodies since: the round ways of the step are others by that. Returns by how much
+   * they go otherwise if nobody gives them anything, m/s or rad/s.
+   */
+  yieldsBy(component: Component, impulse: Float64Array, dt: number, to: Yields): number {
+    if (!to.whole) return 0;
+    this.#system.firm = this.#search.taut.has(component);
+    this.#yields.give(component, to, impulse, 1);
+    this.#search.correct(component, dt, 1);
+    this.#yields.give(component, to, impulse, -1);
+    return this.#yields.findFree(to);
   }
 
   // ---- between steps ------------------------------------------------------------------------------------------------

@@ -142,6 +142,11 @@ export class JointSolve extends Effect {
     return this.#solver.yields(component, bodies, dt, by, to);
   }
 
+  /** After that, in the same step: the same by what bodies are given since. Returns by how much that is another, m/s or rad/s. */
+  yieldsBy(body: Body, impulse: Float64Array, dt: number, to: Yields): number {
+    return this.#solver.yieldsBy(this.togetherWith(body)!, impulse, dt, to);
+  }
+
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
     this.#ties.delete(node);

@@ -1,5 +1,5 @@
 import type { Body } from '../../dynamics/body.js';
-import { copy6, INERTIA, SIDE } from '../../solver/joints/blocks.js';
+import { add6, copy6, INERTIA, SIDE } from '../../solver/joints/blocks.js';
 import type { Component } from '../../solver/joints/forest.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -12,13 +12,16 @@ export interface Yields {
   readonly compliance: Float64Array;
   /** Of `free`, of the whole component: twice the energy. */
   energy: number;
+  /** Whether no edit had torn it: round ways count then. */
+  whole: boolean;
+  /** Theirs in the row system. */
+  readonly numbers: number[];
 }
 
 /** Asks joints how they let their bodies go: what unit impulses do, by factors that the row system has. */
 export class YieldingBodies {
   readonly #system: RowSystem;
   readonly #bodies: JointedBodies;
-  readonly #numbers: number[] = [];
 
   constructor(system: RowSystem, bodies: JointedBodies) {
     this.#system = system;
@@ -27,7 +30,7 @@ export class YieldingBodies {
 
   /** Of a component that was solved just now. False: one of the bodies is none of its. */
   find(component: Component, bodies: readonly Body[], to: Yields): boolean {
-    const numbers = this.#numbers;
+    const { numbers } = to;
     numbers.length = 0;
     for (const body of bodies) numbers.push(this.#numberOf(component, body));
     if (numbers.includes(-1)) return false;
@@ -39,15 +42,35 @@ export class YieldingBodies {
     return true;
   }
 
+  /** What else gives them momentum, `share` times, and how all of it goes then. */
+  give(component: Component, { numbers }: Yields, impulse: Float64Array, share: 1 | -1): void {
+    const { momentum } = this.#system;
+    numbers.forEach((i, n) => add6(momentum, SIDE * i, impulse, SIDE * n, share));
+    this.#system.again(component);
+  }
+
+  /** Of a component that was solved anew. Returns by how much they go otherwise. */
+  findFree({ free, numbers }: Yields): number {
+    const { velocity } = this.#system;
+    let most = 0;
+    numbers.forEach((i, n) => {
+      for (let k = 0; k < SIDE; k++) {
+        const v = velocity[SIDE * i + k]!;
+        most = Math.max(most, Math.abs(v - free[SIDE * n + k]!));
+        free[SIDE * n + k] = v;
+      }
+    });
+    return most;
+  }
+
   #numberOf({ bodies }: Component, body: Body): number {
     for (const i of bodies) if (this.#bodies.bodies[i] === body) return i;
     return -1;
   }
 
   /** One number of one body's momentum is more by what gives it a velocity of 1 if no joint holds it. */
-  #push(component: Component, c: number, { free, compliance }: Yields): void {
+  #push(component: Component, c: number, { free, compliance, numbers }: Yields): void {
     const { momentum, velocity } = this.#system;
-    const numbers = this.#numbers;
     const width = SIDE * numbers.length;
     const body = numbers[Math.floor(c / SIDE)]!;
     const at = SIDE * body + (c % SIDE);

@@ -9,6 +9,7 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
+import type { JointSolve } from '../joints/joint-solve.js';
 import { resting } from '../rest/resting.js';
 import { byWhole, Holding, together } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
@@ -170,10 +171,18 @@ export class Ropes extends Effect implements Pull {
       group.read(joints, dt, this);
       this.#begin(group, dt);
       this.#touch.look(group, dt);
-      if (!group.solve.solve(dt)) this.#stop(group);
+      this.#solve(group, joints, dt);
       group.note();
       this.#touch.push(group, dt);
     }
+  }
+
+  /** Round ways of joints go by what ropes give, and ropes by those: asked once, both find the same to a millionth. */
+  #solve(group: TiedGroup, joints: JointSolve | undefined, dt: number): void {
+    const { solve } = group;
+    let found = solve.solve(dt);
+    if (found && group.differs(joints, dt)) found = solve.solveAgain(dt);
+    if (!found) this.#stop(group);
   }
 
   /** What moves keeps awake what it is tied to, and the other way round. */

@@ -10,7 +10,7 @@ import type { Ahead, Pull } from '../joints/component-solve.js';
 import type { JointSolve } from '../joints/joint-solve.js';
 import type { Held } from './held.js';
 import type { Rope } from './rope.js';
-import { HIT, SAME } from './tolerances.js';
+import { AGREES, HIT, SAME } from './tolerances.js';
 
 const BLOCK = SIDE * SIDE;
 const now = new Float64Array(SIDE);
@@ -83,6 +83,18 @@ export class TiedGroup {
       momenta[SIDE * b + k] = momentum[SIDE * i + k]!;
       velocities[SIDE * b + k] = velocity[SIDE * i + k]!;
     }
+  }
+
+  /** Whether joints, by what ropes give their bodies, would go other round ways than those that these were found by. */
+  differs(joints: JointSolve | undefined, dt: number): boolean {
+    let most = 0;
+    for (let w = 0; w < this.#joined.length; w++) {
+      const joined = this.#joined[w]!;
+      if (!joined.active) continue;
+      const off = joints!.yieldsBy(this.#wholes[w]![0]!, joined.impulse, dt, joined);
+      most = Math.max(most, off);
+    }
+    return most > AGREES;
   }
 
   /** What was found, and what its ropes resist each body by: a symmetric block that half of its own inertia keeps positive. */

@@ -105,6 +105,12 @@ export class RopeSolve {
     return this.#search(dt, NEAREST, ROPE_ROUNDS_NEAREST) || this.#sweep(dt);
   }
 
+  /** Finds them anew, where joints have said that bodies go otherwise than they had: from what was found, it is near. */
+  solveAgain(dt: number): boolean {
+    if (this.even && this.#search(dt, EVEN, ROPE_ROUNDS, 2) && !this.#gains()) return true;
+    return this.solve(dt);
+  }
+
   /** Whether a link is found to push so hard that a point would be elsewhere without: it is let go in the next round. */
   #pushes(dt: number): boolean {
     for (const { strand, links } of this.#parts) {
@@ -180,8 +186,8 @@ export class RopeSolve {
     return Number.isFinite(sum);
   }
 
-  #search(dt: number, directions: Directions, most: number): boolean {
-    for (this.#rounds = 1; this.#rounds <= most; this.#rounds++) {
+  #search(dt: number, directions: Directions, most: number, first = 1): boolean {
+    for (this.#rounds = first; this.#rounds <= most; this.#rounds++) {
       this.#assemble(dt, directions);
       this.#system.factor();
       this.#change.set(this.#rest);

@@ -21,6 +21,9 @@ export class JoinedBodies {
   readonly compliance: Float64Array;
   /** Of `free`, of all that hangs together: twice the energy. */
   energy = 0;
+  /** For who asks joints: whether no edit had torn them, and the numbers of the bodies there. */
+  whole = true;
+  readonly numbers: number[] = [];
   /** What ropes give them, as found. */
   readonly impulse: Float64Array;
   /** In a round: the same before it, and what the ropes resist each of them by, by rows of all bodies. */
