@@ -255,7 +255,7 @@ export class RopeSolve {
       if (holders[i]! < 0) continue;
       own[0] = own[4] = own[8] = masses[i]!;
       for (let k = 0; k < 3; k++) missing[k] = masses[i]! * (free[3 * i + k]! - found[3 * i + k]!);
-      this.#push(strand, i, missing, 0, directions);
+      this.#push(strand, i, missing, 0, directions, dt);
       this.#resist(strand, i, i, own, 0, directions);
     }
     for (let n = 1; n < stops.length; n++) {
@@ -265,8 +265,8 @@ export class RopeSolve {
       const { ends, endRests } = elimination;
       const a = holders[first]! >= 0;
       const b = holders[last]! >= 0;
-      if (a) this.#push(strand, first, endRests, 0, directions);
-      if (b) this.#push(strand, last, endRests, 3, directions);
+      if (a) this.#push(strand, first, endRests, 0, directions, dt);
+      if (b) this.#push(strand, last, endRests, 3, directions, dt);
       if (a) this.#resist(strand, first, first, ends, 0, directions);
       if (a && b) this.#resist(strand, first, last, ends, 9, directions);
       if (a && b) this.#resist(strand, last, first, ends, 18, directions);
@@ -304,7 +304,14 @@ export class RopeSolve {
   }
 
   /** An impulse on a tied point acts on its body. */
-  #push(strand: Strand, i: number, p: Float64Array, at: number, directions: Directions): void {
+  #push(
+    strand: Strand,
+    i: number,
+    p: Float64Array,
+    at: number,
+    directions: Directions,
+    dt: number,
+  ): void {
     const rest = this.#rest;
     const b = SIDE * strand.holders[i]!;
     const x = p[at]!;
@@ -317,6 +324,28 @@ export class RopeSolve {
     rest[b + 3]! += acting[1]! * z - acting[2]! * y;
     rest[b + 4]! += acting[2]! * x - acting[0]! * z;
     rest[b + 5]! += acting[0]! * y - acting[1]! * x;
+    this.#stiffen(strand, i, p, at, directions.after * dt);
+  }
+
+  /**
+   * A turn of the body turns its arm, too, and an impulse has another moment then. Without that what is light and pulled hard, as
+   * a ring between a rope and a load, would find no end: each round would turn it too far.
+   */
+  #stiffen(
+    { armsAfter, holders }: Strand,
+    i: number,
+    p: Float64Array,
+    at: number,
+    dt: number,
+  ): void {
+    const { matrix, size } = this.#system;
+    const b = SIDE * holders[i]! + 3;
+    const along = dot3(armsAfter, 3 * i, p, at);
+    for (let r = 0; r < 3; r++)
+      for (let c = 0; c < 3; c++) {
+        const turned = (r === c ? along : 0) - armsAfter[3 * i + r]! * p[at + c]!;
+        matrix[(b + r) * size + b + c]! += dt * turned;
+      }
   }
 
   /** What a change of the velocity of point `j` does to the momentum of point `i`, as bodies see it. */
