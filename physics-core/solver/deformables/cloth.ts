@@ -53,7 +53,7 @@ export class Cloth implements Material {
     );
     this.surface.follow(this.masses);
     const edges = edgesOf(places, triangles);
-    this.#threads = new Threads(edges, areas, this.masses.count);
+    this.#threads = new Threads(edges, areas, places);
     this.#corners = new Corners(places, triangles, areas, this.#threads);
     this.#hinges = new Hinges(places, edges, areas);
     this.#stretchRate = most(this.#stretchRates(edges, areas, places));
@@ -156,7 +156,7 @@ export class Cloth implements Material {
   }
 
   get lasting(): readonly Uint8Array[] {
-    return [this.#threads.torn, this.#threads.turns];
+    return [this.#threads.torn];
   }
 
   get strain(): number {

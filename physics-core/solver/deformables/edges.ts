@@ -55,16 +55,3 @@ export function distance(places: ArrayLike<number>, a: number, b: number): numbe
   for (let k = 0; k < 3; k++) square += (places[3 * b + k]! - places[3 * a + k]!) ** 2;
   return Math.sqrt(square);
 }
-
-/** Colours for pairs of points: none of one colour share a point. By order of colour, which pairs. */
-export function coloured(pairs: readonly { a: number; b: number }[], points: number): number[] {
-  const taken: Set<number>[] = Array.from({ length: points }, () => new Set());
-  const colours = pairs.map(({ a, b }) => {
-    let colour = 0;
-    while (taken[a]!.has(colour) || taken[b]!.has(colour)) colour++;
-    taken[a]!.add(colour);
-    taken[b]!.add(colour);
-    return colour;
-  });
-  return pairs.map((_, i) => i).sort((i, j) => colours[i]! - colours[j]! || i - j);
-}

@@ -1,5 +1,7 @@
-import { coloured, type Edge } from './edges.js';
+import type { Edge } from './edges.js';
+import { linesOf } from './lines.js';
 import type { Masses } from './masses.js';
+import { COMPLIANCE, FASTEST } from './tolerances.js';
 
 /** The threads of a cloth, warp and weft: they stretch by their stiffness, or not at all. */
 export class Threads {
@@ -11,23 +13,32 @@ export class Threads {
   readonly widths: Float64Array;
   /** 1: it is torn. */
   readonly torn: Uint8Array;
-  /** They are gone over from the first to the last and back in turns: neither side comes first. */
-  readonly turns = new Uint8Array(1);
   /** How much longer than its length the most stretched one was when they were last gone over, as a share of that. */
   strain = 0;
 
-  constructor(edges: readonly Edge[], areas: Float64Array, points: number) {
-    const threads = edges.filter(({ thread, length }) => thread && length > 0);
-    const order = coloured(threads, points);
+  /** Of each line its first thread; at the end how many there are. */
+  readonly #starts: Int32Array;
+  // Of one line: unit vectors along its threads; what is left of the elimination; how each is to be shortened.
+  readonly #ways: Float64Array;
+  readonly #diagonals: Float64Array;
+  readonly #pulls: Float64Array;
+
+  constructor(edges: readonly Edge[], areas: Float64Array, places: ArrayLike<number>) {
+    const { first, second, edges: threads, starts } = linesOf(places, edges);
     this.count = threads.length;
-    this.first = Int32Array.from(order, (i) => threads[i]!.a);
-    this.second = Int32Array.from(order, (i) => threads[i]!.b);
-    this.lengths = Float64Array.from(order, (i) => threads[i]!.length);
-    this.widths = Float64Array.from(order, (i) => {
-      const { faces, length } = threads[i]!;
-      return faces.reduce((sum, f) => sum + areas[f]!, 0) / length;
-    });
+    this.first = Int32Array.from(first);
+    this.second = Int32Array.from(second);
+    this.lengths = Float64Array.from(threads, ({ length }) => length);
+    this.widths = Float64Array.from(
+      threads,
+      ({ faces, length }) => faces.reduce((sum, f) => sum + areas[f]!, 0) / length,
+    );
     this.torn = new Uint8Array(this.count);
+    this.#starts = Int32Array.from(starts);
+    const longest = starts.reduce((most, start, i) => Math.max(most, (starts[i + 1] ?? 0) - start), 0);
+    this.#ways = new Float64Array(3 * longest);
+    this.#diagonals = new Float64Array(longest);
+    this.#pulls = new Float64Array(longest);
   }
 
   /** Those that stretch pull by how far they do: N/m of each metre of width. */
@@ -56,42 +67,86 @@ export class Threads {
   }
 
   /**
-   * One after the other is taken to its length, or as far as `stiffness` takes it in such a time (0: all the way): no two of
-   * one colour share a point.
+   * One line after the other is taken to the lengths of its threads, or as far as `stiffness` takes them in such a time (0:
+   * all the way). What each does to its neighbours in the line is solved for exactly, so that a sheet hangs as long as it is,
+   * however many threads it has; warp and weft, which stand across, hardly feel each other.
    */
-  hold({ places, inverse }: Masses, stiffness: number, time: number): void {
-    const { count, first, second, lengths, widths, torn } = this;
+  hold(masses: Masses, stiffness: number, time: number): void {
+    this.strain = 0;
     const soft = stiffness > 0 ? 1 / (stiffness * time * time) : 0;
-    let strain = 0;
-    this.turns[0]! ^= 1;
-    for (let m = 0; m < count; m++) {
-      const n = this.turns[0] === 1 ? m : count - 1 - m;
-      if (torn[n] === 1) continue;
-      const a = first[n]!;
-      const b = second[n]!;
-      const length = lengths[n]!;
-      const gives = inverse[a]! + inverse[b]!;
-      if (gives === 0) continue;
-      const i = 3 * a;
-      const j = 3 * b;
+    const starts = this.#starts;
+    for (let line = 0; line + 1 < starts.length; line++)
+      this.#holdLine(masses, starts[line]!, starts[line + 1]!, soft, FASTEST * time);
+  }
+
+  /** A tridiagonal system (Thomas): how much each thread has to be shorter, kg m, in single steps of Newton. */
+  #holdLine({ places, inverse }: Masses, from: number, to: number, soft: number, most: number): void {
+    const { first, second, lengths, widths, torn } = this;
+    const ways = this.#ways;
+    const diagonals = this.#diagonals;
+    const pulls = this.#pulls;
+    let before = -1;
+    for (let n = from, k = 0; n < to; n++, k++) {
+      const i = 3 * first[n]!;
+      const j = 3 * second[n]!;
       const x = places[j]! - places[i]!;
       const y = places[j + 1]! - places[i + 1]!;
       const z = places[j + 2]! - places[i + 2]!;
       const now = Math.sqrt(x * x + y * y + z * z);
-      if (!(now > 0)) continue;
-      const off = now - length;
-      if (off > strain * length) strain = off / length;
-      const share = off / (now * (gives + (soft * length) / widths[n]!));
-      const one = share * inverse[a]!;
-      const other = share * inverse[b]!;
-      places[i]! += one * x;
-      places[i + 1]! += one * y;
-      places[i + 2]! += one * z;
-      places[j]! -= other * x;
-      places[j + 1]! -= other * y;
-      places[j + 2]! -= other * z;
+      const gives = inverse[first[n]!]! + inverse[second[n]!]!;
+      if (torn[n] === 1 || !(now > 0) || gives === 0) {
+        diagonals[k] = 0;
+        before = -1;
+        continue;
+      }
+      ways[3 * k] = x / now;
+      ways[3 * k + 1] = y / now;
+      ways[3 * k + 2] = z / now;
+      let off = now - lengths[n]!;
+      if (off > this.strain * lengths[n]!) this.strain = off / lengths[n]!;
+      if (off > most) off = most;
+      else if (off < -most) off = -most;
+      let diagonal = gives * (1 + COMPLIANCE) + (soft * lengths[n]!) / widths[n]!;
+      if (before >= 0) {
+        const beside = this.#beside(before, k, inverse[first[n]!]!);
+        const share = beside / diagonals[before]!;
+        diagonal -= share * beside;
+        off -= share * pulls[before]!;
+      }
+      diagonals[k] = diagonal;
+      pulls[k] = off;
+      before = k;
     }
-    this.strain = strain;
+    let after = 0;
+    for (let n = to - 1, k = to - 1 - from; n >= from; n--, k--) {
+      if (diagonals[k] === 0) {
+        after = 0;
+        continue;
+      }
+      let pull = pulls[k]!;
+      if (after !== 0) pull -= this.#beside(k, k + 1, inverse[second[n]!]!) * after;
+      pull /= diagonals[k]!;
+      after = pull;
+      const one = pull * inverse[first[n]!]!;
+      const other = pull * inverse[second[n]!]!;
+      const i = 3 * first[n]!;
+      const j = 3 * second[n]!;
+      for (let c = 0; c < 3; c++) {
+        places[i + c]! += one * ways[3 * k + c]!;
+        places[j + c]! -= other * ways[3 * k + c]!;
+      }
+    }
+  }
+
+  /** What one thread of a line does to the next, by the point between them. */
+  #beside(k: number, next: number, gives: number): number {
+    const ways = this.#ways;
+    return (
+      -gives *
+      (ways[3 * k]! * ways[3 * next]! +
+        ways[3 * k + 1]! * ways[3 * next + 1]! +
+        ways[3 * k + 2]! * ways[3 * next + 2]!)
+    );
   }
 
   /** Those that are stretched by more than a share of their length are no more. Answers whether any were. */

@@ -14,3 +14,12 @@ export const DIAGONAL = 1.05;
 
 /** kg/m³: of air at 15 °C and 1013.25 hPa (ISO 2533, standard atmosphere). */
 export const AIR = 1.225;
+
+/**
+ * How a thread that does not stretch gives way all the same, as a share of what its points give way by themselves: between two
+ * ends that do not move at all, too far apart, there would be no solution.
+ */
+export const COMPLIANCE = 1e-6;
+
+/** How fast what does not stretch comes back to its length, m/s, where an edit has left it too long. (Fact: pins that jump.) */
+export const FASTEST = 20;
