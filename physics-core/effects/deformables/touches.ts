@@ -28,12 +28,13 @@ export class Touches {
 
   /** Who may touch what in a step of `dt` seconds that begins. */
   look(
-    { material, settings: { radius }, within }: Deformable,
+    { material, settings: { radius, touches }, within }: Deformable,
     obstacles: Obstacles,
     guests: Guests,
     dt: number,
   ): void {
     this.count = 0;
+    if (!touches) return;
     const { surface, masses } = material;
     const { count, width, carriers, shares, places } = surface;
     for (let i = 0; i < count; i++) {

@@ -68,6 +68,7 @@ const CLAMPED = {
   size: [0, 0],
   geometry: flat([8, 2], [1, 0.25], 0),
   fixedIndex: [0, 1, 9, 10, 18, 19],
+  bendStiffness: 40,
   damping: 5,
 };
 
