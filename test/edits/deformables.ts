@@ -3,20 +3,22 @@ import { use } from '../conformance/scenes.js';
 import { OFF, SHARES, type Edit } from './edit.js';
 
 /** Far from everything else: nothing touches it. */
-const sheet = (y: number, z: number): NodeData => ({
+const sheet = (y: number): NodeData => ({
   type: 'IndexedTriangleSet',
   index: [0, 1, 2, 1, 3, 2],
-  coord: { type: 'Coordinate', point: [0, y, z, 1, y, z, 0, y, z + 1, 1, y, z + 1] },
+  coord: { type: 'Coordinate', point: [0, y, 0, 1, y, 0, 0, y, 1, 1, y, 1] },
 });
 
-export const SHEET_SPARES: Record<string, NodeData> = {
-  sheet: sheet(-700, 0),
-  otherSheet: sheet(-700, 5),
-};
-
-/** With a size it is no more what its geometry says. */
+/** It touches nothing where it has a size, and so is amid all others. */
 export const clothScene = (): NodeData[] => [
-  { type: 'Cloth', DEF: 'cloth', geometry: sheet(-700, 2), tearStrain: 10, shearStiffness: 1 },
+  {
+    type: 'Cloth',
+    DEF: 'cloth',
+    geometry: sheet(-700),
+    thickness: 0,
+    tearStrain: 10,
+    shearStiffness: 1,
+  },
 ];
 
 export const clothSubjects = { Cloth: 'cloth' };
@@ -30,7 +32,10 @@ const edit = (values: Edit['values'], more: Partial<Edit> = {}): Edit => ({
 
 export const clothEdits: Record<string, Edit> = {
   enabled: edit(OFF),
-  geometry: edit([use('sheet'), use('otherSheet')], { stays: ['.geometry', '?.positions'] }),
+  geometry: edit([use('flat'), use('long')], {
+    given: { size: [1, 1] },
+    stays: ['.geometry', '?.positions'],
+  }),
   size: edit([
     [1, 2],
     [2, 1],
@@ -43,7 +48,7 @@ export const clothEdits: Record<string, Edit> = {
     { given: { size: [1, 1] } },
   ),
   mass: edit(SHARES),
-  thickness: edit([0.02, 0.03]),
+  thickness: edit([0.02, 0.03], { stays: ['.thickness', '?.positions'] }),
   stretchStiffness: edit([10, 20]),
   shearStiffness: edit(SHARES, { stays: ['.shearStiffness', '?.positions'] }),
   bendStiffness: edit([1e-3, 2e-3]),

@@ -14,7 +14,7 @@ import { deformableTypes } from '../../physics-core/deformables.js';
 import { softTypes } from '../../physics-core/ropes.js';
 import { waterTypes } from '../../physics-core/water.js';
 import { PARTICLE_SUBJECTS, particleScene, POINT_SPARES } from './particles.js';
-import { clothScene, clothSubjects, SHEET_SPARES } from './deformables.js';
+import { clothScene, clothSubjects } from './deformables.js';
 import { LINE_SPARES, ropeScene, ropeSubjects } from './ropes.js';
 import { waterScene } from './water.js';
 
@@ -159,5 +159,4 @@ export const SPARES: Record<string, NodeData> = {
   moreData: { type: 'MetadataString', name: 'b' },
   ...POINT_SPARES,
   ...LINE_SPARES,
-  ...SHEET_SPARES,
 };
