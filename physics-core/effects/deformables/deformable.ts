@@ -43,6 +43,8 @@ export class Deformable {
   /** Of the points of its surface, m/s. */
   velocities: Float64Array;
   #before: Float64Array;
+  /** Where its points of mass were when the step began. */
+  #good: Float64Array;
 
   constructor(source: DeformableSource) {
     this.source = source;
@@ -50,6 +52,7 @@ export class Deformable {
     this.material = source.lay();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
+    this.#good = this.material.masses.places.slice();
   }
 
   get places(): Float64Array {
@@ -66,6 +69,7 @@ export class Deformable {
     this.material = this.source.lay();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
+    this.#good = this.material.masses.places.slice();
     this.#last = this.#quiet = 0;
     this.asleep = false;
     this.version++;
@@ -115,6 +119,7 @@ export class Deformable {
 
   begin(): void {
     this.#before.set(this.places);
+    this.#good.set(this.material.masses.places);
   }
 
   /** A part of a step by itself: it falls, gives way, and goes as fast as it is. Velocities belong to the middle of each part. */
@@ -161,7 +166,12 @@ export class Deformable {
 
   /** Numbers that are none: it stands where it was when the step began. */
   stop(): void {
-    this.reset();
+    const { masses, surface } = this.material;
+    masses.places.set(this.#good);
+    masses.velocities.fill(0);
+    surface.follow(masses);
+    this.velocities.fill(0);
+    this.#last = 0;
     this.source.stopped();
   }
 
@@ -213,6 +223,7 @@ export class Deformable {
       const own = new Uint8Array(part.buffer, part.byteOffset, part.byteLength);
       if (bytes.length >= own.length) own.set(bytes.subarray(0, own.length));
     });
+    this.material.restored?.();
     this.material.surface.follow(this.material.masses);
     this.#last = last;
     this.#quiet = quiet;

@@ -13,6 +13,8 @@ export class Corners {
   readonly #scales: Float64Array;
   readonly #rest: Float64Array;
   readonly #areas: Float64Array;
+  /** In which triangle each is. */
+  readonly #faces: Int32Array;
 
   constructor(
     places: ArrayLike<number>,
@@ -26,7 +28,7 @@ export class Corners {
       known.add(threads.first[n]! * points + threads.second[n]!);
     const isThread = (a: number, b: number): boolean =>
       known.has(Math.min(a, b) * points + Math.max(a, b));
-    const corners: [points: number[], scale: number, rest: number, area: number][] = [];
+    const corners: [points: number[], scale: number, rest: number, face: number][] = [];
     for (let f = 0; 3 * f + 2 < triangles.length; f++) {
       const face = [0, 1, 2].map((k) => triangles[3 * f + k]!);
       // Three threads hold their angles by themselves.
@@ -37,18 +39,25 @@ export class Corners {
       const sum = (p: number, q: number): number =>
         [0, 1, 2].reduce((all, k) => all + way(p, k) * way(q, k), 0);
       const product = Math.sqrt(sum(a, a) * sum(b, b));
-      if (product > 0) corners.push([[o, a, b], 1 / product, sum(a, b) / product, areas[f]!]);
+      if (product > 0) corners.push([[o, a, b], 1 / product, sum(a, b) / product, f]);
     }
     this.count = corners.length;
     this.#points = Int32Array.from(corners.flatMap(([all]) => all));
     this.#scales = Float64Array.from(corners, ([, scale]) => scale);
     this.#rest = Float64Array.from(corners, ([, , rest]) => rest);
-    this.#areas = Float64Array.from(corners, ([, , , area]) => area);
+    this.#areas = Float64Array.from(corners, ([, , , face]) => areas[face]!);
+    this.#faces = Int32Array.from(corners, ([, , , face]) => face);
   }
 
-  /** N/m. */
-  push({ places, velocities, inverse }: Masses, stiffness: number, time: number): void {
+  /** N/m; those of triangles that are gone do nothing. */
+  push(
+    { places, velocities, inverse }: Masses,
+    stiffness: number,
+    time: number,
+    gone: Uint8Array,
+  ): void {
     for (let n = 0; n < this.count; n++) {
+      if (gone[this.#faces[n]!] === 1) continue;
       const o = this.#points[3 * n]!;
       const a = this.#points[3 * n + 1]!;
       const b = this.#points[3 * n + 2]!;

@@ -14,10 +14,7 @@ export interface Lines {
 const STRAIGHT = -0.5;
 
 /** Each thread belongs to one line; at each point those go on in each other that lie straightest. */
-export function linesOf(
-  places: ArrayLike<number>,
-  edges: readonly Edge[],
-): Lines {
+export function linesOf(places: ArrayLike<number>, edges: readonly Edge[]): Lines {
   const threads = edges.filter(({ thread, length }) => thread && length > 0);
   const next = continuations(places, threads);
   const lines: Lines = { first: [], second: [], edges: [], starts: [0] };

@@ -19,6 +19,8 @@ export interface Material {
   hold(time: number): void;
   /** What else the next step reads, for a snapshot. */
   readonly lasting: readonly (Float64Array | Int32Array | Uint8Array)[];
+  /** A snapshot was put back into what it keeps. */
+  restored?(): void;
   /** How far the most stretched of what does not stretch is stretched, as a share of its length; 0: nothing is. */
   readonly strain: number;
 }

@@ -11,6 +11,8 @@ export class Threads {
   readonly lengths: Float64Array;
   /** How many metres of cloth each stands for. */
   readonly widths: Float64Array;
+  /** Which triangles each borders. */
+  readonly faces: readonly (readonly number[])[];
   /** 1: it is torn. */
   readonly torn: Uint8Array;
   /** How much longer than its length the most stretched one was when they were last gone over, as a share of that. */
@@ -33,9 +35,13 @@ export class Threads {
       threads,
       ({ faces, length }) => faces.reduce((sum, f) => sum + areas[f]!, 0) / length,
     );
+    this.faces = threads.map(({ faces }) => faces);
     this.torn = new Uint8Array(this.count);
     this.#starts = Int32Array.from(starts);
-    const longest = starts.reduce((most, start, i) => Math.max(most, (starts[i + 1] ?? 0) - start), 0);
+    const longest = starts.reduce(
+      (most, start, i) => Math.max(most, (starts[i + 1] ?? 0) - start),
+      0,
+    );
     this.#ways = new Float64Array(3 * longest);
     this.#diagonals = new Float64Array(longest);
     this.#pulls = new Float64Array(longest);
@@ -80,7 +86,13 @@ export class Threads {
   }
 
   /** A tridiagonal system (Thomas): how much each thread has to be shorter, kg m, in single steps of Newton. */
-  #holdLine({ places, inverse }: Masses, from: number, to: number, soft: number, most: number): void {
+  #holdLine(
+    { places, inverse }: Masses,
+    from: number,
+    to: number,
+    soft: number,
+    most: number,
+  ): void {
     const { first, second, lengths, widths, torn } = this;
     const ways = this.#ways;
     const diagonals = this.#diagonals;
