@@ -258,6 +258,17 @@ export const additions: readonly Addition[] = [
     },
   },
   {
+    effect: 'deformables',
+    by: 'a cloth of sixteen by sixteen cells that hangs beside them',
+    without: drifting,
+    with: {
+      ...drifting,
+      also: (world) => {
+        world.add('Cloth', { size: [2, 2], fixedIndex: [272, 288] });
+      },
+    },
+  },
+  {
     effect: 'dragging',
     by: 'a hand that holds one body',
     without: drifting,

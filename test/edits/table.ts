@@ -3,6 +3,7 @@ import { bodyEdits, offsetEdits, shapeEdits } from './bodies.js';
 import { AXES, kept, OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
 import { edits as jointEdits } from './joints.js';
 import { particleEdits } from './particles.js';
+import { clothEdits } from './deformables.js';
 import { attachmentEdits, ropeEdits } from './ropes.js';
 import { waterEdits } from './water.js';
 import {
@@ -56,6 +57,7 @@ const table: Record<string, Record<string, Edit>> = {
   ...jointEdits,
   ...particleEdits,
   Rope: ropeEdits,
+  Cloth: clothEdits,
   SoftBodyAttachment: attachmentEdits,
   WaterVolume: waterEdits,
 };

@@ -234,6 +234,7 @@ export class Deformable {
       const own = new Uint8Array(part.buffer, part.byteOffset, part.byteLength);
       if (bytes.length >= own.length) own.set(bytes.subarray(0, own.length));
     });
+    this.material.restored?.();
     this.material.surface.follow(this.material.masses);
     this.#last = last;
     this.#quiet = quiet;

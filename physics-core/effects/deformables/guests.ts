@@ -197,8 +197,9 @@ export class Guests {
       const node = this.#simulation.bodies.in(slot)!;
       if (!node.isDynamic) continue;
       if (node.sleeping && this.#disturbs(node, slot, dt)) node.wake();
-      if (node.sleeping) continue;
       const n = SIX * slot;
+      // What lost its numbers pushes nothing.
+      if (node.sleeping || !this.#impulses.subarray(n, n + SIX).every(Number.isFinite)) continue;
       const { reader } = this.#simulation.engine;
       reader.load(node.body, node.pointer, load, 0);
       const last = known.get(node.id) ?? new Float64Array(SIX);

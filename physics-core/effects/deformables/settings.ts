@@ -5,6 +5,8 @@ import type { Cause } from '../effect/effect.js';
 /** What the author of a cloth or a soft body says that is the same for both. */
 export interface DeformableSettings {
   readonly enabled: boolean;
+  /** FALSE: it goes through everything. */
+  readonly touches: boolean;
   /** Half of how thick its surface is, metres: it stays so far from what it touches. */
   readonly radius: number;
   /** Share of its speed that it loses, 1/s. */

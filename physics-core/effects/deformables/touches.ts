@@ -38,6 +38,7 @@ export class Touches {
   /** Who may touch what in a step of `dt` seconds that begins. */
   look(deformable: Deformable, obstacles: Obstacles, guests: Guests, dt: number): void {
     this.count = 0;
+    if (!deformable.settings.touches) return;
     const { count } = deformable.material.surface;
     if (this.#touchOf.length < count) this.#touchOf = new Int32Array(count);
     this.#touchOf.fill(-1);

@@ -23,6 +23,7 @@ export class ClothNode extends DeformableNode {
     const wind = this.asked<Vec3>('wind');
     return {
       ...super.settings,
+      touches: this.radius > 0,
       wind: wind.some((v) => v !== 0) ? wind : undefined,
       selfCollision: this.asked('selfCollision'),
     };

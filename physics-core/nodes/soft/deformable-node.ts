@@ -35,6 +35,7 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
     const collection = this.collection ?? this.world.settings;
     return {
       enabled: this.asked('enabled'),
+      touches: true,
       radius: this.radius,
       damping: this.asked('damping'),
       friction: this.asked('friction'),

@@ -31,6 +31,9 @@ export class Cloth implements Material {
   readonly #shearRate: number;
   readonly #bendRate: number;
   readonly #laid: number;
+  /** 1: a triangle that borders a torn thread; of those that have an area. Which of the surface each is. */
+  readonly #gone: Uint8Array;
+  readonly #numbers: readonly number[];
   #mass: number;
   #words: ClothWords = { mass: 1, stretch: 0, shear: 0, bend: 0, tear: 0 };
   /** Threads go to their length instead of pulling there: they would be too fast. */
@@ -41,7 +44,9 @@ export class Cloth implements Material {
   constructor(points: ArrayLike<number>, index: ArrayLike<number>, mass: number) {
     const { places: all, numbers: carriers } = weld(points);
     const places = [...all];
-    const triangles = wholeTriangles(index, carriers);
+    const { triangles, numbers } = wholeTriangles(index, [...carriers]);
+    this.#numbers = numbers;
+    this.#gone = new Uint8Array(numbers.length);
     const areas = areasOf(places, triangles);
     this.masses = new Masses(places);
     this.#laid = this.#mass = mass;
@@ -145,13 +150,25 @@ export class Cloth implements Material {
 
   push(time: number): void {
     if (!this.#held) this.#threads.push(this.masses, this.#words.stretch, time);
-    if (this.#shear > 0) this.#corners.push(this.masses, this.#shear, time);
-    if (this.#bend > 0) this.#hinges.push(this.masses, this.#bend, time);
+    if (this.#shear > 0) this.#corners.push(this.masses, this.#shear, time, this.#gone);
+    if (this.#bend > 0) this.#hinges.push(this.masses, this.#bend, time, this.#gone);
   }
 
   hold(time: number, again: boolean): void {
     if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time, again);
-    if (this.#words.tear > 0) this.#threads.tear(this.masses, this.#words.tear);
+    const { tear } = this.#words;
+    if (tear > 0 && this.#threads.tear(this.masses, tear)) this.restored();
+  }
+
+  /** Triangles go with the threads that they border. */
+  restored(): void {
+    const { torn, faces } = this.#threads;
+    this.#gone.fill(0);
+    faces.forEach((both, n) => {
+      if (torn[n] === 1) for (const face of both) this.#gone[face] = 1;
+    });
+    const lost = new Set(this.#numbers.filter((_, face) => this.#gone[face] === 1));
+    this.surface.keep((triangle) => !lost.has(triangle));
   }
 
   get lasting(): readonly Uint8Array[] {
@@ -170,14 +187,20 @@ const most = (rates: ArrayLike<number>): number => {
 };
 
 /** By the points that stand for them, without those that have two corners in one place, or corners that are no points. */
-function wholeTriangles(index: ArrayLike<number>, carriers: readonly number[]): number[] {
-  const out: number[] = [];
+function wholeTriangles(
+  index: ArrayLike<number>,
+  carriers: readonly number[],
+): { triangles: number[]; numbers: number[] } {
+  const triangles: number[] = [];
+  const numbers: number[] = [];
   for (let n = 0; n + 2 < index.length; n += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => carriers[index[n + k]!]);
     if (a === undefined || b === undefined || c === undefined) continue;
-    if (a !== b && b !== c && c !== a) out.push(a, b, c);
+    if (a === b || b === c || c === a) continue;
+    triangles.push(a, b, c);
+    numbers.push(n / 3);
   }
-  return out;
+  return { triangles, numbers };
 }
 
 function areasOf(places: readonly number[], triangles: readonly number[]): Float64Array {

@@ -14,6 +14,8 @@ export class Corners {
   readonly #seconds: Float64Array;
   readonly #rest: Float64Array;
   readonly #areas: Float64Array;
+  /** In which triangle each is. */
+  readonly #faces: Int32Array;
 
   constructor(
     places: ArrayLike<number>,
@@ -27,7 +29,7 @@ export class Corners {
       known.add(threads.first[n]! * points + threads.second[n]!);
     const isThread = (a: number, b: number): boolean =>
       known.has(Math.min(a, b) * points + Math.max(a, b));
-    const corners: [points: number[], one: number, other: number, rest: number, area: number][] =
+    const corners: [points: number[], one: number, other: number, rest: number, face: number][] =
       [];
     for (let f = 0; 3 * f + 2 < triangles.length; f++) {
       const face = [0, 1, 2].map((k) => triangles[3 * f + k]!);
@@ -40,20 +42,26 @@ export class Corners {
         [0, 1, 2].reduce((all, k) => all + way(p, k) * way(q, k), 0);
       const one = Math.sqrt(sum(a, a));
       const other = Math.sqrt(sum(b, b));
-      if (one > 0 && other > 0)
-        corners.push([[o, a, b], one, other, sum(a, b) / (one * other), areas[f]!]);
+      if (one > 0 && other > 0) corners.push([[o, a, b], one, other, sum(a, b) / (one * other), f]);
     }
     this.count = corners.length;
     this.#points = Int32Array.from(corners.flatMap(([all]) => all));
     this.#firsts = Float64Array.from(corners, ([, one]) => one);
     this.#seconds = Float64Array.from(corners, ([, , other]) => other);
     this.#rest = Float64Array.from(corners, ([, , , rest]) => rest);
-    this.#areas = Float64Array.from(corners, ([, , , , area]) => area);
+    this.#areas = Float64Array.from(corners, ([, , , , face]) => areas[face]!);
+    this.#faces = Int32Array.from(corners, ([, , , , face]) => face);
   }
 
-  /** N/m. */
-  push({ places, velocities, inverse }: Masses, stiffness: number, time: number): void {
+  /** N/m; those of triangles that are gone do nothing. */
+  push(
+    { places, velocities, inverse }: Masses,
+    stiffness: number,
+    time: number,
+    gone: Uint8Array,
+  ): void {
     for (let n = 0; n < this.count; n++) {
+      if (gone[this.#faces[n]!] === 1) continue;
       const o = this.#points[3 * n]!;
       const a = this.#points[3 * n + 1]!;
       const b = this.#points[3 * n + 2]!;

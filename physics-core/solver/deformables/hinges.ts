@@ -10,6 +10,8 @@ export class Hinges {
   readonly count: number;
   /** The ends of the edge, and the points across. */
   readonly #points: Int32Array;
+  /** Both triangles. */
+  readonly #faces: Int32Array;
   /** Of the four, what each counts for: metres to the power of 1/2 and -1. */
   readonly #weights: Float64Array;
   /** Half of what is not flat as it was laid stays so: n of that, along the mean normal. */
@@ -19,6 +21,7 @@ export class Hinges {
     const hinges = edges.filter(({ across, length }) => across.length === 2 && length > 0);
     this.count = hinges.length;
     this.#points = Int32Array.from(hinges.flatMap(({ a, b, across }) => [a, b, ...across]));
+    this.#faces = Int32Array.from(hinges.flatMap(({ faces }) => faces));
     this.#weights = Float64Array.from(hinges.flatMap((hinge) => weightsOf(places, hinge, areas)));
     this.#rest = new Float64Array(this.count);
     for (let n = 0; n < this.count; n++) this.#rest[n] = this.#bent(places, n);
@@ -35,11 +38,17 @@ export class Hinges {
     return Math.sqrt(square);
   }
 
-  /** N m. */
-  push({ places, velocities, inverse }: Masses, stiffness: number, time: number): void {
+  /** N m; what borders a triangle that is gone bends freely. */
+  push(
+    { places, velocities, inverse }: Masses,
+    stiffness: number,
+    time: number,
+    gone: Uint8Array,
+  ): void {
     const points = this.#points;
     const weights = this.#weights;
     for (let n = 0; n < this.count; n++) {
+      if (gone[this.#faces[2 * n]!] === 1 || gone[this.#faces[2 * n + 1]!] === 1) continue;
       const at = 4 * n;
       const a = points[at]!;
       const b = points[at + 1]!;

@@ -19,6 +19,8 @@ export interface Material {
   hold(time: number, again: boolean): void;
   /** What else the next step reads, for a snapshot. */
   readonly lasting: readonly (Float64Array | Int32Array | Uint8Array)[];
+  /** A snapshot was put back into what it keeps. */
+  restored?(): void;
   /** How much longer than they should be `hold` found threads, as a share of their length; 0: none is, or there are none. */
   readonly strain: number;
 }

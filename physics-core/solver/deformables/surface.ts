@@ -8,6 +8,7 @@ export class Surface {
   readonly count: number;
   /** Three of its points for each triangle. */
   readonly triangles: Int32Array;
+  readonly #laid: Int32Array;
   /** How many points of mass carry each. */
   readonly width: number;
   /** Which, `width` for each, and what share each has. */
@@ -25,6 +26,7 @@ export class Surface {
     this.width = width;
     this.count = carriers.length / width;
     this.triangles = Int32Array.from(triangles);
+    this.#laid = this.triangles.slice();
     this.carriers = Int32Array.from(carriers);
     this.shares = Float64Array.from(shares);
     this.places = new Float64Array(3 * this.count);
@@ -34,6 +36,12 @@ export class Surface {
   static of(count: number, triangles: ArrayLike<number>): Surface {
     const each = Array.from({ length: count }, (_, i) => i);
     return new Surface(triangles, 1, each, new Float64Array(count).fill(1));
+  }
+
+  /** Only these of its triangles are there any more: of others all corners are its first point. */
+  keep(isThere: (triangle: number) => boolean): void {
+    for (let j = 0; j < this.triangles.length; j++)
+      this.triangles[j] = isThere(Math.floor(j / 3)) ? this.#laid[j]! : 0;
   }
 
   /** Follows those that carry it. */

@@ -11,6 +11,8 @@ export class Threads {
   readonly lengths: Float64Array;
   /** How many metres of cloth each stands for. */
   readonly widths: Float64Array;
+  /** Which triangles each borders. */
+  readonly faces: readonly (readonly number[])[];
   /** 1: it is torn. */
   readonly torn: Uint8Array;
   /** How much longer than it should be the most stretched one was when they were last gone over, as a share of its length. */
@@ -35,6 +37,7 @@ export class Threads {
       threads,
       ({ faces, length }) => faces.reduce((sum, f) => sum + areas[f]!, 0) / length,
     );
+    this.faces = threads.map(({ faces }) => faces);
     this.torn = new Uint8Array(this.count);
     this.#shortened = new Float64Array(this.count);
     this.#starts = Int32Array.from(starts);

@@ -33,6 +33,8 @@ const FIELDS: Record<string, string[]> = {
   CollisionCollection: [...BOUNDED, 'description'],
   CollisionSensor: ['metadata', 'description'],
   Rope: BOUNDED,
+  Cloth: BOUNDED,
+  SoftBody: BOUNDED,
   WaterVolume: BOUNDED,
   ParticleSystem: [...BOUNDED, ...Object.keys(looks)],
 };

@@ -24,7 +24,9 @@ fact('every node has metadata, bounded ones a bounding box, and two a descriptio
   for (const [type, { fields }] of Object.entries(allTypes)) {
     assert.equal(fields['metadata']?.type, 'SFNode', type);
     const bounded =
-      /^(RigidBody|Rope)|Collidable|Collision(?!Sensor)|ParticleSystem|WaterVolume/.test(type);
+      /^(RigidBody|Rope|Cloth)|SoftBody$|Collidable|Collision(?!Sensor)|ParticleSystem|WaterVolume/.test(
+        type,
+      );
     for (const name of ['bboxCenter', 'bboxSize', 'bboxDisplay', 'visible'])
       assert.equal(name in fields, bounded, `${type}.${name}`);
     assert.equal('description' in fields, /Collision(Collection|Sensor)/.test(type), type);

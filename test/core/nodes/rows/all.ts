@@ -18,6 +18,7 @@ import { rows as rigidBodyRows } from './body/rigid-body.js';
 import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
 import { particleRows, surfaceRows, systemRows, volumeRows } from './particles.js';
 import { floatingRows, waterRows } from './water-volume.js';
+import { clothRows, givingRows } from './cloth.js';
 import { attachmentRows, hangingRows, ropeRows } from './rope.js';
 import type { Row } from './row.js';
 import { spaceRows } from './collision/spaces.js';
@@ -48,6 +49,7 @@ const ownRows: Record<string, Row[]> = {
   WindPhysicsModel: [],
   BoundedPhysicsModel: [],
   Rope: ropeRows,
+  Cloth: clothRows,
   SoftBodyAttachment: attachmentRows,
   WaterVolume: waterRows,
 };
@@ -60,4 +62,4 @@ export const rowsOf: Record<string, Row[]> = Object.fromEntries(
 export const guardRows: Row[] = [...valueRows, ...jamRows];
 
 /** Of effects whose nodes' tables come in a chunk. */
-export const lateRows: Row[] = [...particleRows, ...floatingRows, ...hangingRows];
+export const lateRows: Row[] = [...particleRows, ...floatingRows, ...hangingRows, ...givingRows];

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { addBody, box, close, height, sphere, world, type Body } from '../../helpers.js';
+import { flat } from '../../effects/deformables/helpers.js';
 import type { Row } from './row.js';
 
 const VALUES: Record<string, unknown> = {
@@ -16,6 +17,7 @@ const VALUES: Record<string, unknown> = {
 function needs(type: string, ball: Body): Record<string, unknown> {
   if (type.endsWith('Joint')) return { body1: ball };
   if (type === 'Rope') return { points: [0, -100, 0, 1, -100, 0] };
+  if (type === 'Cloth') return { geometry: flat(1, 1, -100) };
   return type === 'WaterVolume' ? { position: [0, -100, 0] } : {};
 }
 

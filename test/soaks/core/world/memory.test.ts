@@ -128,6 +128,42 @@ fact('ropes that come and go leave nothing of the heap behind', async () => {
   });
 });
 
+fact('nor do 2,000 steps of cloths that swing, lie on the ground and carry balls', async () => {
+  const w = await world();
+  addFloor(w, -3, { geometry: [box(200, 1, 200)] });
+  const sheet = { size: [1, 1], subdivision: [4, 4], fixedIndex: [20, 24] };
+  w.add('Cloth', sheet);
+  w.add('Cloth', { geometry: { ...box(1, 0.2, 1), translation: [5, -2.5, 0] } });
+  const softBody = w.add('Cloth', { ...sheet, wind: [0, 0, 2] });
+  const body = addBody(w, {
+    mass: 0.5,
+    position: [0, -0.5, 0],
+    geometry: [{ type: 'Sphere', radius: 0.1 }],
+  });
+  w.add('SoftBodyAttachment', { softBody, index: 2, body });
+  w.step(WARM);
+  const before = used();
+  w.step(2_000);
+  below(used() - before, 16_384, 'bytes');
+});
+
+fact('cloths that come and go leave nothing of the heap behind', async () => {
+  const w = await world();
+  addFloor(w, -3);
+  const body = addBody(w, { position: [0.5, 0.5, 0], fixed: true });
+  await leavesNoTrace(w, () => {
+    for (let i = 0; i < 10; i++) {
+      const softBody = w.add('Cloth', { size: [1, 1], subdivision: [3, 3], fixedIndex: [12, 13] });
+      const tied = w.add('SoftBodyAttachment', { softBody, index: 15, body });
+      w.step(5);
+      if (i % 2) tied.remove();
+      softBody.remove();
+      if (!(i % 2)) tied.remove();
+      w.step(1);
+    }
+  });
+});
+
 fact('systems that come and go leave nothing of the heap behind', async () => {
   const w = await world();
   addFloor(w);
