@@ -11,6 +11,7 @@ import { allTypes } from '../../../../physics-core/all-types.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import { drags, meshes, threads, type Problem } from '../../../../physics-core/inside.js';
 import { particleTypes } from '../../../../physics-core/particles.js';
+import { deformableTypes } from '../../../../physics-core/deformables.js';
 import { softTypes } from '../../../../physics-core/ropes.js';
 import { waterTypes } from '../../../../physics-core/water.js';
 import type { NodeData } from '../../../conformance/fact.js';
@@ -179,10 +180,13 @@ const WAYS: Record<Way, string> = {
 /** What is walked in one scene. */
 const GROUPS = {
   bodies: ALL_FIELDS.filter(
-    ([type]) => ![particleTypes, softTypes, waterTypes].some((types) => type in types),
+    ([type]) =>
+      ![deformableTypes, particleTypes, softTypes, waterTypes].some((types) => type in types),
   ),
   particles: ALL_FIELDS.filter(([type]) => type in particleTypes),
   ropes: ALL_FIELDS.filter(([type]) => type in softTypes),
+  cloth: ALL_FIELDS.filter(([type]) => type === 'Cloth'),
+  'soft bodies': ALL_FIELDS.filter(([type]) => type === 'SoftBody'),
   water: ALL_FIELDS.filter(([type]) => type in waterTypes),
 };
 
