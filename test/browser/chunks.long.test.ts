@@ -262,8 +262,8 @@ describe('what a page fetches', () => {
       // Each before what it names, and in that.
       x3dScene.insertAdjacentHTML(
         'beforeend',
-        `<x3d-soft-body-attachment id="by-name" softBody="k" index="2"></x3d-soft-body-attachment>
-         <Cloth id="k" size="1 1" subdivision="2 2"><SoftBodyAttachment id="within" index="8"></SoftBodyAttachment></Cloth>`,
+        `<x3d-soft-body-attachment id="by-name" softBody="k" index="2" position="0.5 -0.5 0"></x3d-soft-body-attachment>
+         <Cloth id="k" size="1 1" subdivision="2 2"><SoftBodyAttachment id="within" index="8" position="0.5 0.5 0"></SoftBodyAttachment></Cloth>`,
       );
       const tied = (name: string): unknown => world.node(name)?.get('softBody');
       await until(() => world.node('k') !== undefined && has(page, also));
