@@ -43,16 +43,16 @@ export class Deformable {
   /** Of the points of its surface, m/s. */
   velocities: Float64Array;
   #before: Float64Array;
-  /** Where its points of mass were when the step began. */
+  /** Where what has mass was when the step began. */
   #good: Float64Array;
 
   constructor(source: DeformableSource) {
     this.source = source;
     this.settings = source.settings;
     this.material = source.lay();
+    this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
-    this.#good = this.material.masses.places.slice();
   }
 
   get places(): Float64Array {
@@ -67,9 +67,9 @@ export class Deformable {
   reset(): void {
     this.settings = this.source.settings;
     this.material = this.source.lay();
+    this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
-    this.#good = this.material.masses.places.slice();
     this.#last = this.#quiet = 0;
     this.asleep = false;
     this.version++;
@@ -169,8 +169,8 @@ export class Deformable {
     const { masses, surface } = this.material;
     masses.places.set(this.#good);
     masses.velocities.fill(0);
-    surface.follow(masses);
     this.velocities.fill(0);
+    surface.follow(masses);
     this.#last = 0;
     this.source.stopped();
   }

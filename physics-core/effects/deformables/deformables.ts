@@ -7,6 +7,7 @@ import { Deformable, type KeptDeformable, type ToldDeformable } from './deformab
 import { Guests, type KeptGuests } from './guests.js';
 import type { DeformableSource } from './settings.js';
 import { Tied, type DeformableTie } from './ties.js';
+import { ROUNDS, TAUT } from './tolerances.js';
 
 interface Kept {
   guests: KeptGuests;
@@ -140,12 +141,18 @@ export class Deformables extends Effect {
   #go(moving: readonly Deformable[], tied: readonly Tied[], time: number, part: number): void {
     const guests = this.#guests;
     guests.go(time);
-    for (const deformable of moving) {
-      deformable.fall(time);
-      deformable.material.hold(time);
+    for (const deformable of moving) deformable.fall(time);
+    let strain = Infinity;
+    for (let round = 0; round < ROUNDS && strain > TAUT; round++) {
+      strain = 0;
+      for (const { material } of moving) {
+        material.hold(time, round > 0);
+        strain = Math.max(strain, material.strain);
+      }
+      for (const each of tied) each.hold(guests, time);
+      for (const deformable of moving)
+        deformable.touches.hold(deformable, guests, time, part * time);
     }
-    for (const each of tied) each.hold(guests, time);
-    for (const deformable of moving) deformable.touches.hold(deformable, guests, time, part * time);
     for (const deformable of moving) deformable.go(time);
   }
 

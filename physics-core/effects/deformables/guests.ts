@@ -6,7 +6,7 @@ import { inverseInertiaOf } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
 
-import { WAKES } from './tolerances.js';
+import { UNFELT, WAKES } from './tolerances.js';
 
 /** Numbers of one: linear, then angular. */
 const SIX = 6;
@@ -103,18 +103,23 @@ export class Guests {
     for (let k = 0; k < SIX; k++) this.#accelerations[at + k]! *= share;
   }
 
-  /** Which share of what pushed it in the last step moved it. */
+  /** Which share of what pushed it in the last step moved it: all of it, unless something else acted against that. */
   #freedom(body: Body, slot: number, dt: number): number {
     const last = this.#last.get(body.id);
     if (!last) return 1;
-    let along = 0;
+    let against = 0;
     let square = 0;
+    let other = 0;
     for (let k = 0; k < 3; k++) {
       const pushed = last[3 + k]!;
-      along += ((this.#velocities[SIX * slot + k]! - last[k]!) / dt) * pushed;
+      const rest = (this.#velocities[SIX * slot + k]! - last[k]!) / dt - pushed;
+      against -= rest * pushed;
+      other += rest * rest;
       square += pushed * pushed;
     }
-    return square > 0 ? Math.min(1, Math.max(0, along / square)) : 1;
+    const weight = dot3(this.#accelerations, SIX * slot, this.#accelerations, SIX * slot);
+    if (other <= UNFELT ** 2 * weight || square === 0) return 1;
+    return 1 - Math.min(1, Math.max(0, against / square));
   }
 
   /** Goes on by a part of the step. */

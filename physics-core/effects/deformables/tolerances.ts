@@ -17,3 +17,19 @@ export const AHEAD = 1;
 
 /** Stretched by more than this share what does not stretch is told: as long as it bears less it holds. */
 export const STRAINED = 0.05;
+
+/** Share of what pushes a body by itself that rounding leaves of it: more than that something else did. */
+export const UNFELT = 0.01;
+
+/**
+ * Threads, ties and touches are gone over again in a part of a step where what does not stretch is longer than this share, so
+ * many times at most. (Fact: a ball of 100 kg on a cloth of 1 kg.)
+ */
+export const TAUT = 0.01;
+export const ROUNDS = 16;
+
+/** Normals at the corners of a triangle that agree to this cosine have no edge of a body between them. (Facts: a ball, a box.) */
+export const FLAT = 0.9;
+
+/** Steps in which the nearest point of a triangle is looked for: a fifth of its size is left. */
+export const NEARER = 8;

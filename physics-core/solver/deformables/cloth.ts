@@ -62,9 +62,7 @@ export class Cloth implements Material {
     this.#corners = new Corners(places, triangles, areas, this.#threads);
     this.#hinges = new Hinges(places, edges, areas);
     this.#stretchRate = most(this.#stretchRates(edges, areas, places));
-    this.#shearRate = most(
-      this.#rates((rates) => this.#corners.addRates(rates, this.masses, places)),
-    );
+    this.#shearRate = most(this.#rates((rates) => this.#corners.addRates(rates, this.masses)));
     this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
   }
 
@@ -155,8 +153,8 @@ export class Cloth implements Material {
     if (this.#bend > 0) this.#hinges.push(this.masses, this.#bend, time, this.#gone);
   }
 
-  hold(time: number): void {
-    if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time);
+  hold(time: number, again: boolean): void {
+    if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time, again);
     const { tear } = this.#words;
     if (tear > 0 && this.#threads.tear(this.masses, tear)) this.restored();
   }
@@ -177,7 +175,7 @@ export class Cloth implements Material {
   }
 
   get strain(): number {
-    return this.#held && this.#words.stretch === 0 ? this.#threads.strain : 0;
+    return this.#held ? this.#threads.strain : 0;
   }
 }
 

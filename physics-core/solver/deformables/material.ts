@@ -15,12 +15,12 @@ export interface Material {
   soften(parts: number, dt: number): number;
   /** Adds to the velocities what forces between its points do in `time` seconds, places being what they are. */
   push(time: number): void;
-  /** Takes places, `time` seconds after `before`, to where what does not stretch allows them to be. */
-  hold(time: number): void;
+  /** Takes places, `time` seconds after `before`, to where what does not stretch allows them to be; `again`: once more. */
+  hold(time: number, again: boolean): void;
   /** What else the next step reads, for a snapshot. */
   readonly lasting: readonly (Float64Array | Int32Array | Uint8Array)[];
   /** A snapshot was put back into what it keeps. */
   restored?(): void;
-  /** How far the most stretched of what does not stretch is stretched, as a share of its length; 0: nothing is. */
+  /** How much longer than they should be `hold` found threads, as a share of their length; 0: none is, or there are none. */
   readonly strain: number;
 }

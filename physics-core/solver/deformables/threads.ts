@@ -15,7 +15,7 @@ export class Threads {
   readonly faces: readonly (readonly number[])[];
   /** 1: it is torn. */
   readonly torn: Uint8Array;
-  /** How much longer than its length the most stretched one was when they were last gone over, as a share of that. */
+  /** How much longer than it should be the most stretched one was when they were last gone over, as a share of its length. */
   strain = 0;
 
   /** Of each line its first thread; at the end how many there are. */
@@ -24,6 +24,8 @@ export class Threads {
   readonly #ways: Float64Array;
   readonly #diagonals: Float64Array;
   readonly #pulls: Float64Array;
+  /** Of each thread, how much it was shortened in this part, kg m. */
+  readonly #shortened: Float64Array;
 
   constructor(edges: readonly Edge[], areas: Float64Array, places: ArrayLike<number>) {
     const { first, second, edges: threads, starts } = linesOf(places, edges);
@@ -37,6 +39,7 @@ export class Threads {
     );
     this.faces = threads.map(({ faces }) => faces);
     this.torn = new Uint8Array(this.count);
+    this.#shortened = new Float64Array(this.count);
     this.#starts = Int32Array.from(starts);
     const longest = starts.reduce(
       (most, start, i) => Math.max(most, (starts[i + 1] ?? 0) - start),
@@ -75,10 +78,11 @@ export class Threads {
   /**
    * One line after the other is taken to the lengths of its threads, or as far as `stiffness` takes them in such a time (0:
    * all the way). What each does to its neighbours in the line is solved for exactly, so that a sheet hangs as long as it is,
-   * however many threads it has; warp and weft, which stand across, hardly feel each other.
+   * however many threads it has; warp and weft, which stand across, hardly feel each other. `again`: once more in this part.
    */
-  hold(masses: Masses, stiffness: number, time: number): void {
+  hold(masses: Masses, stiffness: number, time: number, again: boolean): void {
     this.strain = 0;
+    if (!again) this.#shortened.fill(0);
     const soft = stiffness > 0 ? 1 / (stiffness * time * time) : 0;
     const starts = this.#starts;
     for (let line = 0; line + 1 < starts.length; line++)
@@ -114,11 +118,12 @@ export class Threads {
       ways[3 * k] = x / now;
       ways[3 * k + 1] = y / now;
       ways[3 * k + 2] = z / now;
-      let off = now - lengths[n]!;
+      const gentle = (soft * lengths[n]!) / widths[n]!;
+      let off = now - lengths[n]! - gentle * this.#shortened[n]!;
       if (off > this.strain * lengths[n]!) this.strain = off / lengths[n]!;
       if (off > most) off = most;
       else if (off < -most) off = -most;
-      let diagonal = gives * (1 + COMPLIANCE) + (soft * lengths[n]!) / widths[n]!;
+      let diagonal = gives * (1 + COMPLIANCE) + gentle;
       if (before >= 0) {
         const beside = this.#beside(before, k, inverse[first[n]!]!);
         const share = beside / diagonals[before]!;
@@ -138,7 +143,11 @@ export class Threads {
       let pull = pulls[k]!;
       if (after !== 0) pull -= this.#beside(k, k + 1, inverse[second[n]!]!) * after;
       pull /= diagonals[k]!;
+      const bound = most / Math.max(inverse[first[n]!]!, inverse[second[n]!]!);
+      if (pull > bound) pull = bound;
+      else if (pull < -bound) pull = -bound;
       after = pull;
+      this.#shortened[n]! += pull;
       const one = pull * inverse[first[n]!]!;
       const other = pull * inverse[second[n]!]!;
       const i = 3 * first[n]!;
