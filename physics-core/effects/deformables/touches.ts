@@ -36,6 +36,11 @@ export class Touches {
   /** Of each point of the surface, its touch; -1: it has none. */
   #touchOf = new Int32Array(0);
 
+  /** Bodies that it may touch, each as often as it does. */
+  get slots(): Int32Array {
+    return this.#slots.subarray(0, this.count);
+  }
+
   /** Who may touch what in a step of `dt` seconds that begins. */
   look(deformable: Deformable, obstacles: Obstacles, guests: Guests, dt: number): void {
     this.count = 0;
