@@ -62,10 +62,14 @@ const OF_WATER =
 const OF_ROPES =
   /\/(elements\/(x3d-(rope|soft-body-attachment)|ropes|bridge\/ropes\/[\w-]+)|physics-core\/ropes)\.ts$/;
 
-/** What particles and ropes meet. */
+/** The same of cloth and soft bodies. */
+const OF_DEFORMABLES =
+  /\/(elements\/(x3d-(cloth|soft-body)|deformables|bridge\/deformables\/[\w-]+)|physics-core\/deformables)\.ts$/;
+
+/** What particles, ropes, cloth and soft bodies meet. */
 const OF_OBSTACLES = /\/physics-core\/effects\/particles\/collide\/[\w-]+\.ts$/;
 
-/** What draws and takes Shapes for all three. */
+/** What draws and takes Shapes for all of them. */
 const OF_MATTER = /\/elements\/bridge\/matter\/[\w-]+\.ts$/;
 
 /** Winds and water push what they see of a body. */
@@ -82,6 +86,7 @@ const together = (id) => {
   if (OF_WATER.test(id)) return 'water-elements';
   if (OF_OBSTACLES.test(id)) return 'obstacles';
   if (OF_ROPES.test(id)) return 'rope-elements';
+  if (OF_DEFORMABLES.test(id)) return 'deformable-elements';
   if (OF_MATTER.test(id)) return 'own-shapes';
   if (OF_FLOATING.test(id)) return 'water-code';
   if (OF_SILHOUETTES.test(id)) return 'silhouettes';

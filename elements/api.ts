@@ -52,6 +52,7 @@ export { X3DUniversalJointElement } from './x3d-universal-joint.js';
 
 // Their code comes in a chunk, once such a tag is in a page.
 export type { X3DBoundedPhysicsModelElement } from './x3d-bounded-physics-model.js';
+export type { X3DClothElement } from './x3d-cloth.js';
 export type { X3DConeEmitterElement } from './x3d-cone-emitter.js';
 export type { X3DExplosionEmitterElement } from './x3d-explosion-emitter.js';
 export type { X3DForcePhysicsModelElement } from './x3d-force-physics-model.js';
@@ -60,6 +61,7 @@ export type { X3DPointEmitterElement } from './x3d-point-emitter.js';
 export type { X3DPolylineEmitterElement } from './x3d-polyline-emitter.js';
 export type { X3DRopeElement } from './x3d-rope.js';
 export type { X3DSoftBodyAttachmentElement } from './x3d-soft-body-attachment.js';
+export type { X3DSoftBodyElement } from './x3d-soft-body.js';
 export type { X3DSurfaceEmitterElement } from './x3d-surface-emitter.js';
 export type { X3DVolumeEmitterElement } from './x3d-volume-emitter.js';
 export type { X3DWaterVolumeElement } from './x3d-water-volume.js';

@@ -1,4 +1,4 @@
-import { particleTags, ropeTags, waterTags } from './bridge/index.js';
+import { deformableTags, particleTags, ropeTags, waterTags } from './bridge/index.js';
 import type { X3DNodeElementClass } from './node-element.js';
 import { X3DAccuracyChartElement } from './x3d-accuracy-chart.js';
 import { X3DBallJointElement } from './x3d-ball-joint.js';
@@ -40,6 +40,7 @@ export const uiClasses = [X3DAccuracyChartElement, X3DPhysicsMonitorElement] as 
 particleTags.comesFrom(() => import('./particles.js').then((file) => file.whole()));
 waterTags.comesFrom(() => import('./water.js').then((file) => file.whole()));
 ropeTags.comesFrom(() => import('./ropes.js').then((file) => file.whole()));
+deformableTags.comesFrom(() => import('./deformables.js').then((file) => file.whole()));
 
 /** Registers tags with the page; one that is defined already stays as it is. */
 export function defineElements(

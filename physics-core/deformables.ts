@@ -2,6 +2,7 @@
 import { deformableChunk } from './effects/deformables/effects.js';
 
 export { deformableTypes } from './nodes/soft/deformable-types.js';
+export { sheet } from './nodes/soft/sheet.js';
 export { DeformableNode } from './nodes/soft/deformable-node.js';
 
 /** What moves them; a world asks for it, too, when one comes. */

@@ -11,5 +11,5 @@ export { checkPlace, tellPage } from './document/misplaced.js';
 export { worldShown } from './page/shown.js';
 export { page, yieldsToFirst } from './page/page.js';
 export { learnTypes } from './scene/node-types.js';
-export { particleTags, ropeTags, waterTags } from './scene/late-tags.js';
+export { deformableTags, particleTags, ropeTags, waterTags } from './scene/late-tags.js';
 export { attachListener, detachListener } from './x3dom/listeners.js';

@@ -302,3 +302,38 @@ export const ROPE_FLUNG = 1e6;
  */
 export const ROPE_ROUNDS = 10;
 export const ROPE_ROUNDS_NEAREST = 30;
+
+// ---- Soft bodies -----------------------------------------------------------------------------------------------------
+
+/** Cells of a lattice, at most: 16 along each side. A step of so many, in ten parts, takes about 10 ms. */
+export const MOST_CELLS = 4096;
+
+/** Share of a cell that counts as covered where less of it is: less would leave points that weigh all but nothing. */
+export const LEAST_COVER = 0.1;
+
+/** Poisson's ratios that are solved: at .5 nothing would be compressible, and below 0 energies would have no bound. */
+export const LEAST_POISSON = 0;
+export const MOST_POISSON = 0.495;
+
+/** Of a skin: at .5 it is incompressible, since its thickness gives way. */
+export const MOST_SHELL_POISSON = 0.5;
+
+/** Share of its volume below which a gas presses no more than there: it would be as stiff as a wall in what is crumpled. */
+export const LEAST_VOLUME = 0.25;
+
+/** Sum of the squares of its stretches along two directions, from which on a gas pushes a triangle no harder: four in each. */
+export const MOST_SWOLLEN = 32;
+
+/**
+ * Share of the longest part that symplectic steps follow, which is 2 over the greatest frequency. (Fact: a free body that
+ * tumbles and trembles keeps its energy.)
+ */
+export const PART_SHARE = 0.9;
+
+/**
+ * Rounds in which the greatest frequency is found, at most, and when it is: when its square changes by no more in one, as a
+ * share, three times. It comes from below; what is missing then is less than the margin. (Fact: within 15 %, never below.)
+ */
+export const WAVE_ROUNDS = 60;
+export const WAVE_CHANGE = 2e-3;
+export const WAVE_MARGIN = 1.05;

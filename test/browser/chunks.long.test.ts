@@ -74,6 +74,7 @@ const DRAGS = /drag-code/;
 const BATCHES = /batch-code/;
 const WATERS = /water-(code|elements)/;
 const ROPES = /rope-(code|elements)|draw-rope|own-shapes/;
+const DEFORMABLES = /deformable-(code|elements)|draw-deformable|own-shapes/;
 const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
 
 /** WebKitGTK and Safari. */
@@ -226,6 +227,26 @@ describe('what a page fetches', () => {
         expect(fetched(page).filter((path) => ROPES.test(path)).length).to.equal(count);
         expect(world.effects.find(({ name }) => name === 'ropes')!.active).to.equal(true);
         expect(fetched(page).filter((path) => /particle|water/.test(path))).to.eql([]);
+        expect(world.problems).to.eql([]);
+      }
+  });
+
+  it('what cloth is made of with a Cloth alone, and what draws it with its Shape', async () => {
+    const dry = await show(FALLING);
+    await until(() => dry.world.time > 0);
+    expect(has(dry.page, DEFORMABLES)).to.equal(false);
+    for (const tag of ['x3d-cloth', 'Cloth'])
+      for (const [content, files] of [
+        ['', /deformable-(code|elements)|own-shapes/],
+        ['<shape><appearance></appearance></shape>', DEFORMABLES],
+      ] as const) {
+        const { page, world } = await show(`${FALLING}<${tag} size="1 1">${content}</${tag}>`);
+        await until(() => world.time > 0);
+        const count = files === DEFORMABLES ? 4 : 3;
+        await until(() => fetched(page).filter((path) => files.test(path)).length === count);
+        expect(fetched(page).filter((path) => DEFORMABLES.test(path)).length).to.equal(count);
+        expect(world.effects.find(({ name }) => name === 'deformables')!.active).to.equal(true);
+        expect(fetched(page).filter((path) => /particle-|water|rope/.test(path))).to.eql([]);
         expect(world.problems).to.eql([]);
       }
   });

@@ -1,4 +1,4 @@
-import { particleTags, ropeTags, waterTags } from '../../elements/bridge/index.js';
+import { deformableTags, particleTags, ropeTags, waterTags } from '../../elements/bridge/index.js';
 import '../../elements/index.js';
 import { allTypes } from '../../physics-core/all-types.js';
 import { contacts, type FieldType, type World } from '../../physics-core/inside.js';
@@ -163,7 +163,7 @@ const on = (thread: Thread, scene: NodeData[]): NodeData[] =>
   scene.map((node) => (node.type === 'RigidBodyCollection' ? { ...node, thread } : node));
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
+await Promise.all([deformableTags.load(), particleTags.load(), ropeTags.load(), waterTags.load()]);
 
 /** Shows a fact's scene in this page. */
 export async function openInPage(

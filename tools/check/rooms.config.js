@@ -56,6 +56,7 @@ export const trees = {
       'particles',
       'water',
       'ropes',
+      'deformables',
       'scene',
       'page',
     ],

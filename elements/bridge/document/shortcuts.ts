@@ -19,7 +19,7 @@ function named(binding: Binding, name: string): StandIn | undefined {
   return { scope: at, transform, shapes: element };
 }
 
-/** Shortcut 1: a body, water or a rope inside a Transform, with nothing of physics between them. */
+/** Shortcut 1: a body, water, a rope, a cloth or a soft body inside a Transform, with nothing of physics between them. */
 function enclosing(binding: Binding): StandIn | undefined {
   for (const place of placesOf(binding)) {
     const found = transformAround(place, binding.scope!.all.around(place) ?? binding.scope!);
@@ -54,6 +54,9 @@ function resolved(standIn: StandIn | undefined, binding: Binding): StandIn | und
   return transform ? { ...standIn!, transform, shapes: transform } : standIn;
 }
 
+/** What a SoftBodyAttachment ties. */
+export const SOFT = ['Rope', 'Cloth', 'SoftBody'];
+
 export function standInOf(binding: Binding): StandIn | undefined {
   return resolved(shortcutOf(binding), binding);
 }
@@ -61,7 +64,7 @@ export function standInOf(binding: Binding): StandIn | undefined {
 function shortcutOf(binding: Binding): StandIn | undefined {
   const name = attribute(binding.element, 'for');
   if (name) return named(binding, name);
-  if (binding.is('RigidBody', 'WaterVolume', 'Rope', 'SoftBodyAttachment'))
+  if (binding.is('RigidBody', 'WaterVolume', ...SOFT, 'SoftBodyAttachment'))
     return enclosing(binding);
   return binding.is('CollidableShape') ? dialect(binding) : undefined;
 }

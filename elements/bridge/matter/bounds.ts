@@ -23,6 +23,18 @@ export class Bounds {
     shape.getVolume = () => box;
   }
 
+  /** Points flat, each of which reaches so far from where it is. */
+  around(points: ArrayLike<number>, reach: number): void {
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < points.length; i++) {
+      const value = points[i]!;
+      if (value < low[i % 3]!) low[i % 3] = value;
+      if (value > high[i % 3]!) high[i % 3] = value;
+    }
+    this.hold(low, high, reach);
+  }
+
   /** Particles are from `low` to `high`, and each reaches so far from where it is. */
   hold(low: readonly number[], high: readonly number[], reach: number): void {
     if (!(low[0]! <= high[0]!) || this.#holds(low, high, reach)) return;

@@ -4,11 +4,11 @@ import { takeShapes } from '../matter/taken.js';
 import type { Binding } from '../nodes/binding.js';
 import { collectionNode, type Plan } from '../plans/plan.js';
 import { showRope } from './drawing/ropes-drawn.js';
-import { frameOf, inWorld } from './frame.js';
+import { frameOf, inWorld } from '../matter/frame.js';
 import { lineOf, type LineData } from './line-of.js';
 
 export function planRope(rope: Binding, world: World): Plan | undefined {
-  const { line, shape } = lineOf(rope);
+  const { data, shape } = lineOf(rope);
   // Without what it stands for, nobody knows where it is.
   if (rope.waiting.has('for')) return undefined;
   const shapes = shape ? [shape] : [];
@@ -16,7 +16,7 @@ export function planRope(rope: Binding, world: World): Plan | undefined {
     takeShapes(rope, rope.node ? shapes : []);
     void showRope(rope, shapes);
   };
-  return { world, collection: collectionNode(rope), relations: laid(rope, line) };
+  return { world, collection: collectionNode(rope), relations: laid(rope, data) };
 }
 
 /** What it says in its own frame as it is in the world. */

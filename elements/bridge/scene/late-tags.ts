@@ -7,12 +7,15 @@ export const particleTags = new Chunk({ name: 'particles', causes: 'a ParticleSy
 export const waterTags = new Chunk({ name: 'water', causes: 'a WaterVolume' });
 /** The same of ropes, and what ties them. */
 export const ropeTags = new Chunk({ name: 'ropes', causes: 'a Rope' });
+/** The same of cloth and soft bodies. */
+export const deformableTags = new Chunk({ name: 'deformables', causes: 'a Cloth or a SoftBody' });
 
 /** By how tags end. */
 const LATE: readonly [ends: RegExp, code: Chunk][] = [
   [/(particle-?system|emitter|physics-?model)$/, particleTags],
   [/water-?volume$/, waterTags],
   [/(^|-)rope$|soft-?body-?attachment$/, ropeTags],
+  [/(^|-)cloth$|soft-?body$/, deformableTags],
 ];
 
 /** What has to come before somebody reads its tag. */

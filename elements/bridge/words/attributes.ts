@@ -36,6 +36,8 @@ export const STRUCTURE: Record<string, string[]> = {
   CollidableShape: ['for'],
   WaterVolume: ['for'],
   Rope: ['for'],
+  Cloth: ['for'],
+  SoftBody: ['for'],
 };
 
 export function known(type: NodeType, name: string): boolean {

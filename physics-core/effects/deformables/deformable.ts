@@ -5,6 +5,7 @@ import { blow } from '../../solver/deformables/air.js';
 import type { Material } from '../../solver/deformables/material.js';
 import { MOST_PARTS } from '../../solver/deformables/tolerances.js';
 import { LIBRARY } from '../rest/resting.js';
+import { samplesOf, type Samples } from './samples.js';
 import type { DeformableSettings, DeformableSource } from './settings.js';
 import { STRAINED } from './tolerances.js';
 import { Touches } from './touches.js';
@@ -31,6 +32,8 @@ export class Deformable {
   material: Material;
   settings: DeformableSettings;
   readonly touches = new Touches();
+  /** Where it is looked at beside its points. */
+  samples: Samples;
   /** Points of its surface that are tied within a body do not touch that: its slot. */
   readonly within = new Map<number, number>();
   /** What was said of it since it was read. */
@@ -50,9 +53,14 @@ export class Deformable {
     this.source = source;
     this.settings = source.settings;
     this.material = source.lay();
+    this.samples = this.#sampled();
     this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
+  }
+
+  #sampled(): Samples {
+    return samplesOf(this.places, this.triangles, 2 * this.settings.radius);
   }
 
   get places(): Float64Array {
@@ -67,6 +75,7 @@ export class Deformable {
   reset(): void {
     this.settings = this.source.settings;
     this.material = this.source.lay();
+    this.samples = this.#sampled();
     this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.count);
     this.#before = new Float64Array(this.velocities.length);
@@ -77,7 +86,9 @@ export class Deformable {
 
   /** Its author says something else. */
   read(): void {
+    const { radius } = this.settings;
     this.settings = this.source.settings;
+    if (radius !== this.settings.radius) this.samples = this.#sampled();
     this.source.read(this.material);
     this.stale = false;
     this.wake();

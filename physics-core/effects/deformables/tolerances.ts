@@ -9,8 +9,11 @@ export const WAKES = 0.01;
  */
 export const CARRIED = 20;
 
-/** How fast what begins a step inside a body comes out of it, m/s. */
-export const RETURN = 1;
+/**
+ * How fast what begins a step inside a body comes out of it, m/s: threads hand that on to what is beside it, as speed. (Fact: a
+ * cloth on a box comes to rest.)
+ */
+export const RETURN = 0.05;
 
 /** How much farther than it goes in a step a point looks for something to touch, as a share of how far it keeps away. */
 export const AHEAD = 1;
@@ -31,5 +34,5 @@ export const ROUNDS = 16;
 /** Normals at the corners of a triangle that agree to this cosine have no edge of a body between them. (Facts: a ball, a box.) */
 export const FLAT = 0.9;
 
-/** Steps in which the nearest point of a triangle is looked for: a fifth of its size is left. */
-export const NEARER = 8;
+/** Pieces of an edge, at most, at whose ends a surface is looked at between its points. */
+export const FINEST = 4;

@@ -4,7 +4,7 @@ import type { Material } from '../../solver/deformables/material.js';
 import { MET, METS, type Obstacles } from '../particles/collide/obstacles.js';
 import type { Deformable } from './deformable.js';
 import type { Guests } from './guests.js';
-import { AHEAD, FLAT, NEARER, RETURN } from './tolerances.js';
+import { AHEAD, FLAT, RETURN } from './tolerances.js';
 
 const met = new Float64Array(METS);
 const from = new Float64Array(3);
@@ -14,7 +14,6 @@ const was = new Float64Array(3);
 /** Of a point of a body: since the step began, and in this part. */
 const way = new Float64Array(6);
 const push = new Float64Array(3);
-const corners = new Float64Array(3);
 const along = new Float64Array(3);
 
 /** Corners of what touches: of a triangle, or of a point, three times the same. */
@@ -44,12 +43,13 @@ export class Touches {
   /** Who may touch what in a step of `dt` seconds that begins. */
   look(deformable: Deformable, obstacles: Obstacles, guests: Guests, dt: number): void {
     this.count = 0;
+    if (!deformable.settings.touches) return;
     const { count } = deformable.material.surface;
     if (this.#touchOf.length < count) this.#touchOf = new Int32Array(count);
     this.#touchOf.fill(-1);
     if (!deformable.settings.touches) return;
     this.#lookAtPoints(deformable, obstacles, guests, dt);
-    if (deformable.settings.radius > 0) this.#lookAtTriangles(deformable, obstacles, guests, dt);
+    this.#lookAtSamples(deformable, obstacles, guests, dt);
   }
 
   #lookAtPoints(
@@ -82,52 +82,43 @@ export class Touches {
     }
   }
 
-  /** Edges and corners of bodies come between points: where a triangle does not lie flat on what all of its points touch. */
-  #lookAtTriangles(
-    { material: { surface }, settings: { radius } }: Deformable,
+  /** Edges and corners of bodies come between points: where these do not all touch the same, and lie flat on it. */
+  #lookAtSamples(
+    { material: { surface }, settings: { radius }, samples }: Deformable,
     obstacles: Obstacles,
     guests: Guests,
     dt: number,
   ): void {
-    const { triangles, places } = surface;
-    for (let f = 0; f + 2 < triangles.length; f += 3) {
-      if (this.#liesFlat(triangles, f)) continue;
-      let reach = 0;
+    const { places } = surface;
+    const { count, points, weights } = samples;
+    for (let n = 0; n < count; n++) {
+      if (this.#liesFlat(points, weights, CORNERS * n)) continue;
       for (let k = 0; k < 3; k++) {
-        corners[k] = 1 / 3;
-        from[k] =
-          (places[3 * triangles[f]! + k]! +
-            places[3 * triangles[f + 1]! + k]! +
-            places[3 * triangles[f + 2]! + k]!) /
-          3;
+        from[k] = 0;
+        for (let m = CORNERS * n; m < CORNERS * (n + 1); m++)
+          from[k]! += weights[m]! * places[3 * points[m]! + k]!;
       }
-      for (let n = 0; n < 3; n++) {
-        let square = 0;
-        for (let k = 0; k < 3; k++) square += (places[3 * triangles[f + n]! + k]! - from[k]!) ** 2;
-        reach = Math.max(reach, square);
-      }
-      reach = Math.sqrt(reach) + (1 + AHEAD) * radius;
+      const reach = (1 + AHEAD) * radius;
       if (!obstacles.isNear(from, from, reach)) continue;
-      if (!nearest(obstacles, places, triangles, f, reach)) continue;
-      let gap = -radius;
-      for (let k = 0; k < 3; k++) gap += met[MET.normal + k]! * (from[k]! - met[MET.point + k]!);
-      if (gap > AHEAD * radius) continue;
+      if (!obstacles.meet(from, from, reach, met, 1, 1)) continue;
       guests.add(met[MET.body]!, dt);
       this.#note(from, radius, CORNERS);
-      for (let n = 0; n < CORNERS; n++) {
-        this.#points[CORNERS * (this.count - 1) + n] = triangles[f + n]!;
-        this.#weights[CORNERS * (this.count - 1) + n] = corners[n]!;
+      for (let m = 0; m < CORNERS; m++) {
+        this.#points[CORNERS * (this.count - 1) + m] = points[CORNERS * n + m]!;
+        this.#weights[CORNERS * (this.count - 1) + m] = weights[CORNERS * n + m]!;
       }
     }
   }
 
-  #liesFlat(triangles: Int32Array, f: number): boolean {
-    const a = this.#touchOf[triangles[f]!]!;
-    if (a < 0) return false;
-    for (let n = 1; n < 3; n++) {
-      const b = this.#touchOf[triangles[f + n]!]!;
-      if (b < 0 || this.#slots[a] !== this.#slots[b]) return false;
-      if (dot3(this.#normals, 3 * a, this.#normals, 3 * b) < FLAT) return false;
+  #liesFlat(points: Int32Array, weights: Float64Array, first: number): boolean {
+    let a = -1;
+    for (let n = first; n < first + CORNERS; n++) {
+      if (weights[n] === 0) continue;
+      const b = this.#touchOf[points[n]!]!;
+      if (b < 0) return false;
+      if (a >= 0 && this.#slots[a] !== this.#slots[b]) return false;
+      if (a >= 0 && dot3(this.#normals, 3 * a, this.#normals, 3 * b) < FLAT) return false;
+      a = b;
     }
     return true;
   }
@@ -174,16 +165,27 @@ export class Touches {
         along[k] = this.#normals[3 * c + k]!;
         gap += along[k]! * (now[k]! - this.#bases[3 * c + k]! - way[k]!);
       }
-      // What begins inside comes out in time.
+      // What begins inside comes out in time: that gives it no speed, and pushes nobody.
+      const isIn = this.#depths[c]! + RETURN * since < 0;
       gap -= Math.min(0, this.#depths[c]! + RETURN * since);
       if (!(gap < 0) || !(gives > 0)) continue;
-      const press = -gap / (gives + guests.gives(slot, this.#bases, 3 * c, along));
+      const out = isIn ? Math.min(-gap, RETURN * time) : 0;
+      if (out > 0) this.#comeOut(material, c, out / gives);
+      const press = (-gap - out) / (gives + guests.gives(slot, this.#bases, 3 * c, along));
+      if (!(press > 0)) continue;
       for (let k = 0; k < 3; k++) push[k] = press * along[k]!;
       this.#rub(slot, c, friction * press, gives, guests);
-      this.#push(material, c);
+      this.#push(material.masses.places, material, c);
       for (let k = 0; k < 3; k++) push[k] = -push[k]!;
       guests.push(slot, this.#bases, 3 * c, push, time);
     }
+  }
+
+  /** Where it began the part goes along: what is taken there is no faster for it. */
+  #comeOut(material: Material, c: number, far: number): void {
+    for (let k = 0; k < 3; k++) push[k] = far * along[k]!;
+    this.#push(material.masses.places, material, c);
+    this.#push(material.masses.before, material, c);
   }
 
   /** Where what touches is, and was when the part began. Answers how it gives way, 1/kg. */
@@ -207,8 +209,9 @@ export class Touches {
     return gives;
   }
 
-  #push({ surface: { width, carriers, shares }, masses }: Material, c: number): void {
-    const { places, inverse } = masses;
+  #push(places: Float64Array, { surface, masses }: Material, c: number): void {
+    const { width, carriers, shares } = surface;
+    const { inverse } = masses;
     for (let n = CORNERS * c; n < CORNERS * c + this.#sizes[c]!; n++) {
       const weight = this.#weights[n]!;
       const first = width * this.#points[n]!;
@@ -247,36 +250,4 @@ function meets(obstacles: Obstacles, radius: number, margin: number): boolean {
     obstacles.meet(from, from, radius + margin, met, 1, 1) ||
     obstacles.meet(from, to, radius, met, 1, 1)
   );
-}
-
-/**
- * The point of a triangle that is nearest to what is around it: from its middle again and again towards the corner that lies
- * farthest against the normal there (Frank and Wolfe; Macklin and others, 2020). False: nothing is within reach of its middle.
- */
-function nearest(
-  obstacles: Obstacles,
-  places: Float64Array,
-  triangles: Int32Array,
-  f: number,
-  reach: number,
-): boolean {
-  for (let n = 0; n < NEARER; n++) {
-    if (!obstacles.meet(from, from, reach, met, 1, 1)) return n > 0;
-    let best = 0;
-    let least = Infinity;
-    for (let corner = 0; corner < CORNERS; corner++) {
-      let sum = 0;
-      for (let k = 0; k < 3; k++)
-        sum += met[MET.normal + k]! * places[3 * triangles[f + corner]! + k]!;
-      if (sum >= least) continue;
-      least = sum;
-      best = corner;
-    }
-    const share = 2 / (n + 3);
-    for (let corner = 0; corner < CORNERS; corner++) corners[corner]! *= 1 - share;
-    corners[best]! += share;
-    for (let k = 0; k < 3; k++)
-      from[k]! += share * (places[3 * triangles[f + best]! + k]! - from[k]!);
-  }
-  return obstacles.meet(from, from, reach, met, 1, 1);
 }

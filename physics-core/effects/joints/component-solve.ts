@@ -20,6 +20,7 @@ import { Recent } from '../../solver/joints/recent.js';
 import { RowSystem } from '../../solver/joints/row-system.js';
 import { ShakenPivots } from './shaken-pivots.js';
 import { TornJoints } from './torn-joints.js';
+import { YieldingBodies, type Yields } from './yielding-bodies.js';
 import { LEFT_OPEN, NO_MISS, VelocitySearch } from './velocity-search.js';
 
 /** Rounds, at most, in which what has too much energy is slowed. */
@@ -40,8 +41,6 @@ export interface Ahead {
   momentum: Float64Array;
   velocity: Float64Array;
   i: number;
-  /** How many times its own mass hangs together with it, itself included. */
-  hangs: number;
 }
 
 /** Pulls at bodies that joints hold, by more than a force: their joints give way to it as they can. */
@@ -82,6 +81,7 @@ export class ComponentSolve {
   readonly #search: VelocitySearch;
   readonly #closing: JointClosing;
   readonly #tornJoints: TornJoints;
+  readonly #yields: YieldingBodies;
   /** What pulls at bodies by more than a force. */
   readonly pulls = new Set<Pull>();
   /** Those of this step that an edit had torn, or that met a stop. */
@@ -116,6 +116,7 @@ export class ComponentSolve {
     this.#search = new VelocitySearch({ ...parts, next: this.#next });
     this.#closing = new JointClosing({ ...parts, stabilization: this.#stabilization });
     this.#tornJoints = new TornJoints(simulation, this.#system, this.bodies);
+    this.#yields = new YieldingBodies(this.#system, this.bodies);
     this.#budget = new EnergyBudget(this.#system, this.bodies);
     this.targets = new BulletTargets(this.#system, this.bodies, this.#ends);
   }
@@ -386,15 +387,35 @@ export class ComponentSolve {
   ahead(component: Component, body: Body, dt: number): Ahead | undefined {
     this.bodies.read(component, dt);
     const { inertia, momentum } = this.#system;
-    let mass = 0;
-    let at = -1;
-    for (const i of component.bodies) {
-      mass += this.bodies.mass(i);
-      if (this.bodies.bodies[i] === body) at = i;
-    }
-    if (at < 0) return undefined;
-    const hangs = mass / this.bodies.mass(at);
-    return { inertia, momentum, velocity: this.bodies.velocity, i: at, hangs };
+    const i = component.bodies.find((each) => this.bodies.bodies[each] === body);
+    return i === undefined ? undefined : { inertia, momentum, velocity: this.bodies.velocity, i };
+  }
+
+  /**
+   * How a step lets bodies of a component go by what one that pulls gives them: from the factors that the step would have without
+   * its pull, of rows that held in the last one. Nothing of it lasts. False: there are none that make sense.
+   */
+  yields(component: Component, bodies: readonly Body[], dt: number, by: Pull, to: Yields): boolean {
+    const error = this.#fill(component, dt, by);
+    const torn = guards.torn(error, this.#mended.has(component) ? NO_MISS : TORN);
+    this.#system.firm = this.#search.taut.has(component);
+    this.#search.setTargets(component, dt, torn ? 0 : 1);
+    if (!this.bodies.finite || !this.#system.solveAsHeld(component)) return false;
+    to.whole = !torn;
+    return this.bodies.sane(component) && this.#yields.find(component, bodies, to);
+  }
+
+  /**
+   * After `yields`, by what is given to its bodies since: the round ways of the step are others by that. Returns by how much
+   * they go otherwise if nobody gives them anything, m/s or rad/s.
+   */
+  yieldsBy(component: Component, impulse: Float64Array, dt: number, to: Yields): number {
+    if (!to.whole) return 0;
+    this.#system.firm = this.#search.taut.has(component);
+    this.#yields.give(component, to, impulse, 1);
+    this.#search.correct(component, dt, 1);
+    this.#yields.give(component, to, impulse, -1);
+    return this.#yields.findFree(to);
   }
 
   // ---- between steps ------------------------------------------------------------------------------------------------
@@ -421,7 +442,7 @@ export class ComponentSolve {
   // ---- the solution -------------------------------------------------------------------------------------------------
 
   /** Returns the worst error of a joint. */
-  #fill(component: Component, dt: number): number {
+  #fill(component: Component, dt: number, without?: Pull): number {
     let worst = 0;
     this.#read(component, dt);
     for (const k of component.pins) {
@@ -432,7 +453,7 @@ export class ComponentSolve {
       worst = Math.max(worst, this.#rows.fill(k, dt), this.#bounded.fill(k, dt));
       if (!this.#system.isPin[k]) this.#stiffness.stiffen(k, this.#ends.geometry.two.origin, dt);
     }
-    this.#drag(component, dt);
+    this.#drag(component, dt, without);
     return worst;
   }
 
@@ -442,9 +463,10 @@ export class ComponentSolve {
   }
 
   /** What somebody pulls at. */
-  #drag({ bodies }: Component, dt: number): void {
+  #drag({ bodies }: Component, dt: number, without?: Pull): void {
     for (const pull of this.pulls)
-      for (const i of bodies) pull.pullIn(this.bodies.bodies[i]!, this.#system, i, dt);
+      if (pull !== without)
+        for (const i of bodies) pull.pullIn(this.bodies.bodies[i]!, this.#system, i, dt);
   }
 
   /** False: no solution that makes sense. */

@@ -17,6 +17,7 @@ import { isPin } from './point-constraints.js';
 import { SleepingRows } from './sleeping-rows.js';
 import { MomentVelocities } from './moment-velocities.js';
 import { StepTurns } from './step-turns.js';
+import type { Yields } from './yielding-bodies.js';
 
 /** Bodies that joints hold together, and those joints. */
 export interface Jointed {
@@ -72,6 +73,7 @@ export class JointSolve extends Effect {
   /** Of one joint after the other, for those who ask where it stands. */
   readonly rows: JointRows;
   #stale = true;
+  #rebuilt = 0;
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -118,6 +120,31 @@ export class JointSolve extends Effect {
     const component = this.#componentOf.get(body);
     if (!component || this.#bodies.asleep(component)) return undefined;
     return this.#solver.ahead(component, body, dt);
+  }
+
+  /** What a tied body hangs together with now, by joints alone: the same for all of it, until any joint comes or goes. */
+  togetherWith(body: Body): Component | undefined {
+    if (this.#stale) this.#rebuild();
+    return this.#componentOf.get(body);
+  }
+
+  /** Another number whenever it may be other bodies that hang together. */
+  get numbering(): number {
+    if (this.#stale) this.#rebuild();
+    return this.#rebuilt;
+  }
+
+  /** How a step lets bodies go that hang together, by what `by` gives them. False: their joints do not say. */
+  yields(bodies: readonly Body[], dt: number, by: Pull, to: Yields): boolean {
+    const component = this.togetherWith(bodies[0]!);
+    if (!this.on || !component || this.#bodies.asleep(component)) return false;
+    for (const body of this.#ways.keys()) this.#takeEnds(body);
+    return this.#solver.yields(component, bodies, dt, by, to);
+  }
+
+  /** After that, in the same step: the same by what bodies are given since. Returns by how much that is another, m/s or rad/s. */
+  yieldsBy(body: Body, impulse: Float64Array, dt: number, to: Yields): number {
+    return this.#solver.yieldsBy(this.togetherWith(body)!, impulse, dt, to);
   }
 
   override release(node: Cause): void {
@@ -421,6 +448,7 @@ export class JointSolve extends Effect {
 
   #rebuild(): void {
     this.#stale = false;
+    this.#rebuilt++;
     // In the order of the scene, whoever came first.
     const joints = ([...this.causes] as Joint[])
       .filter((cause) => !this.#ties.has(cause))

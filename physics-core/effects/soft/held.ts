@@ -67,14 +67,19 @@ export class Holding {
   }
 }
 
-/** Ropes that hang together by bodies that move. */
-export function together(ropes: readonly Rope[], held: readonly Held[]): Set<Set<Rope>> {
+/** Ropes that hang together by bodies that move, or by what those hang together with in turn: `of` is the same for all of that. */
+export function together(
+  ropes: readonly Rope[],
+  held: readonly Held[],
+  of: (body: Body) => object,
+): Set<Set<Rope>> {
   const groupOf = new Map(ropes.map((rope) => [rope, new Set([rope])]));
-  const byBody = new Map<Body, Rope>();
+  const byBody = new Map<object, Rope>();
   for (const { rope, body, movable } of held) {
     if (!body || !movable) continue;
-    const other = byBody.get(body) ?? rope;
-    byBody.set(body, other);
+    const whole = of(body);
+    const other = byBody.get(whole) ?? rope;
+    byBody.set(whole, other);
     const one = groupOf.get(rope)!;
     const two = groupOf.get(other)!;
     if (one === two) continue;
@@ -84,4 +89,16 @@ export function together(ropes: readonly Rope[], held: readonly Held[]): Set<Set
     }
   }
   return new Set(groupOf.values());
+}
+
+/** The bodies that move, those that hang together in one list, in the order in which they are tied. */
+export function byWhole(held: readonly Held[], of: (body: Body) => object): Body[][] {
+  const wholes = new Map<object, Set<Body>>();
+  for (const { body, movable } of held) {
+    if (!body || !movable) continue;
+    const whole = of(body);
+    const bodies = wholes.get(whole) ?? new Set();
+    wholes.set(whole, bodies.add(body));
+  }
+  return [...wholes.values()].map((bodies) => [...bodies]);
 }

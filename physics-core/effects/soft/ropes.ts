@@ -9,8 +9,9 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
+import type { JointSolve } from '../joints/joint-solve.js';
 import { resting } from '../rest/resting.js';
-import { Holding, together } from './held.js';
+import { byWhole, Holding, together } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
 import { RopeTouch } from './rope-touch.js';
 import type { RopeSource, Tie } from './settings.js';
@@ -32,6 +33,8 @@ export class Ropes extends Effect implements Pull {
   #tied = new Map<Tie, Body>();
   /** Groups are to be made anew. */
   #stale = true;
+  /** By which numbering of joints they were made. */
+  #numbering: number | undefined;
 
   constructor(simulation: Simulation, effects: Effects) {
     super();
@@ -57,8 +60,7 @@ export class Ropes extends Effect implements Pull {
     super.release(node);
     this.#stale = true;
     this.#divide();
-    if (!this.active) this.#effects.find(jointSolve)?.pulls.delete(this);
-    else this.#goOn();
+    if (this.active) this.#goOn();
   }
 
   /** An author said something about a rope. */
@@ -104,7 +106,8 @@ export class Ropes extends Effect implements Pull {
 
   /** Groups are made anew where other bodies hold other points. */
   #divide(): void {
-    if (!this.#stale && !this.#holding.changed) return;
+    const numbering = this.#effects.find(jointSolve)?.numbering;
+    if (!this.#stale && !this.#holding.changed && numbering === this.#numbering) return;
     this.#stale = false;
     this.#holding.list();
     const { held } = this.#holding;
@@ -112,14 +115,18 @@ export class Ropes extends Effect implements Pull {
       .map((source) => this.of(source)!)
       .filter(({ settings }) => settings.enabled);
     for (const rope of ropes) rope.hold();
-    this.#groups = [...together(ropes, held)].map((members) => {
+    this.#tieBodies();
+    const joints = this.#effects.find(jointSolve);
+    this.#numbering = joints?.numbering;
+    const of = (body: Body): object => joints?.togetherWith(body) ?? body;
+    this.#groups = [...together(ropes, held, of)].map((members) => {
       const own = held.filter(({ rope }) => members.has(rope));
-      const bodies = [...new Set(own.flatMap(({ body, movable }) => (movable ? [body!] : [])))];
+      const wholes = byWhole(own, of);
+      const bodies = wholes.flat();
       for (const { tie, rope, body, movable } of own)
         rope.strand.holders[tie.index] = movable ? bodies.indexOf(body!) : HELD;
-      return new TiedGroup([...members], bodies, own);
+      return new TiedGroup([...members], wholes, own);
     });
-    this.#tieBodies();
   }
 
   /** What is tied no more falls. */
@@ -134,6 +141,7 @@ export class Ropes extends Effect implements Pull {
       if (body.sleeping) body.wake();
     }
     for (const [tie, body] of tied) joints!.tie(tie, body, 'a rope');
+    joints?.pulls[tied.size > 0 ? 'add' : 'delete'](this);
     this.#tied = tied;
   }
 
@@ -141,29 +149,40 @@ export class Ropes extends Effect implements Pull {
 
   /** Before anything of the step begins: the joint solve may have to come for what is tied. */
   override parts(): number {
+    this.#takeEdits();
+    this.#wakeTogether();
+    return 1;
+  }
+
+  #takeEdits(): void {
     for (const rope of this.#ropes.values()) {
       if (!rope.stale) continue;
       rope.read();
       this.#stale = true;
     }
     this.#divide();
-    this.#wakeTogether();
-    return 1;
   }
 
   override beforeStep(dt: number): void {
     const joints = this.#effects.caused(jointSolve);
-    joints?.pulls.add(this);
     this.#touch.take(dt);
     for (const group of this.#groups) {
       if (group.asleep) continue;
-      group.read(joints, dt);
+      group.read(joints, dt, this);
       this.#begin(group, dt);
       this.#touch.look(group, dt);
-      if (!group.solve.solve(dt)) this.#stop(group);
+      this.#solve(group, joints, dt);
       group.note();
       this.#touch.push(group, dt);
     }
+  }
+
+  /** Round ways of joints go by what ropes give, and ropes by those: asked once, both find the same to a millionth. */
+  #solve(group: TiedGroup, joints: JointSolve | undefined, dt: number): void {
+    const { solve } = group;
+    let found = solve.solve(dt);
+    if (found && group.differs(joints, dt)) found = solve.solveAgain(dt);
+    if (!found) this.#stop(group);
   }
 
   /** What moves keeps awake what it is tied to, and the other way round. */
@@ -309,11 +328,14 @@ export class Ropes extends Effect implements Pull {
     this.#stale = true;
   }
 
+  /** What waits to be tied is, so that joints are numbered in what is kept of them as they are in the next step. */
   override save(): [id: number, kept: KeptRope][] {
+    this.#takeEdits();
     return [...this.#ropes].map(([id, rope]) => [id, rope.save()]);
   }
 
   override load(saved: readonly [id: number, kept: KeptRope][]): void {
+    this.#takeEdits();
     for (const [id, kept] of saved) this.#ropes.get(id)?.load(kept);
     this.#goOn();
   }

@@ -5,11 +5,12 @@ import { factor, rowOf } from '../../base/cholesky.js';
 import { BODY_BLOCK, INERTIA, SIDE } from '../../solver/joints/blocks.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
 import { RopeSolve } from '../../solver/ropes/rope-solve.js';
-import type { Ahead } from '../joints/component-solve.js';
+import { JoinedBodies } from '../../solver/ropes/tied-bodies.js';
+import type { Ahead, Pull } from '../joints/component-solve.js';
 import type { JointSolve } from '../joints/joint-solve.js';
 import type { Held } from './held.js';
 import type { Rope } from './rope.js';
-import { HIT, SAME } from './tolerances.js';
+import { AGREES, HIT, SAME } from './tolerances.js';
 
 const BLOCK = SIDE * SIDE;
 const now = new Float64Array(SIDE);
@@ -22,19 +23,26 @@ export class TiedGroup {
   /** What ties their points. */
   readonly held: readonly Held[];
   readonly solve = new RopeSolve();
+  readonly #wholes: readonly (readonly Body[])[];
+  readonly #joined: readonly JoinedBodies[];
   /** As found, before anything else acted on the bodies. */
   readonly #found: Float64Array;
   readonly #resists: Float64Array;
 
-  constructor(ropes: readonly Rope[], bodies: readonly Body[], held: readonly Held[]) {
+  /** `wholes`: its bodies, those that joints hold together in one list. */
+  constructor(ropes: readonly Rope[], wholes: readonly (readonly Body[])[], held: readonly Held[]) {
+    const bodies = wholes.flat();
     this.ropes = ropes;
     this.bodies = bodies;
+    this.#wholes = wholes;
+    this.#joined = wholes.map((own) => new JoinedBodies(bodies.indexOf(own[0]!), own.length));
     this.held = held;
     this.#found = new Float64Array(SIDE * bodies.length);
     this.#resists = new Float64Array(BODY_BLOCK * bodies.length);
     this.solve.take(
       ropes.map(({ strand }) => strand),
       bodies.length,
+      this.#joined,
     );
   }
 
@@ -46,23 +54,25 @@ export class TiedGroup {
   }
 
   /** Before a step: what its bodies would do by themselves. */
-  read(joints: JointSolve | undefined, dt: number): void {
+  read(joints: JointSolve | undefined, dt: number, pull: Pull): void {
     this.bodies.forEach((body, b) => {
       const ahead = joints?.ahead(body, dt);
       if (ahead) this.#take(b, ahead);
     });
+    this.#joined.forEach((joined, w) => {
+      const bodies = this.#wholes[w]!;
+      joined.active =
+        bodies.some(({ joints: own }) => own.size > 0) &&
+        !!joints?.yields(bodies, dt, pull, joined);
+    });
   }
 
-  /**
-   * What hangs on a body by joints counts as if it went along: how that lets the body move the joint solve finds, which has
-   * what the ropes resist. Without it their pulls would be those of a lamp where a house hangs on it.
-   */
-  #take(b: number, { inertia, momentum, velocity, i, hangs }: Ahead): void {
+  #take(b: number, { inertia, momentum, velocity, i }: Ahead): void {
     const { inertias, momenta, velocities } = this.solve.bodies;
     const at = BLOCK * b;
     const from = INERTIA * i;
     inertias.fill(0, at, at + BLOCK);
-    for (let k = 0; k < 3; k++) inertias[at + (SIDE + 1) * k] = hangs * inertia[from]!;
+    for (let k = 0; k < 3; k++) inertias[at + (SIDE + 1) * k] = inertia[from]!;
     let n = from + 1;
     for (let r = 3; r < SIDE; r++)
       for (let c = 3; c <= r; c++) {
@@ -70,9 +80,21 @@ export class TiedGroup {
         inertias[at + SIDE * c + r] = inertia[n++]!;
       }
     for (let k = 0; k < SIDE; k++) {
-      momenta[SIDE * b + k] = (k < 3 ? hangs : 1) * momentum[SIDE * i + k]!;
+      momenta[SIDE * b + k] = momentum[SIDE * i + k]!;
       velocities[SIDE * b + k] = velocity[SIDE * i + k]!;
     }
+  }
+
+  /** Whether joints, by what ropes give their bodies, would go other round ways than those that these were found by. */
+  differs(joints: JointSolve | undefined, dt: number): boolean {
+    let most = 0;
+    for (let w = 0; w < this.#joined.length; w++) {
+      const joined = this.#joined[w]!;
+      if (!joined.active) continue;
+      const off = joints!.yieldsBy(this.#wholes[w]![0]!, joined.impulse, dt, joined);
+      most = Math.max(most, off);
+    }
+    return most > AGREES;
   }
 
   /** What was found, and what its ropes resist each body by: a symmetric block that half of its own inertia keeps positive. */
@@ -128,6 +150,9 @@ export class TiedGroup {
           momenta[at + r]! += inertias[BLOCK * b + SIDE * r + c]! * now[c]!;
       }
     });
+    for (const joined of this.#joined)
+      for (let r = 0; r < joined.width; r++)
+        joined.free[r] = velocities[joined.from + r]! - joined.yield(r, joined.impulse, 0);
     if (!this.solve.solve(dt)) return;
     this.note();
     this.bodies.forEach(({ body, pointer, joints }, b) => {

@@ -21,3 +21,6 @@ export const SURE = 0.9;
 
 /** Share of a velocity that single precision, and rounding on the way there, may change. */
 export const SAME = 1e-5;
+
+/** m/s or rad/s by which joints may find bodies to go otherwise than ropes found them: what single precision keeps of a few m/s. */
+export const AGREES = 1e-6;

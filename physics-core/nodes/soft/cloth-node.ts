@@ -9,7 +9,7 @@ import { sheet } from './sheet.js';
 export class ClothNode extends DeformableNode {
   protected readonly stiffest = 'bendStiffness';
 
-  protected override get mesh(): Mesh {
+  override get mesh(): Mesh {
     const [width, height] = this.asked<[number, number]>('size');
     if (!(width > 0 && height > 0)) return super.mesh;
     return sheet(width, height, this.asked<[number, number]>('subdivision'));

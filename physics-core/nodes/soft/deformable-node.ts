@@ -27,7 +27,7 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
   protected abstract readonly stiffest: string;
 
   /** Its surface as it is laid. */
-  protected get mesh(): Mesh {
+  get mesh(): Mesh {
     return meshOf(this.asked<Geometry | null>('geometry'));
   }
 

@@ -1,19 +1,80 @@
 import type { Mesh } from '../../shapes/geometry.js';
+import { Lattice } from '../../solver/deformables/lattice.js';
 import type { Material } from '../../solver/deformables/material.js';
+import { Shell } from '../../solver/deformables/shell.js';
 import { DeformableNode } from './deformable-node.js';
+
+/** kg/m³: of rubber, where nobody says how thick a skin is. */
+const RUBBER = 1000;
 
 /** A solid, or a hollow one. */
 export class SoftBodyNode extends DeformableNode {
   protected readonly stiffest = 'youngsModulus';
   protected readonly radius = 0;
+  #laid = 0;
 
   protected whyNot({ index }: Mesh): string | undefined {
     return index.length < 12 ? 'takes a closed surface of four triangles at least' : undefined;
   }
 
-  lay(): Material {
-    throw new Error('not yet');
+  get #isHollow(): boolean {
+    return this.asked<number>('pressure') > 0;
   }
 
-  read(_material: Material): void {}
+  get #elasticity(): { youngsModulus: number; poissonsRatio: number } {
+    return {
+      youngsModulus: this.asked('youngsModulus'),
+      poissonsRatio: this.asked('poissonsRatio'),
+    };
+  }
+
+  lay(): Material {
+    const { points, index } = this.mesh;
+    const mass = this.asked<number>('mass');
+    this.#laid = mass;
+    if (!this.#isHollow)
+      return this.#told(new Lattice(points, index, { mass, ...this.#elasticity }));
+    const pressure = this.asked<number>('pressure');
+    const thickness =
+      this.asked<number>('thickness') || mass / (RUBBER * areaOf({ points, index }));
+    return this.#told(new Shell(points, index, { mass, thickness, pressure, ...this.#elasticity }));
+  }
+
+  #told<M extends Material>(material: M): M {
+    const isNone = material.masses.count === 0;
+    this.reportWhile(isNone, {
+      code: 'bad-value',
+      severity: 'warning',
+      attribute: 'geometry',
+      used: 'nothing',
+      message: `${this.label}: its surface encloses nothing: it is not there`,
+    });
+    return material;
+  }
+
+  /** A skin is laid anew where it becomes a solid, or another skin. */
+  read(material: Material): void {
+    const mass = this.asked<number>('mass');
+    if (mass !== this.#laid) {
+      material.masses.weigh(mass / this.#laid);
+      this.#laid = mass;
+    }
+    if (material instanceof Lattice || material instanceof Shell)
+      material.stiffen(this.#elasticity);
+    if (material instanceof Shell) material.pressure = this.asked('pressure');
+  }
+}
+
+function areaOf({ points, index }: Mesh): number {
+  let sum = 0;
+  for (let n = 0; n + 2 < index.length; n += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * index[n + k]!) as [number, number, number];
+    const way = (p: number, k: number): number => points[p + k]! - points[a + k]!;
+    const x = way(b, 1) * way(c, 2) - way(b, 2) * way(c, 1);
+    const y = way(b, 2) * way(c, 0) - way(b, 0) * way(c, 2);
+    const z = way(b, 0) * way(c, 1) - way(b, 1) * way(c, 0);
+    const area = Math.sqrt(x * x + y * y + z * z) / 2;
+    if (area > 0) sum += area;
+  }
+  return sum;
 }

@@ -42,8 +42,9 @@ export class Cloth implements Material {
   #bend = 0;
 
   constructor(points: ArrayLike<number>, index: ArrayLike<number>, mass: number) {
-    const { places, carriers } = weld(points);
-    const { triangles, numbers } = wholeTriangles(index, carriers);
+    const { places: all, numbers: carriers } = weld(points);
+    const places = [...all];
+    const { triangles, numbers } = wholeTriangles(index, [...carriers]);
     this.#numbers = numbers;
     this.#gone = new Uint8Array(numbers.length);
     const areas = areasOf(places, triangles);

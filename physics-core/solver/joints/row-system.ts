@@ -147,6 +147,13 @@ export class RowSystem {
     return true;
   }
 
+  /** By those rows that held when it was solved last, whatever they give now. False: singular. */
+  solveAsHeld(component: Component): boolean {
+    for (const joint of component.rows) this.#hold(joint);
+    const solver = component.loops.length > 0 ? this.#loops : this.#trees;
+    return solver.factor(component) && this.again(component);
+  }
+
   /** With other wanted velocities or momentum; the same rows hold and the factors stand. */
   again(component: Component): boolean {
     for (const body of component.bodies) copy6(this.#load, body * SIDE, this.momentum, body * SIDE);

@@ -12,7 +12,7 @@ import { Elimination } from './elimination.js';
 import { Links, EVEN, NEAREST, type Directions } from './links.js';
 import { HELD, type Strand } from './strand.js';
 import { RopeSweeps } from './rope-sweeps.js';
-import { TiedBodies } from './tied-bodies.js';
+import { TiedBodies, type JoinedBodies } from './tied-bodies.js';
 import { Touches } from './touches.js';
 
 const BLOCK = SIDE * SIDE;
@@ -64,6 +64,7 @@ export class RopeSolve {
   readonly #block = new DenseLu();
   #rest = new Float64Array(0);
   #change = new Float64Array(0);
+  #column = new Float64Array(0);
   #velocitiesBefore = new Float64Array(0);
   /** Of each body, a block: what the ropes and all that hangs on them resists its velocity by; and what they give it. */
   resistance = new Float64Array(0);
@@ -73,11 +74,13 @@ export class RopeSolve {
   /** Rounds of the search so far. */
   #rounds = 0;
 
-  take(strands: readonly Strand[], bodies: number): void {
+  take(strands: readonly Strand[], bodies: number, joined: readonly JoinedBodies[] = []): void {
     this.#parts.length = 0;
     for (const strand of strands) this.#parts.push(new Part(strand));
     this.#links = this.#parts.map(({ links }) => links);
-    this.bodies.resize(bodies);
+    this.bodies.resize(bodies, joined);
+    for (const each of joined) each.resisting = new Float64Array(each.width * SIDE * bodies);
+    this.#column = new Float64Array(SIDE * bodies);
     this.#rest = new Float64Array(SIDE * bodies);
     this.#change = new Float64Array(SIDE * bodies);
     this.#velocitiesBefore = new Float64Array(SIDE * bodies);
@@ -102,6 +105,12 @@ export class RopeSolve {
     return this.#search(dt, NEAREST, ROPE_ROUNDS_NEAREST) || this.#sweep(dt);
   }
 
+  /** Finds them anew, where joints have said that bodies go otherwise than they had: from what was found, it is near. */
+  solveAgain(dt: number): boolean {
+    if (this.even && this.#search(dt, EVEN, ROPE_ROUNDS, 2) && !this.#gains()) return true;
+    return this.solve(dt);
+  }
+
   /** Whether a link is found to push so hard that a point would be elsewhere without: it is let go in the next round. */
   #pushes(dt: number): boolean {
     for (const { strand, links } of this.#parts) {
@@ -121,6 +130,7 @@ export class RopeSolve {
   #gains(): boolean {
     let work = 0;
     let energy = this.#square(this.bodies.velocities);
+    for (const { active, energy: theirs } of this.bodies.joined) if (active) energy += theirs;
     for (const { strand, links } of this.#parts) {
       const { found, velocities, pulls, masses, points, softness } = strand;
       const { pulling, taut } = links;
@@ -176,8 +186,8 @@ export class RopeSolve {
     return Number.isFinite(sum);
   }
 
-  #search(dt: number, directions: Directions, most: number): boolean {
-    for (this.#rounds = 1; this.#rounds <= most; this.#rounds++) {
+  #search(dt: number, directions: Directions, most: number, first = 1): boolean {
+    for (this.#rounds = first; this.#rounds <= most; this.#rounds++) {
       this.#assemble(dt, directions);
       this.#system.factor();
       this.#change.set(this.#rest);
@@ -195,7 +205,9 @@ export class RopeSolve {
     const { count, inertias, momenta, velocities } = this.bodies;
     const size = SIDE * count;
     this.#system.resize(size);
-    for (let b = 0; b < count; b++)
+    for (let b = 0; b < count; b++) {
+      this.#rest.fill(0, SIDE * b, SIDE * (b + 1));
+      if (this.bodies.with(b)) continue;
       for (let r = 0; r < SIDE; r++) {
         let rest = momenta[SIDE * b + r]!;
         for (let c = 0; c < SIDE; c++) {
@@ -205,7 +217,31 @@ export class RopeSolve {
         }
         this.#rest[SIDE * b + r] = rest;
       }
+    }
     for (const part of this.#parts) this.#assemblePart(part, dt, directions);
+    for (const each of this.bodies.joined) if (each.active) this.#yield(each);
+  }
+
+  /**
+   * Of bodies that joints hold, there is so far what ropes give them, and how those resist. They go as if free, and by what their
+   * joints let that do.
+   */
+  #yield(joined: JoinedBodies): void {
+    const { from, to, width, free, given, compliance, resisting } = joined;
+    const { matrix, size } = this.#system;
+    const { velocities } = this.bodies;
+    resisting.set(matrix.subarray(from * size, to * size));
+    given.set(this.#rest.subarray(from, to));
+    for (let r = 0; r < width; r++) {
+      const row = (from + r) * size;
+      this.#rest[from + r] = free[r]! - velocities[from + r]! + joined.yield(r, given, 0);
+      for (let c = 0; c < size; c++) {
+        let sum = c === from + r ? 1 : 0;
+        for (let k = 0; k < width; k++)
+          sum += compliance[r * width + k]! * resisting[k * size + c]!;
+        matrix[row + c] = sum;
+      }
+    }
   }
 
   #assemblePart(part: Part, dt: number, directions: Directions): void {
@@ -219,7 +255,7 @@ export class RopeSolve {
       if (holders[i]! < 0) continue;
       own[0] = own[4] = own[8] = masses[i]!;
       for (let k = 0; k < 3; k++) missing[k] = masses[i]! * (free[3 * i + k]! - found[3 * i + k]!);
-      this.#push(strand, i, missing, 0, directions);
+      this.#push(strand, i, missing, 0, directions, dt);
       this.#resist(strand, i, i, own, 0, directions);
     }
     for (let n = 1; n < stops.length; n++) {
@@ -229,8 +265,8 @@ export class RopeSolve {
       const { ends, endRests } = elimination;
       const a = holders[first]! >= 0;
       const b = holders[last]! >= 0;
-      if (a) this.#push(strand, first, endRests, 0, directions);
-      if (b) this.#push(strand, last, endRests, 3, directions);
+      if (a) this.#push(strand, first, endRests, 0, directions, dt);
+      if (b) this.#push(strand, last, endRests, 3, directions, dt);
       if (a) this.#resist(strand, first, first, ends, 0, directions);
       if (a && b) this.#resist(strand, first, last, ends, 9, directions);
       if (a && b) this.#resist(strand, last, first, ends, 18, directions);
@@ -268,7 +304,14 @@ export class RopeSolve {
   }
 
   /** An impulse on a tied point acts on its body. */
-  #push(strand: Strand, i: number, p: Float64Array, at: number, directions: Directions): void {
+  #push(
+    strand: Strand,
+    i: number,
+    p: Float64Array,
+    at: number,
+    directions: Directions,
+    dt: number,
+  ): void {
     const rest = this.#rest;
     const b = SIDE * strand.holders[i]!;
     const x = p[at]!;
@@ -281,6 +324,28 @@ export class RopeSolve {
     rest[b + 3]! += acting[1]! * z - acting[2]! * y;
     rest[b + 4]! += acting[2]! * x - acting[0]! * z;
     rest[b + 5]! += acting[0]! * y - acting[1]! * x;
+    this.#stiffen(strand, i, p, at, directions.after * dt);
+  }
+
+  /**
+   * A turn of the body turns its arm, too, and an impulse has another moment then. Without that what is light and pulled hard, as
+   * a ring between a rope and a load, would find no end: each round would turn it too far.
+   */
+  #stiffen(
+    { armsAfter, holders }: Strand,
+    i: number,
+    p: Float64Array,
+    at: number,
+    dt: number,
+  ): void {
+    const { matrix, size } = this.#system;
+    const b = SIDE * holders[i]! + 3;
+    const along = dot3(armsAfter, 3 * i, p, at);
+    for (let r = 0; r < 3; r++)
+      for (let c = 0; c < 3; c++) {
+        const turned = (r === c ? along : 0) - armsAfter[3 * i + r]! * p[at + c]!;
+        matrix[(b + r) * size + b + c]! += dt * turned;
+      }
   }
 
   /** What a change of the velocity of point `j` does to the momentum of point `i`, as bodies see it. */
@@ -337,6 +402,7 @@ export class RopeSolve {
     }
     const share = this.#share(dt);
     for (let i = 0; i < SIDE * count; i++) velocities[i]! += share * this.#change[i]!;
+    for (const each of this.bodies.joined) if (each.active) this.#give(each, share);
     let most = 0;
     for (const { strand, links, touches, elimination } of this.#parts) {
       const { found, pulls, points } = strand;
@@ -352,6 +418,16 @@ export class RopeSolve {
     return most * dt;
   }
 
+  /** What ropes give bodies that joints hold, once the round goes so far. */
+  #give({ width, given, impulse, resisting }: JoinedBodies, share: number): void {
+    const { size } = this.#system;
+    for (let r = 0; r < width; r++) {
+      impulse[r] = given[r]!;
+      for (let c = 0; c < size; c++)
+        impulse[r]! -= share * resisting[r * size + c]! * this.#change[c]!;
+    }
+  }
+
   /** Where friction turns round a round goes no further. */
   #share(dt: number): number {
     let share = 1;
@@ -361,7 +437,7 @@ export class RopeSolve {
     return share;
   }
 
-  /** Of velocities of the bodies: twice their energy. */
+  /** Of velocities of the bodies by themselves: twice their energy. */
   #square(v: Float64Array): number {
     const { inertias, count } = this.bodies;
     let sum = 0;
@@ -403,6 +479,7 @@ export class RopeSolve {
     const { count, inertias } = this.bodies;
     const block = this.#block;
     for (let b = 0; b < count; b++) {
+      if (this.bodies.with(b)) continue;
       block.resize(SIDE);
       this.#system.inverseBlock(SIDE * b, SIDE, block.matrix);
       block.factor();
@@ -410,8 +487,41 @@ export class RopeSolve {
       block.inverseBlock(0, SIDE, resistance);
       for (let n = 0; n < BLOCK; n++) resistance[n]! -= inertias[BLOCK * b + n]!;
     }
+    for (const each of this.bodies.joined) if (each.active) this.#tellResistance(each);
     this.#tellImpulses();
     return true;
+  }
+
+  /** What ropes, and the bodies that they tie to them, resist those by that joints hold: to each, the block of its own. */
+  #tellResistance({ first, count, from, width, resisting }: JoinedBodies): void {
+    const { size } = this.#system;
+    const block = this.#block;
+    const column = this.#column;
+    // By columns: how all go when one of these is given a velocity, and what the ropes take from these then.
+    const taken = new Float64Array(width * width);
+    const inverse = new Float64Array(width * width);
+    block.resize(width);
+    for (let c = 0; c < width; c++) {
+      column.fill(0);
+      column[from + c] = 1;
+      this.#system.solve(column);
+      for (let r = 0; r < width; r++) {
+        block.matrix[r * width + c] = column[from + r]!;
+        let sum = 0;
+        for (let k = 0; k < size; k++) sum += resisting[r * size + k]! * column[k]!;
+        taken[r * width + c] = sum;
+      }
+    }
+    block.factor();
+    block.inverseBlock(0, width, inverse);
+    for (let b = 0; b < count; b++)
+      for (let r = 0; r < SIDE; r++)
+        for (let c = 0; c < SIDE; c++) {
+          let sum = 0;
+          for (let k = 0; k < width; k++)
+            sum += taken[(SIDE * b + r) * width + k]! * inverse[k * width + SIDE * b + c]!;
+          this.resistance[BLOCK * (first + b) + SIDE * r + c] = sum;
+        }
   }
 
   /** Nothing was found that makes sense: ropes do nothing in this step. */
@@ -422,14 +532,17 @@ export class RopeSolve {
   }
 
   #tellImpulses(): void {
-    const { count, inertias, momenta, velocities } = this.bodies;
-    for (let b = 0; b < count; b++)
+    const { count, inertias, momenta, velocities, joined } = this.bodies;
+    for (const { active, from, impulse } of joined) if (active) this.impulse.set(impulse, from);
+    for (let b = 0; b < count; b++) {
+      if (this.bodies.with(b)) continue;
       for (let r = 0; r < SIDE; r++) {
         let impulse = -momenta[SIDE * b + r]!;
         for (let c = 0; c < SIDE; c++)
           impulse += inertias[BLOCK * b + SIDE * r + c]! * velocities[SIDE * b + c]!;
         this.impulse[SIDE * b + r] = impulse;
       }
+    }
   }
 }
 

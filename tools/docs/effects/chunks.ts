@@ -1,6 +1,7 @@
 // docs/chunks.md, from the files of the module build: what each weighs, and what has a page fetch it.
 import { readdirSync, readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { deformableChunk } from '../../../physics-core/effects/deformables/effects.js';
 import { particleSystems as particles } from '../../../physics-core/effects/particles/effects.js';
 import { ropeChunk } from '../../../physics-core/effects/soft/effects.js';
 import { waters, waveChunk } from '../../../physics-core/effects/water/effects.js';
@@ -39,10 +40,19 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-rope-elements', `${ropeChunk.causes} or a SoftBodyAttachment: their tags`],
   ['chunk-draw-rope', `${ropeChunk.causes} with a Shape: what draws it`],
   [
-    'chunk-own-shapes',
-    `${particles.causes}, ${waters.causes} or ${ropeChunk.causes}: what draws them has this in common`,
+    'chunk-deformable-code',
+    `${deformableChunk.causes}: what moves it, and what it is tied to and touches`,
   ],
-  ['chunk-obstacles', `${particles.causes}, or ${ropeChunk.causes}: what they meet`],
+  ['chunk-deformable-elements', `${deformableChunk.causes}: their tags`],
+  ['chunk-draw-deformable', `${deformableChunk.causes} with a Shape: what draws it`],
+  [
+    'chunk-own-shapes',
+    `${particles.causes}, ${waters.causes}, ${ropeChunk.causes}, ${deformableChunk.causes}: what draws them has this in common`,
+  ],
+  [
+    'chunk-obstacles',
+    `${particles.causes}, ${ropeChunk.causes}, ${deformableChunk.causes}: what they meet`,
+  ],
   [
     'chunk-silhouettes',
     `${particles.causes}, or ${waters.causes}: what wind and water see of a body`,

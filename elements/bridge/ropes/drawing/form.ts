@@ -9,7 +9,3 @@ export interface Form {
   /** Points of the rope: x, y, z of each, in what x3dom draws. */
   write(points: Float64Array): void;
 }
-
-/** As wide as x3dom makes them. */
-export const indexOf = (all: number[], corners: number): Uint16Array | Uint32Array =>
-  corners > 65535 ? Uint32Array.from(all) : Uint16Array.from(all);

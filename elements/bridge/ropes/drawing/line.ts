@@ -1,4 +1,5 @@
-import { indexOf, type Form } from './form.js';
+import { indexOf } from '../../matter/index-of.js';
+import type { Form } from './form.js';
 
 /** A rope as a line from point to point. */
 export function lineForm(count: number): Form {

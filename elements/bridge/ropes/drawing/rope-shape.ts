@@ -27,8 +27,6 @@ export class RopeShape extends OwnShape {
   #points = new Float64Array(0);
   #moves = -1;
   #since = -1;
-  readonly #low = [0, 0, 0];
-  readonly #high = [0, 0, 0];
 
   constructor(rope: Element, instead: X3DNode, appearance: X3DNode, isTube: boolean) {
     super(instead, appearance, isTube ? 'IndexedTriangleSet' : 'LineSet');
@@ -55,8 +53,7 @@ export class RopeShape extends OwnShape {
       points[i] = (places[i]! - since * velocities[i]!) / unit;
     const form = this.#form!;
     form.write(points);
-    for (let axis = 0; axis < 3; axis++) this.#bound(axis);
-    this.#bounds.hold(this.#low, this.#high, form.reach);
+    this.#bounds.around(points, form.reach);
     this.upload('POSITION', form.positions);
     if (form.normals.length > 0) this.upload('NORMAL', form.normals);
     this.draw();
@@ -73,16 +70,5 @@ export class RopeShape extends OwnShape {
     this.mesh._texCoords[0] = form.texCoords;
     this.mesh._indices[0] = form.index;
     this.remake();
-  }
-
-  #bound(axis: number): void {
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = axis; i < this.#points.length; i += 3) {
-      const value = this.#points[i]!;
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-    this.#low[axis] = low;
-    this.#high[axis] = high;
   }
 }

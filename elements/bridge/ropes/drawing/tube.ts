@@ -1,4 +1,5 @@
-import { indexOf, type Form } from './form.js';
+import { indexOf } from '../../matter/index-of.js';
+import type { Form } from './form.js';
 
 /** Corners around it; each ring has the first one twice, where its texture begins and ends. */
 const SIDES = 8;

@@ -1,6 +1,11 @@
 import { expect } from 'chai';
 import { ownBinding } from '../../../../elements/bridge/nodes/binding.js';
-import { particleTags, ropeTags, waterTags } from '../../../../elements/bridge/index.js';
+import {
+  deformableTags,
+  particleTags,
+  ropeTags,
+  waterTags,
+} from '../../../../elements/bridge/index.js';
 import { worldOf } from '../../../../elements/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
@@ -211,7 +216,7 @@ function walkAll(way: Way, fields: typeof ALL_FIELDS): void {
 const walked = new Set<string>();
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
+await Promise.all([deformableTags.load(), particleTags.load(), ropeTags.load(), waterTags.load()]);
 
 for (const [way, how] of Object.entries(WAYS) as [Way, string][])
   describe(`edits by ${how}`, () => {

@@ -1,5 +1,10 @@
 import { expect } from 'chai';
-import { particleTags, ropeTags, waterTags } from '../../../../elements/bridge/index.js';
+import {
+  deformableTags,
+  particleTags,
+  ropeTags,
+  waterTags,
+} from '../../../../elements/bridge/index.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { codecs, type NodeType } from '../../../../physics-core/inside.js';
@@ -22,7 +27,7 @@ const SCENE = `
   <group id="scene"></group>`;
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
+await Promise.all([deformableTags.load(), particleTags.load(), ropeTags.load(), waterTags.load()]);
 await waveChunk.load();
 
 /** Where a node belongs, as a selector in the scene. */
@@ -40,6 +45,9 @@ const lower = (name: string): string => name.toLowerCase();
 const isPart = (name: string): boolean => /Emitter$|PhysicsModel$/.test(name);
 const parentOf = ({ name }: NodeType): string => PARENTS[name] ?? (isPart(name) ? '#p' : '#c');
 
+const TRIANGLES =
+  '<indexedtriangleset index="0 1 2 0 2 3"><coordinate point="0 9 0 1 9 0 1 9 1 0 9 1"></coordinate></indexedtriangleset>';
+
 /** What it needs to be made, beside its own fields. */
 function furnish(element: Element, { name }: NodeType): void {
   if (name.endsWith('Joint')) element.setAttribute('body1', 'b');
@@ -48,6 +56,8 @@ function furnish(element: Element, { name }: NodeType): void {
     CollidableOffset:
       '<x3d-collidable-shape><shape><sphere></sphere></shape></x3d-collidable-shape>',
     Rope: '<lineset><coordinate point="0 5 0 1 5 0 2 5 0"></coordinate></lineset>',
+    Cloth: TRIANGLES,
+    SoftBody: '<sphere></sphere>',
     CollisionSensor: '<x3d-collision-collection use="K"></x3d-collision-collection>',
   };
   element.innerHTML = inside[name] ?? contentOf(name);

@@ -1,5 +1,10 @@
 import { expect } from 'chai';
-import { particleTags, ropeTags, waterTags } from '../../../../elements/bridge/index.js';
+import {
+  deformableTags,
+  particleTags,
+  ropeTags,
+  waterTags,
+} from '../../../../elements/bridge/index.js';
 import { allTypes } from '../../../../physics-core/all-types.js';
 import { waveChunk } from '../../../../physics-core/effects/water/effects.js';
 import type { Field, NodeType } from '../../../../physics-core/inside.js';
@@ -13,7 +18,7 @@ import type { World } from '../../inside.js';
 // ROUTEs into and out of every field of every node, generated over the tables.
 
 // What comes late would have worlds wait for it.
-await Promise.all([particleTags.load(), ropeTags.load(), waterTags.load()]);
+await Promise.all([deformableTags.load(), particleTags.load(), ropeTags.load(), waterTags.load()]);
 await waveChunk.load();
 
 interface X3DNode {
@@ -71,6 +76,8 @@ function sceneFor(type: NodeType, inside: string): string {
     ParticleSystem: () => collection('') + node(),
     WaterVolume: () => collection(node()),
     Rope: () => collection(node('points="0 5 0 1 5 0"')),
+    Cloth: () => collection(node('size="1 1"')),
+    SoftBody: () => collection(node('', '<sphere></sphere>')),
     SoftBodyAttachment: () => collection(node()),
   };
   const joint = (): string => collection(`${body()}${node('body1="b"')}`);

@@ -97,20 +97,27 @@ fact('what is recorded goes the way it goes without', async () => {
   assert.deepEqual(two!(), one!());
 });
 
-fact('an exported run of a body on a rope is run anew in another world', async () => {
-  const [one, two] = [await world(), await world()];
-  const [kept, anew] = [one, two].map((w) => {
-    const rope = addRope(w, line(8, 1, [0, 0, 0], [0.6, 0.8, 0]), { fixedIndex: [0] });
-    const body = addBody(w, { position: [0.6, 0.8, 0], geometry: [sphere(0.1)] });
-    tie(w, rope, 8, { body });
-    return () => [...places(rope).flat(), ...position(body)];
-  });
-  await one.record({ seconds: 10 });
-  one.step(150);
-  const timeline = (await two.importRun(JSON.parse(JSON.stringify(one.exportRun()))))!;
-  assert.deepEqual(timeline.hashes, one.timeline!.hashes);
-  assert.deepEqual(anew!(), kept!());
-});
+for (const jointed of [false, true])
+  for (const before of [0, 30])
+    fact(
+      `an exported run of a body on a rope${jointed ? ' and a joint' : ''}, from step ${before} on, is run anew in another world`,
+      async () => {
+        const [one, two] = [await world(), await world()];
+        const [kept, anew] = [one, two].map((w) => {
+          const rope = addRope(w, line(8, 1, [0, 0, 0], [0.6, 0.8, 0]), { fixedIndex: [0] });
+          const body = addBody(w, { position: [0.6, 0.8, 0], geometry: [sphere(0.1)] });
+          tie(w, rope, 8, { body });
+          if (jointed) addJoint(w, 'BallJoint', { body1: body, anchorPoint: [0.6, 1.3, 0.2] });
+          return () => [...places(rope).flat(), ...position(body), ...velocity(body)];
+        });
+        one.step(before);
+        await one.record({ seconds: 10 });
+        one.step(150);
+        const timeline = (await two.importRun(JSON.parse(JSON.stringify(one.exportRun()))))!;
+        assert.deepEqual(timeline.hashes, one.timeline!.hashes);
+        assert.deepEqual(anew!(), kept!());
+      },
+    );
 
 fact('its error is measured in copies of the world, which goes on as it would', async () => {
   const [w, plain] = [await world(), await world()];

@@ -6,7 +6,7 @@ import { composed, localMatrix, transformsAbove } from '../scopes/transforms.js'
 import { isTransform } from '../words/dom.js';
 
 /**
- * From the frame in which a rope, or what ties one, says its places to the world, in the lengths that x3dom draws. In a
+ * From the frame in which a rope, a cloth, a soft body, or what ties one, says its places to the world, in the lengths that x3dom draws. In a
  * collection that is the world's own. `reader` is told of edits of the Transforms.
  */
 export function frameOf(binding: Binding, reader = binding): Affine {
@@ -14,7 +14,7 @@ export function frameOf(binding: Binding, reader = binding): Affine {
   let matrix = identity();
   for (const [transform, angle] of transformsOf(binding)) {
     readers.add(transform, reader);
-    // What a body moves is where its author put it: there the rope is laid, wherever that has gone since.
+    // What a body moves is where its author put it: there it is laid, wherever that has gone since.
     const own = drivers.of(transform) ? composed(transform, angle) : localMatrix(transform);
     matrix = multiply(own, matrix);
   }

@@ -1,0 +1,101 @@
+import { LEAST_POISSON, MOST_POISSON } from '../tolerances.js';
+import { followed, type Elasticity } from './elasticity.js';
+import { Hexahedra } from './hexahedra.js';
+import { cellsOf } from './lattice-cells.js';
+import { Masses } from './masses.js';
+import type { Material } from './material.js';
+import type { Surface } from './surface.js';
+import { quickest } from './waves.js';
+
+export interface LatticeSettings extends Elasticity {
+  /** Of all of it, kg. */
+  readonly mass: number;
+  /** Cells along the longest side. */
+  readonly resolution?: number;
+}
+
+/** Cells along the longest side, where nobody says how many. */
+const RESOLUTION = 8;
+
+/** A solid that gives way: what a closed surface encloses, as a lattice of box cells. Without any, it is no solid. */
+export class Lattice implements Material {
+  readonly masses: Masses;
+  readonly surface: Surface;
+  readonly lasting: Material['lasting'] = [];
+  readonly strain = 0;
+  /** How many cells it is made of. */
+  readonly cells: number;
+  private readonly hexahedra: Hexahedra;
+  private readonly rest: Float64Array;
+  private readonly size: readonly number[];
+  /** kg, of a cell that is covered; what the first point weighed when the frequency was found. */
+  private readonly cellMass: number;
+  private weighed = 0;
+  /** The square of the greatest frequency at rest, 1/s², and the share of it that hourglasses may have. */
+  private square = 0;
+  private hourglassShare = 1;
+
+  constructor(points: ArrayLike<number>, index: ArrayLike<number>, settings: LatticeSettings) {
+    const cells = cellsOf(points, index, settings.resolution ?? RESOLUTION);
+    this.cells = cells.count;
+    this.size = cells.size;
+    this.surface = cells.surface;
+    this.rest = cells.places;
+    this.masses = new Masses(cells.places);
+    this.hexahedra = new Hexahedra(this.masses, cells.corners, cells.cover, cells.size);
+    const covered = cells.cover.reduce((sum, share) => sum + share, 0);
+    this.cellMass = settings.mass / covered;
+    for (let i = 0; i < cells.corners.length; i++)
+      this.masses.masses[cells.corners[i]!]! += (this.cellMass * cells.cover[i >> 3]!) / 8;
+    this.masses.free();
+    this.surface.follow(this.masses);
+    this.stiffen(settings);
+  }
+
+  /** Another elasticity, at once. */
+  stiffen({ youngsModulus, poissonsRatio }: Elasticity): void {
+    const { hexahedra, masses } = this;
+    if (masses.count === 0) return;
+    hexahedra.stiffen(
+      Math.max(0, youngsModulus),
+      Math.min(MOST_POISSON, Math.max(LEAST_POISSON, poissonsRatio)),
+    );
+    hexahedra.soft = 1;
+    this.weighed = masses.masses[0]!;
+    const least = Math.min(...this.size);
+    this.square = quickest(masses, this.rest, least, () => hexahedra.push(1));
+    this.hourglassShare = hexahedra.hourglassShare(this.square, this.cellMass);
+  }
+
+  /** The square of the greatest frequency at rest with what it weighs now, 1/s². */
+  private frequency(): number {
+    return this.masses.count > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
+  }
+
+  /** The same as it is deformed now: what is pressed flat is stiffer than at rest. */
+  private frequencyNow(): number {
+    const square = this.frequency();
+    return square > 0 ? square * this.hexahedra.stiffest(this.hourglassShare) : 0;
+  }
+
+  /** As it is deformed now: to be asked in each step. */
+  parts(dt: number): number {
+    return Math.max(1, Math.ceil(Math.sqrt(this.frequencyNow() / followed(dt))));
+  }
+
+  /** As it is deformed now, too. */
+  soften(parts: number, dt: number): number {
+    const square = this.frequencyNow();
+    const most = followed(dt / parts);
+    this.hexahedra.soft = square > most ? most / square : 1;
+    return this.hexahedra.soft;
+  }
+
+  push(time: number): void {
+    this.hexahedra.push(time);
+  }
+
+  hold(): void {
+    // Forces are all there is.
+  }
+}

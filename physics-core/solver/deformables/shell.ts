@@ -1,0 +1,211 @@
+import { LEAST_POISSON, LEAST_VOLUME, MOST_SHELL_POISSON } from '../tolerances.js';
+import { followed, type Elasticity } from './elasticity.js';
+import { Masses } from './masses.js';
+import type { Material } from './material.js';
+import { Skin } from './skin.js';
+import { Surface } from './surface.js';
+import { quickest } from './waves.js';
+import { finiteTriangles, skinOf } from './weld.js';
+
+export interface ShellSettings extends Elasticity {
+  /** Of all of it, kg. */
+  readonly mass: number;
+  /** Metres. */
+  readonly thickness: number;
+  /** Of the gas inside above what is outside, at the volume as laid, Pa. */
+  readonly pressure: number;
+}
+
+/** Of a volume below this share of area^(3/2), or areas that add up to more than this share of all: it encloses nothing. */
+const HOLLOW = 1e-6;
+
+/** More triangles than this have their frequency by the bound of the single ones, which may be too great by a third. */
+const MANY = 20_000;
+
+/**
+ * A closed surface as a thin skin that does not resist bending, and a gas in it, of which the pressure above the outside
+ * times the volume stays what it was. Points that are laid twice are one. What is open or flat can hold no gas.
+ */
+export class Shell implements Material {
+  readonly masses: Masses;
+  readonly surface: Surface;
+  readonly lasting: Material['lasting'] = [];
+  readonly strain = 0;
+  /** m³ that are enclosed, as laid; 0: none are. */
+  readonly volume: number;
+  private readonly skin: Skin;
+  private readonly rest: Float64Array;
+  private readonly thickness: number;
+  /** m², of all triangles. */
+  private readonly area: number;
+  /** 1: triangles look outward; -1: inward. */
+  private readonly side: number;
+  private gas = 0;
+  /** Of all pressure this share is left, for parts of a step that are too long for more. */
+  private gasSoft = 1;
+  private softened = false;
+  /** kg of all of it, and of the first point, as laid: `weigh` changes all alike. */
+  private readonly mass: number;
+  private readonly first: number;
+  /** Squares of frequencies as it weighed when laid, 1/s²: the greatest of all; and of the gas alone, which has but one. */
+  private square = 0;
+  private gasSquare = 0;
+
+  constructor(points: ArrayLike<number>, index: ArrayLike<number>, settings: ShellSettings) {
+    const all = finiteTriangles(points, index);
+    const { places, triangles, carriers } = skinOf(points, all);
+    this.rest = places;
+    this.masses = new Masses(places);
+    const shown = carriers.length > 0 ? all : [];
+    this.surface = new Surface(shown, 1, carriers, new Float64Array(carriers.length).fill(1));
+    this.surface.follow(this.masses);
+    this.skin = new Skin(this.masses, triangles);
+    this.thickness = settings.thickness;
+    this.mass = settings.mass;
+    this.area = this.skin.areas.reduce((sum, area) => sum + area, 0);
+    for (let i = 0; i < triangles.length; i++)
+      this.masses.masses[triangles[i]!]! +=
+        (settings.mass * this.skin.areas[Math.floor(i / 3)]!) / (3 * this.area);
+    this.masses.free();
+    this.first = this.masses.masses[0] ?? 0;
+    const within = triangles.length > 0 ? this.skin.volume() : 0;
+    this.side = within < 0 ? -1 : 1;
+    this.volume = this.encloses(within) ? Math.abs(within) : 0;
+    this.gas = this.volume > 0 ? settings.pressure : 0;
+    this.stiffen(settings);
+  }
+
+  private encloses(volume: number): boolean {
+    if (!(Math.abs(volume) > HOLLOW * this.area * Math.sqrt(this.area))) return false;
+    const open = this.areaVectors().sum;
+    return Math.sqrt(open.reduce((all, a) => all + a * a, 0)) < HOLLOW * this.area;
+  }
+
+  /** What each point has of the areas around it, m², as vectors; and their sum, which is none where the surface is closed. */
+  private areaVectors(): { each: Float64Array; sum: number[] } {
+    const { triangles } = this.skin;
+    const { rest } = this;
+    const each = new Float64Array(rest.length);
+    const sum = [0, 0, 0];
+    for (let t = 0; t < triangles.length; t += 3)
+      for (let k = 0; k < 3; k++) {
+        const l = (k + 1) % 3;
+        const m = (k + 2) % 3;
+        const side = (c: number, along: number): number =>
+          rest[3 * triangles[t + c]! + along]! - rest[3 * triangles[t]! + along]!;
+        const sixth = (side(1, l) * side(2, m) - side(1, m) * side(2, l)) / 6;
+        for (let c = 0; c < 3; c++) each[3 * triangles[t + c]! + k]! += sixth;
+        sum[k]! += 3 * sixth;
+      }
+    return { each, sum };
+  }
+
+  /** Pa above the outside, at the volume as laid. */
+  get pressure(): number {
+    return this.gas;
+  }
+
+  set pressure(pressure: number) {
+    if (this.volume === 0 || pressure === this.gas) return;
+    this.gas = pressure;
+    this.find();
+  }
+
+  /** Another elasticity, at once. */
+  stiffen({ youngsModulus, poissonsRatio }: Elasticity): void {
+    const { skin } = this;
+    const poisson = Math.min(MOST_SHELL_POISSON, Math.max(LEAST_POISSON, poissonsRatio));
+    skin.poisson = poisson;
+    skin.stiffness = (Math.max(0, youngsModulus) * this.thickness) / (1 - poisson * poisson);
+    this.find();
+  }
+
+  /** Finds how quickly it can follow, as laid. */
+  private find(): void {
+    const { masses, skin } = this;
+    if (masses.count === 0) return;
+    this.harden();
+    const now = this.weighs();
+    const { each } = this.areaVectors();
+    let mobility = 0;
+    for (let j = 0; j < each.length; j++)
+      mobility += (now * each[j]! ** 2) / masses.masses[Math.floor(j / 3)]!;
+    this.gasSquare = this.gas > 0 ? (this.gas / this.volume) * mobility : 0;
+    const length = Math.sqrt(this.area / skin.count);
+    this.square =
+      skin.count > MANY
+        ? skin.squares.reduce((most, square) => Math.max(most, square)) * this.perSquare() +
+          this.gasSquare
+        : now * quickest(masses, this.rest, length, () => skin.push(1, this.presses()));
+  }
+
+  /** In times what it did when laid. */
+  private weighs(): number {
+    return this.masses.masses[0]! / this.first;
+  }
+
+  /** What makes squares of frequencies of the skin's `squares`, as it weighed when laid, m²/s². */
+  private perSquare(): number {
+    const { skin } = this;
+    return (skin.stiffness * (1 + Math.abs(skin.poisson)) * this.area) / this.mass;
+  }
+
+  private harden(): void {
+    this.skin.soft.fill(1);
+    this.gasSoft = 1;
+    this.softened = false;
+  }
+
+  /** Pa, along the sides that triangles look to. */
+  private presses(): number {
+    const presses = this.side * this.gas * this.gasSoft;
+    if (!(this.gas > 0)) return presses;
+    const share = Math.max(LEAST_VOLUME, (this.side * this.skin.volume()) / this.volume);
+    return presses / share;
+  }
+
+  /** The square of the greatest frequency, stretched and pressed together as it is now, of what it weighed when laid, 1/s². */
+  private frequencyNow(): number {
+    const { gas, gasSoft, gasSquare, skin } = this;
+    const pressed = gas > 0 ? (this.presses() / (gasSoft * gas)) ** 2 * gasSquare : 0;
+    return Math.max(this.square * skin.stiffest(), pressed);
+  }
+
+  /** As it is deformed now: to be asked in each step. */
+  parts(dt: number): number {
+    if (this.masses.count === 0) return 1;
+    const square = this.frequencyNow() / this.weighs();
+    return Math.max(1, Math.ceil(Math.sqrt(square / followed(dt))));
+  }
+
+  /** As it is deformed now, too; triangle by triangle, so that a sliver makes nothing soft but itself. */
+  soften(parts: number, dt: number): number {
+    const { skin, gasSquare } = this;
+    if (this.softened) this.harden();
+    if (this.masses.count === 0) return 1;
+    const most = followed(dt / parts) * this.weighs();
+    const square = this.frequencyNow();
+    if (square <= most) return 1;
+    this.softened = true;
+    // The quickest triangles get what is left of what all together need, and none that is slower gets less.
+    const slower = most * (this.square / square);
+    const quickest = skin.squares.reduce((all, each) => Math.max(all, each));
+    const left = (slower / this.square) * quickest;
+    let all = 0;
+    for (let t = 0; t < skin.count; t++) {
+      skin.soft[t] = Math.min(1, left / skin.squares[t]!);
+      all += skin.soft[t]! * skin.areas[t]!;
+    }
+    // As much less pressure as there is less skin to bear it: the shape stays.
+    this.gasSoft = Math.min(all / this.area, slower / gasSquare);
+    return all / this.area;
+  }
+
+  push(time: number): void {
+    if (this.masses.count > 0) this.skin.push(time, this.presses());
+  }
+
+  hold(): void {
+    // Forces are all there is.
+  }
+}
