@@ -50,6 +50,7 @@ export class Deformables extends Effect {
 
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
+    this.#wakeWith(this.of(node as DeformableSource)!);
     this.#all.delete((node as DeformableSource).id);
     super.release(node);
     this.#stale = true;
@@ -60,6 +61,7 @@ export class Deformables extends Effect {
   changed(source: DeformableSource): void {
     const deformable = this.of(source);
     if (deformable) deformable.stale = true;
+    if (deformable) this.#wakeWith(deformable);
     this.#stale = true;
     this.#goOn();
   }
@@ -79,6 +81,17 @@ export class Deformables extends Effect {
     if (soft) this.of(soft)?.wake();
     if (body?.sleeping) body.wake();
     if (this.active) this.#goOn();
+  }
+
+  /** What it holds or carries wakes: it may go, or be another now. */
+  #wakeWith(deformable: Deformable): void {
+    const { bodies } = this.#simulation;
+    for (const { tie, deformable: tied } of this.#tied)
+      if (tied === deformable && tie.body?.sleeping) tie.body.wake();
+    for (const slot of deformable.touches.slots) {
+      const body = bodies.in(slot);
+      if (body?.sleeping) body.wake();
+    }
   }
 
   /** Where no body moves, steps are taken all the same. */

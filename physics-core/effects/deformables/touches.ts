@@ -4,6 +4,7 @@ import type { Material } from '../../solver/deformables/material.js';
 import { MET, METS, type Obstacles } from '../particles/collide/obstacles.js';
 import type { Deformable } from './deformable.js';
 import type { Guests } from './guests.js';
+import type { Samples } from './samples.js';
 import { AHEAD, FLAT, RETURN } from './tolerances.js';
 
 const met = new Float64Array(METS);
@@ -35,6 +36,11 @@ export class Touches {
   /** Of each point of the surface, its touch; -1: it has none. */
   #touchOf = new Int32Array(0);
 
+  /** Bodies that it may touch, each as often as it does. */
+  get slots(): Int32Array {
+    return this.#slots.subarray(0, this.count);
+  }
+
   /** Who may touch what in a step of `dt` seconds that begins. */
   look(deformable: Deformable, obstacles: Obstacles, guests: Guests, dt: number): void {
     this.count = 0;
@@ -42,6 +48,7 @@ export class Touches {
     const { count } = deformable.material.surface;
     if (this.#touchOf.length < count) this.#touchOf = new Int32Array(count);
     this.#touchOf.fill(-1);
+    if (!deformable.settings.touches) return;
     this.#lookAtPoints(deformable, obstacles, guests, dt);
     this.#lookAtSamples(deformable, obstacles, guests, dt);
   }
@@ -78,7 +85,7 @@ export class Touches {
 
   /** Edges and corners of bodies come between points: where these do not all touch the same, and lie flat on it. */
   #lookAtSamples(
-    { material: { surface }, settings: { radius }, samples }: Deformable,
+    { material: { surface }, settings: { radius }, samples, within }: Deformable,
     obstacles: Obstacles,
     guests: Guests,
     dt: number,
@@ -95,6 +102,7 @@ export class Touches {
       const reach = (1 + AHEAD) * radius;
       if (!obstacles.isNear(from, from, reach)) continue;
       if (!obstacles.meet(from, from, reach, met, 1, 1)) continue;
+      if (isWithin(within, met[MET.body]!, samples, CORNERS * n)) continue;
       guests.add(met[MET.body]!, dt);
       this.#note(from, radius, CORNERS);
       for (let m = 0; m < CORNERS; m++) {
@@ -244,4 +252,17 @@ function meets(obstacles: Obstacles, radius: number, margin: number): boolean {
     obstacles.meet(from, from, radius + margin, met, 1, 1) ||
     obstacles.meet(from, to, radius, met, 1, 1)
   );
+}
+
+/** What is beside a point that is tied within a body does not touch that, either. */
+function isWithin(
+  within: ReadonlyMap<number, number>,
+  slot: number,
+  { points, weights }: Samples,
+  first: number,
+): boolean {
+  if (within.size === 0) return false;
+  for (let n = first; n < first + CORNERS; n++)
+    if (weights[n]! > 0 && within.get(points[n]!) === slot) return true;
+  return false;
 }
