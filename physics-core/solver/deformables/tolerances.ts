@@ -22,4 +22,4 @@ export const AIR = 1.225;
 export const COMPLIANCE = 1e-6;
 
 /** How fast what does not stretch comes back to its length, m/s, where an edit has left it too long. (Fact: pins that jump.) */
-export const FASTEST = 20;
+export const FASTEST = 10;
