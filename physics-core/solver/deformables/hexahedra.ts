@@ -57,7 +57,8 @@ export class Hexahedra {
     this.qx = 1 / (4 * size[0]!);
     this.qy = 1 / (4 * size[1]!);
     this.qz = 1 / (4 * size[2]!);
-    this.scale = Math.max(this.qx, this.qy, this.qz) ** 2;
+    const most = Math.max(this.qx, this.qy, this.qz);
+    this.scale = most * most;
   }
 
   /** Pa, and without a unit. */

@@ -1,12 +1,13 @@
 import { LEAST_COVER, MOST_CELLS } from '../tolerances.js';
-import { coverOf, type Grid } from './lattice-cover.js';
+import { coverOf, raysOf, type Grid } from './lattice-cover.js';
 import { Surface } from './surface.js';
 import { finiteTriangles } from './weld.js';
 
-/** Points sampled along each side of a cell; and where there are many triangles, which each take time for all they cover. */
+/** Points sampled along each side of a cell. */
 const SAMPLES = 4;
-const SAMPLES_OF_MANY = 2;
-const MANY_TRIANGLES = 50_000;
+
+/** Rays that triangles may have to be looked at for: about a second. Fewer are sampled where there would be more. */
+const MOST_RAYS = 3e7;
 
 /** How far beyond its cell a point of the surface may lie and be carried by it, in cells. */
 const BEYOND = 1;
@@ -43,7 +44,9 @@ export function cellsOf(
   const triangles = finiteTriangles(points, index);
   const grid = gridOf(points, triangles, resolution);
   if (!grid) return NONE;
-  const samples = triangles.length > 3 * MANY_TRIANGLES ? SAMPLES_OF_MANY : SAMPLES;
+  const rays = raysOf(points, triangles, grid);
+  let samples = SAMPLES;
+  while (samples > 1 && rays * samples * samples > MOST_RAYS) samples--;
   const cover = coverOf(points, triangles, grid, samples);
   const kept = Array.from(cover.keys()).filter((cell) => cover[cell]! > 0);
   if (kept.length === 0) return NONE;
@@ -159,8 +162,10 @@ function nearestKept(grid: Grid, kept: readonly number[]): (cell: number) => num
   kept.forEach((cell, n) => (found[cell] = n));
   const apart = (a: number, b: number): number => {
     let square = 0;
-    for (let k = 0; k < 3; k++)
-      square += ((cellAt(a, grid, k) - cellAt(b, grid, k)) * size[k]!) ** 2;
+    for (let k = 0; k < 3; k++) {
+      const way = (cellAt(a, grid, k) - cellAt(b, grid, k)) * size[k]!;
+      square += way * way;
+    }
     return square;
   };
   return (cell) => {

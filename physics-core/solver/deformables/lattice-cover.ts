@@ -26,8 +26,37 @@ export function coverOf(
         const row = Math.floor(z / samples) * counts[1]! + Math.floor(y / samples);
         if (votes[i]! > 0) cover[row * counts[0]! + Math.floor(x / samples)]! += 1;
       }
-  for (let i = 0; i < cover.length; i++) cover[i]! /= samples ** 3;
+  for (let i = 0; i < cover.length; i++) cover[i]! /= samples * samples * samples;
   return cover;
+}
+
+/** How many rays go through the boxes around triangles, at one for each cell, about. */
+export function raysOf(
+  points: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  { size }: Grid,
+): number {
+  let rays = 0;
+  for (let t = 0; t + 2 < triangles.length; t += 3)
+    for (let k = 0; k < 3; k++) {
+      const l = (k + 1) % 3;
+      rays +=
+        1 +
+        (extent(points, triangles, t, k) / size[k]!) * (extent(points, triangles, t, l) / size[l]!);
+    }
+  return rays;
+}
+
+function extent(
+  points: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  t: number,
+  k: number,
+): number {
+  const a = points[3 * triangles[t]! + k]!;
+  const b = points[3 * triangles[t + 1]! + k]!;
+  const c = points[3 * triangles[t + 2]! + k]!;
+  return Math.max(a, b, c) - Math.min(a, b, c);
 }
 
 /** Rays along one axis (w), one for each sample across it (u, v). */

@@ -69,7 +69,7 @@ export class Lattice implements Material {
 
   /** The square of the greatest frequency at rest with what it weighs now, 1/s². */
   private frequency(): number {
-    return this.masses.count > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
+    return this.weighed > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
   }
 
   /** The same as it is deformed now: what is pressed flat is stiffer than at rest. */

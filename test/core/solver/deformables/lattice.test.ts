@@ -409,3 +409,14 @@ test('nothing that flings it gives it more energy than that', () => {
     below(moving(lattice.masses), 1.5 * start);
   }
 });
+
+test('what weighs nothing stays where it is', () => {
+  const lattice = solid(boxMesh([1, 1, 1]), 0);
+  assert.equal(lattice.parts(1 / 60), 1, 'parts');
+  assert.equal(lattice.soften(1, 1 / 60), 1, 'softness');
+  lattice.push(1 / 60);
+  assert.ok(
+    lattice.masses.velocities.every((v) => v === 0),
+    'velocities',
+  );
+});

@@ -285,3 +285,59 @@ test('a sliver makes nothing soft but itself', () => {
   }
   below(moving(ball.masses), 10 * start);
 });
+
+// ---- what befalls it ---------------------------------------------------------------------------------------------------
+
+/** Steps of 1/60 s, in no more parts than `most`. */
+function step(ball: Shell, steps: number, braking: number, most: number): void {
+  const { places, velocities } = ball.masses;
+  for (let n = 0; n < steps; n++) {
+    const parts = Math.min(most, ball.parts(1 / 60));
+    ball.soften(parts, 1 / 60);
+    const h = 1 / 60 / parts;
+    for (let part = 0; part < parts; part++) {
+      ball.push(h);
+      for (let j = 0; j < places.length; j++) {
+        velocities[j]! /= 1 + braking * h;
+        places[j]! += h * velocities[j]!;
+      }
+    }
+  }
+}
+
+const CRUSHED: Record<string, (places: Float64Array) => void> = {
+  'pressed flat': (places) => places.forEach((p, j) => (places[j] = j % 3 === 2 ? 0 : p)),
+  'turned inside out': (places) => places.forEach((p, j) => (places[j] = j % 3 === 2 ? -p : p)),
+  'crushed to a tenth': (places) => places.forEach((p, j) => (places[j] = 0.1 * p)),
+};
+
+for (const [how, crush] of Object.entries(CRUSHED))
+  test(`a ball that is ${how} is blown up again`, () => {
+    const ball = shell(ballMesh(RADIUS, 2), { pressure: 500 });
+    const blown = shell(ballMesh(RADIUS, 2), { pressure: 500 });
+    new Run(blown).settle(0.2);
+    crush(ball.masses.places);
+    shake(ball.masses.places, 1e-6);
+    step(ball, 1800, 2, 40);
+    close(within(ball), within(blown), 0.01 * within(blown));
+  });
+
+for (const most of [40, 4, 1])
+  test(`nothing that flings it gives it more energy than that, in ${most} parts`, () => {
+    const ball = shell(ballMesh(RADIUS, 2), { pressure: 5 });
+    // Six times the speed of sound.
+    shake(ball.masses.velocities, 200);
+    const start = moving(ball.masses);
+    for (let n = 0; n < 10; n++) {
+      step(ball, 30, 0, most);
+      below(moving(ball.masses), 3 * start);
+    }
+  });
+
+test('what weighs nothing stays where it is', () => {
+  const ball = shell(ballMesh(RADIUS, 2), { mass: 0 });
+  const { places } = ball.masses;
+  const rest = places.slice();
+  step(ball, 3, 0, 10);
+  close([...places], [...rest], 0);
+});
