@@ -9,11 +9,13 @@ export class CellModes {
   readonly modes = new Float64Array(3 * MODES);
   private readonly masses: Masses;
   private readonly corners: Int32Array;
+  private readonly middles: Float64Array;
 
-  /** Eight corners for each cell, x going fastest, then y. */
-  constructor(masses: Masses, corners: Int32Array) {
+  /** Eight corners for each cell, x going fastest, then y; and where in it each is looked at, from −1 to 1. */
+  constructor(masses: Masses, corners: Int32Array, middles: Float64Array) {
     this.masses = masses;
     this.corners = corners;
+    this.middles = middles;
   }
 
   /** Sums over the corners of a cell, for each of its modes. */
@@ -60,10 +62,57 @@ export class CellModes {
       modes[m + 5] = xy0 + xy1;
       modes[m + 6] = xy1 - xy0;
     }
+    if (this.isAside(cell)) this.goAside(cell);
+  }
+
+  private isAside(cell: number): boolean {
+    const { middles } = this;
+    return middles[3 * cell] !== 0 || middles[3 * cell + 1] !== 0 || middles[3 * cell + 2] !== 0;
+  }
+
+  /** From the middle of a cell to where it is looked at: the same polynomial about another point. */
+  private goAside(cell: number): void {
+    const { modes, middles } = this;
+    const x = middles[3 * cell]!;
+    const y = middles[3 * cell + 1]!;
+    const z = middles[3 * cell + 2]!;
+    for (let m = 0; m < 3 * MODES; m += MODES) {
+      const yz = modes[m + 3]!;
+      const zx = modes[m + 4]!;
+      const xy = modes[m + 5]!;
+      const xyz = modes[m + 6]!;
+      modes[m]! += y * xy + z * zx + y * z * xyz;
+      modes[m + 1]! += x * xy + z * yz + z * x * xyz;
+      modes[m + 2]! += x * zx + y * yz + x * y * xyz;
+      modes[m + 3] = yz + x * xyz;
+      modes[m + 4] = zx + y * xyz;
+      modes[m + 5] = xy + z * xyz;
+    }
+  }
+
+  /** The way back, for slopes: what each mode there was made of has its share of what that is pushed by. */
+  private comeBack(cell: number): void {
+    const { modes, middles } = this;
+    const x = middles[3 * cell]!;
+    const y = middles[3 * cell + 1]!;
+    const z = middles[3 * cell + 2]!;
+    for (let m = 0; m < 3 * MODES; m += MODES) {
+      const gx = modes[m]!;
+      const gy = modes[m + 1]!;
+      const gz = modes[m + 2]!;
+      const yz = modes[m + 3]!;
+      const zx = modes[m + 4]!;
+      const xy = modes[m + 5]!;
+      modes[m + 3] = yz + z * gy + y * gz;
+      modes[m + 4] = zx + z * gx + x * gz;
+      modes[m + 5] = xy + y * gx + x * gy;
+      modes[m + 6]! += x * yz + y * zx + z * xy + y * z * gx + z * x * gy + x * y * gz;
+    }
   }
 
   /** Pushes the corners of a cell against the slopes of its energy by each of its modes. */
   write(cell: number, time: number): void {
+    if (this.isAside(cell)) this.comeBack(cell);
     const { corners, modes } = this;
     const { velocities, inverse } = this.masses;
     const c = 8 * cell;

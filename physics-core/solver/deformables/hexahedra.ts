@@ -1,10 +1,11 @@
 import { CellModes } from './cell-modes.js';
+import type { Cells } from './lattice-cells.js';
 import type { Masses } from './masses.js';
 
 // Box cells that bend as beams do, and are stiff by the mean of their deformation alone otherwise: one point of integration
 // (Flanagan and Belytschko, 1981), a stable neo-Hookean solid there (Smith, de Goes and Kim, 2018), and for the four ways to
 // deform in which that mean says nothing, the "hourglasses", the energy of a box with incompatible modes (Wilson, 1973),
-// condensed: a cell is bent as if its sides could curve. Energies are the same however the body is turned, so that forces
+// condensed: a cell is bent as if its sides could curve. Where but a part of a cell is covered, that point is its middle. Energies are the same however the body is turned, so that forces
 // add up to nothing, turn nothing, and are none in what is only turned.
 //
 // Of F, the mean of the deformation's gradient, with I = |F|², J = det F, A = |cof F|²:
@@ -18,8 +19,6 @@ import type { Masses } from './masses.js';
 
 export class Hexahedra {
   readonly count: number;
-  /** How much of each cell is there. */
-  readonly cover: Float64Array;
   /** Of all stiffness, this share is left, for parts of a step that are too long for more. */
   soft = 1;
   /** µ and λ', each times a cell's volume, J. */
@@ -35,6 +34,9 @@ export class Hexahedra {
   private readonly last = new Float64Array(3);
   /** The greatest stiffness of an hourglass, and that of a change of volume, N/m of a mass of 1 kg (1/s²) at 1 kg a cell. */
   private hourglass = 0;
+  /** How much of each cell is there, and how far around its middle along each axis, in that of a whole one. */
+  private readonly shares: Float64Array;
+  private readonly spreads: Float64Array;
   private readonly cells: CellModes;
   private readonly volume: number;
   /** 1 / (4 sides): what a sum over corners becomes a slope by. */
@@ -44,10 +46,11 @@ export class Hexahedra {
   /** 1/m²: what squares of sums that are hourglasses are compared with squares of slopes by. */
   private readonly scale: number;
 
-  constructor(masses: Masses, corners: Int32Array, cover: Float64Array, size: readonly number[]) {
-    this.cells = new CellModes(masses, corners);
-    this.cover = cover;
-    this.count = cover.length;
+  constructor(masses: Masses, { corners, cover, size }: Cells) {
+    this.cells = new CellModes(masses, corners, cover.middles);
+    this.shares = cover.shares;
+    this.spreads = cover.spreads;
+    this.count = cover.shares.length;
     this.volume = size[0]! * size[1]! * size[2]!;
     this.qx = 1 / (4 * size[0]!);
     this.qy = 1 / (4 * size[1]!);
@@ -103,8 +106,8 @@ export class Hexahedra {
   push(time: number): void {
     for (let cell = 0; cell < this.count; cell++) {
       this.cells.read(cell);
-      this.stress();
-      this.cells.write(cell, time * this.soft * this.cover[cell]!);
+      this.stress(cell);
+      this.cells.write(cell, time * this.soft * this.shares[cell]!);
     }
   }
 
@@ -154,8 +157,14 @@ export class Hexahedra {
   }
 
   /** In the place of each mode, how the energy of the cell that was read changes by it. */
-  private stress(): void {
-    const { qx, qy, qz, shear, bulk, poisson, bend, twist, plain, plainest, last, scale } = this;
+  private stress(cell: number): void {
+    const { qx, qy, qz, shear, bulk, poisson, bend, twist, last, scale, spreads } = this;
+    const mx = spreads[3 * cell]!;
+    const my = spreads[3 * cell + 1]!;
+    const mz = spreads[3 * cell + 2]!;
+    const least = Math.min(mx, my, mz);
+    const plain = least * this.plain;
+    const plainest = least * least * this.plainest;
     const { modes } = this.cells;
     // The mean of the deformation's gradient: how x (a, b, c), y (d, e, f) and z (g, h, i) change along each axis.
     const a = modes[0]! * qx;
@@ -194,16 +203,16 @@ export class Hexahedra {
     const t2 = tx * b + ty * e + tz * h;
     const t3 = tx * c + ty * f + tz * i;
     // Bending: two axes are stretched above and compressed below, and what is between them is free to give way.
-    const yx = w1 * qx;
-    const yz = u3 * qz;
-    const xy = w2 * qy;
-    const xz = v3 * qz;
-    const zx = v1 * qx;
-    const zy = u2 * qy;
+    const yx = my * w1 * qx;
+    const yz = my * u3 * qz;
+    const xy = mx * w2 * qy;
+    const xz = mx * v3 * qz;
+    const zx = mz * v1 * qx;
+    const zy = mz * u2 * qy;
     // Twisting.
-    const sz = u1 * qy + v2 * qx;
-    const sy = u1 * qz + w3 * qx;
-    const sx = v2 * qz + w3 * qy;
+    const sz = mz * (u1 * qy + v2 * qx);
+    const sy = my * (u1 * qz + w3 * qx);
+    const sx = mx * (v2 * qz + w3 * qy);
     let gu1 = twist * (sz * qy + sy * qz) - plain * u1;
     let gu2 = bend * qy * (zy + poisson * zx) - plain * u2;
     let gu3 = bend * qz * (yz + poisson * yx) - plain * u3;
@@ -213,9 +222,9 @@ export class Hexahedra {
     let gw1 = bend * qx * (yx + poisson * yz) - plain * w1;
     let gw2 = bend * qy * (xy + poisson * xz) - plain * w2;
     let gw3 = twist * (sy * qx + sx * qy) - plain * w3;
-    let gt1 = (last[0]! - plainest) * t1;
-    let gt2 = (last[1]! - plainest) * t2;
-    let gt3 = (last[2]! - plainest) * t3;
+    let gt1 = (my * mz * last[0]! - plainest) * t1;
+    let gt2 = (mz * mx * last[1]! - plainest) * t2;
+    let gt3 = (mx * my * last[2]! - plainest) * t3;
     // That energy goes by the fourth power of what is large: over the square of it, which is 1 at rest.
     const twice = gu1 * u1 + gu2 * u2 + gu3 * u3 + gv1 * v1 + gv2 * v2 + gv3 * v3 + gw1 * w1 + gw2 * w2 + gw3 * w3 + gt1 * t1 + gt2 * t2 + gt3 * t3; // prettier-ignore
     const crooked = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz + wx * wx + wy * wy + wz * wz + tx * tx + ty * ty + tz * tz; // prettier-ignore

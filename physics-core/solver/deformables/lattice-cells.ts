@@ -1,5 +1,5 @@
-import { LEAST_COVER, MOST_CELLS } from '../tolerances.js';
-import { coverOf, raysOf, type Grid } from './lattice-cover.js';
+import { LEAST_COVER, MOST_ASIDE, MOST_CELLS } from '../tolerances.js';
+import { coverOf, raysOf, type Cover, type Grid } from './lattice-cover.js';
 import { Surface } from './surface.js';
 import { finiteTriangles } from './weld.js';
 
@@ -19,8 +19,8 @@ export interface Cells {
   readonly count: number;
   /** Eight of each, x going fastest, then y. */
   readonly corners: Int32Array;
-  /** How much of each is covered. */
-  readonly cover: Float64Array;
+  /** What of each is covered. */
+  readonly cover: Cover;
   /** Of the corners: x, y, z of each. */
   readonly places: Float64Array;
   readonly surface: Surface;
@@ -30,7 +30,11 @@ const NONE: Cells = {
   size: [1, 1, 1],
   count: 0,
   corners: new Int32Array(0),
-  cover: new Float64Array(0),
+  cover: {
+    shares: new Float64Array(0),
+    middles: new Float64Array(0),
+    spreads: new Float64Array(0),
+  },
   places: new Float64Array(0),
   surface: new Surface([], 8, [], []),
 };
@@ -48,16 +52,27 @@ export function cellsOf(
   let samples = SAMPLES;
   while (samples > 1 && rays * samples * samples > MOST_RAYS) samples--;
   const cover = coverOf(points, triangles, grid, samples);
-  const kept = Array.from(cover.keys()).filter((cell) => cover[cell]! > 0);
+  const kept = Array.from(cover.shares.keys()).filter((cell) => cover.shares[cell]! > 0);
   if (kept.length === 0) return NONE;
   const { corners, places } = cornersOf(grid, kept);
   return {
     size: grid.size,
     count: kept.length,
     corners,
-    cover: Float64Array.from(kept, (cell) => Math.max(LEAST_COVER, cover[cell]!)),
+    cover: coverOfKept(cover, kept),
     places,
     surface: surfaceOf(points, triangles, grid, kept, corners),
+  };
+}
+
+/** None of them so little that nothing is left of it. */
+function coverOfKept({ shares, middles, spreads }: Cover, kept: readonly number[]): Cover {
+  const three = kept.flatMap((cell) => [3 * cell, 3 * cell + 1, 3 * cell + 2]);
+  const inside = (middle: number): number => Math.min(MOST_ASIDE, Math.max(-MOST_ASIDE, middle));
+  return {
+    shares: Float64Array.from(kept, (cell) => Math.max(LEAST_COVER, shares[cell]!)),
+    middles: Float64Array.from(three, (j) => inside(middles[j]!)),
+    spreads: Float64Array.from(three, (j) => Math.max(LEAST_COVER, spreads[j]!)),
   };
 }
 
