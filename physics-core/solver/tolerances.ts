@@ -311,6 +311,9 @@ export const MOST_CELLS = 4096;
 /** Share of a cell that counts as covered where less of it is: less would leave points that weigh all but nothing. */
 export const LEAST_COVER = 0.1;
 
+/** How far beside its middle a cell is looked at where but a part of it is covered: 1 is its side, where corners bear all. */
+export const MOST_ASIDE = 0.5;
+
 /** Poisson's ratios that are solved: at .5 nothing would be compressible, and below 0 energies would have no bound. */
 export const LEAST_POISSON = 0;
 export const MOST_POISSON = 0.495;

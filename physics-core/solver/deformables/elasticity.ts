@@ -8,5 +8,6 @@ export interface Elasticity {
 
 /** The square of the greatest frequency that parts of so many seconds follow, 1/s². */
 export function followed(time: number): number {
-  return ((2 * PART_SHARE) / time) ** 2;
+  const most = (2 * PART_SHARE) / time;
+  return most * most;
 }

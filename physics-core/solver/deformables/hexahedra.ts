@@ -1,9 +1,11 @@
+import { CellModes } from './cell-modes.js';
+import type { Cells } from './lattice-cells.js';
 import type { Masses } from './masses.js';
 
 // Box cells that bend as beams do, and are stiff by the mean of their deformation alone otherwise: one point of integration
 // (Flanagan and Belytschko, 1981), a stable neo-Hookean solid there (Smith, de Goes and Kim, 2018), and for the four ways to
 // deform in which that mean says nothing, the "hourglasses", the energy of a box with incompatible modes (Wilson, 1973),
-// condensed: a cell is bent as if its sides could curve. Energies are the same however the body is turned, so that forces
+// condensed: a cell is bent as if its sides could curve. Where but a part of a cell is covered, that point is its middle. Energies are the same however the body is turned, so that forces
 // add up to nothing, turn nothing, and are none in what is only turned.
 //
 // Of F, the mean of the deformation's gradient, with I = |F|², J = det F, A = |cof F|²:
@@ -15,13 +17,8 @@ import type { Masses } from './masses.js';
 // changes by is how far it is to a volume as at rest, and the energy grows by the square of that. There is no other state in
 // which forces are none than those that are only turned and those that any breath leaves (by random F, also crushed ones).
 
-/** Numbers of one coordinate of a cell: how it changes along x, y, z, and the hourglasses yz, zx, xy, xyz. */
-const MODES = 7;
-
 export class Hexahedra {
   readonly count: number;
-  /** How much of each cell is there. */
-  readonly cover: Float64Array;
   /** Of all stiffness, this share is left, for parts of a step that are too long for more. */
   soft = 1;
   /** µ and λ', each times a cell's volume, J. */
@@ -37,8 +34,10 @@ export class Hexahedra {
   private readonly last = new Float64Array(3);
   /** The greatest stiffness of an hourglass, and that of a change of volume, N/m of a mass of 1 kg (1/s²) at 1 kg a cell. */
   private hourglass = 0;
-  private readonly corners: Int32Array;
-  private readonly masses: Masses;
+  /** How much of each cell is there, and how far around its middle along each axis, in that of a whole one. */
+  private readonly shares: Float64Array;
+  private readonly spreads: Float64Array;
+  private readonly cells: CellModes;
   private readonly volume: number;
   /** 1 / (4 sides): what a sum over corners becomes a slope by. */
   private readonly qx: number;
@@ -46,18 +45,18 @@ export class Hexahedra {
   private readonly qz: number;
   /** 1/m²: what squares of sums that are hourglasses are compared with squares of slopes by. */
   private readonly scale: number;
-  private readonly modes = new Float64Array(3 * MODES);
 
-  constructor(masses: Masses, corners: Int32Array, cover: Float64Array, size: readonly number[]) {
-    this.masses = masses;
-    this.corners = corners;
-    this.cover = cover;
-    this.count = cover.length;
+  constructor(masses: Masses, { corners, cover, size }: Cells) {
+    this.cells = new CellModes(masses, corners, cover.middles);
+    this.shares = cover.shares;
+    this.spreads = cover.spreads;
+    this.count = cover.shares.length;
     this.volume = size[0]! * size[1]! * size[2]!;
     this.qx = 1 / (4 * size[0]!);
     this.qy = 1 / (4 * size[1]!);
     this.qz = 1 / (4 * size[2]!);
-    this.scale = Math.max(this.qx, this.qy, this.qz) ** 2;
+    const most = Math.max(this.qx, this.qy, this.qz);
+    this.scale = most * most;
   }
 
   /** Pa, and without a unit. */
@@ -103,112 +102,12 @@ export class Hexahedra {
     return square > 0 && mass > 0 ? Math.min(1, (64 * this.hourglass) / (mass * square)) : 1;
   }
 
-  /** Sums over the corners of a cell, for each of its modes. */
-  private read(cell: number): void {
-    const { corners, modes } = this;
-    const { places } = this.masses;
-    const c = 8 * cell;
-    const c0 = 3 * corners[c]!;
-    const c1 = 3 * corners[c + 1]!;
-    const c2 = 3 * corners[c + 2]!;
-    const c3 = 3 * corners[c + 3]!;
-    const c4 = 3 * corners[c + 4]!;
-    const c5 = 3 * corners[c + 5]!;
-    const c6 = 3 * corners[c + 6]!;
-    const c7 = 3 * corners[c + 7]!;
-    for (let k = 0, m = 0; k < 3; k++, m += MODES) {
-      const p0 = places[c0 + k]!;
-      const p1 = places[c1 + k]!;
-      const p2 = places[c2 + k]!;
-      const p3 = places[c3 + k]!;
-      const p4 = places[c4 + k]!;
-      const p5 = places[c5 + k]!;
-      const p6 = places[c6 + k]!;
-      const p7 = places[c7 + k]!;
-      const s01 = p0 + p1;
-      const d01 = p1 - p0;
-      const s23 = p2 + p3;
-      const d23 = p3 - p2;
-      const s45 = p4 + p5;
-      const d45 = p5 - p4;
-      const s67 = p6 + p7;
-      const d67 = p7 - p6;
-      const x0 = d01 + d23;
-      const x1 = d45 + d67;
-      const y0 = s23 - s01;
-      const y1 = s67 - s45;
-      const xy0 = d23 - d01;
-      const xy1 = d67 - d45;
-      modes[m] = x0 + x1;
-      modes[m + 1] = y0 + y1;
-      modes[m + 2] = s45 + s67 - s01 - s23;
-      modes[m + 3] = y1 - y0;
-      modes[m + 4] = x1 - x0;
-      modes[m + 5] = xy0 + xy1;
-      modes[m + 6] = xy1 - xy0;
-    }
-  }
-
-  /** Pushes the corners of a cell against the slopes of its energy by each of its modes. */
-  private write(cell: number, time: number): void {
-    const { corners, modes } = this;
-    const { velocities, inverse } = this.masses;
-    const c = 8 * cell;
-    const c0 = corners[c]!;
-    const c1 = corners[c + 1]!;
-    const c2 = corners[c + 2]!;
-    const c3 = corners[c + 3]!;
-    const c4 = corners[c + 4]!;
-    const c5 = corners[c + 5]!;
-    const c6 = corners[c + 6]!;
-    const c7 = corners[c + 7]!;
-    const t0 = time * inverse[c0]!;
-    const t1 = time * inverse[c1]!;
-    const t2 = time * inverse[c2]!;
-    const t3 = time * inverse[c3]!;
-    const t4 = time * inverse[c4]!;
-    const t5 = time * inverse[c5]!;
-    const t6 = time * inverse[c6]!;
-    const t7 = time * inverse[c7]!;
-    for (let k = 0, m = 0; k < 3; k++, m += MODES) {
-      const x = modes[m]!;
-      const y = modes[m + 1]!;
-      const z = modes[m + 2]!;
-      const yz = modes[m + 3]!;
-      const zx = modes[m + 4]!;
-      const xy = modes[m + 5]!;
-      const xyz = modes[m + 6]!;
-      const x0 = x - zx;
-      const x1 = x + zx;
-      const y0 = y - yz;
-      const y1 = y + yz;
-      const xy0 = xy - xyz;
-      const xy1 = xy + xyz;
-      const a0 = -z - y0;
-      const a1 = y0 - z;
-      const a2 = z - y1;
-      const a3 = z + y1;
-      const b0 = x0 - xy0;
-      const b1 = x0 + xy0;
-      const b2 = x1 - xy1;
-      const b3 = x1 + xy1;
-      velocities[3 * c0 + k]! -= t0 * (a0 - b0);
-      velocities[3 * c1 + k]! -= t1 * (a0 + b0);
-      velocities[3 * c2 + k]! -= t2 * (a1 - b1);
-      velocities[3 * c3 + k]! -= t3 * (a1 + b1);
-      velocities[3 * c4 + k]! -= t4 * (a2 - b2);
-      velocities[3 * c5 + k]! -= t5 * (a2 + b2);
-      velocities[3 * c6 + k]! -= t6 * (a3 - b3);
-      velocities[3 * c7 + k]! -= t7 * (a3 + b3);
-    }
-  }
-
   /** What forces do in `time`. */
   push(time: number): void {
     for (let cell = 0; cell < this.count; cell++) {
-      this.read(cell);
-      this.stress();
-      this.write(cell, time * this.soft * this.cover[cell]!);
+      this.cells.read(cell);
+      this.stress(cell);
+      this.cells.write(cell, time * this.soft * this.shares[cell]!);
     }
   }
 
@@ -216,7 +115,7 @@ export class Hexahedra {
   stiffest(hourglassShare: number): number {
     let most = 1;
     for (let cell = 0; cell < this.count; cell++) {
-      this.read(cell);
+      this.cells.read(cell);
       most = Math.max(most, this.stiffer(hourglassShare));
     }
     return most;
@@ -227,7 +126,8 @@ export class Hexahedra {
    * flat and all but incompressible, two in all else. (By random F between −1.5 and 3 it is less by a quarter at worst.)
    */
   private stiffer(hourglassShare: number): number {
-    const { modes, qx, qy, qz, shear, bulk } = this;
+    const { qx, qy, qz, shear, bulk } = this;
+    const { modes } = this.cells;
     const a = modes[0]! * qx;
     const b = modes[1]! * qy;
     const c = modes[2]! * qz;
@@ -257,9 +157,15 @@ export class Hexahedra {
   }
 
   /** In the place of each mode, how the energy of the cell that was read changes by it. */
-  private stress(): void {
-    const { modes, qx, qy, qz, shear, bulk, poisson, bend, twist, plain, plainest, last } = this;
-    const { scale } = this;
+  private stress(cell: number): void {
+    const { qx, qy, qz, shear, bulk, poisson, bend, twist, last, scale, spreads } = this;
+    const mx = spreads[3 * cell]!;
+    const my = spreads[3 * cell + 1]!;
+    const mz = spreads[3 * cell + 2]!;
+    const least = Math.min(mx, my, mz);
+    const plain = least * this.plain;
+    const plainest = least * least * this.plainest;
+    const { modes } = this.cells;
     // The mean of the deformation's gradient: how x (a, b, c), y (d, e, f) and z (g, h, i) change along each axis.
     const a = modes[0]! * qx;
     const b = modes[1]! * qy;
@@ -297,16 +203,16 @@ export class Hexahedra {
     const t2 = tx * b + ty * e + tz * h;
     const t3 = tx * c + ty * f + tz * i;
     // Bending: two axes are stretched above and compressed below, and what is between them is free to give way.
-    const yx = w1 * qx;
-    const yz = u3 * qz;
-    const xy = w2 * qy;
-    const xz = v3 * qz;
-    const zx = v1 * qx;
-    const zy = u2 * qy;
+    const yx = my * w1 * qx;
+    const yz = my * u3 * qz;
+    const xy = mx * w2 * qy;
+    const xz = mx * v3 * qz;
+    const zx = mz * v1 * qx;
+    const zy = mz * u2 * qy;
     // Twisting.
-    const sz = u1 * qy + v2 * qx;
-    const sy = u1 * qz + w3 * qx;
-    const sx = v2 * qz + w3 * qy;
+    const sz = mz * (u1 * qy + v2 * qx);
+    const sy = my * (u1 * qz + w3 * qx);
+    const sx = mx * (v2 * qz + w3 * qy);
     let gu1 = twist * (sz * qy + sy * qz) - plain * u1;
     let gu2 = bend * qy * (zy + poisson * zx) - plain * u2;
     let gu3 = bend * qz * (yz + poisson * yx) - plain * u3;
@@ -316,9 +222,9 @@ export class Hexahedra {
     let gw1 = bend * qx * (yx + poisson * yz) - plain * w1;
     let gw2 = bend * qy * (xy + poisson * xz) - plain * w2;
     let gw3 = twist * (sy * qx + sx * qy) - plain * w3;
-    let gt1 = (last[0]! - plainest) * t1;
-    let gt2 = (last[1]! - plainest) * t2;
-    let gt3 = (last[2]! - plainest) * t3;
+    let gt1 = (my * mz * last[0]! - plainest) * t1;
+    let gt2 = (mz * mx * last[1]! - plainest) * t2;
+    let gt3 = (mx * my * last[2]! - plainest) * t3;
     // That energy goes by the fourth power of what is large: over the square of it, which is 1 at rest.
     const twice = gu1 * u1 + gu2 * u2 + gu3 * u3 + gv1 * v1 + gv2 * v2 + gv3 * v3 + gw1 * w1 + gw2 * w2 + gw3 * w3 + gt1 * t1 + gt2 * t2 + gt3 * t3; // prettier-ignore
     const crooked = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz + wx * wx + wy * wy + wz * wz + tx * tx + ty * ty + tz * tz; // prettier-ignore

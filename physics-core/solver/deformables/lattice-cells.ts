@@ -1,12 +1,13 @@
-import { LEAST_COVER, MOST_CELLS } from '../tolerances.js';
-import { coverOf, type Grid } from './lattice-cover.js';
+import { LEAST_COVER, MOST_ASIDE, MOST_CELLS } from '../tolerances.js';
+import { coverOf, raysOf, type Cover, type Grid } from './lattice-cover.js';
 import { Surface } from './surface.js';
 import { finiteTriangles } from './weld.js';
 
-/** Points sampled along each side of a cell; and where there are many triangles, which each take time for all they cover. */
+/** Points sampled along each side of a cell. */
 const SAMPLES = 4;
-const SAMPLES_OF_MANY = 2;
-const MANY_TRIANGLES = 50_000;
+
+/** Rays that triangles may have to be looked at for: about a second. Fewer are sampled where there would be more. */
+const MOST_RAYS = 3e7;
 
 /** How far beyond its cell a point of the surface may lie and be carried by it, in cells. */
 const BEYOND = 1;
@@ -18,8 +19,8 @@ export interface Cells {
   readonly count: number;
   /** Eight of each, x going fastest, then y. */
   readonly corners: Int32Array;
-  /** How much of each is covered. */
-  readonly cover: Float64Array;
+  /** What of each is covered. */
+  readonly cover: Cover;
   /** Of the corners: x, y, z of each. */
   readonly places: Float64Array;
   readonly surface: Surface;
@@ -29,7 +30,11 @@ const NONE: Cells = {
   size: [1, 1, 1],
   count: 0,
   corners: new Int32Array(0),
-  cover: new Float64Array(0),
+  cover: {
+    shares: new Float64Array(0),
+    middles: new Float64Array(0),
+    spreads: new Float64Array(0),
+  },
   places: new Float64Array(0),
   surface: new Surface([], 8, [], []),
 };
@@ -43,18 +48,31 @@ export function cellsOf(
   const triangles = finiteTriangles(points, index);
   const grid = gridOf(points, triangles, resolution);
   if (!grid) return NONE;
-  const samples = triangles.length > 3 * MANY_TRIANGLES ? SAMPLES_OF_MANY : SAMPLES;
+  const rays = raysOf(points, triangles, grid);
+  let samples = SAMPLES;
+  while (samples > 1 && rays * samples * samples > MOST_RAYS) samples--;
   const cover = coverOf(points, triangles, grid, samples);
-  const kept = Array.from(cover.keys()).filter((cell) => cover[cell]! > 0);
+  const kept = Array.from(cover.shares.keys()).filter((cell) => cover.shares[cell]! > 0);
   if (kept.length === 0) return NONE;
   const { corners, places } = cornersOf(grid, kept);
   return {
     size: grid.size,
     count: kept.length,
     corners,
-    cover: Float64Array.from(kept, (cell) => Math.max(LEAST_COVER, cover[cell]!)),
+    cover: coverOfKept(cover, kept),
     places,
     surface: surfaceOf(points, triangles, grid, kept, corners),
+  };
+}
+
+/** None of them so little that nothing is left of it. */
+function coverOfKept({ shares, middles, spreads }: Cover, kept: readonly number[]): Cover {
+  const three = kept.flatMap((cell) => [3 * cell, 3 * cell + 1, 3 * cell + 2]);
+  const inside = (middle: number): number => Math.min(MOST_ASIDE, Math.max(-MOST_ASIDE, middle));
+  return {
+    shares: Float64Array.from(kept, (cell) => Math.max(LEAST_COVER, shares[cell]!)),
+    middles: Float64Array.from(three, (j) => inside(middles[j]!)),
+    spreads: Float64Array.from(three, (j) => Math.max(LEAST_COVER, spreads[j]!)),
   };
 }
 
@@ -159,8 +177,10 @@ function nearestKept(grid: Grid, kept: readonly number[]): (cell: number) => num
   kept.forEach((cell, n) => (found[cell] = n));
   const apart = (a: number, b: number): number => {
     let square = 0;
-    for (let k = 0; k < 3; k++)
-      square += ((cellAt(a, grid, k) - cellAt(b, grid, k)) * size[k]!) ** 2;
+    for (let k = 0; k < 3; k++) {
+      const way = (cellAt(a, grid, k) - cellAt(b, grid, k)) * size[k]!;
+      square += way * way;
+    }
     return square;
   };
   return (cell) => {

@@ -7,27 +7,92 @@ export interface Grid {
   readonly counts: readonly number[];
 }
 
-/** The share of each cell that lies inside, by `samples` points along each of its sides; x goes fastest. */
+/** What of each cell lies inside a surface; x goes fastest. */
+export interface Cover {
+  /** How much of it. */
+  readonly shares: Float64Array;
+  /** Where the middle of that is: x, y, z, each from −1 to 1 in its cell. */
+  readonly middles: Float64Array;
+  /** The mean square of how far it is around there along each axis, in that of a whole cell (which is 1/3). */
+  readonly spreads: Float64Array;
+}
+
+/** By `samples` points along each side of a cell. */
 export function coverOf(
   points: ArrayLike<number>,
   triangles: ArrayLike<number>,
   grid: Grid,
   samples: number,
-): Float64Array {
+): Cover {
   const { counts } = grid;
   const fine = counts.map((n) => n * samples);
   const votes = new Int8Array(fine[0]! * fine[1]! * fine[2]!);
   for (let axis = 0; axis < 3; axis++)
     new Rays(grid, samples, axis).through(points, triangles).vote(votes);
-  const cover = new Float64Array(counts[0]! * counts[1]! * counts[2]!);
-  for (let z = 0, i = 0; z < fine[2]!; z++)
-    for (let y = 0; y < fine[1]!; y++)
-      for (let x = 0; x < fine[0]!; x++, i++) {
-        const row = Math.floor(z / samples) * counts[1]! + Math.floor(y / samples);
-        if (votes[i]! > 0) cover[row * counts[0]! + Math.floor(x / samples)]! += 1;
-      }
-  for (let i = 0; i < cover.length; i++) cover[i]! /= samples ** 3;
-  return cover;
+  const count = counts[0]! * counts[1]! * counts[2]!;
+  const shares = new Float64Array(count);
+  const middles = new Float64Array(3 * count);
+  const spreads = new Float64Array(3 * count);
+  for (let i = 0; i < votes.length; i++) {
+    if (votes[i]! <= 0) continue;
+    let cell = 0;
+    for (let k = 2, at = i, stride = votes.length; k >= 0; k--) {
+      stride /= fine[k]!;
+      cell = cell * counts[k]! + Math.floor(Math.floor(at / stride) / samples);
+      at %= stride;
+    }
+    shares[cell]! += 1;
+    for (let k = 0, at = i; k < 3; k++) {
+      const within = (2 * ((at % fine[k]!) % samples) + 1) / samples - 1;
+      middles[3 * cell + k]! += within;
+      spreads[3 * cell + k]! += within * within;
+      at = Math.floor(at / fine[k]!);
+    }
+  }
+  for (let cell = 0; cell < count; cell++) finish({ shares, middles, spreads }, cell, samples);
+  return { shares, middles, spreads };
+}
+
+/** Makes means of sums over samples, each of which stands for the little box around it. */
+function finish({ shares, middles, spreads }: Cover, cell: number, samples: number): void {
+  const within = shares[cell]!;
+  const all = samples * samples * samples;
+  shares[cell] = within / all;
+  for (let j = 3 * cell; j < 3 * cell + 3; j++) {
+    const middle = within > 0 && within < all ? middles[j]! / within : 0;
+    const around = within > 0 ? spreads[j]! / within - middle * middle : 0;
+    middles[j] = middle;
+    spreads[j] = within < all ? 3 * around + 1 / (samples * samples) : 1;
+  }
+}
+
+/** How many rays go through the boxes around triangles, at one for each cell, about. */
+export function raysOf(
+  points: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  { size }: Grid,
+): number {
+  let rays = 0;
+  for (let t = 0; t + 2 < triangles.length; t += 3)
+    for (let k = 0; k < 3; k++) {
+      const l = (k + 1) % 3;
+      rays +=
+        1 +
+        (extent(points, triangles, t, k) / size[k]!) * (extent(points, triangles, t, l) / size[l]!);
+    }
+  return rays;
+}
+
+function extent(
+  points: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  t: number,
+  k: number,
+): number {
+  const a = points[3 * triangles[t]! + k]!;
+  const b = points[3 * triangles[t + 1]! + k]!;
+  const c = points[3 * triangles[t + 2]! + k]!;
+  return Math.max(a, b, c) - Math.min(a, b, c);
 }
 
 /** Rays along one axis (w), one for each sample across it (u, v). */

@@ -1,7 +1,7 @@
 import { LEAST_POISSON, MOST_POISSON } from '../tolerances.js';
 import { followed, type Elasticity } from './elasticity.js';
 import { Hexahedra } from './hexahedra.js';
-import { cellsOf } from './lattice-cells.js';
+import { cellsOf, type Cells } from './lattice-cells.js';
 import { Masses } from './masses.js';
 import type { Material } from './material.js';
 import type { Surface } from './surface.js';
@@ -42,14 +42,25 @@ export class Lattice implements Material {
     this.surface = cells.surface;
     this.rest = cells.places;
     this.masses = new Masses(cells.places);
-    this.hexahedra = new Hexahedra(this.masses, cells.corners, cells.cover, cells.size);
-    const covered = cells.cover.reduce((sum, share) => sum + share, 0);
-    this.cellMass = settings.mass / covered;
-    for (let i = 0; i < cells.corners.length; i++)
-      this.masses.masses[cells.corners[i]!]! += (this.cellMass * cells.cover[i >> 3]!) / 8;
+    this.hexahedra = new Hexahedra(this.masses, cells);
+    this.cellMass = settings.mass / cells.cover.shares.reduce((sum, share) => sum + share, 0);
+    this.weigh(cells);
     this.masses.free();
     this.surface.follow(this.masses);
     this.stiffen(settings);
+  }
+
+  /** What of a cell is covered is borne by its corners as if it were in its middle. */
+  private weigh({ corners, cover }: Cells): void {
+    const { masses } = this.masses;
+    for (let i = 0; i < corners.length; i++) {
+      let share = this.cellMass * cover.shares[i >> 3]!;
+      for (let k = 0; k < 3; k++) {
+        const middle = cover.middles[3 * (i >> 3) + k]!;
+        share *= (1 + ((i >> k) & 1 ? middle : -middle)) / 2;
+      }
+      masses[corners[i]!]! += share;
+    }
   }
 
   /** Another elasticity, at once. */
@@ -69,7 +80,7 @@ export class Lattice implements Material {
 
   /** The square of the greatest frequency at rest with what it weighs now, 1/s². */
   private frequency(): number {
-    return this.masses.count > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
+    return this.weighed > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
   }
 
   /** The same as it is deformed now: what is pressed flat is stiffer than at rest. */

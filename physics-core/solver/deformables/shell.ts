@@ -50,6 +50,8 @@ export class Shell implements Material {
   /** Squares of frequencies as it weighed when laid, 1/s²: the greatest of all; and of the gas alone, which has but one. */
   private square = 0;
   private gasSquare = 0;
+  /** The same, at most, of a skin that is folded in whatever way. */
+  private single = 0;
   /** What makes squares of frequencies of the skin's `squares`, where all are the same, m²/s²; 0: not found yet. */
   private even = 0;
 
@@ -132,14 +134,16 @@ export class Shell implements Material {
     const { each } = this.areaVectors();
     let mobility = 0;
     for (let j = 0; j < each.length; j++)
-      mobility += (now * each[j]! ** 2) / masses.masses[Math.floor(j / 3)]!;
+      if (this.first > 0)
+        mobility += (now * each[j]! * each[j]!) / masses.masses[Math.floor(j / 3)]!;
     this.gasSquare = this.gas > 0 ? (this.gas / this.volume) * mobility : 0;
+    const most = skin.squares.reduce((all, square) => Math.max(all, square));
+    this.single = most * this.perSquare() + this.gasSquare;
+    this.square = this.single;
+    if (skin.count > MANY) return;
     const length = Math.sqrt(this.area / skin.count);
-    this.square =
-      skin.count > MANY
-        ? skin.squares.reduce((most, square) => Math.max(most, square)) * this.perSquare() +
-          this.gasSquare
-        : now * quickest(masses, this.rest, length, () => skin.push(1, this.presses()));
+    const found = quickest(masses, this.rest, length, () => skin.push(1, this.presses()));
+    this.square = Math.min(this.single, now * found);
   }
 
   /**
@@ -159,13 +163,13 @@ export class Shell implements Material {
 
   /** In times what it did when laid. */
   private weighs(): number {
-    return this.masses.masses[0]! / this.first;
+    return this.first > 0 ? this.masses.masses[0]! / this.first : 1;
   }
 
   /** What makes squares of frequencies of the skin's `squares`, as it weighed when laid, m²/s². */
   private perSquare(): number {
     const { skin } = this;
-    return (skin.stiffness * (1 + Math.abs(skin.poisson)) * this.area) / this.mass;
+    return this.mass > 0 ? (skin.stiffness * (1 + skin.poisson) * this.area) / this.mass : 0;
   }
 
   private harden(): void {
@@ -182,11 +186,16 @@ export class Shell implements Material {
     return presses / share;
   }
 
-  /** The square of the greatest frequency, stretched and pressed together as it is now, of what it weighed when laid, 1/s². */
+  /**
+   * The square of the greatest frequency, stretched and pressed together as it is now, of what it weighed when laid, 1/s².
+   * Triangles that are folded on each other do not hinder one another: they are as quick as the quickest is by itself.
+   */
   private frequencyNow(): number {
-    const { gas, gasSoft, gasSquare, skin } = this;
-    const pressed = gas > 0 ? (this.presses() / (gasSoft * gas)) ** 2 * gasSquare : 0;
-    return Math.max(this.square * skin.stiffest(), pressed);
+    const { gas, gasSoft, gasSquare, skin, single, square } = this;
+    const more = this.presses() / (gasSoft * gas);
+    const pressed = gas > 0 ? more * more * gasSquare : 0;
+    skin.look();
+    return Math.max((square + (single - square) * skin.crumpled) * skin.stiffest, pressed);
   }
 
   /** As it is deformed now: to be asked in each step. */

@@ -18,6 +18,10 @@ export class Skin {
    * 1/m²: no frequency of all is greater than the greatest of these (Irons and Treharne, 1971).
    */
   readonly squares: Float64Array;
+  /** How many times as stiff as laid the most stretched one is, when `look` was there: no more than twice. */
+  stiffest = 1;
+  /** By how much the square of a length changes at most, then: 0, nothing is strained; 1, anything may lie on anything. */
+  crumpled = 0;
   /** N/m, E t / (1 − ν²). */
   stiffness = 0;
   poisson = 0;
@@ -63,7 +67,8 @@ export class Skin {
     const a = 2 * xx * xx;
     const b = xy * xy + yy * yy + (xy + yy) * (xy + yy);
     const c = 2 * xx * xy + xx * yy;
-    this.squares[t] = 3 * ((a + b) / 2 + Math.sqrt(((a - b) / 2) ** 2 + c * c));
+    const d = (a - b) / 2;
+    this.squares[t] = 3 * ((a + b) / 2 + Math.sqrt(d * d + c * c));
   }
 
   /** m³ inside, counted from one of the points: negative, where triangles look inward. */
@@ -92,11 +97,12 @@ export class Skin {
     return six / 6;
   }
 
-  /** How many times as stiff as laid the most stretched triangle is. */
-  stiffest(): number {
+  /** Looks how far triangles are stretched and pressed together. */
+  look(): void {
     const { triangles, inverses, masses } = this;
     const { places } = masses;
-    let most = 1;
+    let longest = 1;
+    let strained = 0;
     for (let t = 0, n = 0; t < this.count; t++, n += 3) {
       const o = 3 * triangles[n]!;
       const p = 3 * triangles[n + 1]!;
@@ -116,9 +122,12 @@ export class Skin {
         fg += f * g;
         gg += g * g;
       }
-      most = Math.max(most, stretched(ff, fg, gg));
+      const beside = Math.abs(fg);
+      longest = Math.max(longest, Math.max(ff, gg) + beside);
+      strained = Math.max(strained, Math.abs(ff - 1) + beside, Math.abs(gg - 1) + beside);
     }
-    return most;
+    this.stiffest = 2 - 1 / longest;
+    this.crumpled = Math.min(1, strained);
   }
 
   /** What the skin does in `time`, and a gas of `pressure` Pa on the side that triangles look from (negative: look to). */
@@ -189,10 +198,4 @@ export class Skin {
       velocities[3 * q + 2]! += wq * (nz - qz);
     }
   }
-}
-
-/** By the square of the greatest stretch, or a little more: how many times as stiff as laid, but never less than that. */
-function stretched(ff: number, fg: number, gg: number): number {
-  const most = Math.max(ff, gg) + Math.abs(fg);
-  return most > 1 ? 2 - 1 / most : 1;
 }

@@ -62,7 +62,8 @@ function hasPlane(places: Float64Array, o: number, p: number, q: number): boolea
     const m = (k + 2) % 3;
     const side = (c: number, along: number): number =>
       places[3 * c + along]! - places[3 * o + along]!;
-    twice += (side(p, l) * side(q, m) - side(p, m) * side(q, l)) ** 2;
+    const area = side(p, l) * side(q, m) - side(p, m) * side(q, l);
+    twice += area * area;
   }
   return Math.sqrt(twice) > SLIVER * longest;
 }
@@ -70,7 +71,10 @@ function hasPlane(places: Float64Array, o: number, p: number, q: number): boolea
 /** The square of how far points are apart. */
 function apart(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number {
   let square = 0;
-  for (let k = 0; k < 3; k++) square += (a[3 * i + k]! - b[3 * j + k]!) ** 2;
+  for (let k = 0; k < 3; k++) {
+    const way = a[3 * i + k]! - b[3 * j + k]!;
+    square += way * way;
+  }
   return square;
 }
 
