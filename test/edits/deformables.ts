@@ -1,41 +1,20 @@
 import type { NodeData } from '../conformance/fact.js';
 import { use } from '../conformance/scenes.js';
-import { OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
+import { ON, POINTS, SHARES, type Edit } from './edit.js';
 
-const triangles = (index: number[], ...point: number[]): NodeData => ({
-  type: 'IndexedTriangleSet',
-  index,
-  coord: { type: 'Coordinate', point },
-});
-
-const SQUARE = [0, 1, 2, 0, 2, 3];
-const CLOSED = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+const block = (...size: number[]): NodeData => ({ type: 'Box', size });
 
 export const SURFACE_SPARES: Record<string, NodeData> = {
-  square: triangles(SQUARE, 0, -700, 0, 1, -700, 0, 1, -701, 0, 0, -701, 0),
-  otherSquare: triangles(SQUARE, 0, -700, 0, 2, -700, 0, 2, -702, 0, 0, -702, 0),
-  block: { type: 'Box', size: [1, 1, 1] },
-  otherBlock: { type: 'Box', size: [2, 1, 1] },
+  block: block(1, 1, 1),
+  otherBlock: block(2, 1, 1),
 };
 
-/** Far from everything else: nothing touches it. Without its size a Cloth has its triangles. */
-export const deformableScene = (type: string): NodeData[] =>
+/** They touch nothing and stand still; without its size a Cloth has its geometry. */
+export const deformableScene = (type: string): NodeData[] => [
   type === 'Cloth'
-    ? [
-        {
-          type: 'Cloth',
-          DEF: 'cloth',
-          size: [1, 1],
-          geometry: triangles(SQUARE, 0, -700, 0, 1, -700, 0, 1, -700, 1, 0, -700, 1),
-        },
-      ]
-    : [
-        {
-          type: 'SoftBody',
-          DEF: 'softBody',
-          geometry: triangles(CLOSED, 0, -800, 0, 1, -800, 0, 0, -799, 0, 0, -800, 1),
-        },
-      ];
+    ? { type, DEF: 'cloth', geometry: block(3, 3, 3), size: [1, 1], enabled: false }
+    : { type, DEF: 'softBody', geometry: block(3, 3, 3), enabled: false },
+];
 
 export const deformableSubjects = { Cloth: 'cloth', SoftBody: 'softBody' };
 
@@ -47,7 +26,7 @@ const edit = (values: Edit['values'], more: Partial<Edit> = {}): Edit => ({
 });
 
 const common: Record<string, Edit> = {
-  enabled: edit(OFF),
+  enabled: edit(ON, { stays: ['.enabled', '?.positions'] }),
   mass: edit([2, 3]),
   damping: edit(SHARES),
   friction: edit([0.2, 0.8]),
@@ -56,7 +35,7 @@ const common: Record<string, Edit> = {
 
 export const clothEdits: Record<string, Edit> = {
   ...common,
-  geometry: edit([use('square'), use('otherSquare')], { stays: ['.geometry', '?.positions'] }),
+  geometry: edit([use('block'), use('otherBlock')], { stays: ['.geometry', '?.positions'] }),
   size: edit(
     [
       [1, 2],

@@ -23,23 +23,24 @@ export function planDeformable(soft: Binding, world: World): Plan | undefined {
 /** What it says in its own frame as it is in the world, of which alone the core knows. */
 function laid(soft: Binding, { own, data }: Surface): Record<string, unknown> {
   const frame = frameOf(soft);
-  const isMoved = !isIdentity(frame);
-  const isSheet = own !== undefined && !isMoved;
-  const { geometry } = (isSheet ? data : (own ?? data)) ?? {};
-  const relations = soft.type.fields.size ? words(soft, isSheet) : {};
-  if (!geometry) return relations;
-  relations.geometry = isMoved ? placed({ ...geometry }, frame, soft.units.length) : geometry;
-  return relations;
-}
-
-/** Of a Cloth, so that each edit of them is planned: the core's own sheet lies in the world. What can't be read it tells of. */
-function words(soft: Binding, isSheet: boolean): Record<string, unknown> {
-  const asked = soft.authoredFields();
-  const { size, subdivision } = soft.type.fields;
-  const given = asked.size ?? size!.default;
-  const isRead = codecs[size!.type].accept(given) !== undefined;
+  if (isIdentity(frame))
+    return { ...(data && { geometry: data.geometry }), ...(data?.cells && cells(soft)) };
+  const { geometry } = own ?? data ?? {};
   return {
-    size: isSheet || !isRead ? given : size!.default,
-    subdivision: asked.subdivision ?? subdivision!.default,
+    ...(geometry && { geometry: placed({ ...geometry }, frame, soft.units.length) }),
+    ...(soft.type.fields.size && { size: noSize(soft), ...cells(soft) }),
   };
 }
+
+/** The core's own sheet would lie in the plane of the world: what it says goes into its geometry. */
+function noSize(soft: Binding): unknown {
+  const { size } = soft.type.fields;
+  const asked = soft.authoredFields().size ?? size!.default;
+  // What can't be read it tells of.
+  return codecs[size!.type].accept(asked) === undefined ? asked : size!.default;
+}
+
+/** So that each edit of them is planned. */
+const cells = (soft: Binding): Record<string, unknown> => ({
+  subdivision: soft.authoredFields().subdivision ?? soft.type.fields.subdivision!.default,
+});

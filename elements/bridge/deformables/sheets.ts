@@ -36,7 +36,7 @@ export function planeAt(soft: Binding, element: Element, length: number): Surfac
     const points = geometry.points as number[];
     points.forEach((each, i) => (points[i] = each + centre[i % 3]! * length));
   }
-  return { geometry, texture };
+  return { geometry, texture, cells: !isDivided && soft.type.fields.subdivision !== undefined };
 }
 
 const asked = (soft: Binding, name: string): Pair | undefined =>

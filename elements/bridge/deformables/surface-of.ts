@@ -12,6 +12,8 @@ import { textureOf, type Texture } from './texture.js';
 export interface SurfaceData {
   geometry: GeometryData;
   texture?: Texture | undefined;
+  /** It has as many cells as the Cloth says. */
+  cells?: boolean;
 }
 
 export interface Surface extends Found<SurfaceData> {

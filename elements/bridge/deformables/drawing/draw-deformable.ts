@@ -4,6 +4,7 @@ import { OwnDrawing } from '../../matter/own-drawing.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { X3DNode } from '../../x3dom/x3dom.js';
 import type { SurfaceData } from '../surface-of.js';
+import { spread } from '../texture.js';
 import type { DeformablesDrawn } from './deformables-drawn.js';
 import { SurfaceShape } from './surface-shape.js';
 
@@ -24,7 +25,8 @@ class DeformableDrawing extends OwnDrawing<SurfaceShape> {
       { places, velocities: velocities!, triangles: triangles!, moves, since },
       {
         laid: () => node.mesh.points,
-        surface: this.surface,
+        said: this.surface,
+        surface: () => sheetOf(node) ?? this.surface,
         isSolid: node.type.name === 'SoftBody',
       },
       units.length,
@@ -34,6 +36,17 @@ class DeformableDrawing extends OwnDrawing<SurfaceShape> {
   protected make(instead: X3DNode, appearance: X3DNode): SurfaceShape {
     return new SurfaceShape(this.binding.element, instead, appearance);
   }
+}
+
+/** A Cloth with a size is a sheet, whatever stands in it. */
+function sheetOf(node: DeformableNode): SurfaceData | undefined {
+  if (!node.type.fields.size) return undefined;
+  const [width, height] = node.asked<[number, number]>('size');
+  if (!(width > 0 && height > 0)) return undefined;
+  const [columns, rows] = node
+    .asked<[number, number]>('subdivision')
+    .map((n) => Math.max(1, Math.round(n))) as [number, number];
+  return { geometry: { type: 'Mesh' }, texture: { places: spread(columns, rows) } };
 }
 
 export const provide = (): DeformablesDrawn => ({

@@ -23,8 +23,9 @@ export interface ShownSurface {
 export interface Look {
   /** Its points as it is laid, which say what belongs together. */
   laid: () => ArrayLike<number>;
-  /** In its own frame. */
-  surface: SurfaceData | undefined;
+  /** In its own frame; `said` is another object when its author said something else. */
+  said: SurfaceData | undefined;
+  surface: () => SurfaceData | undefined;
   /** It is seen from outside alone. */
   isSolid: boolean;
 }
@@ -35,7 +36,7 @@ export class SurfaceShape extends OwnShape {
   readonly #bounds: Bounds;
   #skin: Skin | undefined;
   #triangles: Int32Array | undefined;
-  #surface: SurfaceData | undefined;
+  #said: SurfaceData | undefined;
   #unit = 0;
   #points = new Float64Array(0);
   #moves = -1;
@@ -57,7 +58,7 @@ export class SurfaceShape extends OwnShape {
     const { places, velocities, triangles, moves, since } = shown;
     const isOther =
       this.#triangles !== triangles ||
-      this.#surface !== look.surface ||
+      this.#said !== look.said ||
       this.#points.length !== places.length ||
       this.#unit !== unit;
     if (!isOther && this.#moves === moves && this.#since === since) return;
@@ -75,13 +76,17 @@ export class SurfaceShape extends OwnShape {
     this.draw();
   }
 
-  #wear({ places, triangles }: ShownSurface, { laid, surface, isSolid }: Look, unit: number): void {
+  #wear(
+    { places, triangles }: ShownSurface,
+    { laid, said, surface, isSolid }: Look,
+    unit: number,
+  ): void {
     this.#triangles = triangles;
-    this.#surface = surface;
+    this.#said = said;
     this.#unit = unit;
     this.#points = new Float64Array(places.length);
     const points = laid();
-    const skin = new Skin(points, triangles, textureOn(points, triangles, surface));
+    const skin = new Skin(points, triangles, textureOn(points, triangles, surface()));
     this.#skin = skin;
     this.mesh._positions[0] = skin.positions;
     this.mesh._normals[0] = skin.normals;

@@ -5,7 +5,7 @@ import { deformablesDrawn } from '../../../../elements/bridge/deformables/drawin
 import { deformableTags } from '../../../../elements/bridge/index.js';
 import { meshes } from '../../../../physics-core/inside.js';
 import type { X3DNode } from '../../../../elements/bridge/x3dom/x3dom.js';
-import { documentOf } from '../batch/pictures.js';
+import { documentOf, picture } from '../batch/pictures.js';
 import { drawn, show, until } from '../../scene.js';
 import { THREADS } from '../../threads.js';
 
@@ -147,6 +147,47 @@ describe('a cloth is drawn', () => {
     cloth.remove();
     await until(() => own() === undefined);
     expect(authors.renderFlag()).to.equal(true);
+  });
+
+  it('without the triangles that a torn one has no more', async () => {
+    const { world, own, mesh } = await swung();
+    const node = world.node('r') as unknown as { triangles: Int32Array };
+    const { triangles } = node;
+    const say = (left: Int32Array): unknown =>
+      Object.defineProperty(node, 'triangles', { value: left, configurable: true });
+    say(triangles.subarray(6));
+    world.step(1);
+    await until(() => mesh()._indices[0]!.length === triangles.length - 6);
+    say(new Int32Array(0));
+    world.step(1);
+    await until(() => own() === undefined);
+    say(triangles.slice());
+    world.step(1);
+    await until(() => own() !== undefined && mesh()._indices[0]!.length === triangles.length);
+  });
+
+  it('in the colours that a picture has there: from both sides', async () => {
+    const pixels = async (turn: string): Promise<number[]> => {
+      const { x3d, world } = await show(
+        `<x3d-rigid-body-collection id="c"></x3d-rigid-body-collection><viewpoint position="0 0 4"></viewpoint>
+         <transform rotation="${turn}"><shape><appearance><material diffuseColor="1 0 0"></material></appearance></shape>
+           <x3d-cloth id="r" size="2 2" subdivision="4 4" enabled="false"></x3d-cloth></transform>`,
+        '#c',
+      );
+      await until(() => deformablesDrawn.here);
+      world.step(1);
+      const middle = (): number[] => {
+        const list = picture(x3d);
+        const [width, height] = [300, 200];
+        const at = 4 * (width * (height / 2) + width / 2);
+        return [...list.slice(at, at + 3)];
+      };
+      await until(() => middle()[0]! > 100);
+      return middle();
+    };
+    const [front, behind] = [await pixels('0 1 0 0'), await pixels('0 1 0 3.14159265')];
+    expect(front![1]).to.be.below(60);
+    front!.forEach((value, i) => expect(value).to.be.closeTo(behind![i]!, 3));
   });
 
   it('each of several by itself', async () => {
