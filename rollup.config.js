@@ -66,8 +66,9 @@ const OF_ROPES =
 const OF_DEFORMABLES =
   /\/(elements\/(x3d-(cloth|soft-body)|deformables|bridge\/deformables\/[\w-]+)|physics-core\/deformables)\.ts$/;
 
-/** What particles, ropes, cloth and soft bodies meet. */
-const OF_OBSTACLES = /\/physics-core\/effects\/particles\/collide\/[\w-]+\.ts$/;
+/** What particles, ropes, cloth and soft bodies meet, and geometry as the triangles that they are laid on. */
+const OF_OBSTACLES =
+  /\/physics-core\/(effects\/particles\/collide\/[\w-]+|nodes\/particles\/mesh)\.ts$/;
 
 /** What draws and takes Shapes for all of them. */
 const OF_MATTER = /\/elements\/bridge\/matter\/[\w-]+\.ts$/;

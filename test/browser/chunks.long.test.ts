@@ -251,6 +251,28 @@ describe('what a page fetches', () => {
       }
   });
 
+  for (const [first, scene, also] of [
+    ['ropes', '<x3d-rope points="0 0 0 1 0 0"></x3d-rope>', /deformable/],
+    ['cloth', '<x3d-cloth size="1 1"></x3d-cloth>', /rope-elements/],
+  ] as const)
+    it(`what ties a cloth that comes later, where what reads ${first} was there first`, async () => {
+      const { page, world, scene: x3dScene } = await show(FALLING + scene);
+      await until(() => world.time > 0);
+      expect(has(page, also)).to.equal(false);
+      // Each before what it names, and in that.
+      x3dScene.insertAdjacentHTML(
+        'beforeend',
+        `<x3d-soft-body-attachment id="by-name" softBody="k" index="2" position="0.5 -0.5 0"></x3d-soft-body-attachment>
+         <Cloth id="k" size="1 1" subdivision="2 2"><SoftBodyAttachment id="within" index="8" position="0.5 0.5 0"></SoftBodyAttachment></Cloth>`,
+      );
+      const tied = (name: string): unknown => world.node(name)?.get('softBody');
+      await until(() => world.node('k') !== undefined && has(page, also));
+      await until(() => ['by-name', 'within'].every((name) => tied(name) === world.node('k')));
+      const problems = (): string[] => world.problems.map(({ code }) => code);
+      await until(() => !problems().includes('unknown-reference'));
+      expect(problems().filter((code) => code !== 'waiting-for-effect')).to.eql([]);
+    });
+
   it('the code of joints with a joint, before the first step', async () => {
     const { page } = await show(FALLING + JOINT);
     expect([has(page, JOINTS), has(page, CONTACTS)]).to.eql([true, false]);

@@ -1,8 +1,8 @@
 import { allTypes } from '../../physics-core/all-types.js';
 import { createWorld, PhysicsNode, type Problem, type World } from '../../physics-core/inside.js';
 import { systemCode } from '../../physics-core/particles.js';
-import { ropeCode } from '../../physics-core/ropes.js';
 import { deformableCode } from '../../physics-core/deformables.js';
+import { ropeCode } from '../../physics-core/ropes.js';
 import { waterCode } from '../../physics-core/water.js';
 import { FRAME } from './checks.js';
 import { ownScene, type Fact, type NodeData, type Stage } from './fact.js';
@@ -11,7 +11,7 @@ import { nodesIn } from './markup.js';
 import { plain } from './plain.js';
 
 // Types of their nodes are known with them.
-await Promise.all([systemCode.load(), ropeCode.load(), deformableCode.load(), waterCode.load()]);
+await Promise.all([deformableCode.load(), systemCode.load(), ropeCode.load(), waterCode.load()]);
 
 /** Beside what a fact says itself; the accuracy level is the default one, `standard`. */
 const SETTINGS = { rest: 'never' };

@@ -14,7 +14,7 @@ import { deformableTypes } from '../../physics-core/deformables.js';
 import { softTypes } from '../../physics-core/ropes.js';
 import { waterTypes } from '../../physics-core/water.js';
 import { PARTICLE_SUBJECTS, particleScene, POINT_SPARES } from './particles.js';
-import { clothScene, clothSubjects } from './deformables.js';
+import { deformableScene, deformableSubjects, SURFACE_SPARES } from './deformables.js';
 import { LINE_SPARES, ropeScene, ropeSubjects } from './ropes.js';
 import { waterScene } from './water.js';
 
@@ -126,7 +126,7 @@ export const scene = (type: string): NodeData[] => {
     { type: 'CollisionCollection', DEF: 'others', collidables: [use('spareShape')] },
     ...(type in particleTypes ? particleScene() : []),
     ...(type in softTypes ? ropeScene() : []),
-    ...(type in deformableTypes ? clothScene() : []),
+    ...(type in deformableTypes ? deformableScene(type) : []),
     ...(type in waterTypes ? waterScene() : []),
   ];
 };
@@ -147,7 +147,7 @@ export const SUBJECTS: Record<string, string> = {
   ...Object.fromEntries(JOINTS.map((type) => [type, type])),
   ...PARTICLE_SUBJECTS,
   ...ropeSubjects,
-  ...clothSubjects,
+  ...deformableSubjects,
   WaterVolume: 'water',
 };
 
@@ -159,4 +159,5 @@ export const SPARES: Record<string, NodeData> = {
   moreData: { type: 'MetadataString', name: 'b' },
   ...POINT_SPARES,
   ...LINE_SPARES,
+  ...SURFACE_SPARES,
 };

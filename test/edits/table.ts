@@ -3,7 +3,7 @@ import { bodyEdits, offsetEdits, shapeEdits } from './bodies.js';
 import { AXES, kept, OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
 import { edits as jointEdits } from './joints.js';
 import { particleEdits } from './particles.js';
-import { clothEdits } from './deformables.js';
+import { clothEdits, softBodyEdits } from './deformables.js';
 import { attachmentEdits, ropeEdits } from './ropes.js';
 import { waterEdits } from './water.js';
 import {
@@ -56,8 +56,9 @@ const table: Record<string, Record<string, Edit>> = {
   Contact: contactEdits,
   ...jointEdits,
   ...particleEdits,
-  Rope: ropeEdits,
   Cloth: clothEdits,
+  SoftBody: softBodyEdits,
+  Rope: ropeEdits,
   SoftBodyAttachment: attachmentEdits,
   WaterVolume: waterEdits,
 };

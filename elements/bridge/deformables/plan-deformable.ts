@@ -25,9 +25,9 @@ function laid(soft: Binding, { own, data }: Surface): Record<string, unknown> {
   const frame = frameOf(soft);
   const isMoved = !isIdentity(frame);
   const isSheet = own !== undefined && !isMoved;
-  const { geometry } = own ?? data ?? {};
+  const { geometry } = (isSheet ? data : (own ?? data)) ?? {};
   const relations = soft.type.fields.size ? words(soft, isSheet) : {};
-  if (!geometry || isSheet) return relations;
+  if (!geometry) return relations;
   relations.geometry = isMoved ? placed({ ...geometry }, frame, soft.units.length) : geometry;
   return relations;
 }

@@ -8,6 +8,7 @@ import { worldAround } from '../matter/world-of.js';
 import { ownBinding, type Binding } from '../nodes/binding.js';
 import type { PageWorld } from '../nodes/surroundings.js';
 import { collectionNode, nodesIn, type Plan } from '../plans/plan.js';
+import { isPhysics } from '../words/dom.js';
 import { frameOf, inWorld } from '../matter/frame.js';
 
 /** The ropes, cloths and soft bodies that it stands in. */
@@ -20,13 +21,22 @@ function softOf(attachment: Binding): Binding | 'missing' | undefined {
   if (given) return meant(attachment, given, 'softBody');
   const name = attachment.authored('softBody');
   if (typeof name === 'string' && name.trim()) return named(attachment, name.trim());
+  for (const child of attachment.element.children) hear(attachment, child);
+  for (const { parentElement } of placesOf(attachment))
+    if (parentElement) hear(attachment, parentElement);
   return nodesOf(attachment, 'softBody', ...SOFT)[0] ?? around(attachment)[0];
+}
+
+/** What reads the tag of a cloth or a soft body may come later than what ties it. */
+function hear(attachment: Binding, element: Element): void {
+  if (!isPhysics(element)) attachment.scene!.readers.add(element, attachment);
 }
 
 function named(attachment: Binding, name: string): Binding | 'missing' {
   const element = attachment.scope!.find(name, attachment);
   const soft = element && ownBinding(element);
   if (soft?.is(...SOFT)) return soft;
+  if (element) hear(attachment, element);
   attachment.waitFor('softBody', name);
   return 'missing';
 }

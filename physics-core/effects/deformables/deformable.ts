@@ -55,16 +55,18 @@ export class Deformable {
     this.material = source.lay();
     this.samples = this.#sampled();
     this.#good = this.material.masses.places.slice();
-    this.velocities = new Float64Array(3 * this.material.surface.count);
-    this.#before = new Float64Array(this.velocities.length);
+    this.velocities = new Float64Array(3 * this.material.surface.shown);
+    this.#before = this.places.slice();
   }
 
   #sampled(): Samples {
     return samplesOf(this.places, this.triangles, 2 * this.settings.radius);
   }
 
+  /** Of the points that its author gave it. */
   get places(): Float64Array {
-    return this.material.surface.places;
+    const { places, shown, count } = this.material.surface;
+    return shown === count ? places : places.subarray(0, 3 * shown);
   }
 
   get triangles(): Int32Array {
@@ -77,8 +79,8 @@ export class Deformable {
     this.material = this.source.lay();
     this.samples = this.#sampled();
     this.#good = this.material.masses.places.slice();
-    this.velocities = new Float64Array(3 * this.material.surface.count);
-    this.#before = new Float64Array(this.velocities.length);
+    this.velocities = new Float64Array(3 * this.material.surface.shown);
+    this.#before = this.places.slice();
     this.#last = this.#quiet = 0;
     this.asleep = false;
     this.version++;

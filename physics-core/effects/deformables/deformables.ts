@@ -143,6 +143,8 @@ export class Deformables extends Effect {
     let parts = 1;
     for (const deformable of moving) {
       deformable.touches.look(deformable, this.#obstacles, guests, dt);
+      const { selfCollision, radius } = deformable.settings;
+      if (selfCollision) deformable.material.lookAtItself?.(2 * radius, dt);
       parts = Math.max(parts, deformable.parts(dt));
     }
     for (let part = 1; part <= parts; part++) this.#go(moving, tied, dt / parts, part);
@@ -163,6 +165,8 @@ export class Deformables extends Effect {
         strain = Math.max(strain, material.strain);
       }
       for (const each of tied) each.hold(guests, time);
+      for (const { material, settings } of moving)
+        if (settings.selfCollision) material.keepApart?.(settings.friction);
       for (const deformable of moving)
         deformable.touches.hold(deformable, guests, time, part * time);
     }

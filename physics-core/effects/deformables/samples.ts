@@ -1,3 +1,4 @@
+import { longest } from '../../solver/deformables/between.js';
 import { FINEST } from './tolerances.js';
 
 /** Points of a surface between those of its geometry: on its edges, and within its triangles where these are large. */
@@ -48,15 +49,4 @@ function isKnown(known: Set<string>, face: readonly number[], shares: readonly n
   if (known.has(key)) return true;
   known.add(key);
   return false;
-}
-
-function longest(places: Float64Array, face: readonly number[]): number {
-  let most = 0;
-  for (let n = 0; n < 3; n++) {
-    let square = 0;
-    for (let k = 0; k < 3; k++)
-      square += (places[3 * face[n]! + k]! - places[3 * face[(n + 1) % 3]! + k]!) ** 2;
-    most = Math.max(most, square);
-  }
-  return Math.sqrt(most);
 }

@@ -4,6 +4,9 @@ import type { Component } from '../../solver/joints/forest.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
 import type { JointedBodies } from './jointed-bodies.js';
 
+/** Where, behind the mass, what resists turning about each axis stands. */
+const TURNS = [1, 3, 6];
+
 /** How bodies of a component go in a step, and by what is given them: six numbers of each. */
 export interface Yields {
   /** If nobody gives them anything. */
@@ -35,7 +38,7 @@ export class YieldingBodies {
     for (const body of bodies) numbers.push(this.#numberOf(component, body));
     if (numbers.includes(-1)) return false;
     const { velocity } = this.#system;
-    numbers.forEach((i, n) => copy6(to.free, SIDE * n, velocity, SIDE * i));
+    for (let n = 0; n < numbers.length; n++) copy6(to.free, SIDE * n, velocity, SIDE * numbers[n]!);
     to.energy = this.#energyOf(component);
     for (let c = 0; c < SIDE * numbers.length; c++) this.#push(component, c, to);
     evenOut(to.compliance, SIDE * numbers.length);
@@ -45,7 +48,8 @@ export class YieldingBodies {
   /** What else gives them momentum, `share` times, and how all of it goes then. */
   give(component: Component, { numbers }: Yields, impulse: Float64Array, share: 1 | -1): void {
     const { momentum } = this.#system;
-    numbers.forEach((i, n) => add6(momentum, SIDE * i, impulse, SIDE * n, share));
+    for (let n = 0; n < numbers.length; n++)
+      add6(momentum, SIDE * numbers[n]!, impulse, SIDE * n, share);
     this.#system.again(component);
   }
 
@@ -53,13 +57,12 @@ export class YieldingBodies {
   findFree({ free, numbers }: Yields): number {
     const { velocity } = this.#system;
     let most = 0;
-    numbers.forEach((i, n) => {
+    for (let n = 0; n < numbers.length; n++)
       for (let k = 0; k < SIDE; k++) {
-        const v = velocity[SIDE * i + k]!;
+        const v = velocity[SIDE * numbers[n]! + k]!;
         most = Math.max(most, Math.abs(v - free[SIDE * n + k]!));
         free[SIDE * n + k] = v;
       }
-    });
     return most;
   }
 
@@ -88,7 +91,7 @@ export class YieldingBodies {
 
   #resists(body: number, k: number): number {
     const at = INERTIA * body;
-    return this.#system.inertia[k < 3 ? at : at + [1, 3, 6][k - 3]!]!;
+    return this.#system.inertia[k < 3 ? at : at + TURNS[k - 3]!]!;
   }
 
   #energyOf({ bodies }: Component): number {

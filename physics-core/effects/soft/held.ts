@@ -1,4 +1,5 @@
 import type { Body } from '../../dynamics/body.js';
+import type { Component } from '../../solver/joints/forest.js';
 import type { Rope } from './rope.js';
 import type { RopeSource, Tie } from './settings.js';
 
@@ -67,17 +68,17 @@ export class Holding {
   }
 }
 
-/** Ropes that hang together by bodies that move, or by what those hang together with in turn: `of` is the same for all of that. */
+/** Ropes that hang together by bodies that move, or by what joints hold those together with. */
 export function together(
   ropes: readonly Rope[],
   held: readonly Held[],
-  of: (body: Body) => object,
+  componentOf: (body: Body) => Component | undefined,
 ): Set<Set<Rope>> {
   const groupOf = new Map(ropes.map((rope) => [rope, new Set([rope])]));
   const byBody = new Map<object, Rope>();
   for (const { rope, body, movable } of held) {
     if (!body || !movable) continue;
-    const whole = of(body);
+    const whole = componentOf(body) ?? body;
     const other = byBody.get(whole) ?? rope;
     byBody.set(whole, other);
     const one = groupOf.get(rope)!;
@@ -91,14 +92,27 @@ export function together(
   return new Set(groupOf.values());
 }
 
-/** The bodies that move, those that hang together in one list, in the order in which they are tied. */
-export function byWhole(held: readonly Held[], of: (body: Body) => object): Body[][] {
+/** The tied bodies of what hangs together. */
+export interface Whole {
+  readonly bodies: readonly Body[];
+  /** Whether joints hold it. */
+  readonly jointed: boolean;
+}
+
+/** The bodies that move, by what they hang together with, in the order in which they are tied. */
+export function wholesOf(
+  held: readonly Held[],
+  componentOf: (body: Body) => Component | undefined,
+): Whole[] {
   const wholes = new Map<object, Set<Body>>();
   for (const { body, movable } of held) {
     if (!body || !movable) continue;
-    const whole = of(body);
+    const whole = componentOf(body) ?? body;
     const bodies = wholes.get(whole) ?? new Set();
     wholes.set(whole, bodies.add(body));
   }
-  return [...wholes.values()].map((bodies) => [...bodies]);
+  return [...wholes.values()].map((own) => {
+    const bodies = [...own];
+    return { bodies, jointed: (componentOf(bodies[0]!)?.joints.length ?? 0) > 0 };
+  });
 }

@@ -11,7 +11,7 @@ import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
 import type { JointSolve } from '../joints/joint-solve.js';
 import { resting } from '../rest/resting.js';
-import { byWhole, Holding, together } from './held.js';
+import { Holding, together, wholesOf } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
 import { RopeTouch } from './rope-touch.js';
 import type { RopeSource, Tie } from './settings.js';
@@ -58,8 +58,7 @@ export class Ropes extends Effect implements Pull {
     if (!this.isNeededBy(node)) return;
     this.#ropes.delete((node as RopeSource).id);
     super.release(node);
-    this.#stale = true;
-    this.#divide();
+    this.#letGo();
     if (this.active) this.#goOn();
   }
 
@@ -80,7 +79,15 @@ export class Ropes extends Effect implements Pull {
   untie(tie: Tie): void {
     this.#holding.delete(tie);
     this.tieChanged(tie);
-    this.#divide();
+    this.#letGo();
+  }
+
+  /** Who is tied no more is let go at once; groups are made before the next step, when all edits are in. */
+  #letGo(): void {
+    this.#stale = true;
+    this.#holding.list();
+    this.#tieBodies();
+    if (!this.active) this.#groups = [];
   }
 
   tieChanged({ rope }: Tie): void {
@@ -118,11 +125,11 @@ export class Ropes extends Effect implements Pull {
     this.#tieBodies();
     const joints = this.#effects.find(jointSolve);
     this.#numbering = joints?.numbering;
-    const of = (body: Body): object => joints?.togetherWith(body) ?? body;
-    this.#groups = [...together(ropes, held, of)].map((members) => {
+    const componentOf = (body: Body) => joints?.togetherWith(body);
+    this.#groups = [...together(ropes, held, componentOf)].map((members) => {
       const own = held.filter(({ rope }) => members.has(rope));
-      const wholes = byWhole(own, of);
-      const bodies = wholes.flat();
+      const wholes = wholesOf(own, componentOf);
+      const bodies = wholes.flatMap((whole) => whole.bodies);
       for (const { tie, rope, body, movable } of own)
         rope.strand.holders[tie.index] = movable ? bodies.indexOf(body!) : HELD;
       return new TiedGroup([...members], wholes, own);

@@ -5,10 +5,10 @@ import { factor, rowOf } from '../../base/cholesky.js';
 import { BODY_BLOCK, INERTIA, SIDE } from '../../solver/joints/blocks.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
 import { RopeSolve } from '../../solver/ropes/rope-solve.js';
-import { JoinedBodies } from '../../solver/ropes/tied-bodies.js';
+import { JoinedBodies } from '../../solver/ropes/joined-bodies.js';
 import type { Ahead, Pull } from '../joints/component-solve.js';
 import type { JointSolve } from '../joints/joint-solve.js';
-import type { Held } from './held.js';
+import type { Held, Whole } from './held.js';
 import type { Rope } from './rope.js';
 import { AGREES, HIT, SAME } from './tolerances.js';
 
@@ -23,26 +23,28 @@ export class TiedGroup {
   /** What ties their points. */
   readonly held: readonly Held[];
   readonly solve = new RopeSolve();
-  readonly #wholes: readonly (readonly Body[])[];
-  readonly #joined: readonly JoinedBodies[];
+  /** Those bodies that joints hold, by what hangs together. */
+  readonly #joined: readonly { bodies: readonly Body[]; joined: JoinedBodies }[];
   /** As found, before anything else acted on the bodies. */
   readonly #found: Float64Array;
   readonly #resists: Float64Array;
 
-  /** `wholes`: its bodies, those that joints hold together in one list. */
-  constructor(ropes: readonly Rope[], wholes: readonly (readonly Body[])[], held: readonly Held[]) {
-    const bodies = wholes.flat();
+  constructor(ropes: readonly Rope[], wholes: readonly Whole[], held: readonly Held[]) {
+    const bodies = wholes.flatMap((whole) => whole.bodies);
     this.ropes = ropes;
     this.bodies = bodies;
-    this.#wholes = wholes;
-    this.#joined = wholes.map((own) => new JoinedBodies(bodies.indexOf(own[0]!), own.length));
+    this.#joined = wholes
+      .filter(({ jointed }) => jointed)
+      .map(({ bodies: own }) => {
+        return { bodies: own, joined: new JoinedBodies(bodies.indexOf(own[0]!), own.length) };
+      });
     this.held = held;
     this.#found = new Float64Array(SIDE * bodies.length);
     this.#resists = new Float64Array(BODY_BLOCK * bodies.length);
     this.solve.take(
       ropes.map(({ strand }) => strand),
       bodies.length,
-      this.#joined,
+      this.#joined.map(({ joined }) => joined),
     );
   }
 
@@ -59,12 +61,8 @@ export class TiedGroup {
       const ahead = joints?.ahead(body, dt);
       if (ahead) this.#take(b, ahead);
     });
-    this.#joined.forEach((joined, w) => {
-      const bodies = this.#wholes[w]!;
-      joined.active =
-        bodies.some(({ joints: own }) => own.size > 0) &&
-        !!joints?.yields(bodies, dt, pull, joined);
-    });
+    for (const { bodies, joined } of this.#joined)
+      joined.active = joints?.yields(bodies, dt, pull, joined) ?? false;
   }
 
   #take(b: number, { inertia, momentum, velocity, i }: Ahead): void {
@@ -88,12 +86,9 @@ export class TiedGroup {
   /** Whether joints, by what ropes give their bodies, would go other round ways than those that these were found by. */
   differs(joints: JointSolve | undefined, dt: number): boolean {
     let most = 0;
-    for (let w = 0; w < this.#joined.length; w++) {
-      const joined = this.#joined[w]!;
-      if (!joined.active) continue;
-      const off = joints!.yieldsBy(this.#wholes[w]![0]!, joined.impulse, dt, joined);
-      most = Math.max(most, off);
-    }
+    for (const { bodies, joined } of this.#joined)
+      if (joined.active)
+        most = Math.max(most, joints!.yieldsBy(bodies[0]!, joined.impulse, dt, joined));
     return most > AGREES;
   }
 
@@ -150,9 +145,9 @@ export class TiedGroup {
           momenta[at + r]! += inertias[BLOCK * b + SIDE * r + c]! * now[c]!;
       }
     });
-    for (const joined of this.#joined)
+    for (const { joined } of this.#joined)
       for (let r = 0; r < joined.width; r++)
-        joined.free[r] = velocities[joined.from + r]! - joined.yield(r, joined.impulse, 0);
+        joined.free[r] = velocities[joined.from + r]! - joined.yield(r, joined.impulse);
     if (!this.solve.solve(dt)) return;
     this.note();
     this.bodies.forEach(({ body, pointer, joints }, b) => {

@@ -10,6 +10,9 @@ import { meshOf } from '../particles/mesh.js';
 /** Points of a surface, at most: what has more is not there, and says so. */
 export const MOST_POINTS = 20000;
 
+/** What is softer by less is not told. */
+const NEARLY = 0.99;
+
 /** What Cloth and SoftBody have in common. */
 export abstract class DeformableNode extends PhysicsNode implements DeformableSource {
   /** What ties points of it. */
@@ -143,8 +146,9 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
   }
 
   softened(share: number): void {
-    if (share < 1 === this.#softened) return;
-    this.#softened = share < 1;
+    const isSofter = share < NEARLY;
+    if (isSofter === this.#softened) return;
+    this.#softened = isSofter;
     const attribute = this.stiffest;
     const value = this.asked<number>(attribute);
     this.reportWhile(this.#softened, {

@@ -1,4 +1,5 @@
 import type { Mesh } from '../../shapes/geometry.js';
+import { between } from '../../solver/deformables/between.js';
 import { Lattice } from '../../solver/deformables/lattice.js';
 import type { Material } from '../../solver/deformables/material.js';
 import { Shell } from '../../solver/deformables/shell.js';
@@ -6,6 +7,12 @@ import { DeformableNode } from './deformable-node.js';
 
 /** kg/m³: of rubber, where nobody says how thick a skin is. */
 const RUBBER = 1000;
+
+/** Along the longest side of what is solid. */
+const CELLS = 8;
+
+/** Points by which it touches, at most, beside those of its author. */
+const MOST_MORE = 2000;
 
 /** A solid, or a hollow one. */
 export class SoftBodyNode extends DeformableNode {
@@ -32,12 +39,23 @@ export class SoftBodyNode extends DeformableNode {
     const { points, index } = this.mesh;
     const mass = this.asked<number>('mass');
     this.#laid = mass;
-    if (!this.#isHollow)
-      return this.#told(new Lattice(points, index, { mass, ...this.#elasticity }));
+    if (!this.#isHollow) return this.#told(this.#solid(points, index, mass));
     const pressure = this.asked<number>('pressure');
     const thickness =
       this.asked<number>('thickness') || mass / (RUBBER * areaOf({ points, index }));
     return this.#told(new Shell(points, index, { mass, thickness, pressure, ...this.#elasticity }));
+  }
+
+  /** It touches by more points than its author gave it: as many as there are cells under its surface. */
+  #solid(points: number[], index: number[], mass: number): Lattice {
+    const more = between(points, index, sideOf(points) / CELLS, MOST_MORE);
+    const lattice = new Lattice([...points, ...more], index, {
+      mass,
+      resolution: CELLS,
+      ...this.#elasticity,
+    });
+    lattice.surface.shown = Math.min(lattice.surface.count, points.length / 3);
+    return lattice;
   }
 
   #told<M extends Material>(material: M): M {
@@ -63,6 +81,21 @@ export class SoftBodyNode extends DeformableNode {
       material.stiffen(this.#elasticity);
     if (material instanceof Shell) material.pressure = this.asked('pressure');
   }
+}
+
+/** The longest of a box around points, metres. */
+function sideOf(points: readonly number[]): number {
+  let most = 0;
+  for (let k = 0; k < 3; k++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let j = k; j < points.length; j += 3) {
+      low = Math.min(low, points[j]!);
+      high = Math.max(high, points[j]!);
+    }
+    most = Math.max(most, high - low);
+  }
+  return most;
 }
 
 function areaOf({ points, index }: Mesh): number {

@@ -1,3 +1,4 @@
+import { Apart } from './apart.js';
 import { Corners } from './corners.js';
 import { edgesOf, type Edge } from './edges.js';
 import { Hinges } from './hinges.js';
@@ -26,6 +27,7 @@ export class Cloth implements Material {
   readonly #threads: Threads;
   readonly #corners: Corners;
   readonly #hinges: Hinges;
+  readonly #apart: Apart;
   /** Of each point 1/s² for each N/m, N/m and N m: what the fastest of each kind are answered by. */
   readonly #stretchRate: number;
   readonly #shearRate: number;
@@ -62,6 +64,7 @@ export class Cloth implements Material {
     this.#threads = new Threads(edges, areas, places);
     this.#corners = new Corners(places, triangles, areas, this.#threads);
     this.#hinges = new Hinges(places, edges, areas);
+    this.#apart = new Apart(places, triangles);
     this.#stretchRate = most(this.#stretchRates(edges, areas, places));
     this.#shearRate = most(this.#rates((rates) => this.#corners.addRates(rates, this.masses)));
     this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
@@ -158,6 +161,15 @@ export class Cloth implements Material {
     if (this.#held) this.#threads.hold(this.masses, this.#words.stretch, time, again);
     const { tear } = this.#words;
     if (tear > 0 && this.#threads.tear(this.masses, tear)) this.restored();
+  }
+
+  /** A step of `dt` seconds begins: who may come near whom. */
+  lookAtItself(thickness: number, dt: number): void {
+    this.#apart.look(this.masses, thickness, dt, this.#gone);
+  }
+
+  keepApart(friction: number): void {
+    this.#apart.hold(this.masses, friction);
   }
 
   /** Triangles go with the threads that they border. */

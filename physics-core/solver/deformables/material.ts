@@ -17,6 +17,9 @@ export interface Material {
   push(time: number): void;
   /** Takes places, `time` seconds after `before`, to where what does not stretch allows them to be; `again`: once more. */
   hold(time: number, again: boolean): void;
+  /** Whether it can keep from going through itself: who may come near whom in a step, and that nobody does. */
+  lookAtItself?(thickness: number, dt: number): void;
+  keepApart?(friction: number): void;
   /** What else the next step reads, for a snapshot. */
   readonly lasting: readonly (Float64Array | Int32Array | Uint8Array)[];
   /** A snapshot was put back into what it keeps. */

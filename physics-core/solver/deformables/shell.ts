@@ -50,6 +50,8 @@ export class Shell implements Material {
   /** Squares of frequencies as it weighed when laid, 1/s²: the greatest of all; and of the gas alone, which has but one. */
   private square = 0;
   private gasSquare = 0;
+  /** What makes squares of frequencies of the skin's `squares`, where all are the same, m²/s²; 0: not found yet. */
+  private even = 0;
 
   constructor(points: ArrayLike<number>, index: ArrayLike<number>, settings: ShellSettings) {
     const all = finiteTriangles(points, index);
@@ -125,6 +127,7 @@ export class Shell implements Material {
     const { masses, skin } = this;
     if (masses.count === 0) return;
     this.harden();
+    this.even = 0;
     const now = this.weighs();
     const { each } = this.areaVectors();
     let mobility = 0;
@@ -137,6 +140,21 @@ export class Shell implements Material {
         ? skin.squares.reduce((most, square) => Math.max(most, square)) * this.perSquare() +
           this.gasSquare
         : now * quickest(masses, this.rest, length, () => skin.push(1, this.presses()));
+  }
+
+  /**
+   * Makes all triangles alike, as quick by themselves as one another, and finds how quick they are together: as quick as any
+   * can be, of which none is quicker by itself than these.
+   */
+  private findEven(): void {
+    const { masses, skin } = this;
+    this.even = this.perSquare();
+    if (skin.count > MANY) return;
+    const mean = skin.squares.reduce((sum, square) => sum + square) / skin.count;
+    for (let t = 0; t < skin.count; t++) skin.soft[t] = mean / skin.squares[t]!;
+    const length = Math.sqrt(this.area / skin.count);
+    const square = this.weighs() * quickest(masses, this.rest, length, () => skin.push(1, 0));
+    this.even = Math.min(this.even, square / mean);
   }
 
   /** In times what it did when laid. */
@@ -187,17 +205,19 @@ export class Shell implements Material {
     const square = this.frequencyNow();
     if (square <= most) return 1;
     this.softened = true;
-    // The quickest triangles get what is left of what all together need, and none that is slower gets less.
+    if (this.even === 0) this.findEven();
+    // The gas has its part of what can be followed, and the skin the rest; both less, as what is deformed now is quicker.
     const slower = most * (this.square / square);
-    const quickest = skin.squares.reduce((all, each) => Math.max(all, each));
-    const left = (slower / this.square) * quickest;
+    const quickest = skin.squares.reduce((all, each) => Math.max(all, each)) * this.even;
+    const gasShare = gasSquare / (gasSquare + quickest);
+    const left = (slower * (1 - gasShare)) / this.even;
     let all = 0;
     for (let t = 0; t < skin.count; t++) {
       skin.soft[t] = Math.min(1, left / skin.squares[t]!);
       all += skin.soft[t]! * skin.areas[t]!;
     }
     // As much less pressure as there is less skin to bear it: the shape stays.
-    this.gasSoft = Math.min(all / this.area, slower / gasSquare);
+    this.gasSoft = gasSquare > 0 ? Math.min(all / this.area, (slower * gasShare) / gasSquare) : 1;
     return all / this.area;
   }
 

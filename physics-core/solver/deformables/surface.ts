@@ -6,6 +6,8 @@ import type { Masses } from './masses.js';
  */
 export class Surface {
   readonly count: number;
+  /** So many of them are its author's: those come first. The others are only there to touch. */
+  shown: number;
   /** Three of its points for each triangle. */
   readonly triangles: Int32Array;
   readonly #laid: Int32Array;
@@ -25,6 +27,7 @@ export class Surface {
   ) {
     this.width = width;
     this.count = carriers.length / width;
+    this.shown = this.count;
     this.triangles = Int32Array.from(triangles);
     this.#laid = this.triangles.slice();
     this.carriers = Int32Array.from(carriers);

@@ -9,10 +9,11 @@ import {
   ROPE_ROUNDS_NEAREST,
 } from '../tolerances.js';
 import { Elimination } from './elimination.js';
+import type { JoinedBodies } from './joined-bodies.js';
 import { Links, EVEN, NEAREST, type Directions } from './links.js';
 import { HELD, type Strand } from './strand.js';
 import { RopeSweeps } from './rope-sweeps.js';
-import { TiedBodies, type JoinedBodies } from './tied-bodies.js';
+import { TiedBodies } from './tied-bodies.js';
 import { Touches } from './touches.js';
 
 const BLOCK = SIDE * SIDE;
@@ -64,7 +65,6 @@ export class RopeSolve {
   readonly #block = new DenseLu();
   #rest = new Float64Array(0);
   #change = new Float64Array(0);
-  #column = new Float64Array(0);
   #velocitiesBefore = new Float64Array(0);
   /** Of each body, a block: what the ropes and all that hangs on them resists its velocity by; and what they give it. */
   resistance = new Float64Array(0);
@@ -79,8 +79,6 @@ export class RopeSolve {
     for (const strand of strands) this.#parts.push(new Part(strand));
     this.#links = this.#parts.map(({ links }) => links);
     this.bodies.resize(bodies, joined);
-    for (const each of joined) each.resisting = new Float64Array(each.width * SIDE * bodies);
-    this.#column = new Float64Array(SIDE * bodies);
     this.#rest = new Float64Array(SIDE * bodies);
     this.#change = new Float64Array(SIDE * bodies);
     this.#velocitiesBefore = new Float64Array(SIDE * bodies);
@@ -219,29 +217,8 @@ export class RopeSolve {
       }
     }
     for (const part of this.#parts) this.#assemblePart(part, dt, directions);
-    for (const each of this.bodies.joined) if (each.active) this.#yield(each);
-  }
-
-  /**
-   * Of bodies that joints hold, there is so far what ropes give them, and how those resist. They go as if free, and by what their
-   * joints let that do.
-   */
-  #yield(joined: JoinedBodies): void {
-    const { from, to, width, free, given, compliance, resisting } = joined;
-    const { matrix, size } = this.#system;
-    const { velocities } = this.bodies;
-    resisting.set(matrix.subarray(from * size, to * size));
-    given.set(this.#rest.subarray(from, to));
-    for (let r = 0; r < width; r++) {
-      const row = (from + r) * size;
-      this.#rest[from + r] = free[r]! - velocities[from + r]! + joined.yield(r, given, 0);
-      for (let c = 0; c < size; c++) {
-        let sum = c === from + r ? 1 : 0;
-        for (let k = 0; k < width; k++)
-          sum += compliance[r * width + k]! * resisting[k * size + c]!;
-        matrix[row + c] = sum;
-      }
-    }
+    for (const each of this.bodies.joined)
+      if (each.active) each.assemble(this.#system, this.#rest, velocities);
   }
 
   #assemblePart(part: Part, dt: number, directions: Directions): void {
@@ -402,7 +379,7 @@ export class RopeSolve {
     }
     const share = this.#share(dt);
     for (let i = 0; i < SIDE * count; i++) velocities[i]! += share * this.#change[i]!;
-    for (const each of this.bodies.joined) if (each.active) this.#give(each, share);
+    for (const each of this.bodies.joined) if (each.active) each.follow(this.#change, share);
     let most = 0;
     for (const { strand, links, touches, elimination } of this.#parts) {
       const { found, pulls, points } = strand;
@@ -416,16 +393,6 @@ export class RopeSolve {
       for (let i = 0; i < points - 1; i++) if (links.taut[i]) pulls[i]! += share * pullChange[i]!;
     }
     return most * dt;
-  }
-
-  /** What ropes give bodies that joints hold, once the round goes so far. */
-  #give({ width, given, impulse, resisting }: JoinedBodies, share: number): void {
-    const { size } = this.#system;
-    for (let r = 0; r < width; r++) {
-      impulse[r] = given[r]!;
-      for (let c = 0; c < size; c++)
-        impulse[r]! -= share * resisting[r * size + c]! * this.#change[c]!;
-    }
   }
 
   /** Where friction turns round a round goes no further. */
@@ -487,41 +454,10 @@ export class RopeSolve {
       block.inverseBlock(0, SIDE, resistance);
       for (let n = 0; n < BLOCK; n++) resistance[n]! -= inertias[BLOCK * b + n]!;
     }
-    for (const each of this.bodies.joined) if (each.active) this.#tellResistance(each);
+    for (const each of this.bodies.joined)
+      if (each.active) each.tellResistance(this.#system, this.resistance);
     this.#tellImpulses();
     return true;
-  }
-
-  /** What ropes, and the bodies that they tie to them, resist those by that joints hold: to each, the block of its own. */
-  #tellResistance({ first, count, from, width, resisting }: JoinedBodies): void {
-    const { size } = this.#system;
-    const block = this.#block;
-    const column = this.#column;
-    // By columns: how all go when one of these is given a velocity, and what the ropes take from these then.
-    const taken = new Float64Array(width * width);
-    const inverse = new Float64Array(width * width);
-    block.resize(width);
-    for (let c = 0; c < width; c++) {
-      column.fill(0);
-      column[from + c] = 1;
-      this.#system.solve(column);
-      for (let r = 0; r < width; r++) {
-        block.matrix[r * width + c] = column[from + r]!;
-        let sum = 0;
-        for (let k = 0; k < size; k++) sum += resisting[r * size + k]! * column[k]!;
-        taken[r * width + c] = sum;
-      }
-    }
-    block.factor();
-    block.inverseBlock(0, width, inverse);
-    for (let b = 0; b < count; b++)
-      for (let r = 0; r < SIDE; r++)
-        for (let c = 0; c < SIDE; c++) {
-          let sum = 0;
-          for (let k = 0; k < width; k++)
-            sum += taken[(SIDE * b + r) * width + k]! * inverse[k * width + SIDE * b + c]!;
-          this.resistance[BLOCK * (first + b) + SIDE * r + c] = sum;
-        }
   }
 
   /** Nothing was found that makes sense: ropes do nothing in this step. */

@@ -3,7 +3,7 @@ import { DenseLu } from '../matrix/dense-lu.js';
 import { ROPE_SWEEPS } from '../tolerances.js';
 import type { Links } from './links.js';
 import { HELD, type Strand } from './strand.js';
-import type { JoinedBodies, TiedBodies } from './tied-bodies.js';
+import type { TiedBodies } from './tied-bodies.js';
 
 const BLOCK = SIDE * SIDE;
 const way = new Float64Array(3);
@@ -26,9 +26,11 @@ export class RopeSweeps {
   begin(): void {
     const { count, inertias, momenta, velocities, joined } = this.#bodies;
     if (this.#inverses.length < BLOCK * count) this.#inverses = new Float64Array(BLOCK * count);
-    for (const each of joined) if (each.active) this.#beginJoined(each);
+    for (const each of joined) if (each.active) each.begin(velocities);
     for (let b = 0; b < count; b++) {
-      if (this.#bodies.with(b)) continue;
+      const own = this.#bodies.with(b);
+      own?.complianceOf(b, this.#inverses, BLOCK * b);
+      if (own) continue;
       this.#block.resize(SIDE);
       for (let n = 0; n < BLOCK; n++) this.#block.matrix[n] = inertias[BLOCK * b + n]!;
       this.#block.factor();
@@ -40,16 +42,6 @@ export class RopeSweeps {
         velocities[SIDE * b + r] = v;
       }
     }
-  }
-
-  #beginJoined({ first, count, from, width, free, compliance, impulse }: JoinedBodies): void {
-    this.#bodies.velocities.set(free, from);
-    impulse.fill(0);
-    for (let b = 0; b < count; b++)
-      for (let r = 0; r < SIDE; r++)
-        for (let c = 0; c < SIDE; c++)
-          this.#inverses[BLOCK * (first + b) + SIDE * r + c] =
-            compliance[(SIDE * b + r) * width + SIDE * b + c]!;
   }
 
   solve(strands: readonly Links[], dt: number): void {
@@ -131,7 +123,7 @@ export class RopeSweeps {
     }
     this.#turn(strand, i, impulse);
     const joined = this.#bodies.with(holder);
-    if (joined) this.#pushJoined(joined, SIDE * (holder - joined.first));
+    if (joined) joined.push(holder, given, this.#bodies.velocities);
     else this.#pushBody(holder);
   }
 
@@ -141,16 +133,6 @@ export class RopeSweeps {
       for (let c = 0; c < SIDE; c++)
         velocities[SIDE * holder + r]! +=
           this.#inverses[BLOCK * holder + SIDE * r + c]! * given[c]!;
-  }
-
-  /** All of them go along. */
-  #pushJoined({ from, width, compliance, impulse }: JoinedBodies, at: number): void {
-    const { velocities } = this.#bodies;
-    for (let c = 0; c < SIDE; c++) {
-      impulse[at + c]! += given[c]!;
-      for (let r = 0; r < width; r++)
-        velocities[from + r]! += compliance[r * width + at + c]! * given[c]!;
-    }
   }
 
   /** A tied point goes where its body takes it. */

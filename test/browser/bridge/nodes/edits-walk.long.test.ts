@@ -181,11 +181,12 @@ const WAYS: Record<Way, string> = {
 const GROUPS = {
   bodies: ALL_FIELDS.filter(
     ([type]) =>
-      ![particleTypes, softTypes, deformableTypes, waterTypes].some((types) => type in types),
+      ![deformableTypes, particleTypes, softTypes, waterTypes].some((types) => type in types),
   ),
   particles: ALL_FIELDS.filter(([type]) => type in particleTypes),
   ropes: ALL_FIELDS.filter(([type]) => type in softTypes),
-  deformables: ALL_FIELDS.filter(([type]) => type in deformableTypes),
+  cloth: ALL_FIELDS.filter(([type]) => type === 'Cloth'),
+  'soft bodies': ALL_FIELDS.filter(([type]) => type === 'SoftBody'),
   water: ALL_FIELDS.filter(([type]) => type in waterTypes),
 };
 

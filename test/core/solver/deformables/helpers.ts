@@ -93,7 +93,8 @@ export class Run {
   readonly masses: Masses;
   readonly rest: Float64Array;
   time = 0;
-  private readonly part: number;
+  /** Seconds. */
+  private readonly length: number;
   private readonly hold: () => void;
 
   /** `hold` acts on velocities before points go. */
@@ -101,16 +102,15 @@ export class Run {
     this.material = material;
     this.masses = material.masses;
     this.rest = material.masses.places.slice();
-    this.part = 1 / material.parts(1);
+    this.length = 1 / material.parts(1);
     this.hold = hold;
   }
 
-  /** Goes on for `seconds`: with m/s² in each direction, and braking that takes a share of all velocities, 1/s. */
-  go(seconds: number, gravity: Readonly<Vec3> = [0, 0, 0], braking = 0): this {
+  /** So many parts more: with m/s² in each direction, and braking that takes a share of all velocities, 1/s. */
+  part(count = 1, gravity: Readonly<Vec3> = [0, 0, 0], braking = 0): this {
     const { places, velocities, inverse } = this.masses;
-    const parts = Math.max(1, Math.ceil(seconds / this.part));
-    const h = seconds / parts;
-    for (let n = 0; n < parts; n++) {
+    const h = this.length;
+    for (let n = 0; n < count; n++) {
       this.material.push(h);
       for (let j = 0; j < velocities.length; j++) {
         if (inverse[Math.floor(j / 3)]! > 0) velocities[j]! += h * gravity[j % 3]!;
@@ -121,6 +121,11 @@ export class Run {
       this.time += h;
     }
     return this;
+  }
+
+  /** Goes on for `seconds`, or a little longer. */
+  go(seconds: number, gravity: Readonly<Vec3> = [0, 0, 0], braking = 0): this {
+    return this.part(Math.ceil(seconds / this.length), gravity, braking);
   }
 
   /** Until nothing moves: braked as what swings `seconds` to and fro wants, for ten times that. */

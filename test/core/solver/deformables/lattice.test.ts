@@ -82,7 +82,7 @@ test('a ball weighs what it is to, around its middle, and shows the surface that
     (sum, m, i) => sum + m * (places[3 * i]! ** 2 + places[3 * i + 1]! ** 2),
     0,
   );
-  close(about, 0.4 * 3 * 0.25, 0.06 * 0.3, 'inertia');
+  close(about, 0.4 * 3 * 0.25, 0.12 * 0.3, 'inertia');
 });
 
 test('its surface may look inward, overlap itself or lack a face', () => {
@@ -269,12 +269,23 @@ test('a free bar rings with a period of twice its length over the speed of sound
   const along = (): number => velocities.reduce((sum, v, j) => sum + v * start[j]!, 0);
   const crossings: number[] = [];
   for (let n = 0, last = along(); n < 2000; n++) {
+    const before = run.time;
     const now = (run.go(period / 100), along());
-    if (last < 0 && now >= 0) crossings.push(run.time - (now / (now - last)) * (period / 100));
+    if (last < 0 && now >= 0) crossings.push(run.time - (now / (now - last)) * (run.time - before));
     last = now;
   }
   close((crossings.at(-1)! - crossings[0]!) / (crossings.length - 1), period, 0.01 * period);
 });
+
+/** J, the mean of many moments: places and velocities are half a part apart, by which it goes to and fro. */
+function meanEnergy(run: Run): number {
+  let sum = 0;
+  for (let n = 0; n < 400; n++) {
+    run.part(3);
+    sum += moving(run.masses) + stored(run.material, run.rest);
+  }
+  return sum / 400;
+}
 
 test('what tumbles and trembles keeps its momenta and its energy', () => {
   const lattice = box([0.4, 0.2, 0.1], { resolution: 4 });
@@ -286,14 +297,10 @@ test('what tumbles and trembles keeps its momenta and its energy', () => {
     velocities[i + 2] = -2 * run.rest[i]!;
   }
   shake(velocities, 0.3);
-  const energy = (): number => moving(lattice.masses) + stored(lattice, run.rest);
   const first = momenta(lattice.masses);
-  const start = moving(lattice.masses);
-  for (let n = 0; n < 10; n++) {
-    run.go(2);
-    // Places and velocities are half a part apart, by which the energy swings.
-    close(energy(), start, 0.2 * start, `after ${run.time} s`);
-  }
+  const start = meanEnergy(run);
+  run.go(20);
+  close(meanEnergy(run), start, 2e-3 * start, 'energy');
   const last = momenta(lattice.masses);
   close(last.along, first.along, 1e-12, 'momentum');
   close(last.about, first.about, 1e-12, 'angular momentum');
@@ -301,7 +308,7 @@ test('what tumbles and trembles keeps its momenta and its energy', () => {
 
 // ---- parts -------------------------------------------------------------------------------------------------------------
 
-test('so many parts as it says are enough, and a tenth of them are too few', () => {
+test('so many parts as it says are enough, and three quarters of them too few', () => {
   for (const [share, holds] of [
     [1, true],
     [0.75, false],
