@@ -226,7 +226,7 @@ export const givingRows: Row[] = [
       const w = await world();
       const edge = [0, 1, 2, 3, 4, 5, 9, 10, 14, 15, 19, 20, 21, 22, 23, 24];
       const geometry = flat(4, 1, 0);
-      w.add('Cloth', { geometry, fixedIndex: edge, thickness: 0.02 });
+      w.add('Cloth', { geometry, fixedIndex: edge, thickness: 0.02, stretchStiffness: 300 });
       const ball = addBody(w, { mass: 0.1, position: [0, 0.32, 0], geometry: [sphere(0.3)] });
       w.advance(2);
       assert.ok(position(ball)[1] > 0, `${position(ball).join()}`);
