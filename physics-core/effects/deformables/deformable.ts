@@ -7,7 +7,7 @@ import { MOST_PARTS } from '../../solver/deformables/tolerances.js';
 import { LIBRARY } from '../rest/resting.js';
 import { samplesOf, type Samples } from './samples.js';
 import type { DeformableSettings, DeformableSource } from './settings.js';
-import { STRAINED } from './tolerances.js';
+import { STRAINED, WHIPS } from './tolerances.js';
 import { Touches } from './touches.js';
 
 /** One as another thread is told of it, by the number of its node. */
@@ -21,6 +21,7 @@ export interface KeptDeformable {
   /** Seconds of its last part, seconds that it was slow for, and whether it rests. */
   last: number;
   quiet: number;
+  strain: number;
   asleep: boolean;
   /** Places and velocities, and what its material keeps. */
   state: string[];
@@ -41,6 +42,8 @@ export class Deformable {
   asleep = false;
   #last = 0;
   #quiet = 0;
+  /** How far it was stretched lately, as a share. */
+  #strain = 0;
   /** Another number whenever its points are elsewhere. */
   version = 0;
   /** Of the points of its surface, m/s. */
@@ -81,7 +84,7 @@ export class Deformable {
     this.#good = this.material.masses.places.slice();
     this.velocities = new Float64Array(3 * this.material.surface.shown);
     this.#before = this.places.slice();
-    this.#last = this.#quiet = 0;
+    this.#last = this.#quiet = this.#strain = 0;
     this.asleep = false;
     this.version++;
   }
@@ -172,8 +175,10 @@ export class Deformable {
     this.version++;
     if (!Number.isFinite(most) || !material.masses.places.every(Number.isFinite)) return false;
     this.#quiet = most < LIBRARY.linearSpeed && settings.rests ? this.#quiet + dt : 0;
-    const { strain } = material;
-    this.source.strained(strain > STRAINED ? strain : 0);
+    // What only whips is not told.
+    const share = Math.min(1, dt / WHIPS);
+    this.#strain += share * ((material.stretched ?? 0) - this.#strain);
+    this.source.strained(this.#strain > STRAINED ? this.#strain : 0);
     return true;
   }
 
@@ -225,12 +230,13 @@ export class Deformable {
     return {
       last: this.#last,
       quiet: this.#quiet,
+      strain: this.#strain,
       asleep: this.asleep,
       state: this.#lasting.map((part) => pack(part)),
     };
   }
 
-  load({ last, quiet, asleep, state }: KeptDeformable): void {
+  load({ last, quiet, strain, asleep, state }: KeptDeformable): void {
     this.#lasting.forEach((part, n) => {
       const bytes = bytesOf(state[n] ?? '');
       const own = new Uint8Array(part.buffer, part.byteOffset, part.byteLength);
@@ -240,6 +246,7 @@ export class Deformable {
     this.material.surface.follow(this.material.masses);
     this.#last = last;
     this.#quiet = quiet;
+    this.#strain = strain;
     this.asleep = asleep;
     this.version++;
   }

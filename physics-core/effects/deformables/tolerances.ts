@@ -36,3 +36,6 @@ export const FLAT = 0.9;
 
 /** Pieces of an edge, at most, at whose ends a surface is looked at between its points. */
 export const FINEST = 4;
+
+/** Seconds: what is stretched for less than that whips. */
+export const WHIPS = 0.5;

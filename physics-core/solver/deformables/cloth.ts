@@ -187,6 +187,11 @@ export class Cloth implements Material {
     return [this.#threads.torn];
   }
 
+  /** Of what does not stretch. */
+  get stretched(): number {
+    return this.#words.stretch > 0 ? 0 : this.#threads.stretched(this.masses);
+  }
+
   get strain(): number {
     return this.#held ? this.#threads.strain : 0;
   }

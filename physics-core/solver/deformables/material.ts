@@ -26,4 +26,6 @@ export interface Material {
   restored?(): void;
   /** How much longer than they should be `hold` found threads, as a share of their length; 0: none is, or there are none. */
   readonly strain: number;
+  /** How much longer than its length what does not stretch is, where there is such. */
+  readonly stretched?: number;
 }

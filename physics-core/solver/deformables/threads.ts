@@ -170,6 +170,22 @@ export class Threads {
     );
   }
 
+  /** How much longer than its length the most stretched one is, as a share of that. */
+  stretched({ places }: Masses): number {
+    const { count, first, second, lengths, torn } = this;
+    let most = 0;
+    for (let n = 0; n < count; n++) {
+      if (torn[n] === 1) continue;
+      const i = 3 * first[n]!;
+      const j = 3 * second[n]!;
+      const x = places[j]! - places[i]!;
+      const y = places[j + 1]! - places[i + 1]!;
+      const z = places[j + 2]! - places[i + 2]!;
+      most = Math.max(most, Math.sqrt(x * x + y * y + z * z) / lengths[n]! - 1);
+    }
+    return most;
+  }
+
   /** Those that are stretched by more than a share of their length are no more. Answers whether any were. */
   tear({ places }: Masses, most: number): boolean {
     const { count, first, second, lengths, torn } = this;
