@@ -94,7 +94,7 @@ export class Deformable {
     const { radius } = this.settings;
     this.settings = this.source.settings;
     if (radius !== this.settings.radius) this.samples = this.#sampled();
-    this.source.read(this.material);
+    if (!this.source.read(this.material)) this.reset();
     this.stale = false;
     this.wake();
   }
