@@ -25,7 +25,7 @@ import { forcePhysicsModel } from './facts/force-physics-model.js';
 import { windPhysicsModel } from './facts/wind-physics-model.js';
 import { boundedPhysicsModel } from './facts/bounded-physics-model.js';
 import { ropes } from './facts/rope.js';
-import { cloths } from './facts/cloth.js';
+import { cloths, softBodies } from './facts/cloth.js';
 import { attachments } from './facts/soft-body-attachment.js';
 import { waterVolume } from './facts/water-volume.js';
 
@@ -56,6 +56,7 @@ const own: Record<string, Fact[]> = {
   BoundedPhysicsModel: boundedPhysicsModel,
   Rope: ropes,
   Cloth: cloths,
+  SoftBody: softBodies,
   SoftBodyAttachment: attachments,
   WaterVolume: waterVolume,
 };

@@ -94,7 +94,7 @@ export class Deformable {
     const { radius } = this.settings;
     this.settings = this.source.settings;
     if (radius !== this.settings.radius) this.samples = this.#sampled();
-    this.source.read(this.material);
+    if (!this.source.read(this.material)) this.reset();
     this.stale = false;
     this.wake();
   }
@@ -145,12 +145,13 @@ export class Deformable {
     const { gravity, damping, wind } = this.settings;
     const pushed = (this.#last + time) / 2;
     const left = damping > 0 ? exp(-damping * pushed) : 1;
+    if (left < 1) for (let j = 0; j < velocities.length; j++) velocities[j]! *= left;
     this.material.push(pushed);
     if (wind) blow(this.material, wind, pushed);
     for (let i = 0; i < count; i++)
       for (let k = 0; k < 3; k++) {
         const j = 3 * i + k;
-        if (inverse[i]! > 0) velocities[j] = velocities[j]! * left + pushed * gravity[k]!;
+        if (inverse[i]! > 0) velocities[j]! += pushed * gravity[k]!;
         before[j] = places[j]!;
         places[j]! += time * velocities[j]!;
       }

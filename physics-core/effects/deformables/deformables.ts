@@ -149,7 +149,7 @@ export class Deformables extends Effect {
     }
     for (let part = 1; part <= parts; part++) this.#go(moving, tied, dt / parts, part);
     for (const deformable of moving) if (!deformable.end(dt)) deformable.stop();
-    guests.end(dt);
+    guests.end(dt, this.#wakes);
   }
 
   /** One part of a step. */
@@ -171,6 +171,19 @@ export class Deformables extends Effect {
         deformable.touches.hold(deformable, guests, time, part * time);
     }
     for (const deformable of moving) deformable.go(time);
+  }
+
+  /** Who is carried by what has come to rest falls asleep there. */
+  readonly #wakes = (slot: number): boolean => {
+    for (const deformable of this.#all.values())
+      if (!deformable.quiet && !deformable.asleep && deformable.touches.slots.includes(slot))
+        return true;
+    return this.#tied.some(({ deformable, slot: tied }) => tied === slot && !deformable.quiet);
+  };
+
+  #isAwake(slot: number): boolean {
+    const body = this.#simulation.bodies.in(slot);
+    return body !== undefined && body.movable && !body.sleeping;
   }
 
   /** What moves keeps awake what it is tied to, and the other way round. */
@@ -204,7 +217,9 @@ export class Deformables extends Effect {
       deformable.source.stepped();
       const tied = this.#tied.filter((each) => each.deformable === deformable);
       deformable.asleep =
-        deformable.quiet && tied.every(({ tie }) => !tie.body?.movable || tie.body.sleeping);
+        deformable.quiet &&
+        tied.every(({ tie }) => !tie.body?.movable || tie.body.sleeping) &&
+        !deformable.touches.slots.some((slot) => this.#isAwake(slot));
       if (!deformable.asleep) goesOn = true;
     }
     if (goesOn) this.#goOn();

@@ -188,15 +188,15 @@ export class Guests {
     }
   }
 
-  /** What they got in all goes to them, evenly through a step of `dt` seconds. */
-  end(dt: number): void {
+  /** What they got in all goes to them, evenly through a step of `dt` seconds; who sleeps wakes of it, where it may. */
+  end(dt: number, wakes: (slot: number) => boolean): void {
     const { scratch } = this.#simulation.engine;
     const known = new Map(this.#last);
     this.#last.clear();
     for (const slot of this.#slots) {
       const node = this.#simulation.bodies.in(slot)!;
       if (!node.isDynamic) continue;
-      if (node.sleeping && this.#disturbs(node, slot, dt)) node.wake();
+      if (node.sleeping && wakes(slot) && this.#disturbs(node, slot, dt)) node.wake();
       const n = SIX * slot;
       // What lost its numbers pushes nothing.
       if (node.sleeping || !this.#impulses.subarray(n, n + SIX).every(Number.isFinite)) continue;

@@ -29,8 +29,8 @@ export interface DeformableSource extends Cause {
   readonly settings: DeformableSettings;
   /** As it is laid. */
   lay(): Material;
-  /** What its author says of it now, while it goes on. */
-  read(material: Material): void;
+  /** What its author says of it now, while it goes on; FALSE: that is another one, which has to be laid. */
+  read(material: Material): boolean;
   /** A step can follow this share of its stiffness; 1: all of it. */
   softened(share: number): void;
   /** What does not stretch is stretched by this share of its length. */

@@ -40,7 +40,7 @@ export class ClothNode extends DeformableNode {
     return cloth;
   }
 
-  read(cloth: Cloth): void {
+  read(cloth: Cloth): boolean {
     cloth.say({
       mass: this.asked('mass'),
       stretch: this.asked('stretchStiffness'),
@@ -48,5 +48,6 @@ export class ClothNode extends DeformableNode {
       bend: this.asked('bendStiffness'),
       tear: this.asked('tearStrain'),
     });
+    return true;
   }
 }

@@ -25,7 +25,7 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
   }
 
   abstract lay(): Material;
-  abstract read(material: Material): void;
+  abstract read(material: Material): boolean;
   protected abstract readonly radius: number;
   protected abstract readonly stiffest: string;
 

@@ -70,8 +70,9 @@ export class SoftBodyNode extends DeformableNode {
     return material;
   }
 
-  /** A skin is laid anew where it becomes a solid, or another skin. */
-  read(material: Material): void {
+  /** A skin is laid anew where it becomes a solid, or the other way round. */
+  read(material: Material): boolean {
+    if (this.#isHollow !== material instanceof Shell) return false;
     const mass = this.asked<number>('mass');
     if (mass !== this.#laid) {
       material.masses.weigh(mass / this.#laid);
@@ -80,6 +81,7 @@ export class SoftBodyNode extends DeformableNode {
     if (material instanceof Lattice || material instanceof Shell)
       material.stiffen(this.#elasticity);
     if (material instanceof Shell) material.pressure = this.asked('pressure');
+    return true;
   }
 }
 

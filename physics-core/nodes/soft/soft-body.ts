@@ -38,7 +38,7 @@ export const softBody = defineNode<SoftBodyNode>({
       {
         doc: 'How thick its skin is where it is hollow, metres; 0: as thick as its mass is of rubber, 1000 kg/m³.',
       },
-      { dimension: { length: 1 } },
+      { dimension: { length: 1 }, edit: 'rebuild', patch: undefined },
     ),
     damping: damping!,
     friction: friction!,

@@ -38,3 +38,29 @@ export const cloths: Fact[] = [
     },
   },
 ];
+
+export const softBodies: Fact[] = [
+  {
+    field: 'visible',
+    says: 'FALSE: it falls all the same',
+    inert: true,
+    scene: [
+      collection({
+        bodies: [
+          body('ball', { position: [0, 2, 0] }),
+          {
+            type: 'SoftBody',
+            DEF: 'soft',
+            geometry: { type: 'Box', size: [1, 1, 1] },
+            visible: false,
+          },
+        ],
+      }),
+    ],
+    run: async (x) => {
+      await x.advance(1);
+      const [, y] = ((await x.get('soft', 'positions')) as number[][])[0]!;
+      return [near('after a second', Math.abs(y!), 4.9, 0.6, 'm')];
+    },
+  },
+];

@@ -19,6 +19,7 @@ import { rows as rigidBodyCollectionRows } from './rigid-body-collection.js';
 import { particleRows, surfaceRows, systemRows, volumeRows } from './particles.js';
 import { floatingRows, waterRows } from './water-volume.js';
 import { clothRows, givingRows } from './cloth.js';
+import { softBodyRows } from './soft-body.js';
 import { attachmentRows, hangingRows, ropeRows } from './rope.js';
 import type { Row } from './row.js';
 import { spaceRows } from './collision/spaces.js';
@@ -50,6 +51,7 @@ const ownRows: Record<string, Row[]> = {
   BoundedPhysicsModel: [],
   Rope: ropeRows,
   Cloth: clothRows,
+  SoftBody: softBodyRows,
   SoftBodyAttachment: attachmentRows,
   WaterVolume: waterRows,
 };

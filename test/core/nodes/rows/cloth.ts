@@ -191,6 +191,25 @@ export const clothRows: Row[] = [
     close(point(cloth, 12)[2], way, 0.02, 'm');
   }),
   {
+    field: 'selfCollision',
+    fact: 'TRUE: what falls on another part of it lies on that',
+    run: async () => {
+      const w = await world();
+      const [lower, upper] = [flat(4, 1, 0), flat(4, 0.8, 0.3)];
+      const index = [...lower.index, ...upper.index.map((i) => i + 25)];
+      const cloth = w.add('Cloth', {
+        geometry: { ...lower, coord: [...lower.coord, ...upper.coord], index },
+        fixedIndex: [...Array(25).keys()],
+        thickness: 0.04,
+        damping: 1,
+      });
+      w.step();
+      cloth.set('selfCollision', true);
+      w.advance(2);
+      for (const [, y] of points(cloth).slice(25)) close(y, 0.04, 0.02, 'm');
+    },
+  },
+  {
     field: 'positions',
     fact: 'where its points are, told with each step that moves them',
     run: async () => {
@@ -226,7 +245,7 @@ export const givingRows: Row[] = [
       const w = await world();
       const edge = [0, 1, 2, 3, 4, 5, 9, 10, 14, 15, 19, 20, 21, 22, 23, 24];
       const geometry = flat(4, 1, 0);
-      w.add('Cloth', { geometry, fixedIndex: edge, thickness: 0.02 });
+      w.add('Cloth', { geometry, fixedIndex: edge, thickness: 0.02, stretchStiffness: 300 });
       const ball = addBody(w, { mass: 0.1, position: [0, 0.32, 0], geometry: [sphere(0.3)] });
       w.advance(2);
       assert.ok(position(ball)[1] > 0, `${position(ball).join()}`);

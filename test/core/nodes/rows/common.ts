@@ -17,6 +17,7 @@ const VALUES: Record<string, unknown> = {
 function needs(type: string, ball: Body): Record<string, unknown> {
   if (type.endsWith('Joint')) return { body1: ball };
   if (type === 'Rope') return { points: [0, -100, 0, 1, -100, 0] };
+  if (type === 'SoftBody') return { geometry: { ...box(1), translation: [0, -100, 0] } };
   if (type === 'Cloth') return { geometry: flat(1, 1, -100) };
   return type === 'WaterVolume' ? { position: [0, -100, 0] } : {};
 }
