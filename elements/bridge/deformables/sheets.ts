@@ -2,8 +2,7 @@ import { sheet } from '../../../physics-core/deformables.js';
 import { codecs } from '../../../physics-core/inside.js';
 import type { Binding } from '../nodes/binding.js';
 import { attribute, lowerName } from '../words/dom.js';
-import { spread } from './texture.js';
-import type { SurfaceData } from './surface-of.js';
+import { spread, type SurfaceData } from './drawing/surface-data.js';
 
 type Pair = [number, number];
 

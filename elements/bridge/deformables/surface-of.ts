@@ -1,20 +1,12 @@
 import { GeometryReader } from '../document/geometry-reader.js';
-import type { GeometryData } from '../geometry/geometry-fields.js';
 import { geometryOf, type Found } from '../matter/geometry-of.js';
 import type { Binding } from '../nodes/binding.js';
 import type { StandIn } from '../nodes/stand-in.js';
 import type { Scope } from '../scopes/scope.js';
 import { isPhysics, isShape, isTransform } from '../words/dom.js';
+import type { SurfaceData } from './drawing/surface-data.js';
 import { ownSheet, planeAt } from './sheets.js';
-import { textureOf, type Texture } from './texture.js';
-
-/** What a cloth or a soft body is laid as, in its own frame, metres. */
-export interface SurfaceData {
-  geometry: GeometryData;
-  texture?: Texture | undefined;
-  /** It has as many cells as the Cloth says. */
-  cells?: boolean;
-}
+import { textureOf } from './texture.js';
 
 export interface Surface extends Found<SurfaceData> {
   /** It says by itself what it is, which wins. */

@@ -5,14 +5,7 @@ import type { Binding } from '../nodes/binding.js';
 import type { Scope } from '../scopes/scope.js';
 import { attribute, lowerName } from '../words/dom.js';
 import { nodeOf } from '../x3dom/x3dom.js';
-
-/** Where a picture lies on a surface. */
-export interface Texture {
-  /** Texture coordinates, two numbers each. */
-  places: ArrayLike<number>;
-  /** By which of them its faces lie, and by which points, -1 after each face; without: one for each point. */
-  faces?: { points: number[]; places: number[] };
-}
+import { spread, type Texture } from './drawing/surface-data.js';
 
 /** What its author says of it, or what x3dom made of it where its points are those of x3dom. */
 export function textureOf(
@@ -53,12 +46,4 @@ function plainGrid({ type, xDimension = 0, zDimension = 0 }: GeometryData): Text
   return type === 'ElevationGrid'
     ? { places: spread((xDimension as number) - 1, (zDimension as number) - 1) }
     : undefined;
-}
-
-/** From its first point to its last, over so many cells along each side. */
-export function spread(columns: number, rows: number): number[] {
-  const places: number[] = [];
-  for (let j = 0; j <= rows; j++)
-    for (let i = 0; i <= columns; i++) places.push(i / columns, j / rows);
-  return places;
 }

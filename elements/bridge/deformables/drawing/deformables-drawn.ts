@@ -1,6 +1,6 @@
 import { Chunk } from '../../../../physics-core/inside.js';
 import type { Binding } from '../../nodes/binding.js';
-import type { SurfaceData } from '../surface-of.js';
+import type { SurfaceData } from './surface-data.js';
 
 /** What draws cloth and soft bodies. */
 export interface DeformablesDrawn {

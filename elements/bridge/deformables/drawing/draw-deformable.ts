@@ -3,8 +3,7 @@ import { DeformableNode } from '../../../../physics-core/deformables.js';
 import { OwnDrawing } from '../../matter/own-drawing.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { X3DNode } from '../../x3dom/x3dom.js';
-import type { SurfaceData } from '../surface-of.js';
-import { spread } from '../texture.js';
+import { spread, type SurfaceData } from './surface-data.js';
 import type { DeformablesDrawn } from './deformables-drawn.js';
 import { SurfaceShape } from './surface-shape.js';
 

@@ -1,5 +1,5 @@
 import { normalsOf } from './groups.js';
-import type { TextureOn } from './texture-on.js';
+import type { TextureOn } from './surface-data.js';
 
 type Vector = readonly [number, number, number];
 type Place = [number, number];

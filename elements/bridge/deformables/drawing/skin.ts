@@ -1,6 +1,6 @@
 import { indexOf } from '../../matter/index-of.js';
 import { groupsOf } from './groups.js';
-import type { TextureOn } from './texture-on.js';
+import type { TextureOn } from './surface-data.js';
 
 /** What the mesh of a surface consists of; written anew in each frame in which it moved. */
 export class Skin {

@@ -2,7 +2,7 @@ import { Bounds } from '../../matter/bounds.js';
 import { isHidden } from '../../matter/hidden.js';
 import { OwnShape } from '../../matter/own-shape.js';
 import type { X3DNode } from '../../x3dom/x3dom.js';
-import type { SurfaceData } from '../surface-of.js';
+import type { SurfaceData } from './surface-data.js';
 import { Skin } from './skin.js';
 import { isOutward } from './outward.js';
 import { textureOn } from './texture-on.js';

@@ -1,12 +1,6 @@
 import { meshes, type Geometry } from '../../../../physics-core/inside.js';
-import type { SurfaceData } from '../surface-of.js';
 import { onSolid } from './on-solid.js';
-
-/** Texture coordinates, two numbers each, and which each corner of a triangle has. */
-export interface TextureOn {
-  places: ArrayLike<number>;
-  index: ArrayLike<number>;
-}
+import type { SurfaceData, TextureOn } from './surface-data.js';
 
 /** As its author says; else as X3D has it for what it is. `laid`: its points in the world. */
 export function textureOn(

