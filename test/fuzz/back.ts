@@ -1,5 +1,6 @@
 import { createWorld, World } from '../../physics-core/inside.js';
 import { copyInto } from '../../physics-core/world/snapshot/copy.js';
+import { softPlaces } from './numbers.js';
 import type { Plan } from './plan.js';
 import { Scene } from './scene.js';
 
@@ -8,15 +9,17 @@ const STEPS = 25;
 const RESTORES = 2;
 
 /** Everything that moves, to the last bit, by its id. */
-const stateOf = ({ bodies }: World): number[] =>
-  [...bodies]
+const stateOf = (world: World): number[] => [
+  ...[...world.bodies]
     .sort((a, b) => a.id - b.id)
     .flatMap((body) => [
       body.id,
       ...body.readPose(new Float64Array(7)),
-      ...bodies.velocityOf(body),
+      ...world.bodies.velocityOf(body),
       +body.sleeping,
-    ]);
+    ]),
+  ...softPlaces(world),
+];
 
 function runOf(world: World): number[][] {
   const states = [stateOf(world)];

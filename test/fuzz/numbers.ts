@@ -1,4 +1,5 @@
 import fc from 'fast-check';
+import type { World } from '../../physics-core/inside.js';
 
 // Numbers of single precision and others, lists of them, turns.
 
@@ -23,3 +24,9 @@ const NASTY_NUMBERS = [
 ];
 
 export const nastyNumber = fc.constantFrom(...NASTY_NUMBERS);
+
+/** Where all points of ropes, cloths and soft bodies are, by the numbers of their nodes. */
+export const softPlaces = ({ nodes }: World): number[] =>
+  [...nodes]
+    .sort((a, b) => a.id - b.id)
+    .flatMap((node) => [...((node as { places?: Float64Array }).places ?? [])]);

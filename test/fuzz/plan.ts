@@ -45,7 +45,7 @@ export interface Heard {
 }
 
 export interface Plan {
-  /** With values that no author can mean: energy is not judged. */
+  /** With values that no author can mean, or with what is soft: energy is not judged. */
   wild: boolean;
   level: string;
   gravity: unknown;
@@ -180,6 +180,100 @@ const waterEdit = (steps: number, wild: boolean) =>
   fc.record({
     when: fc.record({ step: fc.nat(steps) }),
     act: setOf(fc.constant('WaterVolume'), wild),
+  });
+
+// ---- ropes, cloths, soft bodies -------------------------------------------------------------------------------------
+
+const rope = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        points: fc.array(vector(3), { minLength: 2, maxLength: 6 }),
+        mass: scale(0.05, 20),
+        radius: fc.constantFrom(0, 0.02, 0.1),
+        fixedIndex: fc.constantFrom([], [0], [1]),
+      }),
+      fc.option(someFields('Rope', wild, 4), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'Rope', fields: { ...base, ...more } }));
+
+/** Up to so many cells along each side. */
+const CELLS = 8;
+
+const cells = fc.integer({ min: 1, max: CELLS });
+
+const cloth = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        size: fc.tuple(scale(0.2, 3), scale(0.2, 3)),
+        subdivision: fc.tuple(cells, cells),
+        mass: scale(0.05, 20),
+        thickness: fc.constantFrom(0, 0.02, 0.1),
+        fixedIndex: fc.constantFrom([], [0], [0, 1]),
+      }),
+      fc.option(someFields('Cloth', wild, 4), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'Cloth', fields: { ...base, ...more } }));
+
+const softBody = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        geometry: geometry(wild, ['Box', 'Sphere', 'IndexedFaceSet']),
+        mass: scale(0.05, 20),
+        youngsModulus: scale(100, 1e6),
+        pressure: fc.constantFrom(0, 0, 100, 1e4),
+      }),
+      fc.option(someFields('SoftBody', wild, 4), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'SoftBody', fields: { ...base, ...more } }));
+
+const SOFT = ['Rope', 'Cloth', 'SoftBody'];
+
+const attachment = (wild: boolean): fc.Arbitrary<NodePlan> =>
+  fc
+    .tuple(
+      fc.record({
+        softBody: fc.record({ ref: fc.nat(9), of: fc.constant(SOFT) }),
+        index: fc.nat(8),
+        body: fc.option(bodyRef, { freq: 4, nil: null }),
+        position: vector(1),
+      }),
+      fc.option(someFields('SoftBodyAttachment', wild, 2), { freq: 1, nil: {} }),
+    )
+    .map(([base, more]) => ({ type: 'SoftBodyAttachment', fields: { ...base, ...more } }));
+
+/** Soft things, and what ties them to bodies. */
+const softs = (wild: boolean): fc.Arbitrary<NodePlan[]> =>
+  fc
+    .tuple(
+      fc.array(fc.oneof(rope(wild), cloth(wild), softBody(wild)), { maxLength: 3 }),
+      fc.array(attachment(wild), { maxLength: 3 }),
+    )
+    .map(([all, ties]) => (all.length > 0 ? [...all, ...ties] : []));
+
+/** Edits of them; a size that is edited keeps its few cells. */
+const softEdit = (steps: number, wild: boolean) =>
+  fc.record({
+    when: fc.record({ step: fc.nat(steps) }),
+    act: fc.oneof(
+      { weight: 5, arbitrary: setOf(fc.constantFrom(...SOFT, 'SoftBodyAttachment'), wild) },
+      {
+        weight: 1,
+        arbitrary: fc.record({
+          act: word('remove'),
+          of: fc.constantFrom(...SOFT, 'SoftBodyAttachment'),
+          pick,
+        }),
+      },
+      {
+        weight: 1,
+        arbitrary: fc
+          .oneof(cloth(wild), rope(wild), attachment(wild))
+          .map((node): Act => ({ act: 'add', node })),
+      },
+    ),
   });
 
 // ---- edits -----------------------------------------------------------------------------------------------------------
@@ -327,16 +421,33 @@ const planOf = (wild: boolean): fc.Arbitrary<Plan> =>
         particleEdits: fc.array(particleEdit(steps, wild), { maxLength: 4 }),
         waters: fc.array(water(wild), { maxLength: 2 }),
         waterEdits: fc.array(waterEdit(steps, wild), { maxLength: 4 }),
+        soft: fc.oneof(fc.constant<NodePlan[]>([]), softs(wild)),
+        softEdits: fc.array(softEdit(steps, wild), { maxLength: 4 }),
       })
-      .map(({ particles: systems, particleEdits, waters, waterEdits, nodes, edits, ...rest }) => ({
-        ...rest,
-        nodes: [...nodes, ...systems, ...waters],
-        edits: [
-          ...edits,
-          ...(systems.length > 0 ? particleEdits : []),
-          ...(waters.length > 0 ? waterEdits : []),
-        ],
-      })),
+      .map(
+        ({
+          particles: systems,
+          particleEdits,
+          waters,
+          waterEdits,
+          soft,
+          softEdits,
+          nodes,
+          edits,
+          ...rest
+        }) => ({
+          ...rest,
+          // What is tied where it does not hang pulls as it likes.
+          wild: rest.wild || soft.length > 0,
+          nodes: [...nodes, ...systems, ...waters, ...soft],
+          edits: [
+            ...edits,
+            ...(systems.length > 0 ? particleEdits : []),
+            ...(waters.length > 0 ? waterEdits : []),
+            ...(soft.length > 0 ? softEdits : []),
+          ],
+        }),
+      ),
   );
 
 export const plan: fc.Arbitrary<Plan> = fc.oneof(planOf(false), planOf(true));

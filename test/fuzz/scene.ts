@@ -41,7 +41,16 @@ export class Scene {
       const state = [...body.readPose(new Float64Array(7)), ...this.#world.bodies.velocityOf(body)];
       if (!state.every(Number.isFinite)) return `${body.label} is at ${state.join(' ')}`;
     }
-    return this.#ledger?.fault();
+    return this.#softFault() ?? this.#ledger?.fault();
+  }
+
+  /** Of ropes, cloths and soft bodies. */
+  #softFault(): string | undefined {
+    for (const node of this.#world.nodes) {
+      const { places } = node as { places?: Float64Array };
+      if (places && !places.every(Number.isFinite)) return `${node.label} has points nowhere`;
+    }
+    return undefined;
   }
 
   // ---- listeners -----------------------------------------------------------------------------------------------------

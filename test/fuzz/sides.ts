@@ -1,6 +1,7 @@
 import { createWorld } from '../../physics-core/inside.js';
 import { hashOf } from '../../physics-core/timeline/hash.js';
 import { goAway } from '../core/thread/sides.js';
+import { softPlaces } from './numbers.js';
 import type { NodePlan, Plan } from './plan.js';
 import { Scene } from './scene.js';
 
@@ -61,6 +62,9 @@ const told = ({ problems }: World): string =>
 
 function compare(here: World, there: World, step: number): void {
   if (hashOf(here) !== hashOf(there)) throw new Error(`at step ${step} it is elsewhere there`);
+  const [ours, theirs] = [softPlaces(here), softPlaces(there)];
+  if (ours.length !== theirs.length || ours.some((x, i) => !Object.is(x, theirs[i])))
+    throw new Error(`at step ${step} what is soft is elsewhere there`);
   if (told(here) !== told(there))
     throw new Error(`at step ${step} is told here: ${told(here)}; there: ${told(there)}`);
 }
