@@ -1,4 +1,4 @@
-import { LEAST_COVER, MOST_ASIDE, MOST_CELLS } from '../tolerances.js';
+import { LEAST_COVER, LEAST_SPREAD, MOST_ASIDE, MOST_CELLS } from '../tolerances.js';
 import { coverOf, raysOf, type Cover, type Grid } from './lattice-cover.js';
 import { Surface } from './surface.js';
 import { finiteTriangles } from './weld.js';
@@ -72,7 +72,7 @@ function coverOfKept({ shares, middles, spreads }: Cover, kept: readonly number[
   return {
     shares: Float64Array.from(kept, (cell) => Math.max(LEAST_COVER, shares[cell]!)),
     middles: Float64Array.from(three, (j) => inside(middles[j]!)),
-    spreads: Float64Array.from(three, (j) => Math.max(LEAST_COVER, spreads[j]!)),
+    spreads: Float64Array.from(three, (j) => Math.max(LEAST_SPREAD, spreads[j]!)),
   };
 }
 
