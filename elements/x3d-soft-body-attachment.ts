@@ -2,9 +2,9 @@ import { softTypes } from '../physics-core/ropes.js';
 import { forType } from './node-element.js';
 
 /**
- * Ties a point of a rope to a body, or to a place in the world: each pulls the other.
+ * Ties a point of a rope, a cloth or a soft body to a body, or to a place in the world: each pulls the other.
  *
- * The rope is what it stands in, or what it names; `body` may be the name of a body, as at a joint.
+ * What it ties is what it stands in, or what it names as `softBody`; `body` may be the name of a body, as at a joint.
  */
 export class X3DSoftBodyAttachmentElement extends forType(
   'SoftBodyAttachment',
