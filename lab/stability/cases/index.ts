@@ -6,6 +6,7 @@ import { lettingGo } from './letting-go.js';
 import { heaps } from './heaps.js';
 import { mechanisms } from './mechanisms.js';
 import { speeds } from './speeds.js';
+import { soft } from './soft.js';
 import { spins } from './spins.js';
 import { loads, structures, towers } from './standing.js';
 import { values } from './values.js';
@@ -25,6 +26,7 @@ export const themes: Record<string, readonly StabilityCase[]> = {
   Mechanisms: mechanisms,
   'Letting go': lettingGo,
   Water: waters,
+  'Ropes and cloth': soft,
   Edits: edits,
 };
 
