@@ -5,17 +5,18 @@ import type { Masses } from './masses.js';
 // Box cells that bend as beams do, and are stiff by the mean of their deformation alone otherwise: one point of integration
 // (Flanagan and Belytschko, 1981), a stable neo-Hookean solid there (Smith, de Goes and Kim, 2018), and for the four ways to
 // deform in which that mean says nothing, the "hourglasses", the energy of a box with incompatible modes (Wilson, 1973),
-// condensed: a cell is bent as if its sides could curve. Where but a part of a cell is covered, that point is its middle. Energies are the same however the body is turned, so that forces
-// add up to nothing, turn nothing, and are none in what is only turned.
+// condensed: a cell is bent as if its sides could curve. Where but a part of a cell is covered, the point is the middle of
+// that. Energies are the same however the body is turned, so that forces add up to nothing, turn nothing, and are none in
+// what is only turned.
 //
-// Of F, the mean of the deformation's gradient, with I = |F|², J = det F, A = |cof F|²:
+// Of F, the gradient of the deformation at the point, with I = |F|², J = det F, A = |cof F|²:
 //
 //     energy / volume = 2/3 µ (I − log (I + 1)) − µ y + λ'/2 y²,   y = (J − 1) / √q,   q = (A + 3) / 6,   λ' = λ + µ/6
 //
 // At rest it is that of Hooke's law. Smith's has J − 1 for y, which makes what is pressed flat stiffer by the fourth power of
-// how far it is (100 times in what is three times as wide): no part of a step would be short enough. J − 1 over how much it
-// changes by is how far it is to a volume as at rest, and the energy grows by the square of that. There is no other state in
-// which forces are none than those that are only turned and those that any breath leaves (by random F, also crushed ones).
+// how wide it is (100 times in what is three times as wide): no part of a step would be short enough. J − 1 over how fast it
+// changes is how far it is to a volume as at rest, and the energy grows by the square of that. From any F, also one that is
+// crushed or inside out, the way down leads to what is only turned (200 random ones at each of three Poisson's ratios).
 
 export class Hexahedra {
   readonly count: number;

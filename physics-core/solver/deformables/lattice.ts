@@ -28,8 +28,9 @@ export class Lattice implements Material {
   private readonly hexahedra: Hexahedra;
   private readonly rest: Float64Array;
   private readonly size: readonly number[];
-  /** kg, of a cell that is covered; what the first point weighed when the frequency was found. */
+  /** kg, of a cell that is covered and of the first point, as laid; and of that when the frequency was found. */
   private readonly cellMass: number;
+  private readonly first: number;
   private weighed = 0;
   /** The square of the greatest frequency at rest, 1/s², and the share of it that hourglasses may have. */
   private square = 0;
@@ -45,6 +46,7 @@ export class Lattice implements Material {
     this.hexahedra = new Hexahedra(this.masses, cells);
     this.cellMass = settings.mass / cells.cover.shares.reduce((sum, share) => sum + share, 0);
     this.weigh(cells);
+    this.first = this.masses.masses[0] ?? 0;
     this.masses.free();
     this.surface.follow(this.masses);
     this.stiffen(settings);
@@ -75,7 +77,8 @@ export class Lattice implements Material {
     this.weighed = masses.masses[0]!;
     const least = Math.min(...this.size);
     this.square = quickest(masses, this.rest, least, () => hexahedra.push(1));
-    this.hourglassShare = hexahedra.hourglassShare(this.square, this.cellMass);
+    const mass = (this.cellMass * this.weighed) / this.first;
+    this.hourglassShare = hexahedra.hourglassShare(this.square, mass);
   }
 
   /** The square of the greatest frequency at rest with what it weighs now, 1/s². */

@@ -130,7 +130,7 @@ export class Skin {
     this.crumpled = Math.min(1, strained);
   }
 
-  /** What the skin does in `time`, and a gas of `pressure` Pa on the side that triangles look from (negative: look to). */
+  /** What the skin does in `time`, and a gas of `pressure` Pa behind all triangles (negative: before them). */
   push(time: number, pressure: number): void {
     const { triangles, inverses, areas, soft, stiffness, poisson } = this;
     const { places, velocities, inverse } = this.masses;
