@@ -118,7 +118,7 @@ export class Threads {
       ways[3 * k] = x / now;
       ways[3 * k + 1] = y / now;
       ways[3 * k + 2] = z / now;
-      const gentle = (soft * lengths[n]!) / widths[n]!;
+      const gentle = soft > 0 ? (soft * lengths[n]!) / widths[n]! : 0;
       let off = now - lengths[n]! - gentle * this.#shortened[n]!;
       if (off > this.strain * lengths[n]!) this.strain = off / lengths[n]!;
       if (off > most) off = most;
