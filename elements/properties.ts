@@ -1263,6 +1263,8 @@ export interface ClothProperties {
   /** Data about the node, for programs that read them. (SFNode) */
   get metadata(): Element | null;
   set metadata(value: Element | null | undefined);
+  /** DEF or id of the Transform, Shape or group that it stands for. */
+  for: string;
 }
 
 /** Properties of `<x3d-soft-body>`: read live, set to the text of the attribute, too; null takes script's word back. */
@@ -1276,7 +1278,7 @@ export interface SoftBodyProperties {
   /** kg, of all of it. Range (0, Infinity]. (SFFloat) Default 1. */
   get mass(): number;
   set mass(value: number | string | null | undefined);
-  /** What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff). Range (0, Infinity]. (SFFloat) Default 100000. */
+  /** What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff). Range (0, Infinity]. (SFFloat) Default 10000. */
   get youngsModulus(): number;
   set youngsModulus(value: number | string | null | undefined);
   /** How much thinner it gets where it is stretched: 0.5 would keep its volume. Range [0, 0.499]. (SFFloat) Default 0.3. */
@@ -1318,6 +1320,8 @@ export interface SoftBodyProperties {
   /** Data about the node, for programs that read them. (SFNode) */
   get metadata(): Element | null;
   set metadata(value: Element | null | undefined);
+  /** DEF or id of the Transform, Shape or group that it stands for. */
+  for: string;
 }
 
 /** Properties of `<x3d-water-volume>`: read live, set to the text of the attribute, too; null takes script's word back. */

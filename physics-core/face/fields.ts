@@ -1281,7 +1281,7 @@ export interface SoftBodyFields {
   geometry?: Geometry | null;
   /** kg, of all of it. Range (0, Infinity]. (SFFloat) Default 1. */
   mass?: number;
-  /** What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff). Range (0, Infinity]. (SFFloat) Default 100000. */
+  /** What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff). Range (0, Infinity]. (SFFloat) Default 10000. */
   youngsModulus?: number;
   /** How much thinner it gets where it is stretched: 0.5 would keep its volume. Range [0, 0.499]. (SFFloat) Default 0.3. */
   poissonsRatio?: number;

@@ -55,7 +55,10 @@ export class Mirror {
   }
 
   /** `stepped`: since the last one; what moves is told anew with each step, and the rest stands. */
-  take({ number, states, count, clouds, surfaces, ropes: hung, deformables: bent }: Answer, stepped: boolean): void {
+  take(
+    { number, states, count, clouds, surfaces, ropes: hung, deformables: bent }: Answer,
+    stepped: boolean,
+  ): void {
     const { poses, bodies, registry } = this.#world;
     const { moving } = bodies;
     this.#lookUp();

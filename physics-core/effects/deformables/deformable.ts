@@ -22,6 +22,7 @@ export interface KeptDeformable {
   last: number;
   quiet: number;
   strain: number;
+  softness: number;
   asleep: boolean;
   /** Places and velocities, and what its material keeps. */
   state: string[];
@@ -44,6 +45,8 @@ export class Deformable {
   #quiet = 0;
   /** How far it was stretched lately, as a share. */
   #strain = 0;
+  /** Which share of its stiffness it had lately. */
+  #softness = 1;
   /** Another number whenever its points are elsewhere. */
   version = 0;
   /** Of the points of its surface, m/s. */
@@ -85,6 +88,7 @@ export class Deformable {
     this.velocities = new Float64Array(3 * this.material.surface.shown);
     this.#before = this.places.slice();
     this.#last = this.#quiet = this.#strain = 0;
+    this.#softness = 1;
     this.asleep = false;
     this.version++;
   }
@@ -129,7 +133,9 @@ export class Deformable {
   /** In how many parts it wants a step of `dt` seconds to be taken. */
   parts(dt: number): number {
     const parts = Math.min(MOST_PARTS, this.material.parts(dt));
-    this.source.softened(this.material.soften(parts, dt));
+    const share = Math.min(1, dt / WHIPS);
+    this.#softness += share * (this.material.soften(parts, dt) - this.#softness);
+    this.source.softened(this.#softness);
     return parts;
   }
 
@@ -179,7 +185,8 @@ export class Deformable {
     // What only whips is not told.
     const share = Math.min(1, dt / WHIPS);
     this.#strain += share * ((material.stretched ?? 0) - this.#strain);
-    this.source.strained(this.#strain > STRAINED ? this.#strain : 0);
+    if (this.#strain > STRAINED) this.source.strained(this.#strain);
+    else if (this.#strain < STRAINED / 2) this.source.strained(0);
     return true;
   }
 
@@ -232,12 +239,13 @@ export class Deformable {
       last: this.#last,
       quiet: this.#quiet,
       strain: this.#strain,
+      softness: this.#softness,
       asleep: this.asleep,
       state: this.#lasting.map((part) => pack(part)),
     };
   }
 
-  load({ last, quiet, strain, asleep, state }: KeptDeformable): void {
+  load({ last, quiet, strain, softness, asleep, state }: KeptDeformable): void {
     this.#lasting.forEach((part, n) => {
       const bytes = bytesOf(state[n] ?? '');
       const own = new Uint8Array(part.buffer, part.byteOffset, part.byteLength);
@@ -248,6 +256,7 @@ export class Deformable {
     this.#last = last;
     this.#quiet = quiet;
     this.#strain = strain;
+    this.#softness = softness;
     this.asleep = asleep;
     this.version++;
   }

@@ -11,7 +11,7 @@ import { meshOf } from '../particles/mesh.js';
 export const MOST_POINTS = 20000;
 
 /** What is softer by less is not told. */
-const NEARLY = 0.99;
+const NEARLY = 0.95;
 
 /** What Cloth and SoftBody have in common. */
 export abstract class DeformableNode extends PhysicsNode implements DeformableSource {

@@ -19,7 +19,7 @@ export const softBody = defineNode<SoftBodyNode>({
     geometry: geometry!,
     mass: mass!,
     youngsModulus: deformableNumber(
-      1e5,
+      1e4,
       {
         doc: 'What it takes to stretch it, Pa: rubber has 1e6 and more, jelly 1e4. More than a step follows is told (soft-too-stiff).',
       },
