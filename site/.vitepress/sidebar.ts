@@ -66,7 +66,7 @@ const INSIDE = {
   particles: 'Particles',
   'particles-price': 'What particles cost',
   water: 'Water',
-  soft: 'Ropes',
+  soft: 'Ropes and cloth',
   stability: 'What stays stable',
   effects: 'Effects',
   chunks: 'Files',

@@ -108,9 +108,10 @@ export class Deformables extends Effect {
       .filter(({ settings, asleep }) => settings.enabled && !asleep);
   }
 
-  #holds({ soft, holds, index }: DeformableTie): boolean {
+  /** Whether there is such a point; whether anything holds it may be another matter in the next step. */
+  #hasPoint({ soft, index }: DeformableTie): boolean {
     const deformable = soft && this.of(soft);
-    return holds && deformable !== undefined && index < deformable.material.surface.count;
+    return deformable !== undefined && index < deformable.material.surface.count;
   }
 
   #divide(): void {
@@ -120,7 +121,7 @@ export class Deformables extends Effect {
       deformable.within.clear();
     }
     this.#tied = [...this.#ties]
-      .filter((tie) => this.#holds(tie))
+      .filter((tie) => this.#hasPoint(tie))
       .sort((a, b) => a.id - b.id)
       .map((tie) => new Tied(tie, this.of(tie.soft!)!));
     this.#stale = false;
@@ -138,7 +139,9 @@ export class Deformables extends Effect {
     this.#obstacles.forget();
     this.#obstacles.take(dt);
     for (const deformable of moving) deformable.begin();
-    const tied = this.#tied.filter(({ deformable }) => moving.includes(deformable));
+    const tied = this.#tied.filter(
+      ({ tie, deformable }) => tie.holds && moving.includes(deformable),
+    );
     for (const each of tied) each.begin(guests, dt);
     let parts = 1;
     for (const deformable of moving) {
