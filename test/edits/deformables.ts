@@ -58,7 +58,11 @@ export const clothEdits: Record<string, Edit> = {
 
 export const softBodyEdits: Record<string, Edit> = {
   ...common,
-  geometry: edit([use('block'), use('otherBlock')], { stays: ['.geometry', '?.positions'] }),
+  geometry: edit([use('block'), use('otherBlock')], {
+    stays: ['.geometry', '~built', '~effects', '?.positions'],
+    vanishes: true,
+    ends: ['bad-value'],
+  }),
   youngsModulus: edit([2e4, 3e4]),
   poissonsRatio: edit([0.1, 0.2]),
   pressure: edit([1000, 2000]),

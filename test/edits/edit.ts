@@ -11,6 +11,8 @@ export interface Edit {
   changes?: readonly string[];
   /** What stays different when the field is un-authored: the scene had a value that is not the default. */
   stays?: readonly string[];
+  /** Un-authored there is nothing that it could be made of. */
+  vanishes?: true;
   /** Bodies that touched do so no longer. */
   parts?: true;
   /** Codes of the problems that its author is told. */

@@ -30,6 +30,8 @@ const pattern = (item: string): RegExp =>
 
 interface Expected {
   made: number;
+  /** As many as are made, unless it says otherwise. */
+  ended?: number;
   patched: number;
   /** Items that must differ (after `?`: may), and those that may. */
   differ?: readonly string[];
@@ -80,7 +82,9 @@ class Walk {
     const second = this.#judge('another value', first, { ...once, may: [...all, ...stays] });
     this.#told('another value', [], tells);
     this.#event(values[1], second, once);
-    if (!takes) this.#takeBack(before, second, { ...once, may: [...AFRESH, ...stays] });
+    const may = [...AFRESH, ...stays];
+    if (!takes && edit.vanishes && !this.#hasMarkup) this.#vanish(second, may);
+    else if (!takes) this.#takeBack(before, second, { ...once, may });
     this.#told('all of it', [], [...tells, ...ends]);
     this.#end(ended, edit);
   }
@@ -116,6 +120,11 @@ class Walk {
     const refused = this.#field.access === 'initializeOnly';
     this.#judge('an event', since, refused ? NOTHING : { ...once, may: AFRESH });
     if (refused) this.#told('an event', ['bad-access']);
+  }
+
+  #vanish(since: State, may: readonly string[]): void {
+    this.#unset();
+    this.#judge('nothing', since, { made: 0, ended: 1, patched: 0, may });
   }
 
   #takeBack(before: State, since: State, expected: Expected): void {
@@ -175,12 +184,16 @@ class Walk {
   }
 
   /** What the last edit did, against the state `since`. */
-  #judge(what: string, since: State, { made, patched, differ = [], may = [] }: Expected): State {
+  #judge(
+    what: string,
+    since: State,
+    { made, ended = made, patched, differ = [], may = [] }: Expected,
+  ): State {
     const now = this.#look();
     const before = this.#counts;
     this.#counts = this.#countsNow();
     const counts = this.#counts.map((count, i) => count - before[i]!).join();
-    const wanted = [made, made, patched].join();
+    const wanted = [made, ended, patched].join();
     if (counts !== wanted)
       this.wrong.push(`${what}: created, destroyed, patched ${counts}, not ${wanted}`);
     const found = differences(since, now).map((item) => this.#own(item));

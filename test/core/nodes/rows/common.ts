@@ -17,7 +17,8 @@ const VALUES: Record<string, unknown> = {
 function needs(type: string, ball: Body): Record<string, unknown> {
   if (type.endsWith('Joint')) return { body1: ball };
   if (type === 'Rope') return { points: [0, -100, 0, 1, -100, 0] };
-  if (type === 'SoftBody') return { geometry: { ...box(1), translation: [0, -100, 0] } };
+  if (type === 'SoftBody')
+    return { youngsModulus: 1e4, geometry: { ...box(1), translation: [0, -100, 0] } };
   if (type === 'Cloth') return { geometry: flat(1, 1, -100) };
   return type === 'WaterVolume' ? { position: [0, -100, 0] } : {};
 }

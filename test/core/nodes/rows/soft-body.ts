@@ -111,7 +111,7 @@ export const softBodyRows: Row[] = [
   edited(
     'thickness',
     'a thin skin is blown up more',
-    { ...BALL, mass: 3, pressure: 3000, thickness: 0.01 },
+    { ...BALL, mass: 10, pressure: 3000, thickness: 0.01 },
     2e-3,
     2,
     (body) => assert.ok(width(body) > 1.05, `${width(body)} m`),
