@@ -105,16 +105,16 @@ export const softBodyRows: Row[] = [
     4,
     (body) => close(width(body), 1 + (0.4 * 10 * G) / 2e3, 6e-3, 'm'),
   ),
-  edited('pressure', 'blows it up', { ...BALL, pressure: 100 }, 3000, 2, (body) =>
+  edited('pressure', 'blows it up', { ...BALL, pressure: 1 }, 30, 2, (body) =>
     assert.ok(width(body) > 1.05, `${width(body)} m`),
   ),
   edited(
     'thickness',
     'a thin skin is blown up more',
-    { ...BALL, mass: 10, pressure: 3000, thickness: 0.01 },
+    { ...BALL, mass: 10, pressure: 300, thickness: 0.01 },
     2e-3,
     2,
-    (body) => assert.ok(width(body) > 1.05, `${width(body)} m`),
+    (body) => assert.ok(width(body) > 1.15, `${width(body)} m`),
   ),
   edited('damping', 'it falls more slowly', {}, 4, 1, (body, [[, before]]) => {
     const fallen = (way: number): number => -0.5 - way;
