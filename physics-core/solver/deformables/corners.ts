@@ -36,7 +36,9 @@ export class Corners {
       // Three threads hold their angles by themselves.
       const at = [0, 1, 2].filter((k) => !isThread(face[(k + 1) % 3]!, face[(k + 2) % 3]!));
       if (at.length !== 1) continue;
-      const [o, a, b] = [face[at[0]!]!, face[(at[0]! + 1) % 3]!, face[(at[0]! + 2) % 3]!];
+      const o = face[at[0]!]!;
+      const a = face[(at[0]! + 1) % 3]!;
+      const b = face[(at[0]! + 2) % 3]!;
       const way = (p: number, k: number): number => places[3 * p + k]! - places[3 * o + k]!;
       const sum = (p: number, q: number): number =>
         [0, 1, 2].reduce((all, k) => all + way(p, k) * way(q, k), 0);
