@@ -51,6 +51,7 @@ export const softBodies: Fact[] = [
           {
             type: 'SoftBody',
             DEF: 'soft',
+            youngsModulus: 1e4,
             geometry: { type: 'Box', size: [1, 1, 1] },
             visible: false,
           },
