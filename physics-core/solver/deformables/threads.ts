@@ -143,9 +143,6 @@ export class Threads {
       let pull = pulls[k]!;
       if (after !== 0) pull -= this.#beside(k, k + 1, inverse[second[n]!]!) * after;
       pull /= diagonals[k]!;
-      const bound = most / Math.max(inverse[first[n]!]!, inverse[second[n]!]!);
-      if (pull > bound) pull = bound;
-      else if (pull < -bound) pull = -bound;
       after = pull;
       this.#shortened[n]! += pull;
       const one = pull * inverse[first[n]!]!;
