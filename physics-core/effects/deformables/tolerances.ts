@@ -28,7 +28,7 @@ export const UNFELT = 0.01;
  * Threads, ties and touches are gone over again in a part of a step where what does not stretch is longer than this share, so
  * many times at most. (Fact: a ball of 100 kg on a cloth of 1 kg.)
  */
-export const TAUT = 0.01;
+export const TAUT = 0.03;
 export const ROUNDS = 16;
 
 /** Normals at the corners of a triangle that agree to this cosine have no edge of a body between them. (Facts: a ball, a box.) */
