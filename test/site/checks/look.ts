@@ -31,7 +31,10 @@ interface Place {
   top: number;
 }
 
-/** Runs in the page: its worlds stand where they began. Keeps the shapes of bodies that can move, and particle systems. */
+/**
+ * Runs in the page: its worlds stand where they began. Keeps the shapes of bodies that can move, and what is drawn
+ * otherwise: particle systems, cloth and soft bodies.
+ */
 const begin = (library: string): string => `(async () => {
   const { explain, worldOf } = globalThis.X3DPhysics ?? await import('${library}');
   const all = [...document.querySelectorAll('x3d *')];
@@ -41,7 +44,8 @@ const begin = (library: string): string => `(async () => {
     world.paused = true;
     world.reset();
   }
-  globalThis.systems = all.filter((element) => explain(element).type === 'ParticleSystem');
+  globalThis.systems = all.filter((element) =>
+    /^(ParticleSystem|Cloth|SoftBody)$/.test(explain(element).type ?? ''));
   const moves = (element) => {
     const { type, fields } = explain(element);
     return /^(RigidBody|CollidableShape)$/.test(type) && !fields.fixed;
@@ -214,7 +218,7 @@ async function wrongParticles(
   const seen = await looks(tab, read, 'systems');
   const few = ({ shown, hidden }: Look): boolean =>
     shareApart(shown, hidden, CONTRAST) < PARTICLES_SHARE;
-  return seen.filter(few).map(({ scheme }) => `${scheme}: particles are hardly seen`);
+  return seen.filter(few).map(({ scheme }) => `${scheme}: particles, or what gives way, are hardly seen`);
 }
 
 /** Of a scene that runs, in a tab as wide as a phone. */

@@ -9,13 +9,13 @@ const LATEST = 30_000;
 const MOVED = 0.005;
 
 interface State {
-  /** Of bodies; of particle systems, how many particles they have and where the oldest one is; and where points of ropes are. */
+  /** Of bodies; of particle systems, how many particles they have and where the oldest one is; and where points of ropes, cloth and soft bodies are. */
   poses: number[][];
   problems: string[];
 }
 
 /**
- * Runs in the page, of any build of the library: the bodies, particles and ropes of its worlds, and what these complain of. A
+ * Runs in the page, of any build of the library: the bodies, particles and soft things of its worlds, and what these complain of. A
  * machine that is busy with other things drops time.
  */
 const stateOf = (library: string, begins: boolean): string => `(async () => {
@@ -29,12 +29,12 @@ const stateOf = (library: string, begins: boolean): string => `(async () => {
   const nodes = [...worlds].flatMap((world) => [...world.nodes]);
   const bodies = nodes.filter((node) => node.applyImpulse);
   const systems = nodes.filter(({ type }) => type.name === 'ParticleSystem');
-  const ropes = nodes.filter(({ type }) => type.name === 'Rope');
+  const soft = nodes.filter(({ type }) => ['Rope', 'Cloth', 'SoftBody'].includes(type.name));
   const found = {
     poses: [
       ...bodies.map((node) => [...node.get('position'), ...node.get('orientation')]),
       ...systems.map((node) => [node.get('count'), ...(node.get('positions')[0] ?? [])]),
-      ...ropes.map((node) => node.get('positions').flat()),
+      ...soft.map((node) => node.get('positions').flat()),
     ],
     problems: [...worlds].flatMap((world) =>
       world.problems.filter(({ code }) => code !== 'lag').map(({ code, message }) => code + ': ' + message)),
