@@ -69,6 +69,8 @@ export class RopeSolve {
   /** Of each body, a block: what the ropes and all that hangs on them resists its velocity by; and what they give it. */
   resistance = new Float64Array(0);
   impulse = new Float64Array(0);
+  /** A turn of a body turns the arms of what is tied to it in this search. */
+  #armsTurn = true;
   /** Whether the last step was found with even pulls. */
   even = false;
   /** Rounds of the search so far. */
@@ -97,10 +99,21 @@ export class RopeSolve {
       part.touches.begin(dt);
     }
     this.#keep();
+    // Arms that turn find ends that others do not; where they find none, a search without them may.
+    this.#armsTurn = true;
+    if (this.#find(dt)) return true;
+    this.#armsTurn = false;
+    return this.#find(dt) || this.#sweep(dt);
+  }
+
+  /** By even pulls, else the nearest places. */
+  #find(dt: number): boolean {
     this.even = this.#search(dt, EVEN, ROPE_ROUNDS) && !this.#gains();
     if (this.even) return true;
     this.#goBack();
-    return this.#search(dt, NEAREST, ROPE_ROUNDS_NEAREST) || this.#sweep(dt);
+    if (this.#search(dt, NEAREST, ROPE_ROUNDS_NEAREST)) return true;
+    this.#goBack();
+    return false;
   }
 
   /** Finds them anew, where joints have said that bodies go otherwise than they had: from what was found, it is near. */
@@ -301,7 +314,7 @@ export class RopeSolve {
     rest[b + 3]! += acting[1]! * z - acting[2]! * y;
     rest[b + 4]! += acting[2]! * x - acting[0]! * z;
     rest[b + 5]! += acting[0]! * y - acting[1]! * x;
-    this.#stiffen(strand, i, p, at, directions.after * dt);
+    if (this.#armsTurn) this.#stiffen(strand, i, p, at, directions.after * dt);
   }
 
   /**
