@@ -116,7 +116,7 @@ export class Deformable {
   hold(): void {
     const { masses, surface } = this.material;
     masses.free();
-    for (const i of this.settings.fixed) if (i < surface.count) this.fix(i);
+    for (const i of this.settings.fixed) if (i < surface.shown) this.fix(i);
   }
 
   /** Whatever carries a point of its surface stays where it is. */

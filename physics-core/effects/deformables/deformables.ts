@@ -111,7 +111,7 @@ export class Deformables extends Effect {
   /** Whether there is such a point; whether anything holds it may be another matter in the next step. */
   #hasPoint({ soft, index }: DeformableTie): boolean {
     const deformable = soft && this.of(soft);
-    return deformable !== undefined && index < deformable.material.surface.count;
+    return deformable !== undefined && index < deformable.material.surface.shown;
   }
 
   #divide(): void {
