@@ -218,7 +218,9 @@ async function wrongParticles(
   const seen = await looks(tab, read, 'systems');
   const few = ({ shown, hidden }: Look): boolean =>
     shareApart(shown, hidden, CONTRAST) < PARTICLES_SHARE;
-  return seen.filter(few).map(({ scheme }) => `${scheme}: particles, or what gives way, are hardly seen`);
+  return seen
+    .filter(few)
+    .map(({ scheme }) => `${scheme}: particles, or what gives way, are hardly seen`);
 }
 
 /** Of a scene that runs, in a tab as wide as a phone. */
