@@ -3,7 +3,7 @@ import { pack, bytesOf } from '../../base/packed.js';
 import type { Vec3 } from '../../fields/types.js';
 import { blow } from '../../solver/deformables/air.js';
 import type { Material } from '../../solver/deformables/material.js';
-import { MOST_PARTS } from '../../solver/deformables/tolerances.js';
+import { MOST_SOFT_PARTS } from '../../solver/tolerances.js';
 import { LIBRARY } from '../rest/resting.js';
 import { samplesOf, type Samples } from './samples.js';
 import type { DeformableSettings, DeformableSource } from './settings.js';
@@ -41,6 +41,8 @@ export class Deformable {
   /** What was said of it since it was read. */
   stale = false;
   asleep = false;
+  /** It takes part in this step. */
+  moves = false;
   #last = 0;
   #quiet = 0;
   /** How far it was stretched lately, as a share. */
@@ -132,7 +134,7 @@ export class Deformable {
 
   /** In how many parts it wants a step of `dt` seconds to be taken. */
   parts(dt: number): number {
-    const parts = Math.min(MOST_PARTS, this.material.parts(dt));
+    const parts = Math.min(MOST_SOFT_PARTS, this.material.parts(dt));
     const share = Math.min(1, dt / WHIPS);
     this.#softness += share * (this.material.soften(parts, dt) - this.#softness);
     this.source.softened(this.#softness);
@@ -173,14 +175,15 @@ export class Deformable {
   /** The step is over. False: its numbers are none. */
   end(dt: number): boolean {
     const { material, settings, velocities } = this;
+    const { places } = material.surface;
     material.surface.follow(material.masses);
     let most = 0;
     for (let j = 0; j < velocities.length; j++) {
-      const v = (velocities[j] = (this.places[j]! - this.#before[j]!) / dt);
+      const v = (velocities[j] = (places[j]! - this.#before[j]!) / dt);
       most = Math.max(most, Math.abs(v));
     }
     this.version++;
-    if (!Number.isFinite(most) || !material.masses.places.every(Number.isFinite)) return false;
+    if (!Number.isFinite(most) || !areFinite(material.masses.places)) return false;
     this.#quiet = most < LIBRARY.linearSpeed && settings.rests ? this.#quiet + dt : 0;
     // What only whips is not told.
     const share = Math.min(1, dt / WHIPS);
@@ -203,13 +206,14 @@ export class Deformable {
 
   /** Whether a ball may touch it. */
   isNear(centre: Vec3, reach: number): boolean {
+    const { places } = this;
     const near = 2 * this.settings.radius + reach;
     for (let axis = 0; axis < 3; axis++) {
       let least = Infinity;
       let most = -Infinity;
-      for (let j = axis; j < this.places.length; j += 3) {
-        least = Math.min(least, this.places[j]!);
-        most = Math.max(most, this.places[j]!);
+      for (let j = axis; j < places.length; j += 3) {
+        least = Math.min(least, places[j]!);
+        most = Math.max(most, places[j]!);
       }
       if (centre[axis]! < least - near || centre[axis]! > most + near) return false;
     }
@@ -260,4 +264,10 @@ export class Deformable {
     this.asleep = asleep;
     this.version++;
   }
+}
+
+function areFinite(numbers: Float64Array): boolean {
+  let sum = 0;
+  for (const each of numbers) sum += each;
+  return Number.isFinite(sum);
 }

@@ -23,6 +23,9 @@ export class Deformables extends Effect {
   readonly #ties = new Set<DeformableTie>();
   /** Of those that are there, by the numbers of their nodes. */
   #tied: Tied[] = [];
+  /** In this step: those that move, and what ties them. */
+  readonly #moving: Deformable[] = [];
+  readonly #holding: Tied[] = [];
   readonly #obstacles: Obstacles;
   readonly #guests: Guests;
   /** Which version of each another thread knows. */
@@ -101,11 +104,16 @@ export class Deformables extends Effect {
     this.#simulation.work();
   }
 
-  /** By the numbers of their nodes: what they do adds up to the same bits, whoever came first. */
-  get #moving(): Deformable[] {
-    return (this.inOrder as readonly DeformableSource[])
-      .map((source) => this.of(source)!)
-      .filter(({ settings, asleep }) => settings.enabled && !asleep);
+  /** Who takes part in the step that begins, by the numbers of their nodes: it adds up to the same bits, whoever came first. */
+  #list(): void {
+    this.#moving.length = this.#holding.length = 0;
+    for (const cause of this.inOrder) {
+      const deformable = this.of(cause as DeformableSource)!;
+      deformable.moves = deformable.settings.enabled && !deformable.asleep;
+      if (deformable.moves) this.#moving.push(deformable);
+    }
+    for (const tied of this.#tied)
+      if (tied.tie.holds && tied.deformable.moves) this.#holding.push(tied);
   }
 
   /** Whether there is such a point; whether anything holds it may be another matter in the next step. */
@@ -132,6 +140,7 @@ export class Deformables extends Effect {
   override beforeStep(dt: number): void {
     if (this.#stale) this.#divide();
     this.#wakeTogether();
+    this.#list();
     const moving = this.#moving;
     if (moving.length === 0) return;
     const guests = this.#guests;
@@ -139,10 +148,7 @@ export class Deformables extends Effect {
     this.#obstacles.forget();
     this.#obstacles.take(dt);
     for (const deformable of moving) deformable.begin();
-    const tied = this.#tied.filter(
-      ({ tie, deformable }) => tie.holds && moving.includes(deformable),
-    );
-    for (const each of tied) each.begin(guests, dt);
+    for (const each of this.#holding) each.begin(guests, dt);
     let parts = 1;
     for (const deformable of moving) {
       deformable.touches.look(deformable, this.#obstacles, guests, dt);
@@ -150,14 +156,15 @@ export class Deformables extends Effect {
       if (selfCollision) deformable.material.lookAtItself?.(2 * radius, dt);
       parts = Math.max(parts, deformable.parts(dt));
     }
-    for (let part = 1; part <= parts; part++) this.#go(moving, tied, dt / parts, part);
+    for (let part = 1; part <= parts; part++) this.#go(dt / parts, part);
     for (const deformable of moving) if (!deformable.end(dt)) deformable.stop();
     guests.end(dt, this.#wakes);
   }
 
   /** One part of a step. */
-  #go(moving: readonly Deformable[], tied: readonly Tied[], time: number, part: number): void {
+  #go(time: number, part: number): void {
     const guests = this.#guests;
+    const moving = this.#moving;
     guests.go(time);
     for (const deformable of moving) deformable.fall(time);
     let strain = Infinity;
@@ -167,7 +174,7 @@ export class Deformables extends Effect {
         material.hold(time, round > 0);
         strain = Math.max(strain, material.strain);
       }
-      for (const each of tied) each.hold(guests, time);
+      for (const each of this.#holding) each.hold(guests, time);
       for (const { material, settings } of moving)
         if (settings.selfCollision) material.keepApart?.(settings.friction);
       for (const deformable of moving)
@@ -214,15 +221,18 @@ export class Deformables extends Effect {
     return false;
   }
 
+  /** Whether anything that it is tied to, or touches, moves. */
+  #keepsAwake(deformable: Deformable): boolean {
+    for (const { tie, deformable: tied } of this.#tied)
+      if (tied === deformable && tie.body?.movable && !tie.body.sleeping) return true;
+    return deformable.touches.slots.some((slot) => this.#isAwake(slot));
+  }
+
   override stepOver(): void {
     let goesOn = false;
     for (const deformable of this.#moving) {
       deformable.source.stepped();
-      const tied = this.#tied.filter((each) => each.deformable === deformable);
-      deformable.asleep =
-        deformable.quiet &&
-        tied.every(({ tie }) => !tie.body?.movable || tie.body.sleeping) &&
-        !deformable.touches.slots.some((slot) => this.#isAwake(slot));
+      deformable.asleep = deformable.quiet && !this.#keepsAwake(deformable);
       if (!deformable.asleep) goesOn = true;
     }
     if (goesOn) this.#goOn();

@@ -5,7 +5,6 @@ import type { Body } from '../../dynamics/body.js';
 import { inverseInertiaOf } from '../../dynamics/inertia.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
-
 import { UNFELT, WAKES } from './tolerances.js';
 
 /** Numbers of one: linear, then angular. */
@@ -44,6 +43,7 @@ export class Guests {
   #impulses = new Float64Array(0);
   /** Of the step before: its number, its velocity then, and what pushed it, m/s². */
   readonly #last = new Map<number, Float64Array>();
+  readonly #ids = new Set<number>();
 
   constructor(simulation: Simulation) {
     this.#simulation = simulation;
@@ -149,16 +149,6 @@ export class Guests {
     out[5] = ways[n + 2]! - were[n + 2]! + u * arm[1]! - v * arm[0]!;
   }
 
-  /** How fast a point of it goes, m/s. */
-  speedOf(slot: number, point: Float64Array, at: number, out: Float64Array): void {
-    this.#armTo(slot, point, at);
-    const v = this.#velocities;
-    const n = SIX * slot;
-    out[0] = v[n]! + v[n + 4]! * arm[2]! - v[n + 5]! * arm[1]!;
-    out[1] = v[n + 1]! + v[n + 5]! * arm[0]! - v[n + 3]! * arm[2]!;
-    out[2] = v[n + 2]! + v[n + 3]! * arm[1]! - v[n + 4]! * arm[0]!;
-  }
-
   /** How much a point of it gives way to a push along a direction, 1/kg. */
   gives(slot: number, point: Float64Array, at: number, way: Float64Array): number {
     if (this.#moved[slot] === 0) return 0;
@@ -191,18 +181,20 @@ export class Guests {
   /** What they got in all goes to them, evenly through a step of `dt` seconds; who sleeps wakes of it, where it may. */
   end(dt: number, wakes: (slot: number) => boolean): void {
     const { scratch } = this.#simulation.engine;
-    const known = new Map(this.#last);
-    this.#last.clear();
+    this.#forgetOthers();
     for (const slot of this.#slots) {
       const node = this.#simulation.bodies.in(slot)!;
       if (!node.isDynamic) continue;
       if (node.sleeping && wakes(slot) && this.#disturbs(node, slot, dt)) node.wake();
       const n = SIX * slot;
       // What lost its numbers pushes nothing.
-      if (node.sleeping || !this.#impulses.subarray(n, n + SIX).every(Number.isFinite)) continue;
+      if (node.sleeping || !this.#isFinite(n)) {
+        this.#last.delete(node.id);
+        continue;
+      }
       const { reader } = this.#simulation.engine;
       reader.load(node.body, node.pointer, load, 0);
-      const last = known.get(node.id) ?? new Float64Array(SIX);
+      const last = this.#last.get(node.id) ?? new Float64Array(SIX);
       for (let k = 0; k < 3; k++) {
         last[k] = this.#simulation.bodies.velocities[VELOCITY * slot + k]!;
         last[3 + k] =
@@ -216,6 +208,19 @@ export class Guests {
       node.body.applyCentralForce(scratch.vector(force[0]!, force[1]!, force[2]!));
       node.body.applyTorque(scratch.vector(moment[0]!, moment[1]!, moment[2]!));
     }
+  }
+
+  /** Of who takes no part in this step nothing is known in the next. */
+  #forgetOthers(): void {
+    this.#ids.clear();
+    for (const slot of this.#slots) this.#ids.add(this.#simulation.bodies.in(slot)!.id);
+    for (const id of this.#last.keys()) if (!this.#ids.has(id)) this.#last.delete(id);
+  }
+
+  #isFinite(n: number): boolean {
+    let sum = 0;
+    for (let k = 0; k < SIX; k++) sum += this.#impulses[n + k]!;
+    return Number.isFinite(sum);
   }
 
   /** Whether what pushes a body that sleeps is more than nothing beside its weight. */

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../fields/types.js';
 import type { Material } from './material.js';
-import { AIR } from './tolerances.js';
+import { AIR } from '../tolerances.js';
 
 /**
  * Air that goes by `wind`, m/s, pushes each triangle along its normal: half of its density times the square of how fast it

@@ -1,4 +1,5 @@
 import { grown, grownInt } from '../../base/grown.js';
+import { MOST_BOXES } from '../tolerances.js';
 import type { Masses } from './masses.js';
 
 /** Of a triangle: what share each corner has of its point that is nearest. */
@@ -152,9 +153,6 @@ export class Apart {
 }
 
 type Three = [number, number, number];
-
-/** A triangle covers so many boxes along an axis, or it is looked for in none. */
-const MOST_BOXES = 8;
 
 /** Numbers of boxes: two in one are only looked at in vain. */
 const keyAt = (x: number, y: number, z: number): number =>

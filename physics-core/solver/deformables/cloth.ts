@@ -6,7 +6,7 @@ import { Masses } from './masses.js';
 import type { Material } from './material.js';
 import { Surface } from './surface.js';
 import { Threads } from './threads.js';
-import { LEAST_PARTS, MOST_PARTS, SURE } from './tolerances.js';
+import { LEAST_SOFT_PARTS, MOST_SOFT_PARTS, FOLLOWED } from '../tolerances.js';
 import { weld } from './weld.js';
 
 /** What the author of a cloth says: kg; N/m; N m; a share. */
@@ -137,18 +137,18 @@ export class Cloth implements Material {
     const { stretch, shear, bend } = this.#words;
     const slow = this.#lightness * (shear * this.#shearRate + bend * this.#bendRate);
     const all = slow + this.#lightness * stretch * this.#stretchRate;
-    const parts = Math.ceil((dt * Math.sqrt(all)) / (2 * SURE));
-    this.#held = !(stretch > 0) || parts > MOST_PARTS;
+    const parts = Math.ceil((dt * Math.sqrt(all)) / (2 * FOLLOWED));
+    this.#held = !(stretch > 0) || parts > MOST_SOFT_PARTS;
     return Math.max(
-      LEAST_PARTS,
-      this.#held ? Math.ceil((dt * Math.sqrt(slow)) / (2 * SURE)) : parts,
+      LEAST_SOFT_PARTS,
+      this.#held ? Math.ceil((dt * Math.sqrt(slow)) / (2 * FOLLOWED)) : parts,
     );
   }
 
   soften(parts: number, dt: number): number {
     const { shear, bend } = this.#words;
     const slow = this.#lightness * (shear * this.#shearRate + bend * this.#bendRate);
-    const share = Math.min(1, (2 * SURE * parts) ** 2 / (dt * dt * slow || 1));
+    const share = Math.min(1, (2 * FOLLOWED * parts) ** 2 / (dt * dt * slow || 1));
     this.#shear = share * shear;
     this.#bend = share * bend;
     return share;

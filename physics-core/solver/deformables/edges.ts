@@ -1,4 +1,4 @@
-import { DIAGONAL } from './tolerances.js';
+import { DIAGONAL } from '../tolerances.js';
 
 /** An edge of a surface of triangles. */
 export interface Edge {

@@ -1,3 +1,4 @@
+import { STRAIGHT_ON } from '../tolerances.js';
 import type { Edge } from './edges.js';
 
 /** Threads of a surface, one after the other along each line in which they go on: oriented, and where each line begins. */
@@ -9,9 +10,6 @@ export interface Lines {
   /** Of each line its first thread; at the end how many there are. */
   readonly starts: number[];
 }
-
-/** What goes on at less of an angle than this cosine says is one line: of squares all, of triangles those that lie straight. */
-const STRAIGHT = -0.5;
 
 /** Each thread belongs to one line; at each point those go on in each other that lie straightest. */
 export function linesOf(places: ArrayLike<number>, edges: readonly Edge[]): Lines {
@@ -75,7 +73,7 @@ function straightest(
   for (let i = 0; i < edges.length; i++)
     for (let j = i + 1; j < edges.length; j++) {
       const cosine = ways[i]!.reduce((sum, x, k) => sum + x * ways[j]![k]!, 0);
-      if (cosine < STRAIGHT) pairs.push([cosine, i, j]);
+      if (cosine < STRAIGHT_ON) pairs.push([cosine, i, j]);
     }
   pairs.sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]);
   const taken = new Set<number>();

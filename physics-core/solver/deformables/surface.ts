@@ -35,12 +35,6 @@ export class Surface {
     this.places = new Float64Array(3 * this.count);
   }
 
-  /** A surface whose points are points of mass. */
-  static of(count: number, triangles: ArrayLike<number>): Surface {
-    const each = Array.from({ length: count }, (_, i) => i);
-    return new Surface(triangles, 1, each, new Float64Array(count).fill(1));
-  }
-
   /** Only these of its triangles are there any more: of others all corners are its first point. */
   keep(isThere: (triangle: number) => boolean): void {
     for (let j = 0; j < this.triangles.length; j++)

@@ -1,7 +1,7 @@
 import type { Edge } from './edges.js';
 import { linesOf } from './lines.js';
 import type { Masses } from './masses.js';
-import { COMPLIANCE, FASTEST } from './tolerances.js';
+import { THREAD_COMPLIANCE, THREAD_RETURN } from '../tolerances.js';
 
 /** The threads of a cloth, warp and weft: they stretch by their stiffness, or not at all. */
 export class Threads {
@@ -86,7 +86,7 @@ export class Threads {
     const soft = stiffness > 0 ? 1 / (stiffness * time * time) : 0;
     const starts = this.#starts;
     for (let line = 0; line + 1 < starts.length; line++)
-      this.#holdLine(masses, starts[line]!, starts[line + 1]!, soft, FASTEST * time);
+      this.#holdLine(masses, starts[line]!, starts[line + 1]!, soft, THREAD_RETURN * time);
   }
 
   /** A tridiagonal system (Thomas): how much each thread has to be shorter, kg m, in single steps of Newton. */
@@ -123,7 +123,7 @@ export class Threads {
       if (off > this.strain * lengths[n]!) this.strain = off / lengths[n]!;
       if (off > most) off = most;
       else if (off < -most) off = -most;
-      let diagonal = gives * (1 + COMPLIANCE) + gentle;
+      let diagonal = gives * (1 + THREAD_COMPLIANCE) + gentle;
       if (before >= 0) {
         const beside = this.#beside(before, k, inverse[first[n]!]!);
         const share = beside / diagonals[before]!;
