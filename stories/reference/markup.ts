@@ -50,9 +50,13 @@ function isDefault(tag: string, name: string, value: string | null): boolean {
   return parsed !== undefined && codec.equal(parsed, field.default);
 }
 
+/** `?fixed=${true}` is a bare attribute; of false there is none. */
+const bound = (name: string, value: string | null): [string, string | null] =>
+  name.startsWith('?') ? [name.slice(1), value === 'true' ? null : ABSENT] : [name, value];
+
 function attributesIn(text: string, tag: string): [string, string | null][] {
   return [...text.matchAll(ATTRIBUTE)]
-    .map(([, name, double, single]): [string, string | null] => [name!, double ?? single ?? null])
+    .map(([, name, double, single]) => bound(name!, double ?? single ?? null))
     .filter(([name, value]) => /^\w/.test(name) && value !== ABSENT)
     .filter(([name, value]) => !isDefault(tag, name, value));
 }

@@ -45,6 +45,14 @@ test("a story's markup is shown in HTML, without its camera and without what say
   );
 });
 
+test('an attribute that a story binds to true is shown bare, one bound to false is not there', () => {
+  const body = (fixed: boolean) =>
+    markupOf(html`<scene><x3d-rigid-body ?fixed=${fixed} mass="2"></x3d-rigid-body></scene>`);
+  assert.equal(body(true).custom, '<x3d-rigid-body fixed mass="2"></x3d-rigid-body>');
+  assert.equal(body(true).plain, '<RigidBody fixed="true" mass="2"/>');
+  assert.equal(body(false).custom, '<x3d-rigid-body mass="2"></x3d-rigid-body>');
+});
+
 test('the same markup is shown in the names of X3D, as XML', () => {
   assert.equal(
     markupOf(story).plain,
