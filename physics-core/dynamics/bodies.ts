@@ -11,8 +11,8 @@ export interface Bodies extends Iterable<Body> {
   readonly velocities: Float64Array;
   velocityOf(body: Body): Float64Array;
   readVelocity(body: Body): void;
-  /** How many move, as far as that is known; above 0 the next step is taken. */
-  awake: number;
+  /** The next step is taken whether bodies move or not: something else does. */
+  goOn(): void;
   asleep(body: Body): boolean;
   /** Whether a body's speeds lie below both limits, m/s and rad/s. */
   slower(slot: number, linear: number, angular: number): boolean;

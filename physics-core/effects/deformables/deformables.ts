@@ -99,9 +99,7 @@ export class Deformables extends Effect {
 
   /** Where no body moves, steps are taken all the same. */
   #goOn(): void {
-    const { bodies } = this.#simulation;
-    bodies.awake = Math.max(bodies.awake, 1);
-    this.#simulation.work();
+    this.#simulation.bodies.goOn();
   }
 
   /** Who takes part in the step that begins, by the numbers of their nodes: it adds up to the same bits, whoever came first. */

@@ -134,9 +134,7 @@ export class Particles extends Effect {
 
   /** Where no body moves, steps are taken all the same. */
   #goOn(): void {
-    const { bodies } = this.#simulation;
-    bodies.awake = Math.max(bodies.awake, 1);
-    this.#simulation.work();
+    this.#simulation.bodies.goOn();
   }
 
   // ---- what is seen -----------------------------------------------------------------------------------------------

@@ -104,9 +104,7 @@ export class Ropes extends Effect implements Pull {
 
   /** Where no body moves, steps are taken all the same. */
   #goOn(): void {
-    const { bodies } = this.#simulation;
-    bodies.awake = Math.max(bodies.awake, 1);
-    this.#simulation.work();
+    this.#simulation.bodies.goOn();
   }
 
   // ---- who holds what -------------------------------------------------------------------------------------------------

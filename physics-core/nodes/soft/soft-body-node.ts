@@ -18,7 +18,6 @@ const MOST_MORE = 2000;
 export class SoftBodyNode extends DeformableNode {
   protected readonly stiffest = 'youngsModulus';
   protected readonly radius = 0;
-  #laid = 0;
 
   protected whyNot({ index }: Mesh): string | undefined {
     return index.length < 12 ? 'takes a closed surface of four triangles at least' : undefined;
@@ -38,12 +37,17 @@ export class SoftBodyNode extends DeformableNode {
   lay(): Material {
     const { points, index } = this.mesh;
     const mass = this.asked<number>('mass');
-    this.#laid = mass;
     if (!this.#isHollow) return this.#told(this.#solid(points, index, mass));
     const pressure = this.asked<number>('pressure');
-    const thickness =
-      this.asked<number>('thickness') || mass / (RUBBER * areaOf({ points, index }));
+    const thickness = this.#thickness;
     return this.#told(new Shell(points, index, { mass, thickness, pressure, ...this.#elasticity }));
+  }
+
+  /** Of a skin, metres. */
+  get #thickness(): number {
+    return (
+      this.asked<number>('thickness') || this.asked<number>('mass') / (RUBBER * areaOf(this.mesh))
+    );
   }
 
   /** It touches by more points than its author gave it: as many as there are cells under its surface. */
@@ -73,14 +77,12 @@ export class SoftBodyNode extends DeformableNode {
   /** A skin is laid anew where it becomes a solid, or the other way round. */
   read(material: Material): boolean {
     if (this.#isHollow !== material instanceof Shell) return false;
-    const mass = this.asked<number>('mass');
-    if (mass !== this.#laid) {
-      material.masses.weigh(mass / this.#laid);
-      this.#laid = mass;
+    material.masses.weigh(this.asked('mass'));
+    if (material instanceof Lattice) material.stiffen(this.#elasticity);
+    if (material instanceof Shell) {
+      material.stiffen({ ...this.#elasticity, thickness: this.#thickness });
+      material.pressure = this.asked('pressure');
     }
-    if (material instanceof Lattice || material instanceof Shell)
-      material.stiffen(this.#elasticity);
-    if (material instanceof Shell) material.pressure = this.asked('pressure');
     return true;
   }
 }

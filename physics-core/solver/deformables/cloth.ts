@@ -32,11 +32,9 @@ export class Cloth implements Material {
   readonly #stretchRate: number;
   readonly #shearRate: number;
   readonly #bendRate: number;
-  readonly #laid: number;
   /** 1: a triangle that borders a torn thread; of those that have an area. Which of the surface each is. */
   readonly #gone: Uint8Array;
   readonly #numbers: readonly number[];
-  #mass: number;
   #words: ClothWords = { mass: 1, stretch: 0, shear: 0, bend: 0, tear: 0 };
   /** Threads go to their length instead of pulling there: they would be too fast. */
   #held = true;
@@ -51,7 +49,6 @@ export class Cloth implements Material {
     this.#gone = new Uint8Array(numbers.length);
     const areas = areasOf(places, triangles);
     this.masses = new Masses(places);
-    this.#laid = this.#mass = mass;
     this.#weigh(triangles, areas);
     this.surface = new Surface(
       Array.from(index).slice(0, index.length - (index.length % 3)),
@@ -68,6 +65,8 @@ export class Cloth implements Material {
     this.#stretchRate = most(this.#stretchRates(edges, areas, places));
     this.#shearRate = most(this.#rates((rates) => this.#corners.addRates(rates, this.masses)));
     this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
+    this.masses.weigh(mass);
+    this.masses.free();
   }
 
   /** Each triangle to its corners, to each what of it is nearest to that: squares weigh the same however they are cut. */
@@ -78,12 +77,12 @@ export class Cloth implements Material {
     for (let f = 0; f < areas.length; f++) {
       const face = [0, 1, 2].map((k) => triangles[3 * f + k]!);
       nearestShares(places, face).forEach((share, k) => {
-        masses[face[k]!]! += (this.#mass * share * areas[f]!) / whole;
+        masses[face[k]!]! += (share * areas[f]!) / whole;
       });
     }
     // What borders nothing that has an area weighs what the others do.
-    for (let i = 0; i < count; i++) if (!(masses[i]! > 0)) masses[i] = this.#mass / count;
-    this.masses.free();
+    for (let i = 0; i < count; i++) if (!(masses[i]! > 0)) masses[i] = 1 / count;
+    this.masses.laid();
   }
 
   #rates(add: (rates: Float64Array) => void): Float64Array {
@@ -119,18 +118,15 @@ export class Cloth implements Material {
   }
 
   say(words: ClothWords): void {
-    if (words.mass !== this.#mass) {
-      this.masses.weigh(words.mass / this.#mass);
-      this.#mass = words.mass;
-    }
+    if (words.mass !== this.masses.mass) this.masses.weigh(words.mass);
     this.#words = words;
     this.#shear = words.shear;
     this.#bend = words.bend;
   }
 
-  /** Rates are those of the mass that it was laid with. */
+  /** Rates are those of 1 kg. */
   get #lightness(): number {
-    return this.#laid / this.#mass;
+    return 1 / this.masses.mass;
   }
 
   parts(dt: number): number {

@@ -28,11 +28,9 @@ export class Lattice implements Material {
   private readonly hexahedra: Hexahedra;
   private readonly rest: Float64Array;
   private readonly size: readonly number[];
-  /** kg, of a cell that is covered and of the first point, as laid; and of that when the frequency was found. */
+  /** kg, of a cell that is covered, where all weigh 1 kg together. */
   private readonly cellMass: number;
-  private readonly first: number;
-  private weighed = 0;
-  /** The square of the greatest frequency at rest, 1/s², and the share of it that hourglasses may have. */
+  /** The square of the greatest frequency at rest of 1 kg, 1/s², and the share of it that hourglasses may have. */
   private square = 0;
   private hourglassShare = 1;
 
@@ -44,9 +42,10 @@ export class Lattice implements Material {
     this.rest = cells.places;
     this.masses = new Masses(cells.places);
     this.hexahedra = new Hexahedra(this.masses, cells);
-    this.cellMass = settings.mass / cells.cover.shares.reduce((sum, share) => sum + share, 0);
+    this.cellMass = 1 / cells.cover.shares.reduce((sum, share) => sum + share, 0);
     this.weigh(cells);
-    this.first = this.masses.masses[0] ?? 0;
+    this.masses.laid();
+    this.masses.weigh(settings.mass);
     this.masses.free();
     this.surface.follow(this.masses);
     this.stiffen(settings);
@@ -74,21 +73,14 @@ export class Lattice implements Material {
       Math.min(MOST_POISSON, Math.max(LEAST_POISSON, poissonsRatio)),
     );
     hexahedra.soft = 1;
-    this.weighed = masses.masses[0]!;
     const least = Math.min(...this.size);
     this.square = quickest(masses, this.rest, least, () => hexahedra.push(1));
-    const mass = (this.cellMass * this.weighed) / this.first;
-    this.hourglassShare = hexahedra.hourglassShare(this.square, mass);
+    this.hourglassShare = hexahedra.hourglassShare(this.square, this.cellMass);
   }
 
-  /** The square of the greatest frequency at rest with what it weighs now, 1/s². */
-  private frequency(): number {
-    return this.weighed > 0 ? (this.square * this.weighed) / this.masses.masses[0]! : 0;
-  }
-
-  /** The same as it is deformed now: what is pressed flat is stiffer than at rest. */
+  /** The square of the greatest frequency as heavy and as deformed as it is now, 1/s²: what is pressed flat is stiffer. */
   private frequencyNow(): number {
-    const square = this.frequency();
+    const square = this.square / this.masses.mass;
     return square > 0 ? square * this.hexahedra.stiffest(this.hourglassShare) : 0;
   }
 

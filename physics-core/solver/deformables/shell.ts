@@ -35,7 +35,6 @@ export class Shell implements Material {
   readonly volume: number;
   private readonly skin: Skin;
   private readonly rest: Float64Array;
-  private readonly thickness: number;
   /** m², of all triangles. */
   private readonly area: number;
   /** 1: triangles look outward; -1: inward. */
@@ -44,10 +43,7 @@ export class Shell implements Material {
   /** Of all pressure this share is left, for parts of a step that are too long for more. */
   private gasSoft = 1;
   private softened = false;
-  /** kg of all of it, and of the first point, as laid: `weigh` changes all alike. */
-  private readonly mass: number;
-  private readonly first: number;
-  /** Squares of frequencies as it weighed when laid, 1/s²: the greatest of all; and of the gas alone, which has but one. */
+  /** Squares of frequencies of 1 kg, 1/s²: the greatest of all; and of the gas alone, which has but one. */
   private square = 0;
   private gasSquare = 0;
   /** The same, at most, of a skin that is folded in whatever way. */
@@ -64,14 +60,12 @@ export class Shell implements Material {
     this.surface = new Surface(shown, 1, carriers, new Float64Array(carriers.length).fill(1));
     this.surface.follow(this.masses);
     this.skin = new Skin(this.masses, triangles);
-    this.thickness = settings.thickness;
-    this.mass = settings.mass;
     this.area = this.skin.areas.reduce((sum, area) => sum + area, 0);
     for (let i = 0; i < triangles.length; i++)
-      this.masses.masses[triangles[i]!]! +=
-        (settings.mass * this.skin.areas[Math.floor(i / 3)]!) / (3 * this.area);
+      this.masses.masses[triangles[i]!]! += this.skin.areas[Math.floor(i / 3)]! / (3 * this.area);
+    this.masses.laid();
+    this.masses.weigh(settings.mass);
     this.masses.free();
-    this.first = this.masses.masses[0] ?? 0;
     const within = triangles.length > 0 ? this.skin.volume() : 0;
     this.side = within < 0 ? -1 : 1;
     this.volume = this.encloses(within) ? Math.abs(within) : 0;
@@ -115,12 +109,16 @@ export class Shell implements Material {
     this.find();
   }
 
-  /** Another elasticity, at once. */
-  stiffen({ youngsModulus, poissonsRatio }: Elasticity): void {
+  /** Another elasticity or thickness, at once. */
+  stiffen({
+    youngsModulus,
+    poissonsRatio,
+    thickness,
+  }: Elasticity & Pick<ShellSettings, 'thickness'>): void {
     const { skin } = this;
     const poisson = Math.min(MOST_SHELL_POISSON, Math.max(LEAST_POISSON, poissonsRatio));
     skin.poisson = poisson;
-    skin.stiffness = (Math.max(0, youngsModulus) * this.thickness) / (1 - poisson * poisson);
+    skin.stiffness = (Math.max(0, youngsModulus) * thickness) / (1 - poisson * poisson);
     this.find();
   }
 
@@ -130,12 +128,12 @@ export class Shell implements Material {
     if (masses.count === 0) return;
     this.harden();
     this.even = 0;
-    const now = this.weighs();
     const { each } = this.areaVectors();
     let mobility = 0;
-    for (let j = 0; j < each.length; j++)
-      if (this.first > 0)
-        mobility += (now * each[j]! * each[j]!) / masses.masses[Math.floor(j / 3)]!;
+    masses.asLaid(() => {
+      for (let j = 0; j < each.length; j++)
+        mobility += each[j]! * each[j]! * masses.inverse[Math.floor(j / 3)]!;
+    });
     this.gasSquare = this.gas > 0 ? (this.gas / this.volume) * mobility : 0;
     const most = skin.squares.reduce((all, square) => Math.max(all, square));
     this.single = most * this.perSquare() + this.gasSquare;
@@ -143,7 +141,7 @@ export class Shell implements Material {
     if (skin.count > MANY) return;
     const length = Math.sqrt(this.area / skin.count);
     const found = quickest(masses, this.rest, length, () => skin.push(1, this.presses()));
-    this.square = Math.min(this.single, now * found);
+    this.square = Math.min(this.single, found);
   }
 
   /**
@@ -157,19 +155,14 @@ export class Shell implements Material {
     const mean = skin.squares.reduce((sum, square) => sum + square) / skin.count;
     for (let t = 0; t < skin.count; t++) skin.soft[t] = mean / skin.squares[t]!;
     const length = Math.sqrt(this.area / skin.count);
-    const square = this.weighs() * quickest(masses, this.rest, length, () => skin.push(1, 0));
+    const square = quickest(masses, this.rest, length, () => skin.push(1, 0));
     this.even = Math.min(this.even, square / mean);
   }
 
-  /** In times what it did when laid. */
-  private weighs(): number {
-    return this.first > 0 ? this.masses.masses[0]! / this.first : 1;
-  }
-
-  /** What makes squares of frequencies of the skin's `squares`, as it weighed when laid, m²/s². */
+  /** What makes squares of frequencies of the skin's `squares`, of 1 kg, m²/s². */
   private perSquare(): number {
     const { skin } = this;
-    return this.mass > 0 ? (skin.stiffness * (1 + skin.poisson) * this.area) / this.mass : 0;
+    return skin.stiffness * (1 + skin.poisson) * this.area;
   }
 
   private harden(): void {
@@ -187,7 +180,7 @@ export class Shell implements Material {
   }
 
   /**
-   * The square of the greatest frequency, stretched and pressed together as it is now, of what it weighed when laid, 1/s².
+   * The square of the greatest frequency, stretched and pressed together as it is now, of 1 kg, 1/s².
    * Triangles that are folded on each other do not hinder one another: they are as quick as the quickest is by itself.
    */
   private frequencyNow(): number {
@@ -201,7 +194,7 @@ export class Shell implements Material {
   /** As it is deformed now: to be asked in each step. */
   parts(dt: number): number {
     if (this.masses.count === 0) return 1;
-    const square = this.frequencyNow() / this.weighs();
+    const square = this.frequencyNow() / this.masses.mass;
     return Math.max(1, Math.ceil(Math.sqrt(square / followed(dt))));
   }
 
@@ -210,7 +203,7 @@ export class Shell implements Material {
     const { skin, gasSquare } = this;
     if (this.softened) this.harden();
     if (this.masses.count === 0) return 1;
-    const most = followed(dt / parts) * this.weighs();
+    const most = followed(dt / parts) * this.masses.mass;
     const square = this.frequencyNow();
     if (square <= most) return 1;
     this.softened = true;

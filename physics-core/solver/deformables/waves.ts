@@ -5,8 +5,8 @@ import type { Masses } from './masses.js';
 const SMALL = 1e-5;
 
 /**
- * The square of the greatest frequency at `rest`, 1/s²: by power iteration from a fixed start, all points being free.
- * `push` adds to the velocities what forces do in one second.
+ * The square of the greatest frequency at `rest` of 1 kg of it, 1/s², all points being free. `push` adds to the
+ * velocities what forces do in one second.
  */
 export function quickest(
   masses: Masses,
@@ -14,9 +14,14 @@ export function quickest(
   length: number,
   push: () => void,
 ): number {
-  const { count, places, velocities, inverse } = masses;
-  const kept = [places.slice(), velocities.slice(), inverse.slice()] as const;
-  masses.free();
+  let square = 0;
+  masses.asLaid(() => (square = iterated(masses, rest, length, push)));
+  return square > 0 && Number.isFinite(square) ? WAVE_MARGIN * square : 0;
+}
+
+/** Power iteration from a fixed start. */
+function iterated(masses: Masses, rest: Float64Array, length: number, push: () => void): number {
+  const { count, places, velocities } = masses;
   const mode = rough(3 * count);
   const answer = new Float64Array(3 * count);
   let square = 0;
@@ -35,10 +40,7 @@ export function quickest(
     still = Math.abs(square - last) <= WAVE_CHANGE * square ? still + 1 : 0;
     mode.set(answer);
   }
-  places.set(kept[0]);
-  velocities.set(kept[1]);
-  inverse.set(kept[2]);
-  return square > 0 && Number.isFinite(square) ? WAVE_MARGIN * square : 0;
+  return square;
 }
 
 /** The same numbers everywhere, of either sign, none of them like its neighbour. */

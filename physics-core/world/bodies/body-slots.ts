@@ -36,7 +36,10 @@ export class BodySlots implements BodyTable {
   readonly #velocity = new Float64Array(VELOCITY);
   /** Of bodies in the frame of their centre of mass, by slot, once that was asked for. */
   readonly #origins: (Pose | undefined)[] = [];
-  awake = 0;
+  /** How many move, as far as that is known. */
+  #awake = 0;
+  /** Something else than bodies moves. */
+  #goesOn = false;
 
   constructor(world: NodeWorld, poses: Poses) {
     this.#world = world;
@@ -53,9 +56,14 @@ export class BodySlots implements BodyTable {
     return count;
   }
 
-  /** As the last step, `wake` and `sleep` left it; where that says none, counted anew. */
-  get anyAwake(): boolean {
-    return this.awake > 0 || this.countAwake() > 0;
+  /** Whether the next step has anything to do: as the last one, `wake` and `sleep` left it; where that says no, counted anew. */
+  get goesOn(): boolean {
+    return this.#goesOn || this.#awake > 0 || this.countAwake() > 0;
+  }
+
+  goOn(): void {
+    this.#goesOn = true;
+    this.#world.work();
   }
 
   /** The body behind a heap pointer that Bullet hands us. */
@@ -229,7 +237,7 @@ export class BodySlots implements BodyTable {
     this.#world.registry.find(resting)?.restart(body.slot);
     if (this.moving.asleep[body.slot]) this.#setAsleep(body, false);
     // So that the page's loop starts again at once, not at the next step.
-    this.awake = Math.max(this.awake, 1);
+    this.#awake = Math.max(this.#awake, 1);
     this.#world.work();
   }
 
@@ -256,7 +264,7 @@ export class BodySlots implements BodyTable {
     }
     body.emit(asleep ? 'sleep' : 'wake', { time: this.#world.time });
     // What this leaves too low is counted anew.
-    if (asleep) this.awake = Math.max(0, this.awake - 1);
+    if (asleep) this.#awake = Math.max(0, this.#awake - 1);
   }
 
   /** All are taken down: nobody is to hear of whom that would wake. */
@@ -291,7 +299,8 @@ export class BodySlots implements BodyTable {
       else (broken ??= []).push(body);
     }
     this.#judgeFast();
-    this.awake = awake + this.#countCarried();
+    this.#awake = awake + this.#countCarried();
+    this.#goesOn = false;
     if (broken) this.#mend(broken);
   }
 

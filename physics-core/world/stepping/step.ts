@@ -77,8 +77,8 @@ export class Step {
       world.flush();
       if (world.awaiting.waits) return 0;
       const { timeStep, bodies } = world;
-      if (bodies.awake === 0 && bodies.countAwake() === 0) this.#time.pass();
-      else this.#move(timeStep);
+      if (bodies.goesOn) this.#move(timeStep);
+      else this.#time.pass();
       world.timeline?.stepped();
       return timeStep;
     } finally {

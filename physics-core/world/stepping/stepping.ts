@@ -240,7 +240,7 @@ export class Stepping {
   }
 
   get #moving(): boolean {
-    return this.running && this.#world.bodies.anyAwake;
+    return this.running && this.#world.bodies.goesOn;
   }
 
   /** While code is on its way, edits wait for that and not for frames. */

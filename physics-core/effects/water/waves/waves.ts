@@ -58,9 +58,7 @@ export class Waves extends Effect implements MovingSurfaces {
 
   /** Where no body moves, steps are taken all the same. */
   #goOn(): void {
-    const { bodies } = this.#simulation;
-    bodies.awake = Math.max(bodies.awake, 1);
-    this.#simulation.work();
+    this.#simulation.bodies.goOn();
   }
 
   // ---- what is seen -----------------------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ test('what is open, flat or nowhere holds no gas, and nothing comes of asking it
     assert.equal(nothing.soften(1, 1 / 60), 1, name);
     nothing.push(1 / 60);
     nothing.pressure = 10;
-    nothing.stiffen({ youngsModulus: 1, poissonsRatio: 0 });
+    nothing.stiffen({ youngsModulus: 1, poissonsRatio: 0, thickness: 1 });
   }
   for (const mesh of [boxMesh([1, 1, 0]), { points: one.points, index: one.index.slice(6) }]) {
     const open = shell(mesh, { pressure: 100 });
@@ -208,7 +208,7 @@ test('what is made softer follows in fewer parts, keeps its shape, and is as it 
 test('it becomes stiffer, heavier and fuller at once', () => {
   const ball = shell(ballMesh(RADIUS, 2));
   const parts = ball.parts(1);
-  ball.stiffen({ youngsModulus: 4 * E, poissonsRatio: 0.4 });
+  ball.stiffen({ youngsModulus: 4 * E, poissonsRatio: 0.4, thickness: THICKNESS });
   close(ball.parts(1), 2 * parts, 0.01 * parts, 'stiffer');
   ball.masses.weigh(4);
   ball.masses.free();
