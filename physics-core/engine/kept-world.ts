@@ -11,7 +11,6 @@ const MOST_ROUNDS = 6;
 
 /** A body that stands in the world, whose box is one of `boxes`. */
 interface Standing {
-  readonly id: number;
   readonly body: BtBody;
   readonly pointer: number;
   readonly movable: boolean;
@@ -71,8 +70,7 @@ export class KeptWorld {
     // Whoever was near whom, all are compared with each other.
     this.#bullet.order!.expectBody();
     this.#bullet.findPairs();
-    if (bodies.some(({ solidParts }) => solidParts.length > 1))
-      this.#findParts(bodies, moment.contacts);
+    if (bodies.some(({ solidParts }) => solidParts.length > 1)) this.#findParts(moment.contacts);
     loadContacts(ammo, (visit) => this.#bullet.eachManifoldInHeap(visit), moment.contacts);
     bodies.forEach(({ pointer }, i) => loadBox(ammo, pointer, moment.boxes, moment.at[i]!));
     const pointers = bodies.map(({ pointer }) => pointer);
@@ -80,8 +78,7 @@ export class KeptWorld {
   }
 
   /** Bodies of several parts come a little nearer to what they touched, until Bullet has seen it. */
-  #findParts(bodies: readonly Standing[], contacts: Int32Array): void {
-    const byRank = [...bodies].sort((a, b) => a.id - b.id);
+  #findParts(contacts: Int32Array): void {
     for (let round = 0; round < MOST_ROUNDS; round++) {
       const moved = new Map<number, () => void>();
       eachLost(
@@ -89,8 +86,9 @@ export class KeptWorld {
         (visit) => this.#bullet.eachManifoldInHeap(visit),
         contacts,
         (rank, normal) => {
-          const { pointer } = byRank[rank]!;
-          if (!moved.has(pointer)) moved.set(pointer, this.#nudge(pointer, normal));
+          const pointer = this.#bullet.order!.bodyAt(rank);
+          if (pointer !== undefined && !moved.has(pointer))
+            moved.set(pointer, this.#nudge(pointer, normal));
         },
       );
       if (moved.size === 0) return;

@@ -97,6 +97,11 @@ export class SolveOrder {
     this.#inParts = this.#bodies.some(({ pointer }) => isInParts(this.#ammo, pointer));
   }
 
+  /** The body of a rank, as `arrange` laid them. */
+  bodyAt(rank: number): number | undefined {
+    return this.#bodies[rank]?.pointer;
+  }
+
   #lay(members: Member[], array: number): void {
     members.sort(byId);
     const { HEAP32 } = this.#ammo;

@@ -80,7 +80,8 @@ export class Lattice implements Material {
 
   /** The square of the greatest frequency as heavy and as deformed as it is now, 1/s²: what is pressed flat is stiffer. */
   private frequencyNow(): number {
-    const square = this.square / this.masses.mass;
+    const { mass } = this.masses;
+    const square = mass > 0 ? this.square / mass : 0;
     return square > 0 ? square * this.hexahedra.stiffest(this.hourglassShare) : 0;
   }
 

@@ -235,7 +235,7 @@ test('it becomes stiffer and heavier at once, and wants parts accordingly', () =
   const parts = lattice.parts(1);
   lattice.stiffen({ youngsModulus: 4 * E, poissonsRatio: 0.3 });
   close(lattice.parts(1), 2 * parts, 2, 'stiffer');
-  lattice.masses.weigh(4);
+  lattice.masses.weigh(4 * lattice.masses.mass);
   lattice.masses.free();
   close(lattice.parts(1), parts, 2, 'heavier');
   lattice.stiffen({ youngsModulus: E, poissonsRatio: 0.3 });

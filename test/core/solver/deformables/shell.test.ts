@@ -210,7 +210,7 @@ test('it becomes stiffer, heavier and fuller at once', () => {
   const parts = ball.parts(1);
   ball.stiffen({ youngsModulus: 4 * E, poissonsRatio: 0.4, thickness: THICKNESS });
   close(ball.parts(1), 2 * parts, 0.01 * parts, 'stiffer');
-  ball.masses.weigh(4);
+  ball.masses.weigh(4 * ball.masses.mass);
   ball.masses.free();
   close(ball.parts(1), parts, 0.01 * parts, 'heavier');
   ball.pressure = 1e6;
