@@ -7,7 +7,7 @@ import { MOST_SOFT_PARTS } from '../../solver/tolerances.js';
 import { LIBRARY } from '../rest/resting.js';
 import { samplesOf, type Samples } from './samples.js';
 import type { DeformableSettings, DeformableSource } from './settings.js';
-import { STRAINED, WHIPS } from './tolerances.js';
+import { SETTLING, STRAINED, TAUT, WHIPS } from './tolerances.js';
 import { Touches } from './touches.js';
 
 /** One as another thread is told of it, by the number of its node. */
@@ -139,6 +139,18 @@ export class Deformable {
     this.#softness += share * (this.material.soften(parts, dt) - this.#softness);
     this.source.softened(this.#softness);
     return parts;
+  }
+
+  /** Threads go to their lengths, however far that is; what was stretched by more than a motion can leaves no speed. */
+  settle(): void {
+    const { material } = this;
+    for (let round = 0; round < SETTLING; round++) {
+      material.hold(Infinity, round > 0);
+      if (material.strain <= TAUT) break;
+      material.masses.velocities.fill(0);
+    }
+    this.hold();
+    material.surface.follow(material.masses);
   }
 
   begin(): void {

@@ -4,6 +4,7 @@ import { Obstacles } from '../particles/collide/obstacles.js';
 import { resting } from '../rest/resting.js';
 import type { Effects } from '../effect/effects.js';
 import { Deformable, type KeptDeformable, type ToldDeformable } from './deformable.js';
+import { followJumps } from './jumps.js';
 import { Guests, type KeptGuests } from './guests.js';
 import type { DeformableSource } from './settings.js';
 import { Tied, type DeformableTie } from './ties.js';
@@ -145,8 +146,9 @@ export class Deformables extends Effect {
     guests.begin();
     this.#obstacles.forget();
     this.#obstacles.take(dt);
-    for (const deformable of moving) deformable.begin();
     for (const each of this.#holding) each.begin(guests, dt);
+    this.#followJumps();
+    for (const deformable of moving) deformable.begin();
     let parts = 1;
     for (const deformable of moving) {
       deformable.touches.look(deformable, this.#obstacles, guests, dt);
@@ -157,6 +159,15 @@ export class Deformables extends Effect {
     for (let part = 1; part <= parts; part++) this.#go(dt / parts, part);
     for (const deformable of moving) if (!deformable.end(dt)) deformable.stop();
     guests.end(dt, this.#wakes);
+  }
+
+  #followJumps(): void {
+    for (const deformable of this.#moving)
+      if (this.#holding.some((each) => each.jumps && each.deformable === deformable))
+        followJumps(
+          deformable,
+          this.#holding.filter((each) => each.deformable === deformable),
+        );
   }
 
   /** One part of a step. */

@@ -1,4 +1,4 @@
-import { compose, subtract } from '../../base/math.js';
+import { compose } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Cause } from '../effect/effect.js';
@@ -31,6 +31,9 @@ export class Tied {
   readonly deformable: Deformable;
   /** Where its point is to be when the step begins. */
   readonly #at = new Float64Array(3);
+  /** How far from its point that is, metres; whether nothing carries a point as far in a step. */
+  readonly jump = new Float64Array(3);
+  jumps = false;
 
   constructor(tie: DeformableTie, deformable: Deformable) {
     this.tie = tie;
@@ -47,21 +50,21 @@ export class Tied {
     this.#at.set(at);
     if (body) guests.add(body.slot, dt);
     if (body) this.deformable.within.set(index, body.slot);
-    this.#jump(dt);
+    let far = 0;
+    for (let k = 0; k < 3; k++) {
+      this.jump[k] = this.#at[k]! - this.deformable.places[3 * index + k]!;
+      far += this.jump[k]! ** 2;
+    }
+    this.jumps = far > (CARRIED * dt) ** 2;
   }
 
-  /** What is suddenly elsewhere takes all along that nothing else holds. */
-  #jump(dt: number): void {
-    const { places, material } = this.deformable;
-    const now = subtract(
-      [...this.#at] as unknown as Vec3,
-      [0, 1, 2].map((k) => places[3 * this.tie.index + k]!) as Vec3,
-    );
-    if (now.reduce((sum, v) => sum + v * v, 0) <= (CARRIED * dt) ** 2) return;
-    const { masses, surface } = material;
-    for (let i = 0; i < masses.count; i++)
-      if (masses.inverse[i]! > 0) for (let k = 0; k < 3; k++) masses.places[3 * i + k]! += now[k]!;
-    surface.follow(masses);
+  /** Its point is there, and stays. Inside of a lattice no point is the surface's. */
+  pin(): void {
+    const { masses, surface } = this.deformable.material;
+    if (surface.width > 1) return;
+    const carrier = surface.carriers[this.tie.index]!;
+    masses.places.set(this.#at, 3 * carrier);
+    masses.inverse[carrier] = 0;
   }
 
   /** The point and its body are taken to one place, each by how much it gives way. */

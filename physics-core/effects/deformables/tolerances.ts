@@ -31,6 +31,9 @@ export const UNFELT = 0.01;
 export const TAUT = 0.03;
 export const ROUNDS = 16;
 
+/** Rounds in which threads go to their lengths after a jump, at most: each is exact along its line. (Fact: pins that jump.) */
+export const SETTLING = 200;
+
 /** Normals at the corners of a triangle that agree to this cosine have no edge of a body between them. (Facts: a ball, a box.) */
 export const FLAT = 0.9;
 
