@@ -115,6 +115,13 @@ export class BodyNode extends PhysicsNode implements Body {
     return true;
   }
 
+  /** By the numbers of joints: what adds up over them has the same bits, whichever was made anew. */
+  addJoint(joint: BodyJoint): void {
+    const later = [...this.joints].filter(({ id }) => id > joint.id);
+    for (const other of later) this.joints.delete(other);
+    for (const each of [joint, ...later]) this.joints.add(each);
+  }
+
   protected override created(): void {
     this.fresh = false;
     this.world.registry.bodyMade(this);

@@ -59,7 +59,7 @@ export abstract class JointNode extends PlacedJoint implements BodyJoint {
     this.fresh = true;
     this.body1 = this.asked<BodyNode | null>('body1') ?? undefined;
     this.body2 = this.asked<BodyNode | null>('body2') ?? undefined;
-    for (const body of [this.body1, this.body2]) body?.joints.add(this);
+    for (const body of [this.body1, this.body2]) body?.addJoint(this);
     reportBodies(this);
     this.attach();
     return true;
