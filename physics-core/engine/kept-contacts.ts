@@ -213,7 +213,7 @@ function match(ammo: Ammo, each: (visit: Visit) => void, kept: Int32Array, value
   return loads;
 }
 
-/** Of several of one pair the one of the same parts; of meshes the triangles may be others. */
+/** Of several of one pair the one of the same parts; of parts that are meshes, whose triangles may be others, the nearest. */
 function takeOut(ammo: Ammo, those: number[], said: (word: number) => number): number | undefined {
   const [first] = those;
   if (first === undefined) return undefined;
@@ -223,10 +223,36 @@ function takeOut(ammo: Ammo, those: number[], said: (word: number) => number): n
   };
   const empty = (manifold: number) => pointCountAt(ammo, manifold) === 0;
   const key = keyOf(said);
-  const same = those.findIndex(
+  const same = those.filter(
     (manifold) =>
       !empty(manifold) && keyOf((word) => ammo.HEAP32[(pointAt(manifold, 0) >> 2) + word]!) === key,
   );
-  const taken = same < 0 ? those.findIndex(empty) : same;
-  return taken < 0 ? undefined : those.splice(taken, 1)[0];
+  const taken = same.length > 1 ? nearest(ammo, same, said) : (same[0] ?? those.find(empty));
+  if (taken !== undefined) those.splice(those.indexOf(taken), 1);
+  return taken;
+}
+
+const bits = new Int32Array(1);
+const asFloat = new Float32Array(bits.buffer);
+
+/** Which has a point nearest to the one that was kept, as B carries it. */
+function nearest(
+  { HEAP32, HEAPF32 }: Ammo,
+  those: number[],
+  said: (word: number) => number,
+): number {
+  const kept = words(POINT.localB, 3).map((word) => {
+    bits[0] = said(word);
+    return asFloat[0]!;
+  });
+  const distance = (manifold: number): number => {
+    let least = Infinity;
+    for (let i = 0; i < HEAP32[(manifold + MANIFOLD.pointCount) >> 2]!; i++) {
+      const at = (pointAt(manifold, i) + POINT.localB) >> 2;
+      const square = kept.reduce((sum, x, k) => sum + (x - HEAPF32[at + k]!) ** 2, 0);
+      least = Math.min(least, square);
+    }
+    return least;
+  };
+  return those.reduce((best, other) => (distance(other) < distance(best) ? other : best));
 }

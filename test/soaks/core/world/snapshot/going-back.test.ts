@@ -146,6 +146,43 @@ function rubble(w: World): void {
     });
 }
 
+/** A ball deep in a plate and a ring, two meshes of one body. */
+function plates(w: World): void {
+  addBody(w, {
+    fixed: true,
+    position: [0, 0, 1.6],
+    geometry: [
+      {
+        type: 'Disk2D',
+        innerRadius: 0.09,
+        outerRadius: 1,
+        translation: [0.8, 0.2, -0.9],
+        rotation: [0.6, 0.85, 0.37, -3.27],
+      },
+      { type: 'Cylinder', radius: 0.64, height: 0.13, top: false },
+    ],
+  });
+  addBody(w, {
+    position: [0.7, 2.5, 2],
+    orientation: [1, 0, -0.28, 0.01],
+    angularVelocity: [2.2, 2.3, 3.9],
+    geometry: [{ ...sphere(3), linear: [1, 0, 0, 0, 2, 0, 0, 0, 0.5] }],
+  });
+  claim(w, 'initial-overlap');
+}
+
+/** A box on the ground hangs by a bar on a hinge that is made anew: the first of two joints of that bar. */
+function bar(w: World): void {
+  addFloor(w, -2.5);
+  const rod = addBody(w, {});
+  const load = addBody(w, { position: [0, -2.25, 2], geometry: [box(0.5)] });
+  const hinge = addJoint(w, 'SingleAxisHingeJoint', { body2: rod });
+  addJoint(w, 'BallJoint', { body1: rod, body2: load, anchorPoint: [1.944, 1.426, -1.386] });
+  w.step();
+  hinge.set('anchorPoint', [-1.871, 0.444, -0.561]);
+  w.step();
+}
+
 const round = [box(0.5), sphere(0.3), { type: 'Cylinder', radius: 0.25, height: 0.6 }];
 
 for (const [name, level, seconds, restores, build] of [
@@ -154,6 +191,8 @@ for (const [name, level, seconds, restores, build] of [
   ['a heap of boxes, balls and cylinders', 'standard', 1, 2, (w) => heap(w, 15, round)],
   ['ragdolls', 'standard', 0.5, 2, ragdolls],
   ['boxes on a mesh that is a part of a body', 'game', 0.6, 2, rubble],
+  ['a ball in two meshes of one body', 'reference', 1 / 960, 2, plates],
+  ['a bar whose first joint was made anew', 'fine', 1 / 60, 2, bar],
   ['a car on its suspension', 'standard', 0.7, 10, car],
   ['a car on its suspension at game', 'game', 0.7, 2, car],
 ] as [string, string, number, number, (w: World) => void][])
