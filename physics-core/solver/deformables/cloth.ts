@@ -1,6 +1,6 @@
 import { Apart } from './apart.js';
 import { Corners } from './corners.js';
-import { distance, edgesOf, type Edge } from './edges.js';
+import { distance, edgesOf } from './edges.js';
 import { Hinges } from './hinges.js';
 import { Masses } from './masses.js';
 import type { Material } from './material.js';
@@ -29,7 +29,6 @@ export class Cloth implements Material {
   readonly #hinges: Hinges;
   readonly #apart: Apart;
   /** Of each point 1/s² for each N/m, N/m and N m: what the fastest of each kind are answered by. */
-  readonly #stretchRate: number;
   readonly #shearRate: number;
   readonly #bendRate: number;
   /** 1: a triangle that borders a torn thread; of those that have an area. Which of the surface each is. */
@@ -62,7 +61,6 @@ export class Cloth implements Material {
     this.#corners = new Corners(places, triangles, areas, this.#threads);
     this.#hinges = new Hinges(places, edges, areas);
     this.#apart = new Apart(places, triangles);
-    this.#stretchRate = most(this.#stretchRates(edges, areas, places));
     this.#shearRate = most(this.#rates((rates) => this.#corners.addRates(rates, this.masses)));
     this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
     this.masses.weigh(mass);
@@ -91,32 +89,6 @@ export class Cloth implements Material {
     return rates;
   }
 
-  /** By the sum of what its threads answer a point along each axis. */
-  #stretchRates(edges: readonly Edge[], areas: Float64Array, places: readonly number[]): number[] {
-    const { masses, count } = this.masses;
-    const sums = new Float64Array(9 * count);
-    for (const { a, b, faces, length, thread } of edges) {
-      if (!thread || !(length > 0)) continue;
-      const width = faces.reduce((sum, f) => sum + areas[f]!, 0) / length;
-      for (let r = 0; r < 3; r++)
-        for (let c = 0; c < 3; c++) {
-          const way = (k: number): number => (places[3 * b + k]! - places[3 * a + k]!) / length;
-          const push = (width / length) * way(r) * way(c);
-          sums[9 * a + 3 * r + c]! += push;
-          sums[9 * b + 3 * r + c]! += push;
-        }
-    }
-    return Array.from({ length: count }, (_, i) => {
-      let greatest = 0;
-      for (let r = 0; r < 3; r++) {
-        let sum = 0;
-        for (let c = 0; c < 3; c++) sum += Math.abs(sums[9 * i + 3 * r + c]!);
-        greatest = Math.max(greatest, sum);
-      }
-      return (2 * greatest) / masses[i]!;
-    });
-  }
-
   say(words: ClothWords): void {
     if (words.mass !== this.masses.mass) this.masses.weigh(words.mass);
     this.#words = words;
@@ -129,16 +101,15 @@ export class Cloth implements Material {
     return 1 / this.masses.mass;
   }
 
+  /** Threads pull where a step can follow them, however they may come to lie; otherwise they are held. */
   parts(dt: number): number {
     const { stretch, shear, bend } = this.#words;
     const slow = this.#lightness * (shear * this.#shearRate + bend * this.#bendRate);
-    const all = slow + this.#lightness * stretch * this.#stretchRate;
-    const parts = Math.ceil((dt * Math.sqrt(all)) / (2 * FOLLOWED));
-    this.#held = !(stretch > 0) || parts > MOST_SOFT_PARTS;
-    return Math.max(
-      LEAST_SOFT_PARTS,
-      this.#held ? Math.ceil((dt * Math.sqrt(slow)) / (2 * FOLLOWED)) : parts,
-    );
+    const follow = (square: number): number => Math.ceil((dt * Math.sqrt(square)) / (2 * FOLLOWED));
+    const pulled = (square: number): number => follow(slow + stretch * square);
+    this.#held = !(stretch > 0) || pulled(this.#threads.quickest(this.masses)) > MOST_SOFT_PARTS;
+    const parts = this.#held ? follow(slow) : pulled(this.#threads.quickestNow(this.masses));
+    return Math.max(LEAST_SOFT_PARTS, parts);
   }
 
   soften(parts: number, dt: number): number {

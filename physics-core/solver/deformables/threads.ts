@@ -26,6 +26,8 @@ export class Threads {
   readonly #pulls: Float64Array;
   /** Of each thread, how much it was shortened in this part, kg m. */
   readonly #shortened: Float64Array;
+  /** Of each point, what its threads answer it by: the six numbers of a symmetric matrix. */
+  readonly #answers: Float64Array;
 
   constructor(edges: readonly Edge[], areas: Float64Array, places: ArrayLike<number>) {
     const { first, second, edges: threads, starts } = linesOf(places, edges);
@@ -40,6 +42,7 @@ export class Threads {
     this.faces = threads.map(({ faces }) => faces);
     this.torn = new Uint8Array(this.count);
     this.#shortened = new Float64Array(this.count);
+    this.#answers = new Float64Array(2 * places.length);
     this.#starts = Int32Array.from(starts);
     const longest = starts.reduce(
       (most, start, i) => Math.max(most, (starts[i + 1] ?? 0) - start),
@@ -48,6 +51,55 @@ export class Threads {
     this.#ways = new Float64Array(3 * longest);
     this.#diagonals = new Float64Array(longest);
     this.#pulls = new Float64Array(longest);
+  }
+
+  /** The square of the greatest frequency that threads of 1 N/m can have, 1/s², all of a point side by side. */
+  quickest({ inverse }: Masses): number {
+    const { count, first, second, lengths, widths } = this;
+    const sums = this.#answers.fill(0);
+    for (let n = 0; n < count; n++) {
+      const stiff = widths[n]! / lengths[n]!;
+      sums[first[n]!]! += stiff;
+      sums[second[n]!]! += stiff;
+    }
+    let most = 0;
+    for (let i = 0; i < inverse.length; i++) most = Math.max(most, 2 * inverse[i]! * sums[i]!);
+    return most;
+  }
+
+  /**
+   * The same as they lie now, or a little more: k (d · (xᵢ − xⱼ))² of a thread along d is at most twice what each of its ends
+   * has by itself. A stretched one is stiff across, too, as a string is.
+   */
+  quickestNow({ places, inverse }: Masses): number {
+    const { count, first, second, lengths, widths, torn } = this;
+    const answers = this.#answers.fill(0);
+    for (let n = 0; n < count; n++) {
+      if (torn[n] === 1) continue;
+      const i = first[n]!;
+      const j = second[n]!;
+      const x = places[3 * j]! - places[3 * i]!;
+      const y = places[3 * j + 1]! - places[3 * i + 1]!;
+      const z = places[3 * j + 2]! - places[3 * i + 2]!;
+      const now = Math.sqrt(x * x + y * y + z * z);
+      if (!(now > 0)) continue;
+      const stiff = widths[n]! / lengths[n]!;
+      const across = stiff * Math.max(0, 1 - lengths[n]! / now);
+      const along = (stiff - across) / (now * now);
+      for (let at = 6 * i; ; at = 6 * j) {
+        answers[at]! += along * x * x + across;
+        answers[at + 1]! += along * y * y + across;
+        answers[at + 2]! += along * z * z + across;
+        answers[at + 3]! += along * x * y;
+        answers[at + 4]! += along * y * z;
+        answers[at + 5]! += along * z * x;
+        if (at === 6 * j) break;
+      }
+    }
+    let most = 0;
+    for (let i = 0; i < inverse.length; i++)
+      most = Math.max(most, 2 * inverse[i]! * largest(answers, 6 * i));
+    return most;
   }
 
   /** Those that stretch pull by how far they do: N/m of each metre of width. */
@@ -200,4 +252,12 @@ export class Threads {
     }
     return any;
   }
+}
+
+/** By which a symmetric matrix of xx, yy, zz, xy, yz, zx lengthens anything at most, or a little more: the greatest sum of a row. */
+function largest(of: Float64Array, at: number): number {
+  const xy = Math.abs(of[at + 3]!);
+  const yz = Math.abs(of[at + 4]!);
+  const zx = Math.abs(of[at + 5]!);
+  return Math.max(of[at]! + xy + zx, of[at + 1]! + xy + yz, of[at + 2]! + yz + zx);
 }

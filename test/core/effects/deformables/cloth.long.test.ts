@@ -131,6 +131,26 @@ function elastica(length: number, q: number, stiffness: number): number {
   return end((low + high) / 2).sunk;
 }
 
+for (const accuracy of ['game', 'standard', 'fine'])
+  fact(`what stretches and is sheared into a line stays whole, at ${accuracy}`, async () => {
+    const w = await world({ accuracy });
+    // By two corners: warp and weft come to lie side by side, and answer what is there twice.
+    const cloths = [300, 1000, 3000].map((stretchStiffness) =>
+      addCloth(w, {
+        size: [1, 1],
+        subdivision: [20, 20],
+        mass: 0.3,
+        stretchStiffness,
+        fixedIndex: [420, 440],
+      }),
+    );
+    for (let second = 0; second < 3; second++) {
+      w.advance(1);
+      for (const cloth of cloths)
+        for (const at of places(cloth)) below(Math.hypot(...at), 0.9, cloth.name);
+    }
+  });
+
 fact('a clamped strip sinks as the elastica does', async () => {
   const w = await world({ accuracy: 'standard' });
   const [long, wide] = [18, 2];
