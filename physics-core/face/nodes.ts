@@ -1,5 +1,5 @@
 import type { DragMode } from '../dynamics/body.js';
-import type { DragEnd } from '../effects/drag/drag.js';
+import type { DragEnd } from '../effects/drag/hold.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
 import type { BodyEvents, CollidableEvents, JointEvents, SensorEvents } from './events.js';

@@ -1,4 +1,4 @@
-import type { Drag, DragEnd, DragMode, PhysicsNode, Vec3 } from '../../../physics-core/inside.js';
+import type { DragEnd, DragMode, Hold, PhysicsNode, Vec3 } from '../../../physics-core/inside.js';
 
 /** What dragging asks of a body's node. */
 export interface DraggableBody extends PhysicsNode {
@@ -6,7 +6,7 @@ export interface DraggableBody extends PhysicsNode {
   readonly dragMode: DragMode;
   readonly size: number;
   centerOfMassWorld(): Vec3;
-  drag(point: Vec3, onend: (reason: DragEnd) => void): Drag | undefined;
+  drag(point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined;
 }
 
 /** What moves it. */

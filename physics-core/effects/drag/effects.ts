@@ -6,19 +6,24 @@ import { contacts } from '../effect/chunks.js';
 import type { EffectDescriptor } from '../effect/effect.js';
 import type { Carrying } from './carrying.js';
 import type { DragSpring } from './drag-spring.js';
+import type { SoftWorld } from './soft.js';
+import type { SoftHands } from './soft-hands.js';
+import type * as places from './soft-places.js';
 
 /** m/s: no hand moves faster, and what it lets go of flies no faster. */
 export const TOP_SPEED = 8;
 
-/** What only a body needs that somebody holds. */
+/** What only that needs which somebody holds. */
 interface DragCode {
   /** `grip`: the grabbed point, in the body's frame. */
   spring(simulation: Simulation, body: Body, grip: Vec3): DragSpring;
+  softHands(simulation: Simulation, world: SoftWorld): SoftHands;
+  readonly places: typeof places;
 }
 
 export const drags = new Chunk<DragCode>({
   name: 'drags',
-  causes: 'a body that may be dragged, or that `drag()` takes hold of',
+  causes: 'a body that may be dragged, or that `drag()` takes hold of; a Rope, a Cloth or a SoftBody',
 });
 
 /** What is moved along pushes and takes along what it touches. */
