@@ -1,6 +1,13 @@
-import type { DragEnd, DragMode, Hold, PhysicsNode, Vec3 } from '../../../physics-core/inside.js';
+import type {
+  DragEnd,
+  DragMode,
+  Hold,
+  PhysicsNode,
+  SoftSight,
+  Vec3,
+} from '../../../physics-core/inside.js';
 
-/** What dragging asks of a body's node. */
+/** What dragging asks of a node: of a body, a rope, a cloth or a soft body. */
 export interface DraggableBody extends PhysicsNode {
   readonly offered: boolean;
   readonly dragMode: DragMode;
@@ -11,3 +18,9 @@ export interface DraggableBody extends PhysicsNode {
 
 /** What moves it. */
 export type By = 'mouse' | 'touch' | 'pen' | 'keyboard';
+
+/** What is no body of Bullet's says itself where a line of sight meets it. */
+export interface Seen extends PhysicsNode {
+  /** Which share of the line lies before it; undefined: it passes by, or it is no such node. */
+  seen?(sight: SoftSight): number | undefined;
+}

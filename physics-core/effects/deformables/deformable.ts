@@ -2,7 +2,7 @@ import { exp } from '../../base/exact/index.js';
 import { pack, bytesOf } from '../../base/packed.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
-import { drags } from '../drag/effects.js';
+import { nearestOnSurface } from '../drag/soft-places.js';
 import { blow } from '../../solver/deformables/air.js';
 import type { Material } from '../../solver/deformables/material.js';
 import { MOST_SOFT_PARTS } from '../../solver/tolerances.js';
@@ -151,12 +151,7 @@ export class Deformable {
   gripAt(point: Vec3): SoftGrip | undefined {
     const { masses, surface } = this.material;
     const { width, carriers, shares } = surface;
-    const place = drags.code.places.nearestOnSurface(
-      this.places,
-      this.triangles,
-      point,
-      this.#isFree,
-    );
+    const place = nearestOnSurface(this.places, this.triangles, point, this.#isFree);
     if (!place) return undefined;
     const held = new Map<number, number>();
     let all = 0;

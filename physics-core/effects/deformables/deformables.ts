@@ -1,11 +1,10 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { drags } from '../drag/effects.js';
 import type { DragEnd, Hold } from '../drag/hold.js';
 import type { SoftPoints, SoftWorld } from '../drag/soft.js';
 import type { KeptSoftDrag } from '../drag/soft-drag.js';
-import type { SoftHands } from '../drag/soft-hands.js';
+import { SoftHands } from '../drag/soft-hands.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import { Obstacles } from '../particles/collide/obstacles.js';
 import { resting } from '../rest/resting.js';
@@ -114,7 +113,7 @@ export class Deformables extends Effect implements SoftWorld {
   /** Takes hold of the place nearest to a point; undefined where nothing of it goes anywhere. */
   grab(source: DeformableSource, point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined {
     if (this.#stale) this.#divide();
-    this.#hands ??= drags.code.softHands(this.#simulation, this);
+    this.#hands ??= new SoftHands(this.#simulation, this);
     return this.#hands.grab(source, this.of(source)?.gripAt(point), point, onend);
   }
 
@@ -326,7 +325,7 @@ export class Deformables extends Effect implements SoftWorld {
   }
 
   override load({ guests, all, hands }: Kept): void {
-    if (hands) (this.#hands ??= drags.code.softHands(this.#simulation, this)).load(hands);
+    if (hands) (this.#hands ??= new SoftHands(this.#simulation, this)).load(hands);
     this.#guests.load(guests);
     for (const [id, kept] of all) this.#all.get(id)?.load(kept);
     this.#goOn();

@@ -7,9 +7,8 @@ import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { BODY_BLOCK, SIDE } from '../../solver/joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
-import { TOP_SPEED } from './effects.js';
+import { SWIFTNESS, TOP_SPEED } from './effects.js';
 import { Hand, type KeptHand } from './hand.js';
-import { SWIFTNESS } from './swiftness.js';
 
 /**
  * rad/s that a drag turns a body on its joints, at most: a chain that goes taut faster than this cracks like a whip, and its

@@ -2,11 +2,10 @@ import { Emitter } from '../../base/emitter.js';
 import { add, subtract } from '../../base/math.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { Hand, type KeptHand } from './hand.js';
+import { drags, SWIFTNESS } from './effects.js';
+import type { Hand, KeptHand } from './hand.js';
 import type { DragEnd, Hold } from './hold.js';
 import type { Grabbed, SoftPoints } from './soft.js';
-import { SWIFTNESS } from './swiftness.js';
-import { TOP_SPEED } from './effects.js';
 
 /** Which points of mass are held, and what share of the hand each has. */
 export interface SoftGrip {
@@ -65,7 +64,7 @@ export class SoftDrag implements Hold {
     this.#grip = grip;
     this.target = [...point];
     this.#offset = subtract(point, this.#of(of.places));
-    this.#hand = new Hand(this.#of(of.places), TOP_SPEED);
+    this.#hand = drags.code.hand(this.#of(of.places));
     this.#emitter.on('end', (reason) => onend(reason as DragEnd));
   }
 
@@ -86,7 +85,7 @@ export class SoftDrag implements Hold {
     this.#grip = { points: [...points], shares: [...shares] };
     this.#offset = [...offset];
     this.target = [...target];
-    this.#hand = Hand.from(hand);
+    this.#hand = drags.code.handAs(hand);
   }
 
   get held(): boolean {

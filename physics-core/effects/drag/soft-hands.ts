@@ -1,6 +1,6 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
-import { hangingMass } from './drag-spring.js';
+import { drags } from './effects.js';
 import type { DragEnd } from './hold.js';
 import type { Grabbed, SoftWorld } from './soft.js';
 import { SoftDrag, type KeptSoftDrag, type SoftGrip } from './soft-drag.js';
@@ -63,7 +63,7 @@ export class SoftHands {
   /** Hands make their step, of `dt` seconds. */
   begin(dt: number): void {
     for (const drag of this.#drags) {
-      let mass = hangingMass(this.#world.tiedTo(drag.body));
+      let mass = drags.code.massOf(this.#world.tiedTo(drag.body));
       for (const each of drag.of.masses) mass += each;
       drag.begin(mass, dt);
     }

@@ -132,7 +132,8 @@ export function sightOfLine(
     const link = minus(pointOf(places, i + 1), a);
     // Where two lines come nearest to each other.
     const start = minus(a, from);
-    const [both, own] = [dot(link, way), dot(link, link)];
+    const both = dot(link, way);
+    const own = dot(link, link);
     const det = own * along - both * both;
     const share = clamped((both * dot(start, way) - along * dot(start, link)) / det);
     const at = clamped((dot(start, way) + share * both) / along);

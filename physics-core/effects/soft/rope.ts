@@ -2,8 +2,8 @@ import { exp } from '../../base/exact/index.js';
 import { doublesOf, pack } from '../../base/packed.js';
 import { FREE, HELD, Strand } from '../../solver/ropes/strand.js';
 import type { Vec3 } from '../../fields/types.js';
-import { drags } from '../drag/effects.js';
 import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
+import { nearestOnLine } from '../drag/soft-places.js';
 import { LIBRARY } from '../rest/resting.js';
 import { Bending } from './bending.js';
 import type { RopeSettings, RopeSource } from './settings.js';
@@ -157,7 +157,7 @@ export class Rope {
   /** The place of it that is nearest to a point. */
   gripAt(point: Vec3): SoftGrip | undefined {
     const { places, holders } = this.strand;
-    return drags.code.places.nearestOnLine(places, point, (i) => holders[i] !== HELD);
+    return nearestOnLine(places, point, (i) => holders[i] !== HELD);
   }
 
   /** Hands act in a step that begins: to its end what they hold weighs more. */

@@ -5,11 +5,10 @@ import { VELOCITY } from '../../engine/moving-bodies.js';
 import type { Vec3 } from '../../fields/types.js';
 import { HELD } from '../../solver/ropes/strand.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
-import { drags } from '../drag/effects.js';
 import type { DragEnd, Hold } from '../drag/hold.js';
 import type { SoftPoints, SoftWorld } from '../drag/soft.js';
 import type { KeptSoftDrag } from '../drag/soft-drag.js';
-import type { SoftHands } from '../drag/soft-hands.js';
+import { SoftHands } from '../drag/soft-hands.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
@@ -128,7 +127,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
   /** Takes hold of the place nearest to a point; undefined where nothing of it goes anywhere. */
   grab(source: RopeSource, point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined {
     this.#takeEdits();
-    this.#hands ??= drags.code.softHands(this.#simulation, this);
+    this.#hands ??= new SoftHands(this.#simulation, this);
     return this.#hands.grab(source, this.of(source)?.gripAt(point), point, onend);
   }
 
@@ -396,7 +395,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
 
   override load({ all, hands }: Kept): void {
     this.#takeEdits();
-    if (hands) (this.#hands ??= drags.code.softHands(this.#simulation, this)).load(hands);
+    if (hands) (this.#hands ??= new SoftHands(this.#simulation, this)).load(hands);
     for (const [id, kept] of all) this.#ropes.get(id)?.load(kept);
     this.#goOn();
   }

@@ -1,9 +1,8 @@
 import { deformables } from '../../effects/deformables/effects.js';
 import type { Deformable } from '../../effects/deformables/deformable.js';
 import type { DeformableSettings, DeformableSource } from '../../effects/deformables/settings.js';
-import { drags } from '../../effects/drag/effects.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
-import type { SoftSight } from '../../effects/drag/soft-places.js';
+import { sightOfSurface, type SoftSight } from '../../effects/drag/soft-places.js';
 import type { Value, Vec3 } from '../../fields/types.js';
 import type { Geometry, Mesh } from '../../shapes/geometry.js';
 import type { Material } from '../../solver/deformables/material.js';
@@ -127,7 +126,7 @@ export abstract class DeformableNode extends SoftNode implements DeformableSourc
   }
 
   protected override seenAt(places: Float64Array, sight: SoftSight): number | undefined {
-    return drags.code.places.sightOfSurface(places, this.triangles!, sight);
+    return sightOfSurface(places, this.triangles!, sight);
   }
 
   /** How many points its surface has. */

@@ -1,9 +1,8 @@
 import type { Line } from '../../shapes/geometry.js';
 import { show } from '../../base/show.js';
 import { levels } from '../../dynamics/levels.js';
-import { drags } from '../../effects/drag/effects.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
-import type { SoftSight } from '../../effects/drag/soft-places.js';
+import { sightOfLine, type SoftSight } from '../../effects/drag/soft-places.js';
 import { ropes } from '../../effects/soft/effects.js';
 import type { Rope } from '../../effects/soft/rope.js';
 import type { RopeSettings, RopeSource } from '../../effects/soft/settings.js';
@@ -128,7 +127,7 @@ export class RopeNode extends SoftNode implements RopeSource {
   }
 
   protected override seenAt(places: Float64Array, sight: SoftSight): number | undefined {
-    return drags.code.places.sightOfLine(places, this.asked('radius'), sight);
+    return sightOfLine(places, this.asked('radius'), sight);
   }
 
   /** Where its points are, metres, flat. */

@@ -1,3 +1,4 @@
+import type { Chunk } from '../../base/chunk.js';
 import { show } from '../../base/show.js';
 import { drags } from '../../effects/drag/effects.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
@@ -64,7 +65,7 @@ export abstract class SoftNode extends PhysicsNode implements Grabbed {
   }
 
   seen(sight: SoftSight): number | undefined {
-    return this.places && drags.here ? this.seenAt(this.places, sight) : undefined;
+    return this.places ? this.seenAt(this.places, sight) : undefined;
   }
 
   /** The middle of its points. */
@@ -90,7 +91,7 @@ export abstract class SoftNode extends PhysicsNode implements Grabbed {
 }
 
 /** Hands need it. */
-export const softNeeds = [drags];
+export const softNeeds: Chunk<unknown>[] = [drags];
 
 export const draggableBody: Field<SoftNode> = {
   type: 'SFBool',
@@ -99,5 +100,5 @@ export const draggableBody: Field<SoftNode> = {
   own: true,
   edit: 'live',
   patch: (node) => node.updateDraggable(),
-  doc: 'TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it. Not authored: as its collection.',
+  doc: 'TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection.',
 };
