@@ -163,7 +163,11 @@ export class Deformable {
         all += share;
       }
     });
-    return { points: [...held.keys()], shares: [...held.values()].map((share) => share / all) };
+    return {
+      points: [...held.keys()],
+      shares: [...held.values()].map((share) => share / all),
+      normal: place.normal,
+    };
   }
 
   /** Hands act in a part of a step: until `letGo` what they hold weighs more. */

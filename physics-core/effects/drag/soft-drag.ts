@@ -1,5 +1,5 @@
 import { Emitter } from '../../base/emitter.js';
-import { add, subtract } from '../../base/math.js';
+import { add, scale, subtract } from '../../base/math.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
 import { drags, SWIFTNESS } from './effects.js';
@@ -11,7 +11,15 @@ import type { Grabbed, SoftPoints } from './soft.js';
 export interface SoftGrip {
   readonly points: number[];
   readonly shares: number[];
+  /** Of the surface there, a unit vector. */
+  readonly normal: Vec3;
 }
+
+/**
+ * Metres by which a hand lifts a surface that it takes. What is flat and pushed together within its plane knew no side to fold
+ * to, and would lie there in itself. (Fact: a flat cloth that is pushed together folds, and falls open again.)
+ */
+const LIFT = 1e-5;
 
 /** For a snapshot. */
 export interface KeptSoftDrag extends SoftGrip {
@@ -69,11 +77,12 @@ export class SoftDrag implements Hold {
   }
 
   save(): KeptSoftDrag {
-    const { points, shares } = this.#grip;
+    const { points, shares, normal } = this.#grip;
     return {
       id: this.body.id,
       points: [...points],
       shares: [...shares],
+      normal: [...normal],
       offset: [...this.#offset],
       target: [...this.target],
       hand: this.#hand.save(),
@@ -81,8 +90,8 @@ export class SoftDrag implements Hold {
   }
 
   /** It is the one that held it when a snapshot was taken. */
-  goOn({ points, shares, offset, target, hand }: KeptSoftDrag): void {
-    this.#grip = { points: [...points], shares: [...shares] };
+  goOn({ points, shares, normal, offset, target, hand }: KeptSoftDrag): void {
+    this.#grip = { points: [...points], shares: [...shares], normal: [...normal] };
     this.#offset = [...offset];
     this.target = [...target];
     this.#hand = drags.code.handAs(hand);
@@ -146,7 +155,8 @@ export class SoftDrag implements Hold {
     const { places, velocities } = this.of;
     this.#mass = mass;
     const reach = this.#hand.strength / SWIFTNESS ** 2;
-    const target = subtract(this.target, this.#offset);
+    const lifted = add(this.target, scale(this.#grip.normal, LIFT));
+    const target = subtract(lifted, this.#offset);
     this.#hand.move(target, this.#of(places), this.#of(velocities), reach, dt);
   }
 

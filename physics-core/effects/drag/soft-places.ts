@@ -4,6 +4,8 @@ import type { Vec3 } from '../../fields/types.js';
 export interface SoftPlace {
   readonly points: number[];
   readonly shares: number[];
+  /** Of a surface there, a unit vector; of a rope there is none. */
+  readonly normal: Vec3;
 }
 
 /** A line of sight, metres: where it begins and ends, and how far beside it what is meant may be, at either end. */
@@ -47,7 +49,7 @@ export function nearestOnLine(
     const square = dot(off, off);
     if (!(square < least)) continue;
     least = square;
-    found = { points: [i, i + 1], shares: [1 - share, share] };
+    found = { points: [i, i + 1], shares: [1 - share, share], normal: [0, 0, 0] };
   }
   return found;
 }
@@ -76,9 +78,17 @@ export function nearestOnSurface(
     const square = dot(off, off);
     if (!(square < least)) continue;
     least = square;
-    found = { points, shares };
+    found = { points, shares, normal: normalOf(places, triangles, n) };
   }
   return found;
+}
+
+function normalOf(places: Float64Array, triangles: Int32Array, n: number): Vec3 {
+  const a = pointOf(places, triangles[n]!);
+  const one = minus(pointOf(places, triangles[n + 1]!), a);
+  const normal = cross(one, minus(pointOf(places, triangles[n + 2]!), a));
+  const size = Math.sqrt(dot(normal, normal)) || 1;
+  return [normal[0] / size, normal[1] / size, normal[2] / size];
 }
 
 /** Of a point, of a line or of a triangle. */
