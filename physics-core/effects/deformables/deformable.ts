@@ -166,7 +166,7 @@ export class Deformable {
     return {
       points: [...held.keys()],
       shares: [...held.values()].map((share) => share / all),
-      normal: place.normal,
+      seen: place,
     };
   }
 
@@ -289,12 +289,6 @@ export class Deformable {
     const own = this.places;
     if (places.length !== own.length) return;
     own.set(places);
-    // Where somebody who holds it here sees what he holds.
-    const { masses, surface } = this.material;
-    if (surface.width === 1)
-      for (let i = 0; i < surface.shown; i++)
-        for (let k = 0; k < 3; k++)
-          masses.places[3 * surface.carriers[i]! + k] = places[3 * i + k]!;
     this.version++;
     this.source.stepped();
   }

@@ -6,13 +6,14 @@ import { drags, SWIFTNESS } from './effects.js';
 import type { Hand, KeptHand } from './hand.js';
 import type { DragEnd, Hold } from './hold.js';
 import type { Grabbed, SoftPoints } from './soft.js';
+import type { SoftPlace } from './soft-places.js';
 
 /** Which points of mass are held, and what share of the hand each has. */
 export interface SoftGrip {
   readonly points: number[];
   readonly shares: number[];
-  /** Of the surface there, a unit vector. */
-  readonly normal: Vec3;
+  /** The same as it is seen: points of the surface, which are no points of mass where these lie within. */
+  readonly seen: SoftPlace;
 }
 
 /**
@@ -25,6 +26,7 @@ const LIFT = 1e-5;
 export interface KeptSoftDrag extends SoftGrip {
   id: number;
   offset: Vec3;
+  seenOff: Vec3;
   target: Vec3;
   hand: KeptHand;
 }
@@ -48,8 +50,9 @@ export class SoftDrag implements Hold {
   readonly body: Grabbed;
   readonly of: SoftPoints;
   #grip: SoftGrip;
-  /** From what is held to the grabbed point: a hand takes hold beside a point, too. */
+  /** From what is held, and from where that is seen, to the grabbed point: a hand takes hold beside it, too. */
   #offset: Vec3;
+  #seenOff: Vec3;
   target: Vec3;
   #hand: Hand;
   #mass = 0;
@@ -72,28 +75,29 @@ export class SoftDrag implements Hold {
     this.#grip = grip;
     this.target = [...point];
     this.#offset = subtract(point, this.#of(of.places));
+    this.#seenOff = subtract(point, this.#seen);
     this.#hand = drags.code.hand(this.#of(of.places));
     this.#emitter.on('end', (reason) => onend(reason as DragEnd));
   }
 
   save(): KeptSoftDrag {
-    const { points, shares, normal } = this.#grip;
-    return {
+    return structuredClone({
+      ...this.#grip,
       id: this.body.id,
-      points: [...points],
-      shares: [...shares],
-      normal: [...normal],
-      offset: [...this.#offset],
-      target: [...this.target],
+      offset: this.#offset,
+      seenOff: this.#seenOff,
+      target: this.target,
       hand: this.#hand.save(),
-    };
+    });
   }
 
   /** It is the one that held it when a snapshot was taken. */
-  goOn({ points, shares, normal, offset, target, hand }: KeptSoftDrag): void {
-    this.#grip = { points: [...points], shares: [...shares], normal: [...normal] };
-    this.#offset = [...offset];
-    this.target = [...target];
+  goOn(kept: KeptSoftDrag): void {
+    const { points, shares, seen, offset, seenOff, target, hand } = structuredClone(kept);
+    this.#grip = { points, shares, seen };
+    this.#offset = offset;
+    this.#seenOff = seenOff;
+    this.target = target;
     this.#hand = drags.code.handAs(hand);
   }
 
@@ -102,17 +106,17 @@ export class SoftDrag implements Hold {
   }
 
   get point(): Vec3 {
-    return add(this.#of(this.of.places), this.#offset);
+    return add(this.#seen, this.#seenOff);
+  }
+
+  /** Also where its steps are taken on another thread. */
+  get #seen(): Vec3 {
+    return mean(this.#grip.seen, this.body.places ?? []);
   }
 
   /** Of what is held, of three numbers for each point of mass. */
   #of(numbers: Float64Array): Vec3 {
-    const { points, shares } = this.#grip;
-    const sum: Vec3 = [0, 0, 0];
-    points.forEach((i, n) => {
-      for (let k = 0; k < 3; k++) sum[k]! += shares[n]! * numbers[3 * i + k]!;
-    });
-    return sum;
+    return mean(this.#grip, numbers);
   }
 
   // ---- what people do -------------------------------------------------------------------------------------------------
@@ -155,7 +159,7 @@ export class SoftDrag implements Hold {
     const { places, velocities } = this.of;
     this.#mass = mass;
     const reach = this.#hand.strength / SWIFTNESS ** 2;
-    const lifted = add(this.target, scale(this.#grip.normal, LIFT));
+    const lifted = add(this.target, scale(this.#grip.seen.normal, LIFT));
     const target = subtract(lifted, this.#offset);
     this.#hand.move(target, this.#of(places), this.#of(velocities), reach, dt);
   }
@@ -186,4 +190,12 @@ export class SoftDrag implements Hold {
       act(i, shares[n]! * weight, push);
     });
   }
+}
+
+function mean({ points, shares }: Omit<SoftGrip, 'seen'>, numbers: ArrayLike<number>): Vec3 {
+  const sum: Vec3 = [0, 0, 0];
+  points.forEach((i, n) => {
+    for (let k = 0; k < 3; k++) sum[k]! += shares[n]! * (numbers[3 * i + k] ?? 0);
+  });
+  return sum;
 }

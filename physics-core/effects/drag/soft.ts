@@ -12,6 +12,8 @@ export interface SoftPoints {
 /** A node that is a rope, a cloth or a soft body, as hands see it. */
 export interface Grabbed extends SimulationNode {
   readonly settings: { readonly enabled: boolean };
+  /** Where its points are that are seen, metres, flat. */
+  readonly places: Float64Array | undefined;
   /** A place that somebody names; undefined: that is none, and told. */
   place(method: string, point: Vec3): Vec3 | undefined;
 }

@@ -157,7 +157,8 @@ export class Rope {
   /** The place of it that is nearest to a point. */
   gripAt(point: Vec3): SoftGrip | undefined {
     const { places, holders } = this.strand;
-    return nearestOnLine(places, point, (i) => holders[i] !== HELD);
+    const place = nearestOnLine(places, point, (i) => holders[i] !== HELD);
+    return place && { ...place, seen: place };
   }
 
   /** Hands act in a step that begins: to its end what they hold weighs more. */

@@ -269,10 +269,9 @@ async function dragged(then: (w: World, i: number) => void): Promise<number[]> {
 fact('the same is done to the last bit, and what is recorded is run anew with it', async () => {
   const once = await dragged(() => {});
   assert.deepEqual(await dragged(() => {}), once);
-  let timeline: Awaited<ReturnType<World['record']>> | undefined;
   const w = await world();
   const sheet = cloth(w, { fixedIndex: [LEFT] });
-  timeline = await w.record({ seconds: 10 });
+  const timeline = await w.record({ seconds: 10 });
   w.step(10);
   const drag = sheet.drag([0.5, -0.5, 0])!;
   const seen: Vec3[][] = [];
