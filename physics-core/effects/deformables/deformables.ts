@@ -209,7 +209,7 @@ export class Deformables extends Effect implements SoftWorld {
     const guests = this.#guests;
     const moving = this.#moving;
     guests.go(time);
-    const hands = this.#hands;
+    const hands = this.#hands?.any ? this.#hands : undefined;
     for (const deformable of moving) {
       deformable.fall(time);
       if (hands) deformable.take(hands.on(deformable.source), time, dt - part * time);

@@ -69,6 +69,10 @@ export class SoftHands {
     }
   }
 
+  get any(): boolean {
+    return this.#drags.size > 0;
+  }
+
   /** Those on one of them. */
   *on(node: object): Generator<SoftDrag> {
     for (const drag of this.#drags) if (drag.body === node) yield drag;

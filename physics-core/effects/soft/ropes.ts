@@ -273,7 +273,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
       this.#place(rope, tie, body, movable, dt);
       if (body) this.#touch.comeOut(rope, tie.index, body.slot);
     }
-    const hands = this.#hands;
+    const hands = this.#hands?.any ? this.#hands : undefined;
     for (const rope of ropes) {
       rope.begin(dt);
       if (hands) rope.take(hands.on(rope.source), dt);

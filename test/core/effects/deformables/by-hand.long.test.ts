@@ -98,6 +98,18 @@ fact('let go it goes on with what it had, and falls', async () => {
   below(place(sheet, RIGHT)[1], from - 2, 'fallen to');
 });
 
+fact('let go still it flies on no further: it only falls', async () => {
+  const w = await world();
+  const sheet = cloth(w);
+  const drag = sheet.drag([0.5, 0.5, 0])!;
+  drag.move([3, 1, 0]);
+  w.advance(0.3);
+  drag.end(true);
+  const [x] = sheet.centerOfMassWorld();
+  w.advance(0.5);
+  close(sheet.centerOfMassWorld()[0], x, 1e-3, 'm');
+});
+
 fact('a hand that stays moves nothing', async () => {
   const w = await world({ gravity: [0, 0, 0] });
   const sheet = cloth(w, { damping: 0 });
