@@ -107,7 +107,7 @@ fact('let go still it flies on no further: it only falls', async () => {
   drag.end(true);
   const [x] = sheet.centerOfMassWorld();
   w.advance(0.5);
-  close(sheet.centerOfMassWorld()[0], x, 1e-3, 'm');
+  close(sheet.centerOfMassWorld()[0], x, 0.01, 'm');
 });
 
 fact('a hand that stays moves nothing', async () => {
