@@ -64,6 +64,7 @@ export function nearestOnSurface(
   let least = Infinity;
   let found: SoftPlace | undefined;
   for (let n = 0; n + 2 < triangles.length; n += 3) {
+    if (isFarther(places, triangles, n, point, least)) continue;
     const points = [triangles[n]!, triangles[n + 1]!, triangles[n + 2]!].filter(free);
     // Torn.
     if (points.length === 0 || triangles[n] === triangles[n + 1]) continue;
@@ -81,6 +82,29 @@ export function nearestOnSurface(
     found = { points, shares, normal: normalOf(places, triangles, n) };
   }
   return found;
+}
+
+/** Whether all of a triangle is farther from a point than that: of most it is told by their first corner and their size. */
+function isFarther(
+  places: Float64Array,
+  triangles: Int32Array,
+  n: number,
+  point: Vec3,
+  square: number,
+): boolean {
+  const a = 3 * triangles[n]!;
+  const b = 3 * triangles[n + 1]!;
+  const c = 3 * triangles[n + 2]!;
+  let off = 0;
+  let one = 0;
+  let other = 0;
+  for (let k = 0; k < 3; k++) {
+    const p = places[a + k]!;
+    off += (point[k]! - p) ** 2;
+    one += (places[b + k]! - p) ** 2;
+    other += (places[c + k]! - p) ** 2;
+  }
+  return Math.sqrt(off) - Math.sqrt(Math.max(one, other)) > Math.sqrt(square);
 }
 
 function normalOf(places: Float64Array, triangles: Int32Array, n: number): Vec3 {
