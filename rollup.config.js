@@ -70,8 +70,11 @@ const OF_DEFORMABLES =
 const OF_OBSTACLES =
   /\/physics-core\/(effects\/particles\/collide\/[\w-]+|nodes\/particles\/mesh)\.ts$/;
 
+/** What ropes, cloth and soft bodies have in common: that they are taken by hand. */
+const OF_SOFT = /\/physics-core\/(nodes\/soft\/soft-node|effects\/drag\/soft-[\w-]+)\.ts$/;
+
 /** What draws and takes Shapes for all of them. */
-const OF_MATTER = /\/elements\/bridge\/matter\/[\w-]+\.ts$/;
+const OF_MATTER = /\/elements\/(soft-element|bridge\/matter\/[\w-]+)\.ts$/;
 
 /** Winds and water push what they see of a body. */
 const OF_SILHOUETTES =
@@ -86,6 +89,7 @@ const together = (id) => {
   if (OF_PARTICLES.test(id)) return 'particle-elements';
   if (OF_WATER.test(id)) return 'water-elements';
   if (OF_OBSTACLES.test(id)) return 'obstacles';
+  if (OF_SOFT.test(id)) return 'soft-hands';
   if (OF_ROPES.test(id)) return 'rope-elements';
   if (OF_DEFORMABLES.test(id)) return 'deformable-elements';
   if (OF_MATTER.test(id)) return 'own-shapes';

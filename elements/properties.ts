@@ -64,7 +64,7 @@ export interface RigidBodyCollectionProperties {
   /** How its bodies are dragged: spring (default), kinematic, teleport. (SFString) Default spring. */
   get dragMode(): string;
   set dragMode(value: string | null | undefined);
-  /** TRUE: people may drag all of its bodies that move. (SFBool) Default false. */
+  /** TRUE: people may drag all of its bodies that move, and its ropes, cloth and soft bodies. (SFBool) Default false. */
   get draggableBody(): boolean;
   set draggableBody(value: boolean | string | null | undefined);
   /** Keeps running while the page is hidden or the scene scrolled away. (SFBool) Default false. */
@@ -1151,6 +1151,9 @@ export interface RopeProperties {
   set fixedIndex(
     value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
   );
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
+  get draggableBody(): boolean;
+  set draggableBody(value: boolean | string | null | undefined);
   /** Where its points are, metres. (MFVec3f) */
   get positions(): number[][];
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
@@ -1244,6 +1247,9 @@ export interface ClothProperties {
   /** Where the air goes and how fast, m/s, in the world; 0 0 0: there is none. (SFVec3f) Default 0 0 0. */
   get wind(): number[];
   set wind(value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined);
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
+  get draggableBody(): boolean;
+  set draggableBody(value: boolean | string | null | undefined);
   /** Where the points of its geometry are, metres. (MFVec3f) */
   get positions(): number[][];
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
@@ -1301,6 +1307,9 @@ export interface SoftBodyProperties {
   set fixedIndex(
     value: ArrayLike<number> | readonly ArrayLike<number>[] | string | null | undefined,
   );
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
+  get draggableBody(): boolean;
+  set draggableBody(value: boolean | string | null | undefined);
   /** Where the points of its geometry are, metres. (MFVec3f) */
   get positions(): number[][];
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */

@@ -1,5 +1,6 @@
 // The chunk `rope-elements`: ropes in pages, and what ties them.
 import { ropeCode, softTypes } from '../physics-core/ropes.js';
+import { drags } from '../physics-core/inside.js';
 import { learnTypes } from './bridge/index.js';
 import { placeRopes } from './bridge/ropes/place-ropes.js';
 import { defineElements } from './define.js';
@@ -8,6 +9,8 @@ import { X3DSoftBodyAttachmentElement } from './x3d-soft-body-attachment.js';
 
 /** With what moves ropes. */
 export async function whole(): Promise<{ provide(): void }> {
+  // What they are taken by hand with; worlds tell where that can't be had.
+  drags.load().catch(() => {});
   await ropeCode.load();
   return { provide };
 }

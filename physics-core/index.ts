@@ -22,7 +22,7 @@ export { PHASES, type Costs, type Percentiles, type Phase } from './effects/cost
 export type { FramePace } from './effects/costs/pace.js';
 export type { ColorMeaning } from './effects/debug/colors.js';
 export type { DragMode } from './dynamics/body.js';
-export type { DragEnd } from './effects/drag/drag.js';
+export type { DragEnd } from './effects/drag/hold.js';
 export type { EffectReport } from './effects/effect/report.js';
 export { levels, type Level, type LevelName } from './dynamics/levels.js';
 export type { RecordOptions, Run, StepHash, Timeline, TimelineMark } from './world/recording.js';

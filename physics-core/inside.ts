@@ -49,7 +49,8 @@ export {
 } from './effects/costs/frame-costs.js';
 export type { FramePace } from './effects/costs/pace.js';
 export type { DragMode } from './dynamics/body.js';
-export type { Drag, DragEnd } from './effects/drag/drag.js';
+export type { DragEnd, Hold } from './effects/drag/hold.js';
+export type { SoftSight } from './effects/drag/soft-places.js';
 export { drags } from './effects/drag/effects.js';
 export { debugging, outlines } from './effects/debug/debugging.js';
 export { jointSolve } from './effects/joints/effects.js';

@@ -48,7 +48,7 @@ export interface RigidBodyCollectionFields {
   collisionRules?: 'lenient' | 'strict';
   /** How its bodies are dragged: spring (default), kinematic, teleport. (SFString) Default spring. */
   dragMode?: 'spring' | 'kinematic' | 'teleport';
-  /** TRUE: people may drag all of its bodies that move. (SFBool) Default false. */
+  /** TRUE: people may drag all of its bodies that move, and its ropes, cloth and soft bodies. (SFBool) Default false. */
   draggableBody?: boolean;
   /** Keeps running while the page is hidden or the scene scrolled away. (SFBool) Default false. */
   runHidden?: boolean;
@@ -1148,6 +1148,8 @@ export interface RopeFields {
   friction?: number;
   /** Points that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
   fixedIndex?: Numbers;
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
+  draggableBody?: boolean;
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
   bboxCenter?: Numbers;
   /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
@@ -1173,6 +1175,7 @@ export interface RopeValues {
   damping: number;
   friction: number;
   fixedIndex: number[];
+  draggableBody: boolean;
   positions: Vec3[];
   bboxCenter: Vec3;
   bboxSize: Vec3;
@@ -1236,6 +1239,8 @@ export interface ClothFields {
   tearStrain?: number;
   /** Where the air goes and how fast, m/s, in the world; 0 0 0: there is none. (SFVec3f) Default 0 0 0. */
   wind?: Numbers;
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
+  draggableBody?: boolean;
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
   bboxCenter?: Numbers;
   /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
@@ -1265,6 +1270,7 @@ export interface ClothValues {
   selfCollision: boolean;
   tearStrain: number;
   wind: Vec3;
+  draggableBody: boolean;
   positions: Vec3[];
   bboxCenter: Vec3;
   bboxSize: Vec3;
@@ -1295,6 +1301,8 @@ export interface SoftBodyFields {
   friction?: number;
   /** Points of its geometry that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
   fixedIndex?: Numbers;
+  /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
+  draggableBody?: boolean;
   /** Centre of the bounding box that the author states, metres. (SFVec3f) Default 0 0 0. */
   bboxCenter?: Numbers;
   /** Size of the bounding box that the author states, metres; -1 -1 -1 states none. (SFVec3f) Default -1 -1 -1. */
@@ -1319,6 +1327,7 @@ export interface SoftBodyValues {
   damping: number;
   friction: number;
   fixedIndex: number[];
+  draggableBody: boolean;
   positions: Vec3[];
   bboxCenter: Vec3;
   bboxSize: Vec3;

@@ -1,5 +1,5 @@
 import type { DragMode } from '../dynamics/body.js';
-import type { DragEnd } from '../effects/drag/drag.js';
+import type { DragEnd } from '../effects/drag/hold.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
 import type { BodyEvents, CollidableEvents, JointEvents, SensorEvents } from './events.js';
@@ -117,7 +117,16 @@ export interface Body extends NodeOf<'RigidBody'> {
   readPose<Out extends Float32Array | Float64Array | number[]>(out: Out): Out;
 }
 
-/** A body that is held at a point, from `body.drag` on until it is let go. */
+/** A rope, a cloth or a soft body. */
+export interface Soft {
+  /**
+   * Takes hold of it, by a spring, at its place nearest to a point of the world. Undefined where it can't be held: it is not
+   * simulated, or all of it stays where it is.
+   */
+  drag(point: Vector, onend?: (reason: DragEnd) => void): Drag | undefined;
+}
+
+/** What is held at a point, from `drag` on until it is let go. */
 export interface Drag {
   readonly mode: DragMode;
   /** Whether it is held still: others may have ended it. */
@@ -133,7 +142,13 @@ export interface Drag {
 }
 
 /** What `add` gives for each type. */
-export type NodeHandles = { [Name in NodeName]: Name extends 'RigidBody' ? Body : NodeOf<Name> };
+export type NodeHandles = {
+  [Name in NodeName]: Name extends 'RigidBody'
+    ? Body
+    : Name extends 'Rope' | 'Cloth' | 'SoftBody'
+      ? NodeOf<Name> & Soft
+      : NodeOf<Name>;
+};
 
 /** A node that `add` gave, or the fields of one that is made for this place and goes with it. */
 export type NodeInput<Name extends NodeName> = {

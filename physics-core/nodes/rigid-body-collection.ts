@@ -227,7 +227,7 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
       own: true,
       edit: 'live',
       patch: (collection) => collection.eachBody('draggableBody'),
-      doc: 'TRUE: people may drag all of its bodies that move.',
+      doc: 'TRUE: people may drag all of its bodies that move, and its ropes, cloth and soft bodies.',
     },
     runHidden: {
       type: 'SFBool',

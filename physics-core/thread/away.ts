@@ -1,6 +1,6 @@
 import { levelNamed } from '../dynamics/levels.js';
 import { debugging } from '../effects/debug/debugging.js';
-import type { Drag } from '../effects/drag/drag.js';
+import type { Hold } from '../effects/drag/hold.js';
 import type { CollisionEnd } from '../effects/contacts/touches.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { CollidableNode } from '../nodes/collision/collidable.js';
@@ -150,7 +150,7 @@ export class Away implements Elsewhere {
     const deed = { call: callOf(this.#world, who, number, 0, method, args) };
     this.#deeds.push(deed);
     const result = this.#done(deed, work);
-    if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
+    if (method === 'drag' && result) this.#drags.set(result as unknown as Hold, number!);
     if (result instanceof PhysicsNode) this.#introduce(result);
     this.#there.done();
     return result;

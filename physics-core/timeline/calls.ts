@@ -1,6 +1,6 @@
 import { PhysicsNode } from '../nodes/node/node.js';
 import type { LevelName } from '../dynamics/levels.js';
-import type { Drag } from '../effects/drag/drag.js';
+import type { Hold } from '../effects/drag/hold.js';
 import type { Call } from '../world/recording.js';
 import type { Reference } from '../world/snapshot/snapshot.js';
 import type { World } from '../world/world.js';
@@ -88,7 +88,7 @@ type Methods = Record<string, unknown>;
 export class Redoing {
   readonly #world: World;
   #nodes = new Map<number, PhysicsNode>();
-  readonly #drags = new Map<number, Drag>();
+  readonly #drags = new Map<number, Hold>();
 
   constructor(world: World) {
     this.#world = world;
@@ -120,7 +120,7 @@ export class Redoing {
     if (typeof method !== 'function') return;
     const args = this.decoded(call.args);
     const result: unknown = method.apply(who, args);
-    if (call.method === 'drag' && result) this.#drags.set(call.drag!, result as Drag);
+    if (call.method === 'drag' && result) this.#drags.set(call.drag!, result as Hold);
   }
 
   /** What was said of nodes by their numbers. */
@@ -128,7 +128,7 @@ export class Redoing {
     return args.map((arg) => decode(arg, this.#node));
   }
 
-  #whose({ node, drag }: Pick<Call, 'node' | 'drag'>): World | PhysicsNode | Drag | undefined {
+  #whose({ node, drag }: Pick<Call, 'node' | 'drag'>): World | PhysicsNode | Hold | undefined {
     if (node !== undefined) return this.#node(node);
     return drag === undefined ? this.#world : this.#drags.get(drag);
   }

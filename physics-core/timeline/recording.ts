@@ -3,7 +3,7 @@ import { FRAME, levelNames, levels, type LevelName } from '../dynamics/levels.js
 import { POSE } from '../dynamics/poses.js';
 import { debugging } from '../effects/debug/debugging.js';
 import { particles } from '../effects/particles/effects.js';
-import type { Drag } from '../effects/drag/drag.js';
+import type { Hold } from '../effects/drag/hold.js';
 import type { Problem } from '../base/problems.js';
 import type { Recorder, Run, StepHash, TimelineMark } from '../world/recording.js';
 import type { Watching } from '../world/measuring.js';
@@ -34,7 +34,7 @@ export class Recording implements Recorder {
   /** Simulated seconds that are kept. */
   seconds: number;
   #history = new History();
-  #drags = new Map<Drag, number>();
+  #drags = new Map<Hold, number>();
   #dragCount = 0;
   /** The number of the picture that is looked at. */
   #look: number | undefined;
@@ -116,11 +116,11 @@ export class Recording implements Recorder {
     if (this.#busy || (method === 'flush' && !this.#world.edits.pending)) return work();
     // Whoever takes hold of a body goes on from where he sees it.
     if (this.looking && method === 'drag') this.resume();
-    const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Drag);
+    const number = method === 'drag' ? ++this.#dragCount : this.#drags.get(who as Hold);
     if (this.looking) this.#later.putOff({ who, method, args });
     else this.#note(who, number, method, args);
     const result = work();
-    if (method === 'drag' && result) this.#drags.set(result as unknown as Drag, number!);
+    if (method === 'drag' && result) this.#drags.set(result as unknown as Hold, number!);
     return result;
   }
 

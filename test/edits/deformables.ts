@@ -31,6 +31,7 @@ const common: Record<string, Edit> = {
   damping: edit(SHARES),
   friction: edit([0.2, 0.8]),
   fixedIndex: edit([[0], [1]]),
+  draggableBody: edit(ON),
 };
 
 export const clothEdits: Record<string, Edit> = {

@@ -1,6 +1,6 @@
 import type { NodeData } from '../conformance/fact.js';
 import { use } from '../conformance/scenes.js';
-import { OFF, POINTS, SHARES, type Edit } from './edit.js';
+import { OFF, ON, POINTS, SHARES, type Edit } from './edit.js';
 
 const line = (...point: number[]): NodeData => ({
   type: 'LineSet',
@@ -55,6 +55,7 @@ export const ropeEdits: Record<string, Edit> = {
     { stays: ['.points', '?.positions'] },
   ),
   segments: edit([4, 8]),
+  draggableBody: edit(ON),
   mass: edit(SHARES),
   radius: edit([0.02, 0.03]),
   stretchStiffness: edit([1000, 2000]),

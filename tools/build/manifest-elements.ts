@@ -36,7 +36,8 @@ const STATES: Record<string, string> = {
 };
 
 export function statesOf({ name }: NodeType): { name: string; description: string }[] {
-  const own = name === 'RigidBody' ? ['sleeping', 'colliding', 'dragging'] : [];
+  const own = name === 'RigidBody' ? ['sleeping', 'colliding'] : [];
+  if (name === 'RigidBody' || SOFT.includes(name)) own.push('dragging');
   return ['problem', 'waiting', ...own].map((state) => ({
     name: state,
     description: STATES[state]!,
@@ -52,10 +53,15 @@ export const eventsOf = ({ name }: NodeType) =>
 
 const NODE_MEMBERS = membersIn('elements/node-element.ts');
 const BODY_MEMBERS = membersIn('elements/body-element.ts');
+const SOFT_MEMBERS = membersIn('elements/soft-element.ts');
+
+/** What people take by hand beside bodies. */
+const SOFT = ['Rope', 'Cloth', 'SoftBody'];
 
 const membersOf = ({ name }: NodeType) => [
   ...NODE_MEMBERS,
   ...(name === 'RigidBody' ? BODY_MEMBERS : []),
+  ...(SOFT.includes(name) ? SOFT_MEMBERS : []),
 ];
 
 export const attributesIn = (type: NodeType) => [

@@ -50,7 +50,8 @@ export const eventTypes: Record<string, EventType> = {
   },
 };
 
-/** Of a body that may be dragged. */
+/** Of what may be dragged. */
+const DRAGGED = ['RigidBody', 'Rope', 'Cloth', 'SoftBody'];
 const DRAGS = ['bodydragstart', 'bodydrag', 'bodydragend'];
 
 export const COLLISIONS = ['collisionstart', 'collisionend'];
@@ -73,6 +74,6 @@ export function eventsAt(type: string): string[] {
     type === 'RigidBodyCollection'
       ? ['physicsready', 'physicslag', 'physicsaccuracy', ...STEPS]
       : [];
-  const drags = type === 'RigidBody' ? DRAGS : [];
+  const drags = DRAGGED.includes(type) ? DRAGS : [];
   return [...nodeEvents(type), ...drags, ...worlds, 'physicsproblem'];
 }

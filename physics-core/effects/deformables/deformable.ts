@@ -1,6 +1,8 @@
 import { exp } from '../../base/exact/index.js';
 import { pack, bytesOf } from '../../base/packed.js';
 import type { Vec3 } from '../../fields/types.js';
+import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
+import { nearestOnSurface } from '../drag/soft-places.js';
 import { blow } from '../../solver/deformables/air.js';
 import type { Material } from '../../solver/deformables/material.js';
 import { MOST_SOFT_PARTS } from '../../solver/tolerances.js';
@@ -54,6 +56,8 @@ export class Deformable {
   /** Of the points of its surface, m/s. */
   velocities: Float64Array;
   #before: Float64Array;
+  /** What hands hold in this part of a step, and how it gives way without. */
+  readonly #held = new Map<number, number>();
   /** Where what has mass was when the step began. */
   #good: Float64Array;
 
@@ -131,6 +135,64 @@ export class Deformable {
       masses.velocities.fill(0, 3 * carrier, 3 * carrier + 3);
     }
   }
+
+  // ---- by hand --------------------------------------------------------------------------------------------------------
+
+  /** Whether a point of its surface goes anywhere. */
+  readonly #isFree = (i: number): boolean => {
+    const { surface, masses } = this.material;
+    const { width, carriers, shares } = surface;
+    for (let n = width * i; n < width * (i + 1); n++)
+      if (shares[n] !== 0 && masses.inverse[carriers[n]!]! > 0) return true;
+    return false;
+  };
+
+  /** What carries the place of its surface that is nearest to a point, by as much as it does. */
+  gripAt(point: Vec3): SoftGrip | undefined {
+    const { masses, surface } = this.material;
+    const { width, carriers, shares } = surface;
+    const place = nearestOnSurface(this.places, this.triangles, point, this.#isFree);
+    if (!place) return undefined;
+    const held = new Map<number, number>();
+    let all = 0;
+    place.points.forEach((i, m) => {
+      for (let n = width * i; n < width * (i + 1); n++) {
+        const share = Math.abs(place.shares[m]! * shares[n]!);
+        if (share === 0 || masses.inverse[carriers[n]!] === 0) continue;
+        held.set(carriers[n]!, (held.get(carriers[n]!) ?? 0) + share);
+        all += share;
+      }
+    });
+    return {
+      points: [...held.keys()],
+      shares: [...held.values()].map((share) => share / all),
+      seen: place,
+    };
+  }
+
+  /** Hands act in a part of a step: until `letGo` what they hold weighs more. */
+  take(drags: Iterable<SoftDrag>, time: number, left: number): void {
+    const { places, before, inverse } = this.material.masses;
+    for (const drag of drags)
+      drag.act(before, time, left, (i, weight, push) => {
+        if (inverse[i] === 0) return;
+        if (!this.#held.has(i)) this.#held.set(i, inverse[i]!);
+        const mass = 1 / inverse[i]!;
+        for (let k = 0; k < 3; k++) {
+          const went = places[3 * i + k]! - before[3 * i + k]!;
+          places[3 * i + k] =
+            before[3 * i + k]! + (mass * went + time * push[k]!) / (mass + weight);
+        }
+        inverse[i] = 1 / (mass + weight);
+      });
+  }
+
+  letGo(): void {
+    for (const [i, inverse] of this.#held) this.material.masses.inverse[i] = inverse;
+    this.#held.clear();
+  }
+
+  // ---- a step ---------------------------------------------------------------------------------------------------------
 
   /** In how many parts it wants a step of `dt` seconds to be taken. */
   parts(dt: number): number {

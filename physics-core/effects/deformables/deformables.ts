@@ -1,4 +1,10 @@
+import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
+import type { Vec3 } from '../../fields/types.js';
+import type { DragEnd, Hold } from '../drag/hold.js';
+import type { SoftPoints, SoftWorld } from '../drag/soft.js';
+import type { KeptSoftDrag } from '../drag/soft-drag.js';
+import { SoftHands } from '../drag/soft-hands.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import { Obstacles } from '../particles/collide/obstacles.js';
 import { resting } from '../rest/resting.js';
@@ -13,10 +19,12 @@ import { ROUNDS, TAUT } from './tolerances.js';
 interface Kept {
   guests: KeptGuests;
   all: [id: number, kept: KeptDeformable][];
+  /** Where somebody holds one. */
+  hands?: KeptSoftDrag[];
 }
 
 /** All cloth and soft bodies of a world. */
-export class Deformables extends Effect {
+export class Deformables extends Effect implements SoftWorld {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
   /** By the numbers of their nodes. */
@@ -29,6 +37,7 @@ export class Deformables extends Effect {
   readonly #holding: Tied[] = [];
   readonly #obstacles: Obstacles;
   readonly #guests: Guests;
+  #hands: SoftHands | undefined;
   /** Which version of each another thread knows. */
   readonly #told = new WeakMap<Deformable, number>();
   /** Points are held by others than they were. */
@@ -54,7 +63,9 @@ export class Deformables extends Effect {
 
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
-    this.#wakeWith(this.of(node as DeformableSource)!);
+    const source = node as DeformableSource;
+    this.#hands?.letGo(source, source.removed ? 'removed' : 'reset');
+    this.#wakeWith(this.of(source)!);
     this.#all.delete((node as DeformableSource).id);
     super.release(node);
     this.#stale = true;
@@ -98,6 +109,36 @@ export class Deformables extends Effect {
     }
   }
 
+  // ---- by hand --------------------------------------------------------------------------------------------------------
+
+  /** Takes hold of the place nearest to a point; undefined where nothing of it goes anywhere. */
+  grab(source: DeformableSource, point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined {
+    if (this.#stale) this.#divide();
+    this.#hands ??= new SoftHands(this.#simulation, this);
+    return this.#hands.grab(source, this.of(source)?.gripAt(point), point, onend);
+  }
+
+  /** Nobody may hold it any more. */
+  letGo(source: DeformableSource): void {
+    this.#hands?.letGo(source, 'disabled');
+  }
+
+  pointsOf(source: DeformableSource): SoftPoints | undefined {
+    return this.of(source)?.material.masses;
+  }
+
+  *tiedTo(source: DeformableSource): Generator<Body> {
+    for (const { tie, deformable } of this.#tied)
+      if (deformable.source === source && tie.body?.movable) yield tie.body;
+  }
+
+  keepAwake(source: DeformableSource): void {
+    this.of(source)?.wake();
+    if (this.active) this.#goOn();
+  }
+
+  // ---- who is there ---------------------------------------------------------------------------------------------------
+
   /** Where no body moves, steps are taken all the same. */
   #goOn(): void {
     this.#simulation.bodies.goOn();
@@ -138,6 +179,7 @@ export class Deformables extends Effect {
 
   override beforeStep(dt: number): void {
     if (this.#stale) this.#divide();
+    this.#hands?.wake();
     this.#wakeTogether();
     this.#list();
     const moving = this.#moving;
@@ -149,6 +191,7 @@ export class Deformables extends Effect {
     for (const each of this.#holding) each.begin(guests, dt);
     this.#followJumps();
     for (const deformable of moving) deformable.begin();
+    this.#hands?.begin(dt);
     let parts = 1;
     for (const deformable of moving) {
       deformable.touches.look(deformable, this.#obstacles, guests, dt);
@@ -156,7 +199,7 @@ export class Deformables extends Effect {
       if (selfCollision) deformable.material.lookAtItself?.(2 * radius, dt);
       parts = Math.max(parts, deformable.parts(dt));
     }
-    for (let part = 1; part <= parts; part++) this.#go(dt / parts, part);
+    for (let part = 1; part <= parts; part++) this.#go(dt / parts, part, dt);
     for (const deformable of moving) if (!deformable.end(dt)) deformable.stop();
     guests.end(dt, this.#wakes);
   }
@@ -171,11 +214,15 @@ export class Deformables extends Effect {
   }
 
   /** One part of a step. */
-  #go(time: number, part: number): void {
+  #go(time: number, part: number, dt: number): void {
     const guests = this.#guests;
     const moving = this.#moving;
     guests.go(time);
-    for (const deformable of moving) deformable.fall(time);
+    const hands = this.#hands?.any ? this.#hands : undefined;
+    for (const deformable of moving) {
+      deformable.fall(time);
+      if (hands) deformable.take(hands.on(deformable.source), time, dt - part * time);
+    }
     let strain = Infinity;
     for (let round = 0; round < ROUNDS && strain > TAUT; round++) {
       strain = 0;
@@ -189,7 +236,10 @@ export class Deformables extends Effect {
       for (const deformable of moving)
         deformable.touches.hold(deformable, guests, time, part * time);
     }
-    for (const deformable of moving) deformable.go(time);
+    for (const deformable of moving) {
+      deformable.go(time);
+      deformable.letGo();
+    }
   }
 
   /** Who is carried by what has come to rest falls asleep there. */
@@ -267,20 +317,24 @@ export class Deformables extends Effect {
 
   // ---- going back -------------------------------------------------------------------------------------------------------
 
-  override reset(): void {
+  override reset(reason: DragEnd): void {
+    this.#hands?.reset(reason);
     for (const deformable of this.#all.values()) deformable.reset();
     this.#guests.forget();
     this.#stale = true;
   }
 
   override save(): Kept {
+    const hands = this.#hands?.save();
     return {
+      ...(hands && { hands }),
       guests: this.#guests.save(),
       all: [...this.#all].map(([id, deformable]) => [id, deformable.save()]),
     };
   }
 
-  override load({ guests, all }: Kept): void {
+  override load({ guests, all, hands }: Kept): void {
+    if (hands) (this.#hands ??= new SoftHands(this.#simulation, this)).load(hands);
     this.#guests.load(guests);
     for (const [id, kept] of all) this.#all.get(id)?.load(kept);
     this.#goOn();

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../fields/types.js';
 import type { Material } from '../../solver/deformables/material.js';
-import type { Cause } from '../effect/effect.js';
+import type { Grabbed } from '../drag/soft.js';
 
 /** What the author of a cloth or a soft body says that is the same for both. */
 export interface DeformableSettings {
@@ -24,8 +24,7 @@ export interface DeformableSettings {
 }
 
 /** A node that is a cloth or a soft body. */
-export interface DeformableSource extends Cause {
-  readonly id: number;
+export interface DeformableSource extends Grabbed {
   readonly settings: DeformableSettings;
   /** As it is laid. */
   lay(): Material;

@@ -7,11 +7,8 @@ import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
 import { BODY_BLOCK, SIDE } from '../../solver/joints/blocks.js';
 import { holds, isJointed, otherEnd } from '../../dynamics/jointed.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
-import { TOP_SPEED } from './effects.js';
+import { SWIFTNESS, TOP_SPEED } from './effects.js';
 import { Hand, type KeptHand } from './hand.js';
-
-/** rad/s: the grabbed point comes within 1 % of its way in 0.22 s. */
-const SWIFTNESS = 30;
 
 /**
  * rad/s that a drag turns a body on its joints, at most: a chain that goes taut faster than this cracks like a whip, and its
@@ -50,7 +47,7 @@ export class DragSpring {
     this.#simulation = simulation;
     this.#body = body;
     this.#grip = grip;
-    this.#mass = hangingMass(body);
+    this.#mass = hangingMass([body]);
     this.#hand = new Hand(this.point, Math.min(TOP_SPEED, SWING * this.#lever()));
   }
 
@@ -190,9 +187,9 @@ export class DragSpring {
   }
 }
 
-/** Of a body and of all movable ones that joints tie to it. */
-function hangingMass(body: Body): number {
-  const found = new Set([body]);
+/** Of bodies and of all movable ones that joints tie to them, kg. */
+export function hangingMass(bodies: Iterable<Body>): number {
+  const found = new Set(bodies);
   for (const each of found)
     for (const joint of each.joints) {
       const other = otherEnd(joint, each);

@@ -6,9 +6,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import type { DragSpring } from './drag-spring.js';
 import { drags, TOP_SPEED } from './effects.js';
 import type { KeptHand } from './hand.js';
-
-/** Why a drag ended. */
-export type DragEnd = 'released' | 'cancelled' | 'removed' | 'disabled' | 'reset';
+import type { DragEnd, Hold } from './hold.js';
 
 /** What a drag tells when it is over. */
 type Ended = (reason: DragEnd) => void;
@@ -38,7 +36,7 @@ interface Hands {
 }
 
 /** One body held at one point, from `body.drag` until it is let go. */
-export class Drag {
+export class Drag implements Hold {
   readonly #hands: Hands;
   readonly #simulation: Simulation;
   readonly body: Body;

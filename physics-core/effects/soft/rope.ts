@@ -2,6 +2,8 @@ import { exp } from '../../base/exact/index.js';
 import { doublesOf, pack } from '../../base/packed.js';
 import { FREE, HELD, Strand } from '../../solver/ropes/strand.js';
 import type { Vec3 } from '../../fields/types.js';
+import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
+import { nearestOnLine } from '../drag/soft-places.js';
 import { LIBRARY } from '../rest/resting.js';
 import { Bending } from './bending.js';
 import type { RopeSettings, RopeSource } from './settings.js';
@@ -39,6 +41,8 @@ export class Rope {
   /** Another number whenever its points are elsewhere. */
   version = 0;
   #bending = new Bending(this.strand);
+  /** What hands hold in this step, and what it weighs without. */
+  readonly #held = new Map<number, number>();
 
   constructor(source: RopeSource) {
     this.source = source;
@@ -148,9 +152,40 @@ export class Rope {
     this.#bending.push(Math.min(bending, most), time);
   }
 
+  // ---- by hand --------------------------------------------------------------------------------------------------------
+
+  /** The place of it that is nearest to a point. */
+  gripAt(point: Vec3): SoftGrip | undefined {
+    const { places, holders } = this.strand;
+    const place = nearestOnLine(places, point, (i) => holders[i] !== HELD);
+    return place && { ...place, seen: place };
+  }
+
+  /** Hands act in a step that begins: to its end what they hold weighs more. */
+  take(drags: Iterable<SoftDrag>, dt: number): void {
+    const { masses, free, places, holders } = this.strand;
+    for (const drag of drags)
+      drag.act(places, dt, 0, (i, weight, push) => {
+        if (holders[i] === HELD) return;
+        const mass = masses[i]!;
+        if (!this.#held.has(i)) this.#held.set(i, mass);
+        for (let k = 0; k < 3; k++)
+          free[3 * i + k] = (mass * free[3 * i + k]! + push[k]!) / (mass + weight);
+        masses[i] = mass + weight;
+      });
+  }
+
+  letGo(): void {
+    for (const [i, mass] of this.#held) this.strand.masses[i] = mass;
+    this.#held.clear();
+  }
+
+  // ---- a step ---------------------------------------------------------------------------------------------------------
+
   /** It goes where it was found to go. */
   move(dt: number): void {
     const { strand } = this;
+    this.letGo();
     const { holders, arms, armsBefore, velocities, points } = strand;
     strand.move(dt);
     for (let i = 0; i < points; i++)

@@ -5,6 +5,10 @@ import { VELOCITY } from '../../engine/moving-bodies.js';
 import type { Vec3 } from '../../fields/types.js';
 import { HELD } from '../../solver/ropes/strand.js';
 import type { RowSystem } from '../../solver/joints/row-system.js';
+import type { DragEnd, Hold } from '../drag/hold.js';
+import type { SoftPoints, SoftWorld } from '../drag/soft.js';
+import type { KeptSoftDrag } from '../drag/soft-drag.js';
+import { SoftHands } from '../drag/soft-hands.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
@@ -18,8 +22,14 @@ import type { RopeSource, Tie } from './settings.js';
 import { TiedGroup } from './tied-group.js';
 import { CARRIED } from './tolerances.js';
 
+interface Kept {
+  all: [id: number, kept: KeptRope][];
+  /** Where somebody holds one. */
+  hands?: KeptSoftDrag[];
+}
+
 /** All ropes of a world. */
-export class Ropes extends Effect implements Pull {
+export class Ropes extends Effect implements Pull, SoftWorld {
   readonly #simulation: Simulation;
   readonly #effects: Effects;
   /** By the numbers of their nodes. */
@@ -28,6 +38,7 @@ export class Ropes extends Effect implements Pull {
   readonly #touch: RopeTouch;
   /** Which version of each another thread knows. */
   readonly #told = new WeakMap<Rope, number>();
+  #hands: SoftHands | undefined;
   #groups: TiedGroup[] = [];
   /** Which bodies the joint solve has for what ties them. */
   #tied = new Map<Tie, Body>();
@@ -56,6 +67,8 @@ export class Ropes extends Effect implements Pull {
 
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
+    const source = node as RopeSource;
+    this.#hands?.letGo(source, source.removed ? 'removed' : 'reset');
     this.#ropes.delete((node as RopeSource).id);
     super.release(node);
     this.#letGo();
@@ -107,6 +120,34 @@ export class Ropes extends Effect implements Pull {
     this.#simulation.bodies.goOn();
   }
 
+  // ---- by hand --------------------------------------------------------------------------------------------------------
+
+  /** Takes hold of the place nearest to a point; undefined where nothing of it goes anywhere. */
+  grab(source: RopeSource, point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined {
+    this.#takeEdits();
+    this.#hands ??= new SoftHands(this.#simulation, this);
+    return this.#hands.grab(source, this.of(source)?.gripAt(point), point, onend);
+  }
+
+  /** Nobody may hold it any more. */
+  letGo(source: RopeSource): void {
+    this.#hands?.letGo(source, 'disabled');
+  }
+
+  pointsOf(source: RopeSource): SoftPoints | undefined {
+    return this.of(source)?.strand;
+  }
+
+  *tiedTo(source: RopeSource): Generator<Body> {
+    for (const { rope, body, movable } of this.#holding.held)
+      if (rope.source === source && body && movable) yield body;
+  }
+
+  keepAwake(source: RopeSource): void {
+    this.of(source)?.wake();
+    if (this.active) this.#goOn();
+  }
+
   // ---- who holds what -------------------------------------------------------------------------------------------------
 
   /** Groups are made anew where other bodies hold other points. */
@@ -155,6 +196,7 @@ export class Ropes extends Effect implements Pull {
   /** Before anything of the step begins: the joint solve may have to come for what is tied. */
   override parts(): number {
     this.#takeEdits();
+    this.#hands?.wake();
     this.#wakeTogether();
     return 1;
   }
@@ -171,6 +213,7 @@ export class Ropes extends Effect implements Pull {
   override beforeStep(dt: number): void {
     const joints = this.#effects.caused(jointSolve);
     this.#touch.take(dt);
+    this.#hands?.begin(dt);
     for (const group of this.#groups) {
       if (group.asleep) continue;
       group.read(joints, dt, this);
@@ -228,7 +271,11 @@ export class Ropes extends Effect implements Pull {
       this.#place(rope, tie, body, movable, dt);
       if (body) this.#touch.comeOut(rope, tie.index, body.slot);
     }
-    for (const rope of ropes) rope.begin(dt);
+    const hands = this.#hands?.any ? this.#hands : undefined;
+    for (const rope of ropes) {
+      rope.begin(dt);
+      if (hands) rope.take(hands.on(rope.source), dt);
+    }
   }
 
   /** A tied point is where its body has it; one that others move is on its way there. */
@@ -328,20 +375,26 @@ export class Ropes extends Effect implements Pull {
 
   // ---- going back -------------------------------------------------------------------------------------------------------
 
-  override reset(): void {
+  override reset(reason: DragEnd): void {
+    this.#hands?.reset(reason);
     for (const rope of this.#ropes.values()) rope.reset();
     this.#stale = true;
   }
 
   /** What waits to be tied is, so that joints are numbered in what is kept of them as they are in the next step. */
-  override save(): [id: number, kept: KeptRope][] {
+  override save(): Kept {
     this.#takeEdits();
-    return [...this.#ropes].map(([id, rope]) => [id, rope.save()]);
+    const hands = this.#hands?.save();
+    return {
+      ...(hands && { hands }),
+      all: [...this.#ropes].map(([id, rope]) => [id, rope.save()]),
+    };
   }
 
-  override load(saved: readonly [id: number, kept: KeptRope][]): void {
+  override load({ all, hands }: Kept): void {
     this.#takeEdits();
-    for (const [id, kept] of saved) this.#ropes.get(id)?.load(kept);
+    if (hands) (this.#hands ??= new SoftHands(this.#simulation, this)).load(hands);
+    for (const [id, kept] of all) this.#ropes.get(id)?.load(kept);
     this.#goOn();
   }
 }

@@ -1,5 +1,6 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Vec3 } from '../../fields/types.js';
+import type { Grabbed } from '../drag/soft.js';
 import type { Cause } from '../effect/effect.js';
 
 /** What the author of a rope says. */
@@ -27,8 +28,7 @@ export interface RopeSettings {
 }
 
 /** A node that is a rope. */
-export interface RopeSource extends Cause {
-  readonly id: number;
+export interface RopeSource extends Grabbed {
   readonly settings: RopeSettings;
   /** Steps of this length follow so much of its bending, N m². */
   bends(most: number): void;

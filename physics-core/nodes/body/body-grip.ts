@@ -1,6 +1,7 @@
 import type { Chunk } from '../../base/chunk.js';
 import { DRAG_MODES, type DragMode } from '../../dynamics/body.js';
-import type { Drag, DragEnd } from '../../effects/drag/drag.js';
+import type { Drag } from '../../effects/drag/drag.js';
+import type { DragEnd } from '../../effects/drag/hold.js';
 import { dragging } from '../../effects/drag/dragging.js';
 import { drags } from '../../effects/drag/effects.js';
 import { contacts } from '../../effects/effect/chunks.js';

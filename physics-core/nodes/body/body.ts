@@ -9,7 +9,8 @@ import type {
 } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
 import { contactReader } from '../../effects/contacts/effects.js';
-import type { Drag, DragEnd } from '../../effects/drag/drag.js';
+import type { Drag } from '../../effects/drag/drag.js';
+import type { DragEnd } from '../../effects/drag/hold.js';
 import type { BodyChange } from '../../effects/effect/effect.js';
 import type { BtBody } from '../../engine/heap.js';
 import type { Rotation, Value, Vec3 } from '../../fields/types.js';

@@ -1,11 +1,11 @@
 import { defineNode } from '../node/define.js';
-import { codeOf } from '../particles/mesh.js';
 import { ClothNode } from './cloth-node.js';
-import { deformableFields, deformableNumber } from './deformable-fields.js';
+import { deformableFields, deformableNeeds, deformableNumber } from './deformable-fields.js';
 
 const changed = (cloth: ClothNode): void => cloth.changed();
 
-const { enabled, geometry, mass, damping, friction, fixedIndex, positions } = deformableFields;
+const { enabled, geometry, mass, damping, friction, fixedIndex, draggableBody, positions } =
+  deformableFields;
 
 export const cloth = defineNode<ClothNode>({
   name: 'Cloth',
@@ -13,7 +13,7 @@ export const cloth = defineNode<ClothNode>({
   clause: '',
   doc: 'A sheet of threads: it hangs, folds, blows in the wind, and lies on bodies, which it holds and pushes.',
   rank: 4,
-  needs: (node) => codeOf(node.asked('geometry')),
+  needs: deformableNeeds,
   make: (context) => new ClothNode(context),
   bounded: true,
   fields: {
@@ -78,6 +78,7 @@ export const cloth = defineNode<ClothNode>({
       patch: changed,
       doc: 'Where the air goes and how fast, m/s, in the world; 0 0 0: there is none.',
     },
+    draggableBody: draggableBody!,
     positions: positions!,
   },
 });

@@ -1,6 +1,9 @@
+import type { Chunk } from '../../base/chunk.js';
 import { geometryTypes } from '../../shapes/geometry.js';
 import type { Doc, Field } from '../node/table.js';
+import { codeOf } from '../particles/mesh.js';
 import type { DeformableNode } from './deformable-node.js';
+import { draggableBody, softNeeds } from './soft-node.js';
 
 const changed = (node: DeformableNode): void => node.changed();
 
@@ -19,6 +22,12 @@ export const deformableNumber = (
   doc,
   ...also,
 });
+
+/** Code that both wait for. */
+export const deformableNeeds = (node: DeformableNode): (Chunk<unknown> | undefined)[] => [
+  ...codeOf(node.asked('geometry')),
+  ...softNeeds,
+];
 
 /** What Cloth and SoftBody have in common. */
 export const deformableFields: Record<string, Field<DeformableNode>> = {
@@ -53,6 +62,7 @@ export const deformableFields: Record<string, Field<DeformableNode>> = {
     patch: changed,
     doc: 'Points of its geometry that stay where they are, counted from 0.',
   },
+  draggableBody,
   positions: {
     type: 'MFVec3f',
     access: 'outputOnly',

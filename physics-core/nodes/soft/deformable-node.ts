@@ -1,11 +1,14 @@
 import { deformables } from '../../effects/deformables/effects.js';
 import type { Deformable } from '../../effects/deformables/deformable.js';
 import type { DeformableSettings, DeformableSource } from '../../effects/deformables/settings.js';
+import type { DragEnd, Hold } from '../../effects/drag/hold.js';
+import { sightOfSurface, type SoftSight } from '../../effects/drag/soft-places.js';
 import type { Value, Vec3 } from '../../fields/types.js';
 import type { Geometry, Mesh } from '../../shapes/geometry.js';
 import type { Material } from '../../solver/deformables/material.js';
-import { PhysicsNode } from '../node/node.js';
+import type { PhysicsNode } from '../node/node.js';
 import { meshOf } from '../particles/mesh.js';
+import { SoftNode } from './soft-node.js';
 
 /** Points of a surface, at most: what has more is not there, and says so. */
 export const MOST_POINTS = 20000;
@@ -14,7 +17,7 @@ export const MOST_POINTS = 20000;
 const NEARLY = 0.95;
 
 /** What Cloth and SoftBody have in common. */
-export abstract class DeformableNode extends PhysicsNode implements DeformableSource {
+export abstract class DeformableNode extends SoftNode implements DeformableSource {
   /** What ties points of it. */
   readonly tiedBy = deformables;
   #softened = false;
@@ -59,7 +62,9 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
   }
 
   override collectionChanged(): void {
-    if (this.built) this.changed();
+    if (!this.built) return;
+    this.changed();
+    this.updateDraggable();
   }
 
   changed(): void {
@@ -108,7 +113,20 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
   protected abstract whyNot(mesh: Mesh): string | undefined;
 
   protected override destroy(): void {
+    super.destroy();
     this.world.registry.find(deformables)?.release(this);
+  }
+
+  protected override grab(point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined {
+    return this.world.registry.find(deformables)?.grab(this, point, onend);
+  }
+
+  protected override letGo(): void {
+    this.world.registry.find(deformables)?.letGo(this);
+  }
+
+  protected override seenAt(places: Float64Array, sight: SoftSight): number | undefined {
+    return sightOfSurface(places, this.triangles!, sight);
   }
 
   /** How many points its surface has. */

@@ -1,13 +1,16 @@
 import type { Line } from '../../shapes/geometry.js';
 import { show } from '../../base/show.js';
 import { levels } from '../../dynamics/levels.js';
+import type { DragEnd, Hold } from '../../effects/drag/hold.js';
+import { sightOfLine, type SoftSight } from '../../effects/drag/soft-places.js';
 import { ropes } from '../../effects/soft/effects.js';
 import type { Rope } from '../../effects/soft/rope.js';
 import type { RopeSettings, RopeSource } from '../../effects/soft/settings.js';
 import type { Value, Vec3 } from '../../fields/types.js';
-import { PhysicsNode } from '../node/node.js';
+import type { PhysicsNode } from '../node/node.js';
 import { keptLine } from './line.js';
 import { alongSegments } from './segments.js';
+import { SoftNode } from './soft-node.js';
 
 /** As plain data of a line. */
 interface LineData {
@@ -15,7 +18,7 @@ interface LineData {
 }
 
 /** A rope. */
-export class RopeNode extends PhysicsNode implements RopeSource {
+export class RopeNode extends SoftNode implements RopeSource {
   override set(spelling: string, value: unknown, text: unknown = value): void {
     super.set(spelling, spelling === 'geometry' ? keptLine(value) : value, text);
   }
@@ -71,7 +74,9 @@ export class RopeNode extends PhysicsNode implements RopeSource {
   }
 
   override collectionChanged(): void {
-    if (this.built) this.changed();
+    if (!this.built) return;
+    this.changed();
+    this.updateDraggable();
   }
 
   changed(): void {
@@ -109,7 +114,20 @@ export class RopeNode extends PhysicsNode implements RopeSource {
   }
 
   protected override destroy(): void {
+    super.destroy();
     this.world.registry.find(ropes)?.release(this);
+  }
+
+  protected override grab(point: Vec3, onend: (reason: DragEnd) => void): Hold | undefined {
+    return this.world.registry.find(ropes)?.grab(this, point, onend);
+  }
+
+  protected override letGo(): void {
+    this.world.registry.find(ropes)?.letGo(this);
+  }
+
+  protected override seenAt(places: Float64Array, sight: SoftSight): number | undefined {
+    return sightOfLine(places, this.asked('radius'), sight);
   }
 
   /** Where its points are, metres, flat. */

@@ -1,6 +1,7 @@
 import { defineNode } from '../node/define.js';
 import type { Doc, Field } from '../node/table.js';
 import { RopeNode } from './rope-node.js';
+import { draggableBody, softNeeds } from './soft-node.js';
 
 const changed = (rope: RopeNode): void => rope.changed();
 
@@ -26,6 +27,7 @@ export const rope = defineNode<RopeNode>({
   clause: '',
   doc: 'A rope: it only pulls, hangs and swings, lies on bodies and winds round them, and ties what is attached to it.',
   rank: 4,
+  needs: () => softNeeds,
   make: (context) => new RopeNode(context),
   bounded: true,
   fields: {
@@ -93,6 +95,7 @@ export const rope = defineNode<RopeNode>({
       patch: changed,
       doc: 'Points that stay where they are, counted from 0.',
     },
+    draggableBody,
     positions: {
       type: 'MFVec3f',
       access: 'outputOnly',

@@ -1,9 +1,9 @@
 import { defineNode } from '../node/define.js';
-import { codeOf } from '../particles/mesh.js';
-import { deformableFields, deformableNumber } from './deformable-fields.js';
+import { deformableFields, deformableNeeds, deformableNumber } from './deformable-fields.js';
 import { SoftBodyNode } from './soft-body-node.js';
 
-const { enabled, geometry, mass, damping, friction, fixedIndex, positions } = deformableFields;
+const { enabled, geometry, mass, damping, friction, fixedIndex, draggableBody, positions } =
+  deformableFields;
 
 export const softBody = defineNode<SoftBodyNode>({
   name: 'SoftBody',
@@ -11,7 +11,7 @@ export const softBody = defineNode<SoftBodyNode>({
   clause: '',
   doc: 'A solid of one soft material within a closed surface, or, with pressure, a skin around what presses against it.',
   rank: 4,
-  needs: (node) => codeOf(node.asked('geometry')),
+  needs: deformableNeeds,
   make: (context) => new SoftBodyNode(context),
   bounded: true,
   fields: {
@@ -43,6 +43,7 @@ export const softBody = defineNode<SoftBodyNode>({
     damping: damping!,
     friction: friction!,
     fixedIndex: fixedIndex!,
+    draggableBody: draggableBody!,
     positions: positions!,
   },
 });

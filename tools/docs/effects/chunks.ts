@@ -57,7 +57,11 @@ const FILES: readonly [name: string, causes: string][] = [
     'chunk-silhouettes',
     `${particles.causes}, or ${waters.causes}: what wind and water see of a body`,
   ],
-  ['chunk-hands', 'a body that may be dragged'],
+  [
+    'chunk-soft-hands',
+    `${ropeChunk.causes}, ${deformableChunk.causes}: how they are taken by hand`,
+  ],
+  ['chunk-hands', 'a body, a rope, a cloth or a soft body that may be dragged'],
   ['chunk-debug-code', outlines.causes],
   ['chunk-faults-code', 'a fault in the markup'],
   ['chunk-advice-code', 'a tag or an attribute that there is not'],

@@ -104,7 +104,7 @@ export class Handles {
   }
 
   #name({ binding, button }: Handle, place: number): void {
-    const name = nameOf(binding) ?? `Body ${place + 1}`;
+    const name = nameOf(binding) ?? `${kindOf(binding)} ${place + 1}`;
     if (button.getAttribute('aria-label') !== name) button.setAttribute('aria-label', name);
   }
 
@@ -197,6 +197,10 @@ const isBefore = (a: Binding, b: Binding): boolean => precedes(standing(a), stan
 
 /** In the page: bodies of one Inline stay in the order in which they came. */
 const standing = ({ scope, element }: Binding): Element => scope?.pageHost ?? element;
+
+/** As people say it: Body, Rope, Soft Body. */
+const kindOf = ({ type }: Binding): string =>
+  type.name === 'RigidBody' ? 'Body' : type.name.replace(/(?<=[a-z])[A-Z]/g, ' $&');
 
 /** What people call a body, or the Transform that it moves. */
 function nameOf({ element, name, standIn }: Binding): string | undefined {

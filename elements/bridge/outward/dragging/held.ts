@@ -1,4 +1,4 @@
-import type { Drag, DragEnd, Vec3 } from '../../../../physics-core/inside.js';
+import type { DragEnd, Hold, Vec3 } from '../../../../physics-core/inside.js';
 import type { Binding } from '../../nodes/binding.js';
 import type { Stage } from '../stage.js';
 import { setState } from '../../base/states.js';
@@ -15,7 +15,7 @@ export class Held {
   readonly by: By;
   readonly #stage: Stage;
   readonly #onend: (reason: DragEnd) => void;
-  #drag: Drag | undefined;
+  #drag: Hold | undefined;
   /** Metres. */
   point: Vec3;
 

@@ -1,11 +1,11 @@
-import type { RayHit, Vec3 } from '../../../../physics-core/inside.js';
+import type { PhysicsNode, Vec3 } from '../../../../physics-core/inside.js';
 import { ownBinding, type Binding } from '../../nodes/binding.js';
 import type { PageWorld } from '../../nodes/surroundings.js';
 import type { Stage } from '../stage.js';
-import type { DraggableBody } from '../body.js';
+import type { DraggableBody, Seen } from '../body.js';
 import type { Sight } from './view.js';
 
-/** A draggable body under the pointer, and the point of it, metres. */
+/** What may be dragged under the pointer, and the point of it, metres. */
 export interface Picked {
   body: DraggableBody;
   binding: Binding;
@@ -21,33 +21,54 @@ export const metresOf = (binding: Binding): number => binding.units.length;
 
 export const scaled = ([x, y, z]: Vec3, by: number): Vec3 => [x * by, y * by, z * by];
 
+/** What is under the pointer in one world. */
+interface Hit {
+  node: PhysicsNode;
+  fraction: number;
+  position: Vec3;
+}
+
 /**
- * What Bullet has under the pointer, to the shape: x3dom would tell the drawn surface, but of one pixel, and in a picture of
- * its own. What may not be dragged hides what is behind it.
+ * What Bullet has under the pointer, to the shape, and what ropes, cloth and soft bodies there are: x3dom would tell the drawn
+ * surface, but of one pixel, and in a picture of its own. What may not be dragged hides what is behind it.
  */
 export function pick(stage: Stage, sight: Sight): Picked | undefined {
   const { bodies } = stage.draggables;
   let nearest = Infinity;
   let picked: Picked | undefined;
   for (const metres of lengths(bodies)) {
+    const inMetres = {
+      from: scaled(sight.from, metres),
+      to: scaled(sight.to, metres),
+      beside: sight.beside.map((each) => each * metres) as [number, number],
+    };
     for (const world of stage.worlds.all) {
-      const hit = shownBy(world, scaled(sight.from, metres), scaled(sight.to, metres));
-      if (!hit || hit.fraction >= nearest) continue;
-      const body = hit.node as DraggableBody;
-      const binding = bindingOf(body);
-      // Files with another unit of length are drawn in another scale.
-      if (!binding || metresOf(binding) !== metres) continue;
-      nearest = hit.fraction;
-      picked = bodies.has(body) ? { body, binding, point: hit.position } : undefined;
+      for (const { node, fraction, position } of hitsIn(world, inMetres)) {
+        if (fraction >= nearest) continue;
+        const body = node as DraggableBody;
+        const binding = bindingOf(body);
+        // Files with another unit of length are drawn in another scale.
+        if (!binding || metresOf(binding) !== metres) continue;
+        nearest = fraction;
+        picked = bodies.has(body) ? { body, binding, point: position } : undefined;
+      }
     }
   }
   return picked;
 }
 
 /** Where a world runs in a worker, that is what came back from there last: nobody can aim at anything else. */
-function shownBy(world: PageWorld, from: Vec3, to: Vec3): RayHit | null {
+function* hitsIn(world: PageWorld, sight: Sight): Generator<Hit> {
+  const { from, to } = sight;
   world.elsewhere?.place();
-  return world.rays.cast(from, to);
+  const hit = world.rays.cast(from, to);
+  if (hit) yield hit;
+  for (const node of world.nodes) {
+    const fraction = (node as Seen).seen?.(sight);
+    if (fraction === undefined) continue;
+    const position = from.map((value, k) => value + fraction * (to[k]! - value)) as Vec3;
+    yield { node, fraction, position };
+  }
 }
 
 function lengths(bodies: Iterable<DraggableBody>): Set<number> {

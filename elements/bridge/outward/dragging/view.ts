@@ -5,7 +5,12 @@ import { x3dom, type X3DElement, type X3DProjection, type X3DViewarea } from '..
 export interface Sight {
   from: Vec3;
   to: Vec3;
+  /** How far beside it somebody may mean what is thin, at either end. */
+  beside: [near: number, far: number];
 }
+
+/** CSS pixels by which a pointer misses a rope and still means it. */
+const BESIDE = 6;
 
 const along = (a: Vec3, b: Vec3, share: number): Vec3 => [
   a[0] + (b[0] - a[0]) * share,
@@ -62,11 +67,15 @@ export class View {
     const { left, top, width, height } = canvas.getBoundingClientRect();
     const x = (2 * (clientX - left)) / width - 1;
     const y = 1 - (2 * (clientY - top)) / height;
-    return { from: mapped(inverse, x, y, -1), to: mapped(inverse, x, y, 1) };
+    const [from, to] = [mapped(inverse, x, y, -1), mapped(inverse, x, y, 1)];
+    const aside = (2 * BESIDE) / height;
+    const off = (end: Vec3, z: number): number =>
+      size(minus(mapped(inverse, x, y + aside, z), end));
+    return { from, to, beside: [off(from, -1), off(to, 1)] };
   }
 
   /** Where a line of sight meets the plane through `point` that faces the viewer. */
-  meet({ from, to }: Sight, point: Vec3): Vec3 | undefined {
+  meet({ from, to }: Pick<Sight, 'from' | 'to'>, point: Vec3): Vec3 | undefined {
     const normal = this.ahead();
     const way = normal && dot(normal, minus(to, from));
     if (!normal || !way) return undefined;

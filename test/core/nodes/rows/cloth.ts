@@ -13,6 +13,7 @@ import {
 } from '../../helpers.js';
 import { flat } from '../../effects/deformables/helpers.js';
 import type { Row } from './row.js';
+import { softDragRow } from './soft-dragging.js';
 
 /** m/s². */
 const G = 9.8;
@@ -209,6 +210,7 @@ export const clothRows: Row[] = [
       for (const [, y] of points(cloth).slice(25)) close(y, 0.04, 0.02, 'm');
     },
   },
+  softDragRow('Cloth', UPRIGHT),
   {
     field: 'positions',
     fact: 'where its points are, told with each step that moves them',

@@ -13,6 +13,7 @@ import {
   type Vec3,
 } from '../../helpers.js';
 import type { Row } from './row.js';
+import { softDragRow } from './soft-dragging.js';
 
 /** m/s². */
 const G = 9.8;
@@ -165,6 +166,7 @@ const rows: Row[] = [
     same(point(rope, 4), before[4]!);
     assert.ok(Math.hypot(...point(rope, 0).map((x, k) => x - before[0]![k]!)) > 0.1);
   }),
+  softDragRow('Rope', LEVEL),
   {
     field: 'positions',
     fact: 'where its points are, told with each step that moves them',

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import type { CreateOptions } from '../../../../physics-core/inside.js';
 import { addBody, box, close, sphere, world, type Node, type Vec3 } from '../../helpers.js';
 import type { Row } from './row.js';
+import { softDragRow } from './soft-dragging.js';
 
 /** m/s². */
 const G = 9.8;
@@ -131,6 +132,7 @@ export const softBodyRows: Row[] = [
   edited('fixedIndex', 'holds these points where they are', {}, TOP, 0.5, (body, before) =>
     same(points(body).slice(4), before.slice(4)),
   ),
+  softDragRow('SoftBody', BLOCK),
   {
     field: 'positions',
     fact: 'where its points are, told with each step that moves them',
