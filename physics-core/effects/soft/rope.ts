@@ -32,8 +32,9 @@ export class Rope {
   #last = 0;
   #quiet = 0;
   asleep = false;
-  /** Of each point, the slot of the body that it may touch in this step; -1: none. */
+  /** Of each point, and of each spot between points, the slot of the body that it may touch in this step; -1: none. */
   touched = new Int32Array(2);
+  touchedBetween = new Int32Array(2);
   /** Points that come out of a body they are tied within, by its slot: they do not touch it. */
   readonly within: { slot: number; first: number; last: number }[] = [];
   /** Another number whenever its points are elsewhere. */
@@ -58,6 +59,7 @@ export class Rope {
     this.strand.lay(points, mass);
     this.strand.softness.fill(softness);
     this.touched = new Int32Array(this.strand.points).fill(-1);
+    this.touchedBetween = new Int32Array(this.strand.between.count).fill(-1);
     this.#bending = new Bending(this.strand);
     this.#last = this.#quiet = 0;
     this.asleep = false;
@@ -164,8 +166,9 @@ export class Rope {
 
   /** Numbers that are none: it stands where it is. */
   stop(): void {
-    const { velocities, pulls, presses, rubs, found } = this.strand;
-    for (const all of [velocities, pulls, presses, rubs, found]) all.fill(0);
+    const { velocities, pulls, knots, between, found } = this.strand;
+    const pushes = [knots.presses, knots.rubs, between.presses, between.rubs];
+    for (const all of [velocities, pulls, found, ...pushes]) all.fill(0);
     this.#last = 0;
   }
 
@@ -197,8 +200,9 @@ export class Rope {
   // ---- going back -----------------------------------------------------------------------------------------------------
 
   get #lasting(): Float64Array[] {
-    const { places, velocities, pulls, presses, rubs, armsBefore } = this.strand;
-    return [places, velocities, pulls, presses, rubs, armsBefore];
+    const { places, velocities, pulls, knots, between, armsBefore } = this.strand;
+    const held = [knots.presses, knots.rubs, armsBefore, between.presses, between.rubs];
+    return [places, velocities, pulls, ...held];
   }
 
   save(): KeptRope {
