@@ -4,6 +4,7 @@ import { ROPE_RETURN } from '../../solver/tolerances.js';
 import { FREE } from '../../solver/ropes/strand.js';
 import { SPOTS, type Spots } from '../../solver/ropes/spots.js';
 import { MET, METS, Obstacles } from '../particles/collide/obstacles.js';
+import { Flying } from './flying.js';
 import { OnLink, SPOT } from './on-link.js';
 import type { Rope } from './rope.js';
 import type { TiedGroup } from './tied-group.js';
@@ -13,6 +14,7 @@ import { TouchedBodies } from './touched-bodies.js';
 const met = new Float64Array(METS);
 const from = new Float64Array(3);
 const to = new Float64Array(3);
+const link = new Float64Array(3);
 const point = new Float64Array(3);
 const force = new Float64Array(3);
 
@@ -24,6 +26,8 @@ export class RopeTouch {
   readonly #obstacles: Obstacles;
   readonly #bodies: TouchedBodies;
   readonly #onLink: OnLink;
+  readonly #flying: Flying;
+  #dt = 0;
   /** Of each point, how far away it looks for something, metres. */
   #reaches = new Float64Array(0);
 
@@ -31,12 +35,14 @@ export class RopeTouch {
     this.#obstacles = new Obstacles(simulation);
     this.#bodies = new TouchedBodies(simulation);
     this.#onLink = new OnLink(this.#obstacles);
+    this.#flying = new Flying(simulation);
   }
 
   /** Where bodies are when a step begins, however they came there. */
   take(dt: number): void {
     this.#obstacles.forget();
     this.#obstacles.take(dt);
+    this.#dt = dt;
     this.#bodies.begin();
   }
 
@@ -86,7 +92,45 @@ export class RopeTouch {
       wasNear = isNear;
       isNear = i + 2 < points && this.#isLinkNear(rope, i + 1);
     }
+    this.#flying.look(rope, dt, this.#meetInFlight);
   }
+
+  /** What flies into a link does so across it: along it that is as it is. */
+  readonly #meetInFlight = (rope: Rope, i: number, share: number, slot: number): void => {
+    const { strand, settings, within, touchedBetween } = rope;
+    const { between, holders, places, free } = strand;
+    const c = touchedBetween[SPOTS * i]! < 0 ? SPOTS * i : SPOTS * i + 1;
+    if (holders[i] !== FREE && holders[i + 1] !== FREE) return;
+    if (touchedBetween[c]! >= 0 || touchedBetween[SPOTS * i] === slot) return;
+    if (isWithin(within, i, i + 1, slot)) return;
+    let along = 0;
+    let square = 0;
+    for (let k = 0; k < 3; k++) {
+      const j = 3 * i + k;
+      link[k] = places[j + 3]! - places[j]!;
+      from[k] = places[j]! + share * link[k]!;
+    }
+    this.#bodies.know(slot);
+    this.#bodies.velocityAt(slot, from, to, 0);
+    for (let k = 0; k < 3; k++) {
+      const j = 3 * i + k;
+      to[k] = this.#dt * (free[j]! + share * (free[j + 3]! - free[j]!) - to[k]!);
+      along += to[k]! * link[k]!;
+      square += link[k]! ** 2;
+    }
+    for (let k = 0; k < 3; k++) to[k]! += from[k]! - (along / square) * link[k]!;
+    if (!this.#obstacles.meet(from, to, settings.radius, met, 1, 1)) return;
+    if (met[MET.body] !== slot || !(met[MET.share]! > 0)) return;
+    touchedBetween[c] = slot;
+    between.shares[c] = share;
+    let gap = 0;
+    for (let k = 0; k < 3; k++) {
+      const normal = (between.normals[3 * c + k] = met[MET.normal + k]!);
+      point[k] = met[MET.point + k]!;
+      gap += met[MET.share]! * normal * (from[k]! - to[k]!);
+    }
+    this.#note(between, c, gap, settings.friction, slot, this.#dt);
+  };
 
   #reachOf(
     { strand: { free, holders }, settings: { radius } }: Rope,
