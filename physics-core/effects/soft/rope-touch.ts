@@ -68,7 +68,8 @@ export class RopeTouch {
     }
   }
 
-  #share({ count, yields }: Spots, touched: Int32Array): void {
+  #share({ count, yields, recent }: Spots, touched: Int32Array): void {
+    if (recent === 0) return;
     for (let c = 0; c < count; c++)
       if (touched[c]! >= 0) yields[c]! *= this.#bodies.counts[touched[c]!]!;
   }
@@ -76,10 +77,8 @@ export class RopeTouch {
   #look(rope: Rope, dt: number): void {
     const { strand, settings, touched, touchedBetween } = rope;
     const { points, knots, between } = strand;
-    knots.touches.fill(0);
-    touched.fill(-1);
-    between.touches.fill(0);
-    touchedBetween.fill(-1);
+    forget(knots, touched);
+    forget(between, touchedBetween);
     if (!(settings.radius > 0)) return;
     if (this.#reaches.length < points) this.#reaches = new Float64Array(2 * points);
     for (let i = 0; i < points; i++) this.#reaches[i] = this.#reachOf(rope, i, dt);
@@ -217,7 +216,6 @@ export class RopeTouch {
   /** On its way, or near to it. */
   #meets(radius: number, reach: number): boolean {
     const obstacles = this.#obstacles;
-    if (!obstacles.isNear(from, to, reach)) return false;
     return (
       obstacles.meet(from, from, reach, met, 1, 1) || obstacles.meet(from, to, radius, met, 1, 1)
     );
@@ -226,7 +224,7 @@ export class RopeTouch {
   /** It touches a body at `point`. What begins inside comes out in time. */
   #note(spots: Spots, c: number, gap: number, friction: number, slot: number, dt: number): void {
     const bodies = this.#bodies;
-    spots.touches[c] = 1;
+    spots.touch(c);
     spots.frictions[c] = friction;
     spots.gaps[c] = Math.max(gap, -ROPE_RETURN * dt);
     bodies.add(slot);
@@ -243,7 +241,8 @@ export class RopeTouch {
   }
 
   #push(places: Float64Array, spots: Spots, touched: Int32Array, dt: number): void {
-    const { count, firsts, shares, normals, presses, rubs, gaps } = spots;
+    const { count, recent, firsts, shares, normals, presses, rubs, gaps } = spots;
+    if (recent === 0) return;
     for (let c = 0; c < count; c++) {
       if (touched[c]! < 0 || !(presses[c]! > 0)) continue;
       const share = shares[c]!;
@@ -260,9 +259,16 @@ export class RopeTouch {
   }
 }
 
-/** Whether any of some points comes out of a body that it is tied within. */
+function forget({ touches, recent }: Spots, touched: Int32Array): void {
+  if (recent === 0) return;
+  touches.fill(0);
+  touched.fill(-1);
+}
+
+/** Whether what lies between two points of a rope, or is one, comes out of a body that it is tied within. */
 function isWithin(within: Rope['within'], first: number, last: number, slot: number): boolean {
+  const middle = (first + last) / 2;
   for (const each of within)
-    if (each.slot === slot && last >= each.first && first <= each.last) return true;
+    if (each.slot === slot && middle >= each.first && middle <= each.last) return true;
   return false;
 }

@@ -222,6 +222,8 @@ export class Rope {
       part.set(kept.subarray(at, at + part.length));
       at += part.length;
     }
+    this.strand.knots.restore();
+    this.strand.between.restore();
     this.#last = last;
     this.#quiet = quiet;
     this.asleep = asleep;

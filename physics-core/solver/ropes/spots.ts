@@ -1,12 +1,17 @@
 /** Spots on a link, at most: at either end of what it lies on. */
 export const SPOTS = 2;
 
+/** What touches nothing any more is not pushed in the next step, and in the one after it was not. */
+const STEPS = 2;
+
 /** Where a strand may touch something: at its points, or between two of them, where a link comes nearest to it. */
 export class Spots {
   readonly count: number;
   /** Of each, the point behind it, and its share of the way from there to the next one. */
   readonly firsts: Int32Array;
   readonly shares: Float64Array;
+  /** For so many steps any of them may be pushed, or may have been: 0 costs nothing. */
+  recent = 0;
 
   // ---- from step to step --------------------------------------------------------------------------------------------
 
@@ -48,8 +53,21 @@ export class Spots {
   }
 
   begin(): void {
+    if (this.recent === 0) return;
+    this.recent--;
     for (let c = 0; c < this.count; c++) this.pressed[c] = this.presses[c]!;
     for (let j = 0; j < 3 * this.count; j++) this.rubbed[j] = this.rubs[j]!;
+  }
+
+  /** There is something to touch. */
+  touch(c: number): void {
+    this.touches[c] = 1;
+    this.recent = STEPS;
+  }
+
+  /** Nobody knows what they were held by: somebody may write it. */
+  restore(): void {
+    this.recent = STEPS;
   }
 
   /** One takes over what another one was held by. */

@@ -61,6 +61,7 @@ export class Touches {
   begin(dt: number): void {
     const { touches, yields, presses, pressed, rubs, frictions, count } = this.spots;
     this.any = false;
+    if (this.spots.recent === 0) return;
     this.#state.fill(NONE);
     for (let c = 0; c < count; c++) {
       const j = 3 * c;

@@ -124,8 +124,7 @@ function addTouches(between: Touches, right: number[], columns: number[][]): voi
         right[i + r]! += share * push[r]!;
         own.forEach((other, b) => {
           const j = 3 * (firsts[c]! + b);
-          for (let k = 0; k < 3; k++)
-            columns[j + k]![i + r]! -= share * other * block[3 * r + k]!;
+          for (let k = 0; k < 3; k++) columns[j + k]![i + r]! -= share * other * block[3 * r + k]!;
         });
       }
     });
@@ -137,7 +136,7 @@ function lay(strand: Strand, spots: readonly number[], seed: number): void {
   const { between } = strand;
   const next = random(seed);
   for (const c of spots) {
-    between.touches[c] = 1;
+    between.touch(c);
     between.shares[c] = 0.1 + 0.8 * next();
     between.normals.set([0.6, 0.8, 0], 3 * c);
     between.gaps[c] = -0.001;
