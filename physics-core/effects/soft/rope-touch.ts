@@ -15,6 +15,8 @@ const met = new Float64Array(METS);
 const from = new Float64Array(3);
 const to = new Float64Array(3);
 const link = new Float64Array(3);
+/** Of a link, the shares between which it is out of what its points are tied within. */
+const outer = new Float64Array(2);
 const point = new Float64Array(3);
 const force = new Float64Array(3);
 
@@ -56,7 +58,7 @@ export class RopeTouch {
     let last = index;
     for (let far = 0; first > 0 && far < most; first--) far += lengths[first - 1]!;
     for (let far = 0; last < points - 1 && far < most; last++) far += lengths[last]!;
-    within.push({ slot, first, last });
+    within.push({ slot, index, most, first, last });
   }
 
   /** Who each may touch in a step that begins. All that touch a body push it by themselves: each counts for its share. */
@@ -99,7 +101,7 @@ export class RopeTouch {
     const { strand, settings, within, touchedBetween } = rope;
     const { between, holders, places, free } = strand;
     const c = touchedBetween[SPOTS * i]! < 0 ? SPOTS * i : SPOTS * i + 1;
-    if (holders[i] !== FREE && holders[i + 1] !== FREE) return;
+    if (isGiven(holders, i)) return;
     if (touchedBetween[c]! >= 0 || touchedBetween[SPOTS * i] === slot) return;
     if (isWithin(within, i, i + 1, slot)) return;
     let along = 0;
@@ -175,13 +177,13 @@ export class RopeTouch {
     const { strand, settings, within, touchedBetween } = rope;
     const { between, holders, places } = strand;
     const { radius, friction } = settings;
-    if ((holders[i] !== FREE && holders[i + 1] !== FREE) || this.#liesFlat(rope, i)) return;
+    if (isGiven(holders, i) || this.#liesFlat(rope, i)) return;
     for (let k = 0; k < 3; k++) {
       from[k] = places[3 * i + k]!;
       to[k] = places[3 * i + 3 + k]!;
     }
     const reach = Math.max(this.#reaches[i]!, this.#reaches[i + 1]!);
-    const count = this.#onLink.look(from, to, reach, radius);
+    const count = this.#comesOut(rope, i, reach) ? this.#onLink.look(from, to, reach, radius) : 0;
     const first = SPOTS * i;
     if (count < SPOTS) between.inherit(first, first + 1);
     const { found } = this.#onLink;
@@ -191,13 +193,36 @@ export class RopeTouch {
       if (isWithin(within, i, i + 1, slot)) continue;
       const c = first + n;
       touchedBetween[c] = slot;
-      between.shares[c] = found[at + SPOT.share]!;
+      between.shares[c] = outer[0]! + found[at + SPOT.share]! * (outer[1]! - outer[0]!);
       for (let k = 0; k < 3; k++) {
         between.normals[3 * c + k] = found[at + SPOT.normal + k]!;
         point[k] = found[at + SPOT.point + k]!;
       }
       this.#note(between, c, found[at + SPOT.gap]! - radius, friction, slot, dt);
     }
+  }
+
+  /** What comes out of a body it is tied within is looked at from there on: else that would be all that is seen. */
+  #comesOut({ strand: { lengths }, within }: Rope, i: number, reach: number): boolean {
+    outer[0] = 0;
+    outer[1] = 1;
+    for (const { index, most } of within) {
+      let far = most + reach;
+      for (let n = index; n < i; n++) far -= lengths[n]!;
+      for (let n = index - 1; n > i; n--) far -= lengths[n]!;
+      if (!(far > 0)) continue;
+      const share = far / lengths[i]!;
+      if (index <= i) outer[0] = Math.max(outer[0]!, share);
+      else outer[1] = Math.min(outer[1]!, 1 - share);
+    }
+    if (!(outer[0]! < outer[1]!)) return false;
+    for (let k = 0; k < 3; k++) {
+      const start = from[k]!;
+      const way = to[k]! - start;
+      from[k] = start + outer[0]! * way;
+      to[k] = start + outer[1]! * way;
+    }
+    return true;
   }
 
   /** Whether its points lie on the same, so flat that the link is hardly in it between them. */
@@ -264,6 +289,10 @@ function forget({ touches, recent }: Spots, touched: Int32Array): void {
   touches.fill(0);
   touched.fill(-1);
 }
+
+/** One body, or nobody, has both points of a link. */
+const isGiven = (holders: Int32Array, i: number): boolean =>
+  holders[i] !== FREE && holders[i] === holders[i + 1];
 
 /** Whether what lies between two points of a rope, or is one, comes out of a body that it is tied within. */
 function isWithin(within: Rope['within'], first: number, last: number, slot: number): boolean {

@@ -35,8 +35,9 @@ export class Rope {
   /** Of each point, and of each spot between points, the slot of the body that it may touch in this step; -1: none. */
   touched = new Int32Array(2);
   touchedBetween = new Int32Array(2);
-  /** Points that come out of a body they are tied within, by its slot: they do not touch it. */
-  readonly within: { slot: number; first: number; last: number }[] = [];
+  /** Points that come out of a body they are tied within, by its slot: they do not touch it. Which one is tied, and for how far. */
+  readonly within: { slot: number; index: number; most: number; first: number; last: number }[] =
+    [];
   /** Another number whenever its points are elsewhere. */
   version = 0;
   #bending = new Bending(this.strand);

@@ -73,14 +73,14 @@ export class Spots {
   /** One takes over what another one was held by. */
   inherit(c: number, from: number): void {
     const { presses, rubs, pressed, rubbed } = this;
-    for (const all of [presses, pressed]) {
-      all[c]! += all[from]!;
-      all[from] = 0;
+    if (pressed[from] === 0) return;
+    presses[c]! += presses[from]!;
+    pressed[c]! += pressed[from]!;
+    presses[from] = pressed[from] = 0;
+    for (let k = 0; k < 3; k++) {
+      rubs[3 * c + k]! += rubs[3 * from + k]!;
+      rubbed[3 * c + k]! += rubbed[3 * from + k]!;
+      rubs[3 * from + k] = rubbed[3 * from + k] = 0;
     }
-    for (const all of [rubs, rubbed])
-      for (let k = 0; k < 3; k++) {
-        all[3 * c + k]! += all[3 * from + k]!;
-        all[3 * from + k] = 0;
-      }
   }
 }

@@ -77,14 +77,14 @@ export class Touches {
     }
   }
 
-  /** By what its points weigh; 0: others move all of it. */
+  /** By what its points weigh; 0: nothing moves any of it. */
   #givesOf(c: number): number {
     const { holders, masses } = this.#strand;
     const i = this.spots.firsts[c]!;
     const share = this.spots.shares[c]!;
     let gives = 0;
-    if (holders[i]! < HELD) gives += (1 - share) ** 2 / masses[i]!;
-    if (share > 0 && holders[i + 1]! < HELD) gives += share ** 2 / masses[i + 1]!;
+    if (holders[i] !== HELD) gives += (1 - share) ** 2 / masses[i]!;
+    if (share > 0 && holders[i + 1] !== HELD) gives += share ** 2 / masses[i + 1]!;
     return gives;
   }
 

@@ -17,7 +17,7 @@ import {
   world,
   type Vec3,
 } from '../../helpers.js';
-import { addRope, G, LEVELS, line, masses, place, places } from './helpers.js';
+import { addRope, G, LEVELS, line, masses, place, places, tie } from './helpers.js';
 
 // Links are longer than what they lie on is wide: nothing is touched by points.
 
@@ -127,6 +127,25 @@ for (const friction of [0, 0.2, 0.35])
       if (speedsUp === 0) close(along(), start, 1e-6);
     },
   );
+
+fact('two balls on a link across a bar are a balance: the heavier one goes down', async () => {
+  for (const mass of [1, 1.3]) {
+    const w = await world();
+    addBar(w, [0, 0, 0]);
+    const rope = addRope(w, line(1, 1, [-0.5, 0.05, 0], [1, 0, 0]), { radius: RADIUS });
+    const balls = [1, mass].map((each, i) => {
+      const at: Vec3 = [i - 0.5, 0.05, 0];
+      const body = addBody(w, { mass: each, position: at, geometry: [sphere(0.05)] });
+      tie(w, rope, i, { body });
+      return body;
+    });
+    w.advance(0.5);
+    const [one, two] = balls.map(height);
+    close((one! + two!) / 2, BAR + RADIUS, 0.002);
+    if (mass === 1) close(one!, two!, 1e-6);
+    else above(one! - two!, 0.1);
+  }
+});
 
 fact('a rope over a thin bar comes to rest, and sleeps', async () => {
   const w = await world({ rest: 'auto' });
