@@ -22,13 +22,19 @@ export const AHEAD = 0.5;
  */
 export const LEVEL = 1e-3;
 
-/** Halvings in which the nearest place on a link is found: 24 µm of one of 10 cm. */
+/** Halvings in which the nearest place on a link is found: 24 µm of one of 10 cm. (Fact: what lies on an edge does not creep.) */
 export const HALVINGS = 12;
 
-/** What is nearest to a link more along than across it, as this share of a whole direction, is met by its points. */
+/**
+ * What is nearest to a link along it rather than across it is met by its points: less than this share of its direction is
+ * across. (Fact: a rope of long links across two bars.)
+ */
 export const STEEP = 0.3;
 
-/** Both points of a link touch what is flat between them, if what bends away there is no more of its radius than this. */
+/**
+ * Both points of a link touch what is flat between them, if the link would be no deeper in it there than this share of its
+ * radius. (Fact: over a drum it slips as it should; what lies on a floor costs no more than its points.)
+ */
 export const SAGS = 0.25;
 
 /** Share of the stiffest bending that a step follows: at all of it the shortest waves only just keep their height. */
