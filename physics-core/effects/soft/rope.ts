@@ -34,10 +34,12 @@ export class Rope {
   #last = 0;
   #quiet = 0;
   asleep = false;
-  /** Of each point, the slot of the body that it may touch in this step; -1: none. */
+  /** Of each point, and of each spot between points, the slot of the body that it may touch in this step; -1: none. */
   touched = new Int32Array(2);
-  /** Points that come out of a body they are tied within, by its slot: they do not touch it. */
-  readonly within: { slot: number; first: number; last: number }[] = [];
+  touchedBetween = new Int32Array(2);
+  /** Points that come out of a body they are tied within, by its slot: they do not touch it. Which one is tied, and for how far. */
+  readonly within: { slot: number; index: number; most: number; first: number; last: number }[] =
+    [];
   /** Another number whenever its points are elsewhere. */
   version = 0;
   #bending = new Bending(this.strand);
@@ -62,6 +64,7 @@ export class Rope {
     this.strand.lay(points, mass);
     this.strand.softness.fill(softness);
     this.touched = new Int32Array(this.strand.points).fill(-1);
+    this.touchedBetween = new Int32Array(this.strand.between.count).fill(-1);
     this.#bending = new Bending(this.strand);
     this.#last = this.#quiet = 0;
     this.asleep = false;
@@ -199,8 +202,9 @@ export class Rope {
 
   /** Numbers that are none: it stands where it is. */
   stop(): void {
-    const { velocities, pulls, presses, rubs, found } = this.strand;
-    for (const all of [velocities, pulls, presses, rubs, found]) all.fill(0);
+    const { velocities, pulls, knots, between, found } = this.strand;
+    const pushes = [knots.presses, knots.rubs, between.presses, between.rubs];
+    for (const all of [velocities, pulls, found, ...pushes]) all.fill(0);
     this.#last = 0;
   }
 
@@ -232,8 +236,9 @@ export class Rope {
   // ---- going back -----------------------------------------------------------------------------------------------------
 
   get #lasting(): Float64Array[] {
-    const { places, velocities, pulls, presses, rubs, armsBefore } = this.strand;
-    return [places, velocities, pulls, presses, rubs, armsBefore];
+    const { places, velocities, pulls, knots, between, armsBefore } = this.strand;
+    const held = [knots.presses, knots.rubs, armsBefore, between.presses, between.rubs];
+    return [places, velocities, pulls, ...held];
   }
 
   save(): KeptRope {
@@ -253,6 +258,8 @@ export class Rope {
       part.set(kept.subarray(at, at + part.length));
       at += part.length;
     }
+    this.strand.knots.restore();
+    this.strand.between.restore();
     this.#last = last;
     this.#quiet = quiet;
     this.asleep = asleep;

@@ -14,6 +14,7 @@ const isMoved = (body: Body): boolean => body.isDynamic && !body.sleeping;
 /** The bodies that points of ropes touch in a step, by slot: what is to be known of each is read once. */
 export class TouchedBodies {
   readonly #simulation: Simulation;
+  #known = new Uint8Array(0);
   /** How many points touch each, and whether that moves it. */
   counts = new Int32Array(0);
   #moved = new Uint8Array(0);
@@ -29,17 +30,26 @@ export class TouchedBodies {
   begin(): void {
     const { slots } = this.#simulation.bodies.moving;
     this.counts.fill(0);
+    this.#known.fill(0);
     if (this.counts.length >= slots) return;
     this.counts = grownInt(this.counts, 2 * slots);
+    this.#known = new Uint8Array(2 * slots);
     this.#moved = new Uint8Array(2 * slots);
     this.#centres = grown(this.#centres, 6 * slots);
     this.#inertias = grown(this.#inertias, 2 * MATRIX * slots);
     this.#inverseMasses = grown(this.#inverseMasses, 2 * slots);
   }
 
-  /** One more point touches it. */
+  /** One more spot touches it. */
   add(slot: number): void {
-    if (this.counts[slot]!++ > 0) return;
+    this.counts[slot]!++;
+    this.know(slot);
+  }
+
+  /** Where it is and how it moves is to be asked. */
+  know(slot: number): void {
+    if (this.#known[slot]) return;
+    this.#known[slot] = 1;
     const body = this.#simulation.bodies.in(slot)!;
     this.#centres.set(body.centerOfMassWorld(), 3 * slot);
     this.#moved[slot] = isMoved(body) ? 1 : 0;

@@ -1,4 +1,6 @@
+import { dot3 } from '../../base/flat-math.js';
 import type { Links } from './links.js';
+import { SPOTS } from './spots.js';
 import { HELD, type Strand } from './strand.js';
 import type { Touches } from './touches.js';
 
@@ -59,12 +61,23 @@ const F = new Float64Array(3);
 /** How the first end acts on a point, by its inverse; and how it is acted on. */
 const from = new Float64Array(TURN);
 const to = new Float64Array(TURN);
+/** How the points of a link resist one by the other; and that by the inverse of the first. */
+const M = new Float64Array(TURN);
+const N = new Float64Array(TURN);
+const I = new Float64Array(TURN);
 
 /** out = m n, of 3 × 3 each. */
-function multiply(out: Float64Array, m: Float64Array, i: number, n: Float64Array, j: number): void {
+function multiply(
+  out: Float64Array,
+  m: Float64Array,
+  i: number,
+  n: Float64Array,
+  j: number,
+  o = 0,
+): void {
   for (let r = 0; r < 3; r++)
     for (let c = 0; c < 3; c++)
-      out[3 * r + c] =
+      out[o + 3 * r + c] =
         m[i + 3 * r]! * n[j + c]! +
         m[i + 3 * r + 1]! * n[j + 3 + c]! +
         m[i + 3 * r + 2]! * n[j + 6 + c]!;
@@ -78,7 +91,11 @@ function multiply(out: Float64Array, m: Float64Array, i: number, n: Float64Array
 export class Elimination {
   readonly #strand: Strand;
   readonly #links: Links;
-  readonly #touches: Touches;
+  readonly #knots: Touches;
+  readonly #between: Touches;
+  /** Of each link, how touches between its points resist one by the other; 1: there are any. */
+  readonly #couples: Float64Array;
+  readonly #coupled: Uint8Array;
   /** Of each point: its block, inverted once it is eliminated, and what is left to be done. */
   readonly #blocks: Float64Array;
   readonly rest: Float64Array;
@@ -99,11 +116,14 @@ export class Elimination {
   readonly change: Float64Array;
   readonly pullChange: Float64Array;
 
-  constructor(strand: Strand, links: Links, touches: Touches) {
+  constructor(strand: Strand, links: Links, knots: Touches, between: Touches) {
     const { points } = strand;
     this.#strand = strand;
     this.#links = links;
-    this.#touches = touches;
+    this.#knots = knots;
+    this.#between = between;
+    this.#couples = new Float64Array(TURN * (points - 1));
+    this.#coupled = new Uint8Array(points - 1);
     this.#blocks = new Float64Array(TURN * points);
     this.rest = new Float64Array(3 * points);
     this.#answers = new Float64Array(points - 1);
@@ -134,8 +154,66 @@ export class Elimination {
       blocks.fill(0, TURN * i, TURN * i + TURN);
       const stiff = (before >= 0 ? stiffness[before]! : 0) + (after >= 0 ? stiffness[after]! : 0);
       for (let k = 0; k < TURN; k += 4) blocks[TURN * i + k] = own + stiff;
-      if (holders[i]! < HELD) this.#touches.resist(i, blocks, TURN * i, rest, dt);
+      if (this.#knots.acts(i)) {
+        this.#knots.press(i, 1, rest, j);
+        this.#knots.resist(i, 1, blocks, TURN * i, dt);
+      }
     }
+    this.#coupled.fill(0);
+    if (this.#between.any) this.#couple(dt);
+  }
+
+  /** What touches a link between its points couples them. */
+  #couple(dt: number): void {
+    const between = this.#between;
+    const { count, firsts, shares } = between.spots;
+    const { holders } = this.#strand;
+    const couples = this.#couples.fill(0);
+    for (let c = 0; c < count; c++) {
+      if (!between.acts(c)) continue;
+      const i = firsts[c]!;
+      const share = shares[c]!;
+      this.#coupled[i] = 1;
+      between.resist(c, share * (1 - share), couples, TURN * i, dt);
+      if (holders[i]! < HELD)
+        this.#touch(c, 1 - share, this.rest, 3 * i, this.#blocks, TURN * i, dt);
+      if (holders[i + 1]! < HELD)
+        this.#touch(c, share, this.rest, 3 * i + 3, this.#blocks, TURN * (i + 1), dt);
+    }
+  }
+
+  /** What a touch does to one of its points, as much as that has a share of it. */
+  #touch(
+    c: number,
+    share: number,
+    rest: Float64Array,
+    at: number,
+    blocks: Float64Array,
+    block: number,
+    dt: number,
+  ): void {
+    this.#between.press(c, share, rest, at);
+    this.#between.resist(c, share * share, blocks, block, dt);
+  }
+
+  /** Ends that others move have what touches their own links, as they have what pulls at them. */
+  #touchEnds(first: number, last: number, dt: number): void {
+    const { shares } = this.#between.spots;
+    if (this.#coupled[first] && this.#strand.holders[first]! >= 0)
+      for (let c = SPOTS * first; c < SPOTS * (first + 1); c++)
+        if (this.#between.acts(c))
+          this.#touch(c, 1 - shares[c]!, this.endRests, 0, this.ends, 0, dt);
+    if (this.#coupled[last - 1] && this.#strand.holders[last]! >= 0)
+      for (let c = SPOTS * (last - 1); c < SPOTS * last; c++)
+        if (this.#between.acts(c))
+          this.#touch(c, shares[c]!, this.rest, 3 * last, this.#blocks, TURN * last, dt);
+  }
+
+  /** How the points of a link resist one by the other: by its pull along itself, and by what touches it between them. */
+  #readBetween(i: number): void {
+    const k = this.#links.stiffness[i]!;
+    for (let n = 0; n < TURN; n++)
+      M[n] = (n % 4 === 0 ? k : 0) - (this.#coupled[i] ? this.#couples[TURN * i + n]! : 0);
   }
 
   /**
@@ -170,7 +248,11 @@ export class Elimination {
         this.rest[3 * last + k] = -pulls[last - 1]! * pulling[3 * last - 3 + k]!;
       }
     }
+    this.#touchEnds(first, last, dt);
     this.#sprung = holders[first]! >= HELD && taut[first] === 1;
+    if (tied && !this.#sprung && this.#coupled[first])
+      for (let n = 0; n < TURN; n++)
+        this.#row[n] = this.#columns[TURN * (first + 1) + n] = this.#couples[TURN * first + n]!;
     for (let i = first; i < last; i++)
       if (i > first || holders[i]! < HELD) this.#eliminate(i, first, tied, dt);
       else if (this.#sprung && last === first + 1 && holders[last]! >= HELD)
@@ -180,10 +262,11 @@ export class Elimination {
 
   /** One link between two points that others move: a spring, as stiff as it gives way. */
   #tieEnds(i: number, tied: boolean, dt: number): void {
-    const { pulling, units, excess, compliance, stiffness } = this.#links;
+    const { pulling, units, excess, compliance } = this.#links;
     const blocks = this.#blocks;
     const j = 3 * i;
     const next = TURN * (i + 1);
+    this.#readBetween(i);
     const answer = (this.#answers[i] = compliance[i]!);
     const start = (this.#starts[i] = excess[i]!);
     for (let r = 0; r < 3; r++) {
@@ -194,7 +277,7 @@ export class Elimination {
       this.endRests[r]! += (pull * start) / answer;
       for (let c = 0; c < 3; c++) {
         const own = (pull * dt * units[j + c]!) / answer;
-        const stiff = own + (r === c ? stiffness[i]! : 0);
+        const stiff = own + M[3 * r + c]!;
         blocks[next + 3 * r + c]! += own;
         if (!tied) continue;
         this.ends[3 * r + c]! += own;
@@ -212,6 +295,10 @@ export class Elimination {
     const next = at + TURN;
     const j = 3 * i;
     this.#solvePoint(i, first, tied, dt);
+    if (this.#coupled[i]) {
+      this.#eliminateCoupled(i, tied, dt);
+      return;
+    }
     if (!taut[i]) {
       this.#row.fill(0);
       return;
@@ -227,12 +314,60 @@ export class Elimination {
       this.#adds[j + r] = dt * (units[j + r]! - k * E[r]!);
       B[r] = pulling[j + r]! - k * D[r]!;
     }
-    if (tied) this.#carryEnd(i, k, dt);
+    if (tied) {
+      for (let n = 0; n < TURN; n++) {
+        this.#row[n] = k * to[n]!;
+        this.#columns[next + n] = k * from[n]!;
+      }
+      this.#carryEnd(i, dt);
+    }
     for (let r = 0; r < 3; r++) {
       const share = B[r]! / answer;
       rest[j + 3 + r]! += k * R[r]! - share * start;
       for (let c = 0; c < 3; c++)
         blocks[next + 3 * r + c]! += share * this.#adds[j + c]! - k * k * blocks[at + 3 * r + c]!;
+    }
+  }
+
+  /** The same where something touches the link between the point and the next one: taut or not, it couples them. */
+  #eliminateCoupled(i: number, tied: boolean, dt: number): void {
+    const blocks = this.#blocks;
+    const rest = this.rest;
+    const at = TURN * i;
+    const next = at + TURN;
+    const j = 3 * i;
+    this.#readBetween(i);
+    multiply(N, blocks, at, M, 0);
+    if (tied) {
+      multiply(this.#row, to, 0, M, 0);
+      multiply(this.#columns, M, 0, from, 0, next);
+    }
+    times(B, M, 0, R, 0);
+    for (let r = 0; r < 3; r++) rest[j + 3 + r]! += B[r]!;
+    multiply(I, M, 0, N, 0);
+    for (let n = 0; n < TURN; n++) blocks[next + n]! -= I[n]!;
+    if (this.#links.taut[i]) this.#pullCoupled(i, tied, dt);
+  }
+
+  #pullCoupled(i: number, tied: boolean, dt: number): void {
+    const { pulling, units, excess, compliance } = this.#links;
+    const blocks = this.#blocks;
+    const at = TURN * i;
+    const j = 3 * i;
+    times(D, blocks, at, pulling, j);
+    timesT(E, N, 0, units, j);
+    const answer = (this.#answers[i] = dt * dot3(units, j, D, 0) + compliance[i]!);
+    const start = (this.#starts[i] = excess[i]! - dt * dot3(units, j, R, 0));
+    times(B, M, 0, D, 0);
+    for (let r = 0; r < 3; r++) {
+      this.#adds[j + r] = dt * (units[j + r]! - E[r]!);
+      B[r] = pulling[j + r]! - B[r]!;
+    }
+    if (tied) this.#carryEnd(i, dt);
+    for (let r = 0; r < 3; r++) {
+      const share = B[r]! / answer;
+      this.rest[j + 3 + r]! -= share * start;
+      for (let c = 0; c < 3; c++) blocks[at + TURN + 3 * r + c]! += share * this.#adds[j + c]!;
     }
   }
 
@@ -252,12 +387,12 @@ export class Elimination {
 
   /** The same beside a first end: `I` is the inverse so far, and goes to the block of that end, which has none. */
   #springPoint(first: number, tied: boolean, dt: number): void {
-    const { pulling, units, excess, compliance, stiffness } = this.#links;
+    const { pulling, units, excess, compliance } = this.#links;
     const blocks = this.#blocks;
     const at = TURN * (first + 1);
     const own = TURN * first;
     const j = 3 * first;
-    const k = stiffness[first]!;
+    this.#readBetween(first);
     for (let n = 0; n < TURN; n++) blocks[own + n] = blocks[at + n]!;
     times(F, blocks, at, pulling, j);
     timesT(T, blocks, at, units, j);
@@ -272,21 +407,27 @@ export class Elimination {
     const share = dt / answer;
     for (let r = 0; r < 3; r++) {
       R[r]! -= F[r]! * pull;
-      this.endRests[r]! += k * R[r]! + pulling[j + r]! * pull;
       for (let c = 0; c < 3; c++) blocks[at + 3 * r + c]! -= share * F[r]! * T[c]!;
     }
     if (!tied) return;
-    for (let r = 0; r < 3; r++)
+    times(D, M, 0, R, 0);
+    multiply(from, blocks, at, M, 0);
+    multiply(to, M, 0, blocks, at);
+    multiply(N, M, 0, from, 0);
+    times(E, M, 0, T, 0);
+    times(B, M, 0, F, 0);
+    for (let r = 0; r < 3; r++) {
+      const pulls = pulling[j + r]!;
+      this.endRests[r]! += D[r]! + pulls * pull;
       for (let c = 0; c < 3; c++) {
         const n = 3 * r + c;
-        const inverse = k * blocks[at + n]!;
-        const acts = inverse + share * F[r]! * units[j + c]!;
-        const answers = inverse + share * pulling[j + r]! * T[c]!;
-        this.ends[n]! += share * pulling[j + r]! * units[j + c]! - k * (acts + answers - inverse);
-        from[n] = -acts;
-        to[n] = -answers;
+        const unit = units[j + c]!;
+        this.ends[n]! += share * (pulls * (unit - E[c]!) - B[r]! * unit) - N[n]!;
+        from[n] = -from[n]! - share * F[r]! * unit;
+        to[n] = -to[n]! - share * pulls * T[c]!;
         this.#columns[at + n] = 0;
       }
+    }
   }
 
   /** A point is eliminated that the first end acts on by those before it. */
@@ -304,7 +445,7 @@ export class Elimination {
   }
 
   /** What the first end and those after the link have to do with each other through it. */
-  #carryEnd(i: number, k: number, dt: number): void {
+  #carryEnd(i: number, dt: number): void {
     const next = TURN * (i + 1);
     const j = 3 * i;
     const { units, pulling } = this.#links;
@@ -323,8 +464,8 @@ export class Elimination {
       for (let c = 0; c < 3; c++) {
         const n = 3 * r + c;
         this.ends[n]! += share * T[c]!;
-        this.#row[n] = k * to[n]! + share * this.#adds[j + c]!;
-        this.#columns[next + n] = k * from[n]! + (B[r]! / answer) * T[c]!;
+        this.#row[n]! += share * this.#adds[j + c]!;
+        this.#columns[next + n]! += (B[r]! / answer) * T[c]!;
       }
     }
   }
@@ -357,7 +498,7 @@ export class Elimination {
     for (let i = last; i >= first; i--) {
       if (i < last && !(sprung && i === first && !alone)) this.#followPull(i, first, tied);
       if ((i === last && holders[i]! >= HELD) || (i === first && held)) continue;
-      this.#followPoint(i, first, tied, i < last && taut[i] === 1, sprung && i === first + 1, dt);
+      this.#followPoint(i, first, last, tied, sprung && i === first + 1, dt);
     }
   }
 
@@ -377,13 +518,14 @@ export class Elimination {
   #followPoint(
     i: number,
     first: number,
+    last: number,
     tied: boolean,
-    pulled: boolean,
     sprung: boolean,
     dt: number,
   ): void {
     const change = this.change;
-    const { pulling, stiffness } = this.#links;
+    const { pulling, stiffness, taut } = this.#links;
+    const pulled = i < last && taut[i] === 1;
     const j = 3 * i;
     for (let k = 0; k < 3; k++) {
       let r = this.rest[j + k]!;
@@ -394,11 +536,19 @@ export class Elimination {
           r -= this.#columns[TURN * i + 3 * k + c]! * change[3 * first + c]!;
       R[k] = r;
     }
+    if (i < last && this.#coupled[i]) this.#followTouches(i, i + 1);
+    if (sprung && this.#coupled[first]) this.#followTouches(first, first);
     if (sprung) this.#followSpring(first, dt);
     else {
       times(D, this.#blocks, TURN * i, R, 0);
       for (let k = 0; k < 3; k++) change[j + k] = D[k]!;
     }
+  }
+
+  /** What touches a link takes from one of its points by how the other one goes on. */
+  #followTouches(link: number, other: number): void {
+    times(F, this.#couples, TURN * link, this.change, 3 * other);
+    for (let k = 0; k < 3; k++) R[k]! -= F[k]!;
   }
 
   /** The point beside a first end, and the pull between them. */

@@ -22,7 +22,9 @@ const BLOCK = SIDE * SIDE;
 class Part {
   readonly strand: Strand;
   readonly links: Links;
-  readonly touches: Touches;
+  /** Of its points, and of its links between them. */
+  readonly knots: Touches;
+  readonly between: Touches;
   readonly elimination: Elimination;
   /** Ends of its stretches: points that are held or tied, and its own ends. */
   readonly stops: number[] = [];
@@ -31,8 +33,9 @@ class Part {
   constructor(strand: Strand) {
     this.strand = strand;
     this.links = new Links(strand);
-    this.touches = new Touches(strand);
-    this.elimination = new Elimination(strand, this.links, this.touches);
+    this.knots = new Touches(strand, strand.knots);
+    this.between = new Touches(strand, strand.between);
+    this.elimination = new Elimination(strand, this.links, this.knots, this.between);
     this.pullsBefore = new Float64Array(strand.points - 1);
   }
 
@@ -96,7 +99,8 @@ export class RopeSolve {
     for (const part of this.#parts) {
       part.divide();
       part.links.begin(dt);
-      part.touches.begin(dt);
+      part.knots.begin(dt);
+      part.between.begin(dt);
     }
     this.#keep();
     // Arms that turn find ends that others do not; where they find none, a search without them may.
@@ -235,11 +239,12 @@ export class RopeSolve {
   }
 
   #assemblePart(part: Part, dt: number, directions: Directions): void {
-    const { strand, links, touches, elimination, stops } = part;
+    const { strand, links, knots, between, elimination, stops } = part;
     const { holders, masses, free, found } = strand;
     this.#placeTied(part, dt);
     links.read(dt, directions, this.#rounds === 1);
-    touches.read(dt, this.#rounds === 1);
+    knots.read(dt, this.#rounds === 1);
+    between.read(dt, this.#rounds === 1);
     elimination.fill(dt);
     for (const i of stops) {
       if (holders[i]! < 0) continue;
@@ -394,10 +399,11 @@ export class RopeSolve {
     for (let i = 0; i < SIDE * count; i++) velocities[i]! += share * this.#change[i]!;
     for (const each of this.bodies.joined) if (each.active) each.follow(this.#change, share);
     let most = 0;
-    for (const { strand, links, touches, elimination } of this.#parts) {
+    for (const { strand, links, knots, between, elimination } of this.#parts) {
       const { found, pulls, points } = strand;
       const { change, pullChange } = elimination;
-      touches.follow(change, share, dt);
+      knots.follow(change, share, dt);
+      between.follow(change, share, dt);
       for (let i = 0; i < 3 * points; i++) {
         found[i]! += share * change[i]!;
         const way = Math.abs(change[i]!);
@@ -411,9 +417,12 @@ export class RopeSolve {
   /** Where friction turns round a round goes no further. */
   #share(dt: number): number {
     let share = 1;
-    for (const { touches, elimination } of this.#parts)
-      if (touches.any)
-        share = Math.min(share, touches.share(elimination.change, this.#inertia(), dt));
+    for (const { knots, between, elimination } of this.#parts) {
+      if (!knots.any && !between.any) continue;
+      const inertia = this.#inertia();
+      share = Math.min(share, knots.share(elimination.change, inertia, dt));
+      share = Math.min(share, between.share(elimination.change, inertia, dt));
+    }
     return share;
   }
 

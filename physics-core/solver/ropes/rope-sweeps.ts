@@ -3,10 +3,12 @@ import { DenseLu } from '../matrix/dense-lu.js';
 import { ROPE_SWEEPS } from '../tolerances.js';
 import type { Links } from './links.js';
 import { HELD, type Strand } from './strand.js';
+import { SPOTS, type Spots } from './spots.js';
 import type { TiedBodies } from './tied-bodies.js';
 
 const BLOCK = SIDE * SIDE;
 const way = new Float64Array(3);
+const slip = new Float64Array(3);
 const given = new Float64Array(SIDE);
 
 /**
@@ -47,8 +49,10 @@ export class RopeSweeps {
   solve(strands: readonly Links[], dt: number): void {
     for (const { strand } of strands) {
       strand.pulls.fill(0);
-      strand.presses.fill(0);
-      strand.rubs.fill(0);
+      for (const { presses, rubs } of [strand.knots, strand.between]) {
+        presses.fill(0);
+        rubs.fill(0);
+      }
     }
     for (let sweep = 0; sweep < ROPE_SWEEPS; sweep++)
       for (const links of strands) this.#sweep(links, dt, sweep % 2 === 1);
@@ -58,11 +62,13 @@ export class RopeSweeps {
 
   #sweep(links: Links, dt: number, back: boolean): void {
     const { strand } = links;
-    const { points } = strand;
+    const { points, knots, between } = strand;
     for (let n = 0; n < points; n++) {
       const i = back ? points - 1 - n : n;
       if (i < points - 1) this.#link(links, i, dt);
-      if (strand.touches[i] && strand.holders[i]! < HELD) this.#touch(strand, i, dt);
+      if (knots.touches[i]) this.#touch(strand, knots, i, dt);
+      for (let c = SPOTS * i; c < SPOTS * (i + 1) && c < between.count; c++)
+        if (between.touches[c]) this.#touch(strand, between, c, dt);
     }
   }
 
@@ -147,25 +153,44 @@ export class RopeSweeps {
   }
 
   /** Pushed out, and rubbed by as much of that as Coulomb's law allows. */
-  #touch(strand: Strand, i: number, dt: number): void {
-    const { normals, gaps, surfaces, found, masses, presses, rubs, frictions } = strand;
-    const j = 3 * i;
-    const mass = masses[i]!;
+  #touch(strand: Strand, spots: Spots, c: number, dt: number): void {
+    const { firsts, shares, normals, gaps, surfaces, presses, rubs, frictions } = spots;
+    const { found } = strand;
+    const i = firsts[c]!;
+    const share = shares[c]!;
+    const next = share > 0 ? i + 1 : i;
+    const j = 3 * c;
+    this.#follow(strand, i);
+    this.#follow(strand, next);
     let away = 0;
-    for (let k = 0; k < 3; k++)
-      away += normals[j + k]! * (way[k] = found[j + k]! - surfaces[j + k]!);
-    const out = Math.max(0, -gaps[i]! / dt - away);
+    for (let k = 0; k < 3; k++) {
+      const v = found[3 * i + k]!;
+      slip[k] = v + share * (found[3 * next + k]! - v) - surfaces[j + k]!;
+      away += normals[j + k]! * slip[k]!;
+    }
+    for (let k = 0; k < 3; k++) way[k] = normals[j + k]!;
+    const out = this.#answer(strand, i, share, Math.max(0, -gaps[c]! / dt - away));
+    presses[c]! += out;
     let square = 0;
     for (let k = 0; k < 3; k++) {
-      way[k]! -= away * normals[j + k]!;
-      square += way[k]! ** 2;
+      slip[k]! -= away * normals[j + k]!;
+      square += slip[k]! ** 2;
     }
-    const slip = Math.sqrt(square);
-    const share = slip > 0 ? Math.min(1, (frictions[i]! * out) / slip) : 0;
-    presses[i]! += mass * out;
-    for (let k = 0; k < 3; k++) {
-      found[j + k]! += out * normals[j + k]! - share * way[k]!;
-      rubs[j + k]! -= mass * share * way[k]!;
-    }
+    if (!(square > 0)) return;
+    const speed = Math.sqrt(square);
+    for (let k = 0; k < 3; k++) way[k] = -slip[k]! / speed;
+    const rub = this.#answer(strand, i, share, speed, frictions[c]! * out);
+    for (let k = 0; k < 3; k++) rubs[j + k]! += rub * way[k]!;
+  }
+
+  /** A spot is given such a speed along `way`, by no more than such an impulse, N s: which is answered. */
+  #answer(strand: Strand, i: number, share: number, speed: number, most = Infinity): number {
+    let gives = (1 - share) ** 2 * this.#softness(strand, i);
+    if (share > 0) gives += share ** 2 * this.#softness(strand, i + 1);
+    const impulse = gives > 0 ? Math.min(most, speed / gives) : 0;
+    if (!(impulse > 0)) return 0;
+    this.#push(strand, i, (1 - share) * impulse);
+    if (share > 0) this.#push(strand, i + 1, share * impulse);
+    return impulse;
   }
 }

@@ -1,4 +1,5 @@
 import { SHORTEST_LINK } from '../tolerances.js';
+import { Spots, SPOTS } from './spots.js';
 
 /** A point that nothing holds, or that goes where it is taken; else the number of the body that it is tied to. */
 export const FREE = -2;
@@ -25,12 +26,6 @@ export class Strand {
   readonly velocities: Float64Array;
   /** Of each link, how it pulled in the last step: N s for each metre of it. */
   readonly pulls: Float64Array;
-  /** Of each point, how what it touches pushed and rubbed it, N s: along the normal, and along the surface. */
-  readonly presses: Float64Array;
-  readonly rubs: Float64Array;
-  /** The same in the step before. */
-  readonly pressed: Float64Array;
-  readonly rubbed: Float64Array;
 
   // ---- a step -------------------------------------------------------------------------------------------------------
 
@@ -45,17 +40,11 @@ export class Strand {
   readonly ways: Float64Array;
   readonly changes: Float64Array;
 
-  // ---- what its points touch ------------------------------------------------------------------------------------------
+  // ---- what it touches ------------------------------------------------------------------------------------------------
 
-  /** 1: there is something to touch. */
-  readonly touches: Uint8Array;
-  readonly normals: Float64Array;
-  /** How far away that is when the step begins, metres; how fast it is, m/s. */
-  readonly gaps: Float64Array;
-  readonly surfaces: Float64Array;
-  readonly frictions: Float64Array;
-  /** How it gives way: m/s for each N s. */
-  readonly yields: Float64Array;
+  /** By its points, and by its links between them. */
+  readonly knots: Spots;
+  readonly between: Spots;
 
   constructor(points: number) {
     const links = points - 1;
@@ -67,10 +56,6 @@ export class Strand {
     this.places = new Float64Array(3 * points);
     this.velocities = new Float64Array(3 * points);
     this.pulls = new Float64Array(links);
-    this.presses = new Float64Array(points);
-    this.rubs = new Float64Array(3 * points);
-    this.pressed = new Float64Array(points);
-    this.rubbed = new Float64Array(3 * points);
     this.free = new Float64Array(3 * points);
     this.found = new Float64Array(3 * points);
     this.armsBefore = new Float64Array(3 * points);
@@ -78,12 +63,8 @@ export class Strand {
     this.armsAfter = new Float64Array(3 * points);
     this.ways = new Float64Array(3 * links);
     this.changes = new Float64Array(3 * links);
-    this.touches = new Uint8Array(points);
-    this.normals = new Float64Array(3 * points);
-    this.gaps = new Float64Array(points);
-    this.surfaces = new Float64Array(3 * points);
-    this.frictions = new Float64Array(points);
-    this.yields = new Float64Array(points);
+    this.knots = new Spots(points, 1);
+    this.between = new Spots(links, SPOTS);
   }
 
   /** Gives it a line of points, and what it weighs: each link half to either of its ends. */
@@ -108,8 +89,8 @@ export class Strand {
   /** What a step begins with. */
   begin(dt: number): void {
     const { places, velocities, ways, changes, points } = this;
-    for (let i = 0; i < points; i++) this.pressed[i] = this.presses[i]!;
-    for (let j = 0; j < 3 * points; j++) this.rubbed[j] = this.rubs[j]!;
+    this.knots.begin();
+    this.between.begin();
     for (let i = 0; i < 3 * points - 3; i++) {
       ways[i] = places[i + 3]! - places[i]!;
       changes[i] = dt * (velocities[i + 3]! - velocities[i]!);

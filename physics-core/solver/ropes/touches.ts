@@ -1,3 +1,4 @@
+import { dot3 } from '../../base/flat-math.js';
 import {
   GRIP_COMPLIANCE,
   LINK_COMPLIANCE,
@@ -6,21 +7,27 @@ import {
   SHARE_TRIES,
 } from '../tolerances.js';
 import { HELD, type Strand } from './strand.js';
+import type { Spots } from './spots.js';
 
 const NONE = 0;
 const STICKS = 1;
 const SLIPS = 2;
 
 const tried = new Float64Array(3);
+const moved = new Float64Array(3);
 
 /**
- * What the points of a strand touch, in a round of the search. It pushes them away as if it gave way a little, and holds them
+ * What spots of a strand touch, in a round of the search. It pushes them away as if it gave way a little, and holds them
  * along the surface as springs would that remember where they were taut in the last step: as hard as Coulomb's law says at
- * most. So what sticks does not creep, and what slips is held by what presses it on.
+ * most. So what sticks does not creep, and what slips is held by what presses it on. Between two points each has its share
+ * of that, as much as it has of the place.
  */
 export class Touches {
+  readonly spots: Spots;
   readonly #strand: Strand;
   readonly #state: Uint8Array;
+  /** What a push of 1 N s does to the speed of each, 1/kg. */
+  readonly #gives: Float64Array;
   /** Metres for each N s: along the normal, and along the surface. */
   readonly #compliance: Float64Array;
   readonly #grip: Float64Array;
@@ -36,113 +43,150 @@ export class Touches {
   /** Whether it touches anything. */
   any = false;
 
-  constructor(strand: Strand) {
-    const { points } = strand;
+  constructor(strand: Strand, spots: Spots) {
+    const { count } = spots;
+    this.spots = spots;
     this.#strand = strand;
-    this.#state = new Uint8Array(points);
-    this.#compliance = new Float64Array(points);
-    this.#grip = new Float64Array(points);
-    this.#depths = new Float64Array(points);
-    this.#most = new Float64Array(points);
-    this.#ways = new Float64Array(3 * points);
-    this.#shares = new Float64Array(points);
-    this.#trials = new Float64Array(3 * points);
+    this.#state = new Uint8Array(count);
+    this.#gives = new Float64Array(count);
+    this.#compliance = new Float64Array(count);
+    this.#grip = new Float64Array(count);
+    this.#depths = new Float64Array(count);
+    this.#most = new Float64Array(count);
+    this.#ways = new Float64Array(3 * count);
+    this.#shares = new Float64Array(count);
+    this.#trials = new Float64Array(3 * count);
   }
 
   begin(dt: number): void {
-    const { touches, holders, masses, yields, presses, pressed, rubs, frictions, points } =
-      this.#strand;
+    const { touches, yields, presses, pressed, rubs, frictions, count } = this.spots;
     this.any = false;
+    if (this.spots.recent === 0) return;
     this.#state.fill(NONE);
-    for (let i = 0; i < points; i++) {
-      const j = 3 * i;
-      if (touches[i] && holders[i]! < HELD) {
+    for (let c = 0; c < count; c++) {
+      const j = 3 * c;
+      const gives = touches[c] ? this.#givesOf(c) : 0;
+      this.#gives[c] = gives;
+      if (gives > 0) {
         this.any = true;
-        this.#most[i] = frictions[i]! * pressed[i]!;
-        const own = dt / masses[i]!;
-        this.#compliance[i] = LINK_COMPLIANCE * own + dt * yields[i]!;
-        this.#grip[i] = GRIP_COMPLIANCE * own + dt * yields[i]!;
-      } else presses[i] = rubs[j] = rubs[j + 1] = rubs[j + 2] = 0;
+        this.#most[c] = frictions[c]! * pressed[c]!;
+        const own = dt * gives;
+        this.#compliance[c] = LINK_COMPLIANCE * own + dt * yields[c]!;
+        this.#grip[c] = GRIP_COMPLIANCE * own + dt * yields[c]!;
+      } else presses[c] = rubs[j] = rubs[j + 1] = rubs[j + 2] = 0;
     }
+  }
+
+  /** By what its points weigh; 0: nothing moves any of it. */
+  #givesOf(c: number): number {
+    const { holders, masses } = this.#strand;
+    const i = this.spots.firsts[c]!;
+    const share = this.spots.shares[c]!;
+    let gives = 0;
+    if (holders[i] !== HELD) gives += (1 - share) ** 2 / masses[i]!;
+    if (share > 0 && holders[i + 1] !== HELD) gives += share ** 2 / masses[i + 1]!;
+    return gives;
   }
 
   /** By the velocities found so far. */
   read(dt: number, first: boolean): void {
     if (!this.any) return;
-    const { touches, holders, points } = this.#strand;
-    for (let i = 0; i < points; i++) if (touches[i] && holders[i]! < HELD) this.#read(i, dt, first);
+    const { count } = this.spots;
+    for (let c = 0; c < count; c++) if (this.#gives[c]! > 0) this.#read(c, dt, first);
   }
 
-  #read(i: number, dt: number, first: boolean): void {
-    const { normals, gaps, surfaces, found, masses, presses, rubs, rubbed } = this.#strand;
+  #read(c: number, dt: number, first: boolean): void {
+    const { firsts, shares, normals, gaps, surfaces, presses, rubs, rubbed } = this.spots;
+    const { found } = this.#strand;
     const ways = this.#ways;
-    const j = 3 * i;
+    const j = 3 * c;
+    const share = shares[c]!;
+    const one = 3 * firsts[c]!;
+    const two = share > 0 ? one + 3 : one;
     let away = 0;
-    for (let k = j; k < j + 3; k++) away += normals[k]! * (ways[k] = found[k]! - surfaces[k]!);
-    const gap = gaps[i]! + dt * away;
-    const before = presses[i]!;
-    const pressed = before > 0 ? before * dt > gap * masses[i]! : gap < -ROPE_MISS;
-    if (!pressed && !(first && gaps[i]! <= ROPE_NEAR)) {
-      this.#state[i] = presses[i] = rubs[j] = rubs[j + 1] = rubs[j + 2] = 0;
+    for (let k = 0; k < 3; k++) {
+      const v = found[one + k]!;
+      ways[j + k] = v + share * (found[two + k]! - v) - surfaces[j + k]!;
+      away += normals[j + k]! * ways[j + k]!;
+    }
+    const gap = gaps[c]! + dt * away;
+    const before = presses[c]!;
+    const pressed = before > 0 ? before * dt * this.#gives[c]! > gap : gap < -ROPE_MISS;
+    if (!pressed && !(first && gaps[c]! <= ROPE_NEAR)) {
+      this.#state[c] = presses[c] = rubs[j] = rubs[j + 1] = rubs[j + 2] = 0;
       return;
     }
-    this.#depths[i] = gap + this.#compliance[i]! * before;
+    this.#depths[c] = gap + this.#compliance[c]! * before;
     let along = 0;
     for (let k = j; k < j + 3; k++) along += normals[k]! * rubbed[k]!;
     let square = 0;
     for (let k = j; k < j + 3; k++) {
       const slip = ways[k]! - away * normals[k]!;
-      rubs[k] = rubbed[k]! - along * normals[k]! - (dt * slip) / this.#grip[i]!;
+      rubs[k] = rubbed[k]! - along * normals[k]! - (dt * slip) / this.#grip[c]!;
       this.#trials[k] = rubs[k]!;
       square += rubs[k]! ** 2;
     }
-    const most = this.#most[i]!;
+    const most = this.#most[c]!;
     if (square <= most * most) {
-      this.#state[i] = STICKS;
+      this.#state[c] = STICKS;
       return;
     }
-    this.#state[i] = SLIPS;
+    this.#state[c] = SLIPS;
     const length = Math.sqrt(square);
-    this.#shares[i] = most / length;
+    this.#shares[c] = most / length;
     for (let k = j; k < j + 3; k++) {
       ways[k] = rubs[k]! / length;
       rubs[k] = most * ways[k]!;
     }
   }
 
-  /** Adds to the block of a point and to what is missing of its momentum. */
-  resist(i: number, blocks: Float64Array, at: number, rest: Float64Array, dt: number): void {
-    const state = this.#state[i]!;
-    if (state === NONE) return;
-    const { normals, presses, rubs } = this.#strand;
+  acts(c: number): boolean {
+    return this.#state[c] !== NONE;
+  }
+
+  /** Adds such a share of what it pushes by to what is missing of a momentum. */
+  press(c: number, share: number, rest: Float64Array, at: number): void {
+    const { normals, presses, rubs } = this.spots;
+    const j = 3 * c;
+    const press = presses[c]! - this.#depths[c]! / this.#compliance[c]!;
+    for (let k = 0; k < 3; k++) rest[at + k]! += share * (press * normals[j + k]! + rubs[j + k]!);
+  }
+
+  /** Adds such a share of what resists a change of its velocity to a block. */
+  resist(c: number, share: number, blocks: Float64Array, at: number, dt: number): void {
+    const { normals } = this.spots;
     const ways = this.#ways;
-    const j = 3 * i;
-    const stiff = 1 / this.#compliance[i]!;
-    const slips = state === SLIPS;
-    const hold = (dt / this.#grip[i]!) * (slips ? this.#shares[i]! : 1);
-    for (let k = 0; k < 3; k++) {
-      const n = normals[j + k]!;
-      rest[j + k]! += (presses[i]! - stiff * this.#depths[i]!) * n + rubs[j + k]!;
-    }
+    const j = 3 * c;
+    const slips = this.#state[c] === SLIPS;
+    const stiff = (share * dt) / this.#compliance[c]!;
+    const hold = ((share * dt) / this.#grip[c]!) * (slips ? this.#shares[c]! : 1);
     for (let r = 0; r < 3; r++)
-      for (let c = 0; c < 3; c++) {
-        const n = normals[j + c]!;
-        let share = (r === c ? 1 : 0) - normals[j + r]! * n;
-        if (slips) share -= ways[j + r]! * ways[j + c]!;
-        blocks[at + 3 * r + c]! += dt * stiff * normals[j + r]! * n + hold * share;
+      for (let k = 0; k < 3; k++) {
+        const n = normals[j + k]!;
+        let along = (r === k ? 1 : 0) - normals[j + r]! * n;
+        if (slips) along -= ways[j + r]! * ways[j + k]!;
+        blocks[at + 3 * r + k]! += stiff * normals[j + r]! * n + hold * along;
       }
+  }
+
+  /** Of a change of each point, that of a spot, to `moved`. */
+  #moves(change: Float64Array, c: number): void {
+    const share = this.spots.shares[c]!;
+    const one = 3 * this.spots.firsts[c]!;
+    const two = share > 0 ? one + 3 : one;
+    for (let k = 0; k < 3; k++)
+      moved[k] = change[one + k]! + share * (change[two + k]! - change[one + k]!);
   }
 
   /** How it is pushed once it goes on by `change`. */
   follow(change: Float64Array, share: number, dt: number): void {
     if (!this.any) return;
-    const { normals, presses, points } = this.#strand;
-    for (let i = 0; i < points; i++) {
-      if (this.#state[i] === NONE) continue;
-      const j = 3 * i;
-      let away = 0;
-      for (let k = j; k < j + 3; k++) away += normals[k]! * change[k]!;
-      presses[i]! -= (share * (this.#depths[i]! + dt * away)) / this.#compliance[i]!;
+    const { normals, presses, count } = this.spots;
+    for (let c = 0; c < count; c++) {
+      if (this.#state[c] === NONE) continue;
+      this.#moves(change, c);
+      const away = dot3(normals, 3 * c, moved, 0);
+      presses[c]! -= (share * (this.#depths[c]! + dt * away)) / this.#compliance[c]!;
     }
   }
 
@@ -164,31 +208,28 @@ export class Touches {
 
   /** Of energy and friction together, along the change: it grows with the share, and is 0 where that is enough. */
   #slope(change: Float64Array, share: number, inertia: number, dt: number): number {
-    const { normals, rubs, points } = this.#strand;
+    const { normals, rubs, count } = this.spots;
     let slope = -(1 - share) * inertia;
-    for (let i = 0; i < points; i++) {
-      const state = this.#state[i]!;
+    for (let c = 0; c < count; c++) {
+      const state = this.#state[c]!;
       if (state === NONE) continue;
-      const j = 3 * i;
-      let away = 0;
-      let slipping = 0;
-      for (let k = j; k < j + 3; k++) {
-        away += normals[k]! * change[k]!;
-        slipping += this.#ways[k]! * change[k]!;
-      }
-      const hold = (dt / this.#grip[i]!) * (state === SLIPS ? this.#shares[i]! : 1);
+      const j = 3 * c;
+      this.#moves(change, c);
+      const away = dot3(normals, j, moved, 0);
+      const slipping = dot3(this.#ways, j, moved, 0);
+      const hold = (dt / this.#grip[c]!) * (state === SLIPS ? this.#shares[c]! : 1);
       let square = 0;
-      for (let k = j; k < j + 3; k++) {
-        const along = change[k]! - away * normals[k]!;
-        tried[k - j] = this.#trials[k]! - (share * dt * along) / this.#grip[i]!;
-        square += tried[k - j]! ** 2;
+      for (let k = 0; k < 3; k++) {
+        const along = moved[k]! - away * normals[j + k]!;
+        tried[k] = this.#trials[j + k]! - (share * dt * along) / this.#grip[c]!;
+        square += tried[k]! ** 2;
       }
-      const most = this.#most[i]!;
+      const most = this.#most[c]!;
       const within = square > most * most ? most / Math.sqrt(square) : 1;
-      for (let k = j; k < j + 3; k++) {
-        const along = change[k]! - away * normals[k]!;
-        const aside = along - (state === SLIPS ? slipping * this.#ways[k]! : 0);
-        slope -= along * (within * tried[k - j]! - (rubs[k]! - hold * aside));
+      for (let k = 0; k < 3; k++) {
+        const along = moved[k]! - away * normals[j + k]!;
+        const aside = along - (state === SLIPS ? slipping * this.#ways[j + k]! : 0);
+        slope -= along * (within * tried[k]! - (rubs[j + k]! - hold * aside));
       }
     }
     return slope;

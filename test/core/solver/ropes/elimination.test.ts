@@ -108,6 +108,45 @@ function solved(
   return [...out];
 }
 
+/** What touches links between points pushes both, and resists both. */
+function addTouches(between: Touches, right: number[], columns: number[][]): void {
+  const { count, firsts, shares } = between.spots;
+  for (let c = 0; c < count; c++) {
+    if (!between.acts(c)) continue;
+    const push = new Float64Array(3);
+    const block = new Float64Array(9);
+    between.press(c, 1, push, 0);
+    between.resist(c, 1, block, 0, DT);
+    const own = [1 - shares[c]!, shares[c]!];
+    own.forEach((share, a) => {
+      const i = 3 * (firsts[c]! + a);
+      for (let r = 0; r < 3; r++) {
+        right[i + r]! += share * push[r]!;
+        own.forEach((other, b) => {
+          const j = 3 * (firsts[c]! + b);
+          for (let k = 0; k < 3; k++) columns[j + k]![i + r]! -= share * other * block[3 * r + k]!;
+        });
+      }
+    });
+  }
+}
+
+/** Something lies at such spots, presses and rubs, some of it slipping. */
+function lay(strand: Strand, spots: readonly number[], seed: number): void {
+  const { between } = strand;
+  const next = random(seed);
+  for (const c of spots) {
+    between.touch(c);
+    between.shares[c] = 0.1 + 0.8 * next();
+    between.normals.set([0.6, 0.8, 0], 3 * c);
+    between.gaps[c] = -0.001;
+    between.presses[c] = between.pressed[c] = 0.1 + next();
+    between.frictions[c] = c % 3;
+    // So soft that the whole matrix can be solved to as many digits.
+    between.yields[c] = 20 + 10 * next();
+  }
+}
+
 const near = (actual: readonly number[], expected: readonly number[], what: string): void =>
   close(actual, expected, EXACT * Math.max(1e-9, ...expected.map(Math.abs)), what);
 
@@ -116,24 +155,39 @@ const ENDS = { free: FREE, held: HELD, tied: 0 };
 for (const [name, directions] of Object.entries({ 'even pulls': EVEN, 'nearest places': NEAREST }))
   for (const [start, first] of Object.entries(ENDS))
     for (const [end, last] of Object.entries(ENDS))
-      for (const slack of [[], [2], [0], [4]])
-        test(`one round of Newton is that of the whole matrix: ${name}, ${start} to ${end}, slack ${slack.join() || 'nowhere'}`, () => {
+      for (const [slack, spots] of [
+        [[], []],
+        [[2], []],
+        [[0], []],
+        [[4], []],
+        [[], [0, 1, 4, 9]],
+        [[2], [2, 4]],
+        [[0], [0]],
+        [[4], [7, 8]],
+      ] as const)
+        test(`one round of Newton is that of the whole matrix: ${name}, ${start} to ${end}, slack ${slack.join() || 'nowhere'}, touched at ${spots.join() || 'none'}`, () => {
           const strand = strandOf(first, last === 0 ? 1 : last, slack, 7);
+          lay(strand, spots, 11);
           const links = new Links(strand);
-          const touches = new Touches(strand);
-          const elimination = new Elimination(strand, links, touches);
+          const knots = new Touches(strand, strand.knots);
+          const between = new Touches(strand, strand.between);
+          const elimination = new Elimination(strand, links, knots, between);
           links.begin(DT);
-          touches.begin(DT);
+          knots.begin(DT);
+          between.begin(DT);
           links.read(DT, directions, false);
-          touches.read(DT, false);
+          knots.read(DT, false);
+          between.read(DT, false);
           const taut = links.taut.slice();
           assert.deepEqual(
             [...taut.keys()].filter((i) => !taut[i]),
             slack,
           );
+          for (const c of spots) assert.ok(between.acts(c), `spot ${c} is touched`);
           elimination.fill(DT);
           const right = missing(strand, links, directions, taut);
           const columns = slopes(strand, links, directions, taut);
+          addTouches(between, right, columns);
           links.read(DT, directions, false);
           elimination.reduce(0, POINTS - 1, DT);
           const inner = unknowns(strand, taut);
