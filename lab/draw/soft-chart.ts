@@ -42,10 +42,10 @@ const dot = (row: SoftRow, judged: Judged): [number, number] => [
 ];
 
 /** Its first and its last point have the names of their levels. */
-const labelOf = (level: string, at: 'first' | 'last') => ({
+const labelOf = (level: string) => ({
   label: {
     show: true,
-    position: at === 'first' ? ('top' as const) : ('right' as const),
+    position: 'top' as const,
     formatter: level,
     color: ink('soft'),
     fontSize: 10,
@@ -65,8 +65,7 @@ function ourLine({ judged, cell }: Panel) {
     z: 5,
     data: rows.map((row, i) => ({
       value: dot(row, judged),
-      ...(i === 0 && labelOf(row.level!, 'first')),
-      ...(i === rows.length - 1 && labelOf(row.level!, 'last')),
+      ...((i === 0 || i === rows.length - 1) && labelOf(row.level!)),
     })),
   };
 }
@@ -82,7 +81,9 @@ const otherLines = ({ judged, cell }: Panel) =>
         type: 'line' as const,
         symbolSize: 7,
         lineStyle: { color: inkOf(id), width: 1.5 },
-        data: frontierOf(rows, judged).map((row) => dot(row, judged)),
+        data: frontierOf(rows, judged)
+          .filter((row) => errorOf(row, judged) < MOST)
+          .map((row) => dot(row, judged)),
       },
       {
         ...common,
@@ -127,11 +128,13 @@ export function softPicture(numbers: SoftNumbers): string {
       legend: legend(softEngines.map(({ name }) => name)),
       title: panels.map(titleOf),
       grid: panels.map((_, i) => ({ left: left(i), top: top(i), width: PANEL, height: HEIGHT })),
-      xAxis: panels.map((_, gridIndex) => ({
-        ...logAxis(gridIndex + COLUMNS >= panels.length ? 'ms per frame of 1/60 s' : '', 28, power),
-        ...decades(costs),
-        gridIndex,
-      })),
+      xAxis: panels.map((_, gridIndex) => {
+        const name = gridIndex + COLUMNS >= panels.length ? 'ms per frame of 1/60 s' : '';
+        const axis = logAxis(name, 28, power);
+        // Its last number would lie below the first of the next panel.
+        const axisLabel = { ...axis.axisLabel, showMaxLabel: false };
+        return { ...axis, ...decades(costs), gridIndex, axisLabel };
+      }),
       yAxis: panels.map(errorAxis),
       series: panels.flatMap((panel, i) =>
         [ourLine(panel), ...otherLines(panel)].map((series) => ({

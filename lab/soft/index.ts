@@ -9,7 +9,7 @@ import { columnsOf, type Table } from '../draw/table.js';
 import { progress } from '../run/progress.js';
 import { softCases } from './cases.js';
 import { measureCase } from './measure.js';
-import { readSoft, withCells, writeSoft, type SoftCell, type SoftNumbers } from './numbers.js';
+import { readSoft, withCell, writeSoft } from './numbers.js';
 import { besideTable, costTable, levelTable, missed, worse } from './tables.js';
 import { withSoft } from './text.js';
 import { versionsOf } from './versions.js';
@@ -27,15 +27,19 @@ if (chosen.length === 0) throw new Error('no such scene');
 
 const show = ({ head, rows }: Table): void => console.log(`\n${columnsOf([head, ...rows], 1)}`);
 
-async function measure(): Promise<SoftNumbers> {
-  const fresh: SoftCell[] = [];
-  for (const which of chosen) fresh.push(await measureCase(which, progress));
-  progress('');
-  const before = only ? readSoft().cells : [];
-  return { versions: versionsOf(), cells: withCells(before, fresh) };
+/** What was measured is kept, if the next scene is broken off. */
+async function measure(): Promise<void> {
+  for (const which of chosen) {
+    const start = process.cpuUsage();
+    const cell = await measureCase(which, progress);
+    const { user, system } = process.cpuUsage(start);
+    progress('');
+    console.log(`${which.name}: ${((user + system) / 1e6).toFixed(0)} s of the processor`);
+    writeSoft({ versions: versionsOf(), cells: withCell(readSoft().cells, cell) });
+  }
 }
 
-if (!options.draw) writeSoft(await measure());
+if (!options.draw) await measure();
 const numbers = readSoft();
 for (const table of [levelTable, besideTable, costTable]) show(table(numbers));
 console.log(`\nmisses its aim: ${missed(numbers).join('; ') || 'none'}`);

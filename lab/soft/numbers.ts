@@ -49,13 +49,11 @@ export function writeSoft({ versions, cells }: SoftNumbers): void {
 
 const placeOf = ({ case: id }: SoftCell): number => softCases.findIndex((one) => one.id === id);
 
-/** With scenes measured anew in their places. */
-export const withCells = (cells: readonly SoftCell[], fresh: readonly SoftCell[]): SoftCell[] => {
-  const anew = new Set(fresh.map(placeOf));
-  return [...cells.filter((cell) => !anew.has(placeOf(cell))), ...fresh]
+/** With a scene measured anew in its place, and without those that are no more. */
+export const withCell = (cells: readonly SoftCell[], fresh: SoftCell): SoftCell[] =>
+  [...cells.filter((cell) => cell.case !== fresh.case), fresh]
     .filter((cell) => placeOf(cell) >= 0)
     .sort((a, b) => placeOf(a) - placeOf(b));
-};
 
 /** Seconds of a frame, by which costs are compared: steps are of different lengths. */
 const FRAME = 1 / 60;

@@ -27,11 +27,14 @@ export const judgedIn = ({
 const inWords = (off: number, unit: Judged['unit']): string =>
   unit === 'm' ? quantity(off, 'm') : percent(off);
 
-/** "< 1 µm" for what is below what rounding leaves; more than all of it is no number any more. */
+/** Metres, or times the whole: what is further off flew apart. */
+const APART = 100;
+
+/** "< 1 µm" for what is below what rounding leaves. */
 function shown(row: SoftRow | undefined, judged: Judged): string {
   if (!row) return '–';
   const off = errorOf(row, judged);
-  if (off > 1) return 'flies apart, or sticks';
+  if (off > APART) return 'flies apart, or sticks';
   if (off <= judged.floor) return `< ${inWords(judged.floor, judged.unit)}`;
   return inWords(off, judged.unit);
 }
@@ -86,6 +89,17 @@ export const besideTable = (numbers: SoftNumbers): Table => ({
     ];
   }),
 });
+
+/** What is judged in which another is as near as ours for no more, the others apart. */
+export const asNear = (numbers: SoftNumbers, engine: string): string[] =>
+  judgedIn(numbers)
+    .filter(({ judged, cell }) => {
+      const own = oursAt(cell)!;
+      return rowsOf(cell, engine).some(
+        (row) => costOf(row) <= costOf(own) && errorOf(row, judged) <= errorOf(own, judged),
+      );
+    })
+    .map(({ judged }) => judged.name);
 
 /** Milliseconds of a step. */
 export const costTable = ({ cells }: SoftNumbers): Table => ({
