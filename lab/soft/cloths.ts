@@ -89,7 +89,7 @@ export const net: SoftCase = {
     { id: 'period', name: 'period of a net', unit: 'share', aim: 1e-3, floor: 1e-6 },
     {
       id: 'amplitude',
-      name: 'its amplitude after 10 swings',
+      name: 'amplitude of a net after 10 swings',
       unit: 'share',
       aim: 2e-2,
       floor: 1e-4,

@@ -52,7 +52,13 @@ export const swing: SoftCase = {
   scene: { gravity: G, mass: 1, fixed: [0], points: swungChain(LINKS, LENGTH, WIDE) },
   judged: [
     { id: 'period', name: 'period of a hanging rope', unit: 'share', aim: 2e-4, floor: 1e-6 },
-    { id: 'amplitude', name: 'its amplitude after 10 s', unit: 'share', aim: 1e-2, floor: 1e-4 },
+    {
+      id: 'amplitude',
+      name: 'amplitude of a hanging rope after 10 s',
+      unit: 'share',
+      aim: 1e-2,
+      floor: 1e-4,
+    },
   ],
   run(running) {
     const { period, most } = swingOf(running, 10, () => running.places()[LINKS]![0]);

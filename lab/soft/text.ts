@@ -27,7 +27,7 @@ export const withSoft = (text: string, numbers: SoftNumbers): string =>
           `- **${name}** (${by} ${numbers.versions[id]}): ${says}.`,
       )
       .join('\n'),
-    beside: `${markdownOf(besideTable(numbers))}\n\n${others.map(({ id, name }) => list(`As near as ours, for no more: ${name} in`, asNear(numbers, id))).join('\n')}`,
+    beside: `${markdownOf(besideTable(numbers))}\n\n${others.map(({ id, name }) => list(`${name} as near as ours for no more`, asNear(numbers, id))).join('\n')}`,
     levels: `${markdownOf(levelTable(numbers))}\n\n${list('Misses its aim at `standard`', missed(numbers))}\n${list('A finer level further off than the one before', worse(numbers))}`,
     costs: `${markdownOf(costTable(numbers))}\n\n${conditionsOf(numbers)}`,
   }).reduce((now, [name, content]) => between(now, name, content), text);
