@@ -5,8 +5,8 @@ export interface Judged {
   id: string;
   name: string;
   unit: 'm' | 'share';
-  /** What ours is to keep at `standard`. */
-  aim: number;
+  /** What ours is to keep at `standard`, where anything is asked. */
+  aim?: number;
   /** Below this, numbers say what rounding does, not the method. */
   floor: number;
 }

@@ -12,7 +12,7 @@ import type { SoftRow, SoftCell } from './numbers.js';
 import { threadsOf, type SoftRunning, type SoftScene } from './scene.js';
 
 /** Seconds of the scene that one takes before the next has its turn, and turns of each. */
-const [TURN, TURNS] = [0.1, 15];
+const [TURN, TURNS] = [0.1, 10];
 
 /** Threads times rounds in a second of the scene: what takes more takes a minute of ours for a few seconds. */
 const MOST_ROUNDS = 5e7;
@@ -34,10 +34,12 @@ const fineEnough = ({ finest }: SoftCase, { level }: SoftSetting): boolean =>
   !finest || !level || levelNames.indexOf(level) <= levelNames.indexOf(finest);
 
 /** Null where it flew apart, or did not do what it is judged by. */
-const finite = (errors: Record<string, number>): SoftRow['errors'] =>
-  Object.fromEntries(
-    Object.entries(errors).map(([id, off]) => [id, Number.isFinite(off) ? off : null]),
+const errorsOf = ({ judged, run }: SoftCase, running: SoftRunning): SoftRow['errors'] => {
+  const found = run(running);
+  return Object.fromEntries(
+    judged.map(({ id }) => [id, Number.isFinite(found[id]) ? found[id]! : null]),
   );
+};
 
 async function runAll(which: SoftCase, progress: Progress): Promise<Side[]> {
   const sides: Side[] = [];
@@ -46,7 +48,7 @@ async function runAll(which: SoftCase, progress: Progress): Promise<Side[]> {
       if (!bearable(which.scene, setting) || !fineEnough(which, setting)) continue;
       progress(`${which.id}: ${engine.name}, ${nameOf(setting)}`);
       const running = await engine.make(which.scene, setting);
-      sides.push({ engine, setting, running, errors: finite(which.run(running)), turns: [] });
+      sides.push({ engine, setting, running, errors: errorsOf(which, running), turns: [] });
     }
   return sides;
 }

@@ -44,7 +44,7 @@ export const levelTable = (numbers: SoftNumbers): Table => ({
   head: ['off by', 'aim', ...levelNames.map((level) => `\`${level}\``)],
   rows: judgedIn(numbers).map(({ judged, cell }) => [
     judged.name,
-    inWords(judged.aim, judged.unit),
+    judged.aim ? inWords(judged.aim, judged.unit) : '–',
     ...levelNames.map((level) => shown(oursAt(cell, level), judged)),
   ]),
 });
@@ -116,7 +116,7 @@ export const costTable = ({ cells }: SoftNumbers): Table => ({
 /** Ours that misses its aim at that level. */
 export const missed = (numbers: SoftNumbers): string[] =>
   judgedIn(numbers)
-    .filter(({ judged, cell }) => errorOf(oursAt(cell)!, judged) > judged.aim)
+    .filter(({ judged, cell }) => judged.aim && errorOf(oursAt(cell)!, judged) > judged.aim)
     .map(({ judged, cell }) => `${judged.name}: ${shown(oursAt(cell), judged)}`);
 
 /** Where a finer level is further off than the one before. */
