@@ -1,5 +1,5 @@
 // npm run lab -- soft: ropes and cloths beside Jolt's soft bodies and Ammo's, each at several costs, against closed forms.
-// Writes lab/report/soft.json, the tables in docs/soft.md and their picture. Three minutes.
+// Writes lab/report/soft.json, the tables in docs/soft.md and their picture. Three to four minutes.
 //   --case <id>   only this scene (on stands for all of on-*); others stay as they were measured
 //   --draw        measure nothing: tables and picture of the numbers of last time
 import { readFileSync, writeFileSync } from 'node:fs';
