@@ -11,6 +11,7 @@ const LABS: Record<string, string> = {
   predict: './predict.js',
   price: './price/index.js',
   site: './site.js',
+  soft: './soft/index.js',
   stability: './stability/index.js',
 };
 const [asked = ''] = process.argv.slice(2);

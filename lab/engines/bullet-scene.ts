@@ -39,7 +39,7 @@ const ALWAYS_AWAKE = 4;
 let loading: Promise<Ammo> | undefined;
 
 /** As its package has it: ours may have no more of it than the core calls. */
-const allOfAmmo = (): Promise<Ammo> =>
+export const allOfAmmo = (): Promise<Ammo> =>
   (loading ??= fetchGlue().then((glue) => loadAmmo(glue, undefined)));
 
 /** A scene in Ammo, as made by hand: Bullet's default settings, motion states, one shape per body. */

@@ -15,7 +15,7 @@ const MAX_SPIN = 1e4;
 
 /** Object layers, each a layer of the broad phase too. */
 const STILL = 0;
-const MOVING = 1;
+export const MOVING = 1;
 /** Touches nothing. */
 const LOOSE = 2;
 const LAYERS = 3;

@@ -1,3 +1,4 @@
+import { chainSag } from '../../../../references/hanging-chain.js';
 import { close, fact, world, type Vec3 } from '../../helpers.js';
 import { addRope, LEVELS, place, places } from './helpers.js';
 
@@ -10,33 +11,12 @@ const legs: Vec3[] = Array.from({ length: 41 }, (_, i): Vec3 => [
   0,
 ]);
 
-/** How far a chain of equal links hangs through: each link points the way of what it bears. */
-function sag(links: number, length: number, span: number): number {
-  const link = length / links;
-  const hang = (pull: number): [wide: number, deep: number] => {
-    let [wide, deep] = [0, 0];
-    for (let i = 0.5; i < links / 2; i++) {
-      const bears = Math.hypot(pull, i);
-      wide += (2 * link * pull) / bears;
-      deep += (link * i) / bears;
-    }
-    return [wide, deep];
-  };
-  let [low, high] = [0, 1e6];
-  for (let n = 0; n < 100; n++) {
-    const middle = (low + high) / 2;
-    if (hang(middle)[0] < span) low = middle;
-    else high = middle;
-  }
-  return hang(low)[1];
-}
-
 for (const accuracy of LEVELS)
   fact(`between two ends it hangs as the chain of its links does, at ${accuracy}`, async () => {
     const w = await world({ accuracy });
     const rope = addRope(w, legs, { fixedIndex: [0, 40], damping: 2 });
     w.advance(16);
-    close(-place(rope, 20)[1], sag(40, 2, SPAN), 5e-5, accuracy);
+    close(-place(rope, 20)[1], chainSag(40, 2, SPAN), 5e-5, accuracy);
     places(rope).forEach(([x, y], i) =>
       close([x, y], [SPAN - place(rope, 40 - i)[0], place(rope, 40 - i)[1]], 5e-5),
     );

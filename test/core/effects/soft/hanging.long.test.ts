@@ -1,3 +1,4 @@
+import { chainMasses, slowestSwing, swungChain } from '../../../../references/hanging-chain.js';
 import {
   above,
   addBody,
@@ -10,60 +11,28 @@ import {
   type Vec3,
 } from '../../helpers.js';
 import { swing } from '../water/helpers.js';
-import { addRope, DOWN, energyOf, G, LEVELS, line, masses, place, places, tie } from './helpers.js';
+import { addRope, DOWN, energyOf, G, LEVELS, line, place, places, tie } from './helpers.js';
 
 // ---- a chain that hangs ------------------------------------------------------------------------------------------------
-
-/** The slowest swing of a chain of links: the square of its rate, 1/s², and its shape, 1 at the end. */
-function slowest(links: number, length: number): { square: number; shape: number[] } {
-  const weights = masses(links, 1).slice(1);
-  const bears = weights.map((_, i) => G * weights.slice(i).reduce((sum, m) => sum + m));
-  let shape = weights.map((_, i) => (i + 1) / links);
-  let square = 0;
-  for (let n = 0; n < 200; n++) {
-    // How it would hang if its own shape pulled it aside.
-    let aside = shape.reduce((sum, x, i) => sum + x * weights[i]!, 0);
-    let at = 0;
-    const next = shape.map((x, i) => {
-      at += (aside * length) / links / bears[i]!;
-      aside -= x * weights[i]!;
-      return at;
-    });
-    square = 1 / at;
-    shape = next.map((x) => x / at);
-  }
-  return { square, shape };
-}
-
-/** A chain as its slowest swing has it at its widest. */
-function swung(links: number, length: number, wide: number): Vec3[] {
-  const { shape } = slowest(links, length);
-  const points: Vec3[] = [[0, 0, 0]];
-  shape.forEach((x, i) => {
-    const [before, y] = points[i]!;
-    points.push([wide * x, y - Math.sqrt((length / links) ** 2 - (wide * x - before) ** 2), 0]);
-  });
-  return points;
-}
 
 for (const accuracy of LEVELS)
   fact(
     `a hanging chain swings with its own period and keeps doing so, at ${accuracy}`,
     async () => {
       const w = await world({ accuracy });
-      const rope = addRope(w, swung(40, 2, 0.01), { fixedIndex: [0] });
+      const rope = addRope(w, swungChain(40, 2, 0.01), { fixedIndex: [0] });
       const { period, most } = swing(w, 10, () => place(rope, 40)[0]);
-      close(period / ((2 * Math.PI) / Math.sqrt(slowest(40, 2).square)), 1, 2e-4);
+      close(period / ((2 * Math.PI) / Math.sqrt(slowestSwing(40, 2, G).square)), 1, 2e-4);
       close(most / 0.01, 1, 0.01);
     },
   );
 
 fact('the finer the level, the nearer its period', async () => {
-  const right = (2 * Math.PI) / Math.sqrt(slowest(10, 2).square);
+  const right = (2 * Math.PI) / Math.sqrt(slowestSwing(10, 2, G).square);
   let before = Infinity;
   for (const accuracy of LEVELS) {
     const w = await world({ accuracy });
-    const rope = addRope(w, swung(10, 2, 0.01), { fixedIndex: [0] });
+    const rope = addRope(w, swungChain(10, 2, 0.01), { fixedIndex: [0] });
     const { period } = swing(w, 5, () => place(rope, 10)[0]);
     const off = Math.abs(period / right - 1);
     below(off, before, accuracy);
@@ -76,7 +45,7 @@ for (const accuracy of LEVELS)
     const w = await world({ accuracy });
     const along: Vec3 = [0.5, -Math.sqrt(0.75), 0];
     const rope = addRope(w, line(40, 2, [0, 0, 0], along), { fixedIndex: [0] });
-    const weights = masses(40, 1);
+    const weights = chainMasses(40, 1);
     let last = [places(rope)];
     let [most, widest] = [0, 0];
     for (let i = 0; i < 10 / w.timeStep; i++) {

@@ -35,10 +35,6 @@ export const places = (rope: Node): Vec3[] => rope.get('positions') as Vec3[];
 
 export const place = (rope: Node, i: number): Vec3 => places(rope).at(i)!;
 
-/** Of so many equal links, each half to either of its ends, kg. */
-export const masses = (links: number, mass: number): number[] =>
-  Array.from({ length: links + 1 }, (_, i) => ((i % links ? 1 : 0.5) * mass) / links);
-
 /** What a rope has in all, J, as its places say: between the last three steps. */
 export function energyOf(
   [before, now, after]: readonly Vec3[][],

@@ -1,3 +1,4 @@
+import { chainMasses } from '../../../../references/hanging-chain.js';
 import type { World } from '../../../../physics-core/inside.js';
 import {
   above,
@@ -19,7 +20,7 @@ import {
   type Node,
   type Vec3,
 } from '../../helpers.js';
-import { addRope, DOWN, G, LEVELS, line, masses, place, places, tie } from './helpers.js';
+import { addRope, DOWN, G, LEVELS, line, place, places, tie } from './helpers.js';
 
 // ---- momentum ----------------------------------------------------------------------------------------------------------
 
@@ -67,7 +68,7 @@ for (const accuracy of LEVELS)
       tie(w, rope, at, { body });
       return { body, mass, inertia: 0.4 * mass * 0.05 ** 2 };
     });
-    const weights = masses(10, 0.5);
+    const weights = chainMasses(10, 0.5);
     const next = (): number[] => {
       const [points, balls] = [places(rope), bodies.map(({ body }) => position(body))];
       w.step();
