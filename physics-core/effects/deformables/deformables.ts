@@ -41,6 +41,10 @@ export class Deformables extends Effect {
     this.#guests = new Guests(simulation);
   }
 
+  get all(): Iterable<Deformable> {
+    return this.#all.values();
+  }
+
   of({ id }: DeformableSource): Deformable | undefined {
     return this.#all.get(id);
   }
