@@ -161,13 +161,13 @@ export const FACTS: Record<string, Fact> = {
     holds: `seen.every(([, , into]) => into === 0) && Math.abs(seen[75][0] - 1.95) < 0.03 && seen[75][1] < 0.9 && seen[75][1] > 0 && seen.at(-1)[1] > 1.4`,
   },
   jelly: {
-    says: 'it sways most at its own beat, little at half of it and at twice, and sticks to the plate',
-    seconds: 15,
-    each: `(body('beat').value = world.time < 5 ? 1 : world.time < 10 ? 2.2 : 4.4, [body('cherry').position[0] - body('plate').getAttribute('translation').split(' ')[0],
+    says: 'it goes along with a plate that goes slowly, sways many times as far at its own beat, and sticks to it by a centimetre',
+    seconds: 10,
+    each: `(body('beat').value = world.time < 5 ? 1 : 2.2, [body('cherry').position[0] - body('plate').getAttribute('translation').split(' ')[0],
       ...body('jelly').positions[2 * 48].map((value, k) => value - [0.5275, 0.003, 0][k] - (k === 0 ? +body('plate').getAttribute('translation').split(' ')[0] : 0))])`,
     holds: `(() => {
       const most = (from, to) => Math.max(...seen.slice(20 * from, 20 * to).map(([sway]) => Math.abs(sway)));
-      return most(8, 10) > 3 * most(3, 5) && most(8, 10) > 3 * most(13, 15) && seen.every(([, x, y, z]) => Math.hypot(x, y, z) < 0.01);
+      return most(8, 10) > 5 * most(3, 5) && seen.every(([, x, y, z]) => Math.hypot(x, y, z) < 0.01);
     })()`,
   },
   net: {
