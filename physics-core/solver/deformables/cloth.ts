@@ -65,7 +65,7 @@ export class Cloth implements Material {
     this.#corners = new Corners(places, triangles, areas, this.#threads);
     this.#hinges = new Hinges(places, edges, areas);
     this.#apart = new Apart(places, triangles);
-    this.#stretchRate = most(this.#stretchRates(edges, areas, places));
+    this.#stretchRate = most(this.#stretchRates(edges, areas));
     this.#shearRate = most(this.#rates((rates) => this.#corners.addRates(rates, this.masses)));
     this.#bendRate = most(this.#rates((rates) => this.#hinges.addRates(rates, this.masses)));
   }
@@ -92,30 +92,17 @@ export class Cloth implements Material {
     return rates;
   }
 
-  /** By the sum of what its threads answer a point along each axis. */
-  #stretchRates(edges: readonly Edge[], areas: Float64Array, places: readonly number[]): number[] {
+  /** By the sum of what its threads answer a point: where it is crumpled, warp and weft may all lie along one line. */
+  #stretchRates(edges: readonly Edge[], areas: Float64Array): number[] {
     const { masses, count } = this.masses;
-    const sums = new Float64Array(9 * count);
+    const sums = new Float64Array(count);
     for (const { a, b, faces, length, thread } of edges) {
       if (!thread || !(length > 0)) continue;
       const width = faces.reduce((sum, f) => sum + areas[f]!, 0) / length;
-      for (let r = 0; r < 3; r++)
-        for (let c = 0; c < 3; c++) {
-          const way = (k: number): number => (places[3 * b + k]! - places[3 * a + k]!) / length;
-          const push = (width / length) * way(r) * way(c);
-          sums[9 * a + 3 * r + c]! += push;
-          sums[9 * b + 3 * r + c]! += push;
-        }
+      sums[a]! += width / length;
+      sums[b]! += width / length;
     }
-    return Array.from({ length: count }, (_, i) => {
-      let greatest = 0;
-      for (let r = 0; r < 3; r++) {
-        let sum = 0;
-        for (let c = 0; c < 3; c++) sum += Math.abs(sums[9 * i + 3 * r + c]!);
-        greatest = Math.max(greatest, sum);
-      }
-      return (2 * greatest) / masses[i]!;
-    });
+    return Array.from(sums, (sum, i) => (2 * sum) / masses[i]!);
   }
 
   say(words: ClothWords): void {
