@@ -5,6 +5,8 @@ import type { EngineSource, LoadOptions } from './engine/wasm.js';
 import type { WorldOptions } from './world/store/types.js';
 import { chunks } from './world/chunks/all.js';
 import { outlines } from './effects/debug/debugging.js';
+import { deformables } from './effects/deformables/effects.js';
+import { ropes } from './effects/soft/effects.js';
 import type { Chunk } from './base/chunk.js';
 import { advice } from './nodes/node/advice.js';
 import { isJoint } from './nodes/joints/is-joint.js';
@@ -67,6 +69,10 @@ export async function debugLines(world: World): Promise<DebugLines> {
   return outlines.code.lines(world, {
     flush: () => world.flush(),
     joints: () => [...world.nodes].filter(isJoint),
+    matter: () => [
+      ...(world.registry.find(ropes)?.all ?? []),
+      ...(world.registry.find(deformables)?.all ?? []),
+    ],
   });
 }
 

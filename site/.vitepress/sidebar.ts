@@ -48,6 +48,7 @@ const RECIPES = {
   particles: 'Particles: water, snow, dust, smoke',
   water: 'Water: boats, buoys, a bottle, a lock',
   ropes: 'Ropes: a lamp, a crane, a swing, a winch',
+  cloth: 'Cloth and soft bodies: a flag, a tablecloth, jelly',
   many: 'Many bodies',
   sensors: 'Sensors and triggers',
   counting: 'Counting each marble once',

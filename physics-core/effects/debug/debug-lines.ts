@@ -9,6 +9,7 @@ import { COLOR, type Color } from './colors.js';
 import { markContacts } from './contact-marks.js';
 import { markJoint } from './joint-marks.js';
 import { LineBuffer } from './line-buffer.js';
+import { drawMatter, type Matter } from './matter-lines.js';
 import { Outlines } from './outlines.js';
 
 /** Share of a body's size that marks on it have. */
@@ -28,6 +29,8 @@ export interface DebugScene {
   /** Applies edits that wait. */
   flush(): void;
   joints(): Iterable<Joint>;
+  /** Ropes, cloth and soft bodies. */
+  matter(): Iterable<Matter>;
 }
 
 /** A world whose steps another thread may take, which finds its contact points, too. */
@@ -38,7 +41,7 @@ export interface DrawnSimulation extends Simulation {
     { eachGhost(put: (id: number, pose: Float32Array) => void): boolean } | undefined;
 }
 
-/** A world as Bullet has it, as coloured lines in the world's frame: shapes, centres of mass, joints, contacts. */
+/** A world as Bullet has it, as coloured lines in the world's frame: shapes, centres of mass, joints, contacts, and what is not rigid. */
 export class DebugLines extends LineBuffer {
   readonly #simulation: DrawnSimulation;
   readonly #scene: DebugScene;
@@ -58,6 +61,7 @@ export class DebugLines extends LineBuffer {
     this.#scene.flush();
     this.clear();
     for (const body of this.#simulation.bodies) this.#body(body);
+    for (const matter of this.#scene.matter()) drawMatter(this, matter);
     for (const joint of this.#scene.joints())
       if (joint.attached) markJoint(this, this.#simulation, joint);
     markContacts(this, this.#simulation, this.#simulation.elsewhere?.contacts);

@@ -51,6 +51,10 @@ export class Deformables extends Effect implements SoftWorld {
     this.#guests = new Guests(simulation);
   }
 
+  get all(): Iterable<Deformable> {
+    return this.#all.values();
+  }
+
   of({ id }: DeformableSource): Deformable | undefined {
     return this.#all.get(id);
   }

@@ -18,6 +18,12 @@ export const RETURN = 0.05;
 /** How much farther than it goes in a step a point looks for something to touch, as a share of how far it keeps away. */
 export const AHEAD = 1;
 
+/**
+ * The same for what has no thickness, metres: a point that swings turns round within a step, and would be inside before it is
+ * looked for. (Fact: a block of jelly that lies on a floor trembles less and less.)
+ */
+export const TURNS = 0.003;
+
 /** Stretched by more than this share what does not stretch is told: as long as it bears less it holds. */
 export const STRAINED = 0.05;
 

@@ -5,7 +5,7 @@ import { MET, METS, type Obstacles } from '../particles/collide/obstacles.js';
 import type { Deformable } from './deformable.js';
 import type { Guests } from './guests.js';
 import type { Samples } from './samples.js';
-import { AHEAD, FLAT, RETURN } from './tolerances.js';
+import { AHEAD, FLAT, RETURN, TURNS } from './tolerances.js';
 
 const met = new Float64Array(METS);
 const from = new Float64Array(3);
@@ -72,7 +72,7 @@ export class Touches {
       }
       if (held) continue;
       for (let k = 0; k < 3; k++) square += (to[k]! - from[k]!) ** 2;
-      const margin = AHEAD * radius + Math.sqrt(square);
+      const margin = (radius > 0 ? AHEAD * radius : TURNS) + Math.sqrt(square);
       if (!meets(obstacles, radius, margin)) continue;
       if (within.get(i) === met[MET.body]!) continue;
       guests.add(met[MET.body]!, dt);

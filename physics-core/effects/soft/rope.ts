@@ -52,6 +52,10 @@ export class Rope {
     this.reset();
   }
 
+  get places(): Float64Array {
+    return this.strand.places;
+  }
+
   /** As it was laid. */
   reset(): void {
     this.settings = this.source.settings;

@@ -54,6 +54,10 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     this.#touch = new RopeTouch(simulation);
   }
 
+  get all(): Iterable<Rope> {
+    return this.#ropes.values();
+  }
+
   of({ id }: RopeSource): Rope | undefined {
     return this.#ropes.get(id);
   }

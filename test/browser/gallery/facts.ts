@@ -130,6 +130,53 @@ export const FACTS: Record<string, Fact> = {
       seen.every(([, points]) => points.every(([x, y, z]) => y > 2.5 || Math.hypot(x, z) > 0.1)) &&
       seen.every(([, points]) => Math.hypot(...points.at(-1).map((value, k) => value - points[0][k])) < 1.84)`,
   },
+  flags: {
+    says: 'flags stand in the wind, hang when it drops, and no thread is longer by a thousandth',
+    seconds: 14,
+    each: `(world.time > 6 && (body('speed').value = 0), all('.flag').map(({ positions }) => {
+      const row = (r) => positions.slice(15 * r, 15 * r + 15);
+      const long = (points) => points.slice(1).reduce((sum, at, i) => sum + Math.hypot(...at.map((value, k) => value - points[i][k])), 0);
+      const [x, , z] = positions[5 * 15 + 14];
+      return [Math.hypot(x + 0.45, z), Math.max(...Array.from({ length: 11 }, (_, r) => long(row(r))))];
+    }))`,
+    holds: `seen.flat().every(([, long]) => long < 1.5 * 1.001 + 0.0005) && seen.slice(40, 120).every((flags) => flags.every(([out]) => out > 1)) &&
+      seen.slice(-20).every((flags) => flags.every(([out]) => out < 0.75))`,
+  },
+  statue: {
+    says: 'the cloth falls over the statue and not into it, and comes off it where it is taken',
+    seconds: 7,
+    each: `(world.time > 4 && body('lift').click(), (() => {
+      const { positions } = body('cloth');
+      // Each ring of the statue is seen from its axis: from outside nothing of it is before a point of the cloth, but for a millimetre of rounding.
+      const isIn = ([x, y, z]) => {
+        const far = Math.hypot(x, z);
+        if (y < 0.55 || far > 0.5 || far < 0.02) return false;
+        const [u, w] = [x / far, z / far];
+        const hit = world.raycast([3 * u, y, 3 * w], [x + 0.002 * u, y, z + 0.002 * w]);
+        return hit?.element === body('statue');
+      };
+      const whole = Math.round(20 * world.time) % 10 === 0;
+      return [Math.max(...positions.map(([, y]) => y)), Math.min(...positions.map(([, y]) => y)), whole ? positions.filter(isIn).length : 0];
+    })())`,
+    holds: `seen.every(([, , into]) => into === 0) && Math.abs(seen[75][0] - 1.95) < 0.03 && seen[75][1] < 0.9 && seen[75][1] > 0 && seen.at(-1)[1] > 1.4`,
+  },
+  jelly: {
+    says: 'it goes along with a plate that goes slowly, sways many times as far at its own beat, and sticks to it by a centimetre',
+    seconds: 10,
+    each: `(body('beat').value = world.time < 5 ? 1 : 2.2, [body('cherry').position[0] - body('plate').getAttribute('translation').split(' ')[0],
+      ...body('jelly').positions[2 * 48].map((value, k) => value - [0.5275, 0.003, 0][k] - (k === 0 ? +body('plate').getAttribute('translation').split(' ')[0] : 0))])`,
+    holds: `(() => {
+      const most = (from, to) => Math.max(...seen.slice(20 * from, 20 * to).map(([sway]) => Math.abs(sway)));
+      return most(8, 10) > 5 * most(3, 5) && seen.every(([, x, y, z]) => Math.hypot(x, y, z) < 0.01);
+    })()`,
+  },
+  net: {
+    says: 'the ball is caught: it pushes the net out, goes nowhere through it, and stays in the goal',
+    seconds: 5,
+    each: `[...body('ball').position, Math.min(...body('net').positions.map(([, , z]) => z))]`,
+    holds: `Math.min(...seen.map(([, , z]) => z)) < -0.7 && seen.every(([, , z, far]) => z > far - 0.16) &&
+      Math.min(...seen.map(([, , , far]) => far)) < seen[0][3] - 0.05 && Math.abs(seen.at(-1)[0]) < 1.5 && seen.at(-1)[2] < 0.2 && seen.at(-1)[1] < 0.4`,
+  },
   harbour: {
     says: 'the boat goes round the buoy on its keel, crates swim as deep as they are heavy, and no chain opens',
     seconds: 12,

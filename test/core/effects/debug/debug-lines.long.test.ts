@@ -138,6 +138,36 @@ describe('the debug drawing', () => {
       );
   });
 
+  fact(
+    'has the links of a rope, and the edges of a cloth and of a soft body, each once, where they are now',
+    async () => {
+      const w = await world();
+      const rope = w.add('Rope', {
+        points: [
+          [5, 2, 0],
+          [6, 2, 0],
+        ],
+        segments: 4,
+        fixedIndex: [0],
+      });
+      const cloth = w.add('Cloth', { size: [2, 1], subdivision: [2, 1], fixedIndex: [0] });
+      const jelly = w.add('SoftBody', { geometry: { type: 'Box', size: [1, 1, 1] } });
+      const drawn = await debugLines(w);
+      w.advance(0.5);
+      const lines = linesOf(drawn, COLOR.awake);
+      // Of a rope of four links; of two squares with a diagonal each; of a box, whose sides have one each.
+      close(lines.length, 4 + 9 + 18, 0, 'lines');
+      const places = [rope, cloth, jelly].flatMap((node) => node.get('positions') as Vec3[]);
+      for (const end of ends(lines))
+        above(1e-5, Math.min(...places.map((at) => distance(at, end))));
+      rope.set('enabled', false);
+    w.advance(1 / 60);
+      close(linesOf(drawn, COLOR.out).length, 4, 0, 'lines of what is not enabled');
+      for (const node of [rope, cloth, jelly]) node.remove();
+      close(linesOf(drawn, COLOR.awake).length, 0, 0, 'lines');
+    },
+  );
+
   fact('tells awake, sleeping, fixed, carried and disabled bodies by colour', async () => {
     const w = await world();
     const body = still(w, { geometry: [box(1)] });

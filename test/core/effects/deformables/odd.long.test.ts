@@ -219,3 +219,24 @@ function massesOf(w: World, { id }: Node): { masses: Float64Array; velocities: F
   const effect = steppingOf(w).registry.find(deformables)!;
   return effect.of({ id } as never)!.material.masses;
 }
+
+fact(
+  'a cloth that stretches keeps its numbers where its pins come together and crumple it',
+  async () => {
+    const w = await world();
+    const cloth = w.add('Cloth', {
+      geometry: flat([26, 10], [2.6, 1], 2),
+      thickness: 0,
+      damping: 1,
+      stretchStiffness: 4000,
+    });
+    const corners = [0, 26, 270, 296];
+    for (const index of corners) {
+      const [x, y, z] = place(cloth, index);
+      tie(w, cloth, index, { position: [x - 0.2 * Math.sign(x), y, z] });
+    }
+    w.advance(2);
+    close(codes(w).length, 0, 0, codes(w).join());
+    for (const at of places(cloth)) below(distance(at, [0, 2, 0]), 20);
+  },
+);

@@ -94,6 +94,19 @@ describe('debug drawing', () => {
     await until(() => (sketches(x3d)[0]?._cf.geometry.node._mesh._positions[0]!.length ?? 0) === 0);
   });
 
+  it('has a rope, a cloth and a soft body by their edges, and goes where they go', async () => {
+    const { x3d, world } = await show(`
+      <x3d-rigid-body-collection default debug></x3d-rigid-body-collection>
+      <x3d-rope points="0 3 0 1 3 0" segments="4"></x3d-rope>
+      <transform translation="3 3 0"><x3d-cloth size="2 1" subdivision="2 1"></x3d-cloth></transform>
+      <transform translation="6 3 0"><shape><box size="1 1 1"></box></shape><x3d-soft-body></x3d-soft-body></transform>`);
+    world.paused = true;
+    await until(() => positions(x3d).length === 6 * (4 + 9 + 18));
+    const low = least(x3d, 1);
+    world.advance(0.5);
+    await until(() => least(x3d, 1) < low - 0.5);
+  });
+
   it('adds no element, no body, no bounds, and can not be picked', async () => {
     // Nothing of the body is drawn: a ray there meets only lines.
     const invisible = `<viewpoint position="0 0 10"></viewpoint>
