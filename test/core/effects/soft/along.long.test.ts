@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { chainMasses } from '../../../../references/hanging-chain.js';
 import {
   above,
   addBody,
@@ -17,7 +18,7 @@ import {
   world,
   type Vec3,
 } from '../../helpers.js';
-import { addRope, G, LEVELS, line, masses, place, places, tie } from './helpers.js';
+import { addRope, G, LEVELS, line, place, places, tie } from './helpers.js';
 
 // Links are longer than what they lie on is wide: nothing is touched by points.
 
@@ -217,7 +218,7 @@ for (const accuracy of LEVELS)
     const start = w.time;
     w.step();
     const dt = w.time - start;
-    const share = masses(4, 0.1);
+    const share = chainMasses(4, 0.1);
     const momentum = (was: readonly Vec3[], now: readonly Vec3[]): Vec3 =>
       velocity(marble).map(
         (v, k) =>
