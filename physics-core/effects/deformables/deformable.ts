@@ -1,9 +1,13 @@
 import { exp } from '../../base/exact/index.js';
 import { pack, bytesOf } from '../../base/packed.js';
 import type { Vec3 } from '../../fields/types.js';
+import type { Masses } from '../../solver/deformables/masses.js';
+import type { Surface } from '../../solver/deformables/surface.js';
 import { blow } from '../../solver/deformables/air.js';
 import type { Material } from '../../solver/deformables/material.js';
 import { MOST_SOFT_PARTS } from '../../solver/tolerances.js';
+import type { Matter, WetSurface } from '../water/matter/matter.js';
+import type { Swimmer } from '../water/matter/swimmer.js';
 import { LIBRARY } from '../rest/resting.js';
 import { samplesOf, type Samples } from './samples.js';
 import type { DeformableSettings, DeformableSource } from './settings.js';
@@ -29,7 +33,7 @@ export interface KeptDeformable {
 }
 
 /** A cloth or a soft body as the world has it. */
-export class Deformable {
+export class Deformable implements Matter, WetSurface {
   readonly source: DeformableSource;
   material: Material;
   settings: DeformableSettings;
@@ -43,6 +47,8 @@ export class Deformable {
   asleep = false;
   /** It takes part in this step. */
   moves = false;
+  /** What water does to it in this step; undefined: none is near. */
+  water: Swimmer | undefined;
   #last = 0;
   #quiet = 0;
   /** How far it was stretched lately, as a share. */
@@ -79,6 +85,30 @@ export class Deformable {
 
   get triangles(): Int32Array {
     return this.material.surface.triangles;
+  }
+
+  get id(): number {
+    return this.source.id;
+  }
+
+  get masses(): Masses {
+    return this.material.masses;
+  }
+
+  get hull(): Surface {
+    return this.material.hull;
+  }
+
+  get side(): number {
+    return this.material.side;
+  }
+
+  get thickness(): number {
+    return this.material.thickness ?? 2 * this.settings.radius;
+  }
+
+  emit(event: string, detail: unknown): void {
+    this.source.emit(event, detail);
   }
 
   /** As it was laid. */
@@ -134,7 +164,8 @@ export class Deformable {
 
   /** In how many parts it wants a step of `dt` seconds to be taken. */
   parts(dt: number): number {
-    const parts = Math.min(MOST_SOFT_PARTS, this.material.parts(dt));
+    let parts = Math.min(MOST_SOFT_PARTS, this.material.parts(dt));
+    if (this.water) parts = this.water.parts(parts, dt);
     const share = Math.min(1, dt / WHIPS);
     this.#softness += share * (this.material.soften(parts, dt) - this.#softness);
     this.source.softened(this.#softness);
@@ -152,17 +183,19 @@ export class Deformable {
     const { velocities, places, before, inverse, count } = masses;
     const { gravity, damping, wind } = this.settings;
     const pushed = (this.#last + time) / 2;
+    this.water?.begin();
     const left = damping > 0 ? exp(-damping * pushed) : 1;
     if (left < 1) for (let j = 0; j < velocities.length; j++) velocities[j]! *= left;
     this.material.push(pushed);
     if (wind) blow(this.material, wind, pushed);
     for (let i = 0; i < count; i++)
-      for (let k = 0; k < 3; k++) {
-        const j = 3 * i + k;
-        if (inverse[i]! > 0) velocities[j]! += pushed * gravity[k]!;
-        before[j] = places[j]!;
-        places[j]! += time * velocities[j]!;
-      }
+      if (inverse[i]! > 0)
+        for (let k = 0; k < 3; k++) velocities[3 * i + k]! += pushed * gravity[k]!;
+    this.water?.soak(pushed);
+    for (let j = 0; j < places.length; j++) {
+      before[j] = places[j]!;
+      places[j]! += time * velocities[j]!;
+    }
     this.#last = time;
   }
 
@@ -170,6 +203,7 @@ export class Deformable {
   go(time: number): void {
     const { velocities, places, before } = this.material.masses;
     for (let j = 0; j < places.length; j++) velocities[j] = (places[j]! - before[j]!) / time;
+    this.water?.dry();
   }
 
   /** The step is over. False: its numbers are none. */

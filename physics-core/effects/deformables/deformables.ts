@@ -1,6 +1,7 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import { Obstacles } from '../particles/collide/obstacles.js';
+import { water } from '../water/effects.js';
 import { resting } from '../rest/resting.js';
 import type { Effects } from '../effect/effects.js';
 import { Deformable, type KeptDeformable, type ToldDeformable } from './deformable.js';
@@ -55,6 +56,7 @@ export class Deformables extends Effect {
     if (!this.isNeededBy(node)) return;
     this.#wakeWith(this.of(node as DeformableSource)!);
     this.#all.delete((node as DeformableSource).id);
+    this.#effects.find(water)?.forget((node as DeformableSource).id);
     super.release(node);
     this.#stale = true;
     if (this.active) this.#goOn();
@@ -84,6 +86,15 @@ export class Deformables extends Effect {
     if (soft) this.of(soft)?.wake();
     if (body?.sleeping) body.wake();
     if (this.active) this.#goOn();
+  }
+
+  override waterChanged(): void {
+    const sea = this.#effects.find(water);
+    for (const deformable of this.#all.values()) {
+      if (!deformable.asleep || !sea?.concerns(deformable)) continue;
+      deformable.wake();
+      this.#goOn();
+    }
   }
 
   /** What it holds or carries wakes: it may go, or be another now. */
@@ -149,8 +160,10 @@ export class Deformables extends Effect {
     this.#obstacles.take(dt);
     for (const deformable of moving) deformable.begin();
     for (const each of this.#holding) each.begin(guests, dt);
+    const sea = this.#effects.caused(water);
     let parts = 1;
     for (const deformable of moving) {
+      deformable.water = sea?.swim(deformable, dt);
       deformable.touches.look(deformable, this.#obstacles, guests, dt);
       const { selfCollision, radius } = deformable.settings;
       if (selfCollision) deformable.material.lookAtItself?.(2 * radius, dt);

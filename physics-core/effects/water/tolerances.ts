@@ -12,6 +12,9 @@ export const MOST_LIFT = 1000;
  */
 export const HASTY = 0.5;
 
+/** Metres: what is thinner, as seen from above, is in the water or not. (Fact: a cloth without thickness sinks.) */
+export const THIN = 1e-9;
+
 /** Kilograms within this share of each other are the same for people. (Fact: what is known of it says why.) */
 export const CALM = 0.01;
 

@@ -24,6 +24,7 @@ export interface ClothWords {
 export class Cloth implements Material {
   readonly masses: Masses;
   readonly surface: Surface;
+  readonly side = 0;
   readonly #threads: Threads;
   readonly #corners: Corners;
   readonly #hinges: Hinges;
@@ -131,6 +132,10 @@ export class Cloth implements Material {
   /** Rates are those of the mass that it was laid with. */
   get #lightness(): number {
     return this.#laid / this.#mass;
+  }
+
+  get hull(): Surface {
+    return this.surface;
   }
 
   parts(dt: number): number {

@@ -4,6 +4,7 @@ import { Hexahedra } from './hexahedra.js';
 import { cellsOf, type Cells } from './lattice-cells.js';
 import { Masses } from './masses.js';
 import type { Material } from './material.js';
+import { divided, volumeOf } from './divided.js';
 import type { Surface } from './surface.js';
 import { quickest } from './waves.js';
 
@@ -13,6 +14,9 @@ export interface LatticeSettings extends Elasticity {
   /** Cells along the longest side. */
   readonly resolution?: number;
 }
+
+/** Triangles that a hull is divided into, at most: a finer surface is its own hull. */
+const MOST_DIVIDED = 4000;
 
 /** Cells along the longest side, where nobody says how many. */
 const RESOLUTION = 8;
@@ -25,12 +29,17 @@ export class Lattice implements Material {
   readonly strain = 0;
   /** How many cells it is made of. */
   readonly cells: number;
+  readonly side: number;
   private readonly hexahedra: Hexahedra;
   private readonly rest: Float64Array;
   private readonly size: readonly number[];
   /** kg, of a cell that is covered and of the first point, as laid; and of that when the frequency was found. */
   private readonly cellMass: number;
   private readonly first: number;
+  /** Its surface as it is laid, and the cells that carry it. */
+  private readonly laid: readonly [points: ArrayLike<number>, index: ArrayLike<number>];
+  private readonly carry: Cells['carry'];
+  private divided: Surface | undefined;
   private weighed = 0;
   /** The square of the greatest frequency at rest, 1/s², and the share of it that hourglasses may have. */
   private square = 0;
@@ -41,6 +50,9 @@ export class Lattice implements Material {
     this.cells = cells.count;
     this.size = cells.size;
     this.surface = cells.surface;
+    this.laid = [points, cells.surface.triangles];
+    this.carry = cells.carry;
+    this.side = volumeOf(points, cells.surface.triangles) < 0 ? -1 : 1;
     this.rest = cells.places;
     this.masses = new Masses(cells.places);
     this.hexahedra = new Hexahedra(this.masses, cells);
@@ -50,6 +62,15 @@ export class Lattice implements Material {
     this.masses.free();
     this.surface.follow(this.masses);
     this.stiffen(settings);
+  }
+
+  /** Made for who asks for it first: nowhere longer than two cells, so that it bends as they do. */
+  get hull(): Surface {
+    if (this.divided) return this.divided;
+    const { points, index } = divided(...this.laid, 2 * Math.min(...this.size), MOST_DIVIDED);
+    this.divided = this.carry(points, index);
+    this.divided.follow(this.masses);
+    return this.divided;
   }
 
   /** What of a cell is covered is borne by its corners as if it were in its middle. */

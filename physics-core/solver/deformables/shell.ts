@@ -35,11 +35,12 @@ export class Shell implements Material {
   readonly volume: number;
   private readonly skin: Skin;
   private readonly rest: Float64Array;
-  private readonly thickness: number;
+  /** Metres. */
+  readonly thickness: number;
   /** m², of all triangles. */
   private readonly area: number;
   /** 1: triangles look outward; -1: inward. */
-  private readonly side: number;
+  private readonly faces: number;
   private gas = 0;
   /** Of all pressure this share is left, for parts of a step that are too long for more. */
   private gasSoft = 1;
@@ -73,10 +74,18 @@ export class Shell implements Material {
     this.masses.free();
     this.first = this.masses.masses[0] ?? 0;
     const within = triangles.length > 0 ? this.skin.volume() : 0;
-    this.side = within < 0 ? -1 : 1;
+    this.faces = within < 0 ? -1 : 1;
     this.volume = this.encloses(within) ? Math.abs(within) : 0;
     this.gas = this.volume > 0 ? settings.pressure : 0;
     this.stiffen(settings);
+  }
+
+  get hull(): Surface {
+    return this.surface;
+  }
+
+  get side(): number {
+    return this.volume > 0 ? this.faces : 0;
   }
 
   private encloses(volume: number): boolean {
@@ -180,9 +189,9 @@ export class Shell implements Material {
 
   /** Pa, along the sides that triangles look to. */
   private presses(): number {
-    const presses = this.side * this.gas * this.gasSoft;
+    const presses = this.faces * this.gas * this.gasSoft;
     if (!(this.gas > 0)) return presses;
-    const share = Math.max(LEAST_VOLUME, (this.side * this.skin.volume()) / this.volume);
+    const share = Math.max(LEAST_VOLUME, (this.faces * this.skin.volume()) / this.volume);
     return presses / share;
   }
 

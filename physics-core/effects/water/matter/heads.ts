@@ -1,0 +1,59 @@
+import { grown } from '../../../base/grown.js';
+import type { Cover, Volume } from '../volume.js';
+import { addDip, DIPS } from './dip.js';
+
+const point = new Float64Array(3);
+
+/** How deep points of a surface are in a volume of water, and which shares of it count. */
+export class Heads {
+  /** How far each is below its surface, and below its bottom, metres. */
+  surface = new Float64Array(0);
+  floor = new Float64Array(0);
+  /** The same below that of what is there instead. */
+  cover = new Float64Array(0);
+  /** Which share of a place is between its sides, and between those of what is there instead. */
+  share = 1;
+  covered = 0;
+  /** Of all points: how deep the lowest is. */
+  deepest = 0;
+  #isBounded = false;
+
+  /** False: none of them is in it, nor nearer than `reach` metres. */
+  measure(volume: Volume, places: Float64Array, count: number, reach: number): boolean {
+    if (this.surface.length < count) this.#grow(count);
+    this.deepest = -Infinity;
+    let lowest = -Infinity;
+    let highest = Infinity;
+    for (let i = 0; i < count; i++) {
+      for (let k = 0; k < 3; k++) point[k] = places[3 * i + k]!;
+      this.surface[i] = volume.above(point);
+      this.floor[i] = volume.bottomAbove(point);
+      this.deepest = Math.max(this.deepest, this.surface[i]!);
+      lowest = Math.max(lowest, this.floor[i]!);
+      highest = Math.min(highest, this.floor[i]!);
+    }
+    this.#isBounded = lowest > -reach;
+    return this.deepest > -reach && highest < reach;
+  }
+
+  #grow(count: number): void {
+    for (const each of ['surface', 'floor', 'cover'] as const) this[each] = grown(this[each], count);
+  }
+
+  /** There is something else, where it is. */
+  coverWith({ volume: other }: Cover, places: Float64Array, i: number): void {
+    for (let k = 0; k < 3; k++) point[k] = places[3 * i + k]!;
+    this.cover[i] = Math.min(this.surface[i]!, other.above(point));
+  }
+
+  /** Of a triangle, moved down by so much: what of it is between surface and bottom, and not where something else is. */
+  dip(i: number, j: number, m: number, lower: number, out: Float64Array): void {
+    const { surface, floor, cover, share, covered } = this;
+    out.fill(0, 0, DIPS);
+    addDip(surface[i]! + lower, surface[j]! + lower, surface[m]! + lower, share, out);
+    if (covered > 0)
+      addDip(cover[i]! + lower, cover[j]! + lower, cover[m]! + lower, -covered, out);
+    if (this.#isBounded)
+      addDip(floor[i]! + lower, floor[j]! + lower, floor[m]! + lower, covered - share, out);
+  }
+}

@@ -1,0 +1,21 @@
+import type { Masses } from '../../../solver/deformables/masses.js';
+import type { Surface } from '../../../solver/deformables/surface.js';
+
+/** What gives way, and may be in water: a node by its number, which hears of it. */
+export interface Matter {
+  readonly id: number;
+  emit(event: string, detail: unknown): void;
+}
+
+/** Points that have mass, as water pushes them. */
+export type Points = Pick<Masses, 'count' | 'masses' | 'inverse' | 'places' | 'velocities'>;
+
+/** A surface of points that have mass. */
+export interface WetSurface {
+  readonly masses: Points & Masses;
+  readonly hull: Surface;
+  /** Where outside is: 1, where its triangles look to; -1, behind them; 0: it encloses nothing, and both sides are. */
+  readonly side: number;
+  /** Metres, of what encloses nothing. */
+  readonly thickness: number;
+}

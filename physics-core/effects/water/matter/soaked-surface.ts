@@ -1,0 +1,332 @@
+import { grown } from '../../../base/grown.js';
+import { lengthOf } from '../../../base/exact/index.js';
+import { MOST_LIFT, THIN } from '../tolerances.js';
+import type { WaterSettings } from '../settings.js';
+import type { Cover, Volume } from '../volume.js';
+import { Braking } from './braking.js';
+import { DIP, DIPS } from './dip.js';
+import { Heads } from './heads.js';
+import type { WetSurface } from './matter.js';
+
+const dip = new Float64Array(DIPS);
+const lower = new Float64Array(DIPS);
+/** Of a triangle: its normal, as long as its area, m²; and its middle. */
+const normal = new Float64Array(3);
+const middle = new Float64Array(3);
+const speed = new Float64Array(3);
+/** Across its surface the weight of water, m/s²: what is left of it where that is tilted. */
+const across = new Float64Array(3);
+
+/**
+ * What water does to a surface of triangles, as it is deformed then.
+ *
+ * What encloses something is pressed by the weight of the water above each place: all of that together lifts it by the weight of
+ * what it displaces (Archimedes), and squeezes it. What encloses nothing is lifted by its own thickness. Each triangle is braked as
+ * a body's skin is, by its front.
+ */
+export class SoakedSurface {
+  readonly braking = new Braking();
+  readonly #heads = new Heads();
+  /** Of the points of its hull: newtons, m/s, kg/s. */
+  #forces = new Float64Array(0);
+  #speeds = new Float64Array(0);
+  #drags = new Float64Array(0);
+  #lifts = new Float64Array(0);
+  #flows = new Float64Array(0);
+  #weights = new Float64Array(0);
+  #areas = new Float64Array(0);
+  /** By volume: what is wet of each triangle, at each corner, m². */
+  readonly #wet: Float64Array[] = [];
+  /** m³ that it displaces, and what that weighs, kg. */
+  displaced = 0;
+  mass = 0;
+  /** kg, of its own. */
+  weighs = 0;
+  /** Where it is deepest: how far its lowest point is below the surface, metres, how fast it sinks, m/s. */
+  depth = 0;
+  speed = 0;
+  deepest: Volume | undefined;
+
+  /** Pushes it for so many seconds. False: it is in no water. */
+  soak(of: WetSurface, volumes: readonly Volume[], time: number): boolean {
+    const { masses, hull } = of;
+    hull.follow(masses);
+    this.#clear(of, volumes.length);
+    let isWet = false;
+    let rate = 0;
+    const whole = (this.weighs = massOf(masses.masses));
+    volumes.forEach((volume, v) => {
+      const before = this.mass;
+      if (!this.#press(of, volume, this.#wet[v]!)) return;
+      isWet = true;
+      const { damping, flow } = volume.settings;
+      rate += (damping * (this.mass - before)) / whole;
+      for (let k = 0; k < 3; k++)
+        this.braking.flow[k]! += (damping * (this.mass - before) * flow[k]!) / whole;
+    });
+    if (!isWet) return false;
+    this.#bound(MOST_LIFT * whole);
+    const { braking } = this;
+    this.#spread(of, this.#forces, braking.forces);
+    braking.push(masses, time);
+    this.#look(of);
+    volumes.forEach((volume, v) => this.#resist(of, volume, this.#wet[v]!));
+    this.#spread(of, this.#lifts, braking.lifts);
+    this.#spread(of, this.#flows, braking.flows);
+    this.#spreadShares(of, this.#drags, braking.drags);
+    this.#spreadShares(of, this.#weights, braking.weights);
+    braking.rate = rate;
+    for (let k = 0; k < 3; k++) if (rate > 0) braking.flow[k]! /= rate;
+    braking.brake(masses, time);
+    return true;
+  }
+
+  #clear({ hull }: WetSurface, volumes: number): void {
+    const { count, triangles } = hull;
+    if (this.#drags.length < count) {
+      this.#forces = grown(this.#forces, 3 * count);
+      this.#speeds = grown(this.#speeds, 3 * count);
+      this.#lifts = grown(this.#lifts, 3 * count);
+      this.#flows = grown(this.#flows, 3 * count);
+      this.#drags = grown(this.#drags, count);
+      this.#weights = grown(this.#weights, count);
+    }
+    for (let v = 0; v < volumes; v++) {
+      const wet = this.#wet[v];
+      if (!wet || wet.length < triangles.length)
+        this.#wet[v] = new Float64Array(triangles.length);
+      else wet.fill(0);
+    }
+    for (const each of [this.#forces, this.#lifts, this.#flows, this.#drags, this.#weights])
+      each.fill(0);
+    this.braking.clear();
+    this.displaced = this.mass = this.speed = 0;
+    this.depth = -Infinity;
+    this.deepest = undefined;
+  }
+
+  /** No more than that may lift it, kg. */
+  #bound(most: number): void {
+    const share = most / this.mass;
+    if (!(share < 1)) return;
+    for (let j = 0; j < this.#forces.length; j++) this.#forces[j]! *= share;
+    this.mass *= share;
+  }
+
+  // ---- what lifts it ----------------------------------------------------------------------------------------------------
+
+  /** False: it is not in that one. */
+  #press(of: WetSurface, volume: Volume, wet: Float64Array): boolean {
+    const { hull, side, thickness } = of;
+    const { places, count, triangles } = hull;
+    const heads = this.#heads;
+    const { density } = volume.settings;
+    if (!(density > 0) || !heads.measure(volume, places, count, side === 0 ? thickness : 0))
+      return false;
+    if (side !== 0 && !this.#bounds(hull, volume)) return false;
+    const down = this.#tilt(volume);
+    let isWet = false;
+    for (let n = 0; n + 2 < triangles.length; n += 3) {
+      const i = triangles[n]!;
+      const j = triangles[n + 1]!;
+      const m = triangles[n + 2]!;
+      measure(places, i, j, m);
+      const up = volume.up[0] * normal[0]! + volume.up[1] * normal[1]! + volume.up[2] * normal[2]!;
+      const area = lengthOf(normal);
+      if (side === 0 && !this.#standsIn(hull, volume, i, j, m)) continue;
+      if (side !== 0) heads.dip(i, j, m, 0, dip);
+      else this.#dipSheet(i, j, m, area > 0 ? (thickness * Math.abs(up)) / area : 0);
+      for (let c = 0; c < 3; c++) {
+        const point = triangles[n + c]!;
+        const share = area * dip[DIP.share + c]!;
+        if (share > 0) isWet = true;
+        wet[n + c] = share;
+        const displaced = side === 0 ? thickness * share : -side * up * dip[DIP.depth + c]!;
+        this.displaced += displaced;
+        this.mass += density * displaced;
+        const deep = density * dip[DIP.depth + c]!;
+        for (let k = 0; k < 3; k++) {
+          const push =
+            side === 0
+              ? -density * displaced * volume.gravity[k]!
+              : side * deep * (across[k]! * up - down * normal[k]!);
+          this.#forces[3 * point + k]! += push;
+        }
+      }
+    }
+    if (isWet) this.#note(of, volume);
+    return isWet;
+  }
+
+  /** How much of the weight of water acts against its surface, m/s²; the rest goes into `across`. */
+  #tilt({ gravity, up }: Volume): number {
+    const down = -(gravity[0] * up[0] + gravity[1] * up[1] + gravity[2] * up[2]);
+    for (let k = 0; k < 3; k++) across[k] = gravity[k]! + down * up[k]!;
+    return down;
+  }
+
+  /** Share of its width that is between the sides of a volume, and between those of what is there instead. */
+  #bounds({ places, count }: WetSurface['hull'], volume: Volume): boolean {
+    const heads = this.#heads;
+    heads.share = volume.shareOf(places, count);
+    heads.covered = 0;
+    if (!(heads.share > 0)) return false;
+    let most: Cover | undefined;
+    for (const cover of volume.covers) {
+      const share = volume.shareOf(places, count, cover.sides);
+      if (!(share > heads.covered)) continue;
+      heads.covered = share;
+      most = cover;
+    }
+    if (most) for (let i = 0; i < count; i++) heads.coverWith(most, places, i);
+    return true;
+  }
+
+  /** Whether a triangle by itself is between the sides of a volume: its middle. */
+  #standsIn({ places }: WetSurface['hull'], volume: Volume, i: number, j: number, m: number): boolean {
+    const heads = this.#heads;
+    heads.share = 1;
+    heads.covered = 0;
+    if (!volume.surrounds(middle)) return false;
+    for (const cover of volume.covers) {
+      if (!volume.surrounds(middle, cover.sides)) continue;
+      heads.covered = 1;
+      heads.coverWith(cover, places, i);
+      heads.coverWith(cover, places, j);
+      heads.coverWith(cover, places, m);
+      break;
+    }
+    return true;
+  }
+
+  /** What of a sheet is below, `thick` metres from its upper side to its lower one. */
+  #dipSheet(i: number, j: number, m: number, thick: number): void {
+    const heads = this.#heads;
+    if (!(thick > THIN)) return heads.dip(i, j, m, 0, dip);
+    heads.dip(i, j, m, thick / 2, dip);
+    heads.dip(i, j, m, -thick / 2, lower);
+    for (let c = 0; c < 3; c++) dip[DIP.share + c] = (dip[c]! - lower[c]!) / thick;
+  }
+
+  #note({ masses }: WetSurface, volume: Volume): void {
+    const { deepest } = this.#heads;
+    if (deepest <= this.depth) return;
+    const { up } = volume;
+    let whole = 0;
+    let sinks = 0;
+    for (let i = 0; i < masses.count; i++) {
+      whole += masses.masses[i]!;
+      for (let k = 0; k < 3; k++) sinks -= masses.masses[i]! * up[k]! * masses.velocities[3 * i + k]!;
+    }
+    this.deepest = volume;
+    this.depth = deepest;
+    this.speed = sinks / whole;
+  }
+
+  /** The square of how quickly the stiffest place of its hull would go up and down on water, 1/s². */
+  stiffness({ masses, hull }: WetSurface, volumes: readonly Volume[]): number {
+    const { places, triangles, width, carriers, shares } = hull;
+    let heaviest = 0;
+    for (const volume of volumes)
+      heaviest = Math.max(heaviest, volume.settings.density * lengthOf(volume.gravity));
+    this.#areas.fill(0);
+    if (this.#areas.length < masses.count) this.#areas = new Float64Array(masses.count);
+    for (let n = 0; n + 2 < triangles.length; n += 3) {
+      measure(places, triangles[n]!, triangles[n + 1]!, triangles[n + 2]!);
+      const third = lengthOf(normal) / 3;
+      for (let c = n; c < n + 3; c++)
+        for (let m = width * triangles[c]!; m < width * (triangles[c]! + 1); m++)
+          this.#areas[carriers[m]!]! += third * Math.max(0, shares[m]!);
+    }
+    let most = 0;
+    for (let i = 0; i < masses.count; i++)
+      most = Math.max(most, this.#areas[i]! * masses.inverse[i]!);
+    return heaviest * most;
+  }
+
+  // ---- what brakes it ---------------------------------------------------------------------------------------------------
+
+  /** How fast each point of its hull is now. */
+  #look({ masses, hull }: WetSurface): void {
+    const { width, carriers, shares, count } = hull;
+    this.#speeds.fill(0);
+    for (let i = 0; i < count; i++)
+      for (let n = width * i; n < width * i + width; n++)
+        for (let k = 0; k < 3; k++)
+          this.#speeds[3 * i + k]! += shares[n]! * masses.velocities[3 * carriers[n]! + k]!;
+  }
+
+  #resist({ hull, side }: WetSurface, { settings }: Volume, wet: Float64Array): void {
+    const { drag, lift, density, flow } = settings;
+    const { places, triangles } = hull;
+    if (drag === 0 && lift === 0) return;
+    for (let n = 0; n + 2 < triangles.length; n += 3) {
+      const area = wet[n]! + wet[n + 1]! + wet[n + 2]!;
+      if (!(area > 0)) continue;
+      measure(places, triangles[n]!, triangles[n + 1]!, triangles[n + 2]!);
+      const size = lengthOf(normal);
+      for (let k = 0; k < 3; k++) {
+        speed[k] = -flow[k]!;
+        for (let c = 0; c < 3; c++)
+          speed[k]! += (wet[n + c]! * this.#speeds[3 * triangles[n + c]! + k]!) / area;
+      }
+      const along =
+        (speed[0]! * normal[0]! + speed[1]! * normal[1]! + speed[2]! * normal[2]!) / size;
+      const against = side === 0 ? Math.abs(along) : side * along;
+      if (!(against > 0)) continue;
+      const press = (density * against) / 2;
+      const turn = (lift * Math.sign(along)) / size / lengthOf(speed);
+      for (let c = 0; c < 3; c++)
+        this.#brake(triangles[n + c]!, wet[n + c]! * press, settings, turn);
+    }
+  }
+
+  #brake(i: number, press: number, { drag, lift, flow }: WaterSettings, turn: number): void {
+    const weight = press * (drag + lift);
+    this.#drags[i]! += press * drag;
+    this.#weights[i]! += weight;
+    for (let k = 0; k < 3; k++) {
+      const l = (k + 1) % 3;
+      const m = (k + 2) % 3;
+      this.#flows[3 * i + k]! += weight * flow[k]!;
+      this.#lifts[3 * i + k]! += press * turn * (speed[l]! * normal[m]! - speed[m]! * normal[l]!);
+    }
+  }
+
+  // ---- who carries it -----------------------------------------------------------------------------------------------------
+
+  #spread({ hull }: WetSurface, from: Float64Array, to: Float64Array): void {
+    const { width, carriers, shares, count } = hull;
+    for (let i = 0; i < count; i++)
+      for (let n = width * i; n < width * i + width; n++)
+        for (let k = 0; k < 3; k++)
+          to[3 * carriers[n]! + k]! += shares[n]! * from[3 * i + k]!;
+  }
+
+  #spreadShares({ hull }: WetSurface, from: Float64Array, to: Float64Array): void {
+    const { width, carriers, shares, count } = hull;
+    for (let i = 0; i < count; i++)
+      for (let n = width * i; n < width * i + width; n++)
+        to[carriers[n]!]! += shares[n]! * from[i]!;
+  }
+}
+
+function massOf(masses: Float64Array): number {
+  let whole = 0;
+  for (const each of masses) whole += each;
+  return whole;
+}
+
+/** Into `normal` and `middle`. */
+function measure(places: Float64Array, i: number, j: number, m: number): void {
+  for (let k = 0; k < 3; k++) {
+    const l = (k + 1) % 3;
+    const o = (k + 2) % 3;
+    const ul = places[3 * j + l]! - places[3 * i + l]!;
+    const uo = places[3 * j + o]! - places[3 * i + o]!;
+    const vl = places[3 * m + l]! - places[3 * i + l]!;
+    const vo = places[3 * m + o]! - places[3 * i + o]!;
+    normal[k] = (ul * vo - uo * vl) / 2;
+    middle[k] = (places[3 * i + k]! + places[3 * j + k]! + places[3 * m + k]!) / 3;
+  }
+}
