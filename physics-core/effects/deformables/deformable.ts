@@ -164,8 +164,7 @@ export class Deformable implements Matter, WetSurface {
 
   /** In how many parts it wants a step of `dt` seconds to be taken. */
   parts(dt: number): number {
-    let parts = Math.min(MOST_SOFT_PARTS, this.material.parts(dt));
-    if (this.water) parts = this.water.parts(parts, dt);
+    const parts = Math.min(MOST_SOFT_PARTS, this.material.parts(dt));
     const share = Math.min(1, dt / WHIPS);
     this.#softness += share * (this.material.soften(parts, dt) - this.#softness);
     this.source.softened(this.#softness);

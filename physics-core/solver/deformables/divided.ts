@@ -25,7 +25,21 @@ export function divided(
     if (places.length === known || finer.length > 3 * count) break;
     triangles = finer;
   }
-  return { points: places, index: triangles };
+  return used(places, triangles);
+}
+
+/** Without points that are no corners. */
+function used(places: readonly number[], triangles: readonly number[]): Triangles {
+  const numbers = new Int32Array(places.length / 3).fill(-1);
+  const points: number[] = [];
+  const index = triangles.map((i) => {
+    if (numbers[i]! < 0) {
+      numbers[i] = points.length / 3;
+      points.push(places[3 * i]!, places[3 * i + 1]!, places[3 * i + 2]!);
+    }
+    return numbers[i]!;
+  });
+  return { points, index };
 }
 
 function once(places: number[], triangles: readonly number[], most: number): number[] {

@@ -19,6 +19,8 @@ export class Braking {
   lifts = new Float64Array(0);
   flows = new Float64Array(0);
   weights = new Float64Array(0);
+  /** N/m by which each is lifted more as it sinks. */
+  stiffs = new Float64Array(0);
   /** 1/s, of all of them. */
   rate = 0;
   /** Of the water of all, m/s. */
@@ -35,15 +37,17 @@ export class Braking {
   }
 
   #grow(count: number): void {
-    for (const each of ['forces', 'lifts', 'flows'] as const) this[each] = grown(this[each], 3 * count);
+    for (const each of ['forces', 'lifts', 'flows'] as const)
+      this[each] = grown(this[each], 3 * count);
     this.#before = grown(this.#before, 3 * count);
     this.drags = grown(this.drags, count);
     this.weights = grown(this.weights, count);
+    this.stiffs = grown(this.stiffs, count);
     this.#inverse = grown(this.#inverse, count);
   }
 
   clear(): void {
-    for (const each of [this.forces, this.drags, this.lifts, this.flows, this.weights])
+    for (const each of [this.forces, this.drags, this.lifts, this.flows, this.weights, this.stiffs])
       each.fill(0);
     this.flow.fill(0);
     this.rate = 0;
@@ -63,7 +67,9 @@ export class Braking {
     for (let i = 0; i < count; i++) {
       const drag = Math.max(0, this.drags[i]!);
       const weight = this.weights[i]!;
-      if (!(inverse[i]! > 0) || !(weight + this.rate > 0)) continue;
+      if (!(inverse[i]! > 0)) continue;
+      this.#steady(velocities, inverse, i, time);
+      if (!(weight + this.rate > 0)) continue;
       let now = 0;
       let before = 0;
       for (let k = 0; k < 3; k++) {
@@ -82,6 +88,15 @@ export class Braking {
     }
   }
 
+  /** A surface that is too stiff for such a time is as stiff as it can show: as much heavier is what swings on it (β = ¼). */
+  #steady(velocities: Float64Array, inverse: Float64Array, i: number, time: number): void {
+    const heavier = 1 + (time * time * Math.max(0, this.stiffs[i]!) * inverse[i]!) / 4;
+    if (heavier === 1) return;
+    for (let j = 3 * i; j < 3 * i + 3; j++)
+      velocities[j] = this.#before[j]! + (velocities[j]! - this.#before[j]!) / heavier;
+    inverse[i]! /= heavier;
+  }
+
   /** Lift turns it as it is braked: (a + b ×) u' = u. */
   #turn(velocities: Float64Array, i: number, a: number, share: number): void {
     const x = share * this.lifts[3 * i]!;
@@ -92,8 +107,7 @@ export class Braking {
     turned[0] = a * way[0]! + along * x - (y * way[2]! - z * way[1]!);
     turned[1] = a * way[1]! + along * y - (z * way[0]! - x * way[2]!);
     turned[2] = a * way[2]! + along * z - (x * way[1]! - y * way[0]!);
-    for (let k = 0; k < 3; k++)
-      velocities[3 * i + k] = this.flows[3 * i + k]! + turned[k]! / whole;
+    for (let k = 0; k < 3; k++) velocities[3 * i + k] = this.flows[3 * i + k]! + turned[k]! / whole;
   }
 
   /** The part is over. */

@@ -7,13 +7,7 @@ export const DIPS = 6;
  * evenly from corner to corner, so these are the integrals themselves: all of it together is the weight of the water above
  * it, and no moment is lost. Adds `factor` times that.
  */
-export function addDip(
-  a: number,
-  b: number,
-  c: number,
-  factor: number,
-  out: Float64Array,
-): void {
+export function addDip(a: number, b: number, c: number, factor: number, out: Float64Array): void {
   const below = +(a > 0) + +(b > 0) + +(c > 0);
   if (below === 0) return;
   if (below >= 2) {
@@ -26,7 +20,7 @@ export function addDip(
   }
   // One corner is alone on its side: that much more than all of it, or by itself.
   const sign = below === 1 ? 1 : -1;
-  const alone = (a > 0) === (b > 0) ? 2 : (a > 0) === (c > 0) ? 1 : 0;
+  const alone = a > 0 === b > 0 ? 2 : a > 0 === c > 0 ? 1 : 0;
   if (alone === 0) addCorner(a, b, c, 0, 1, 2, sign, factor, out);
   else if (alone === 1) addCorner(b, c, a, 1, 2, 0, sign, factor, out);
   else addCorner(c, a, b, 2, 0, 1, sign, factor, out);

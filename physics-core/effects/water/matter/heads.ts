@@ -17,6 +17,8 @@ export class Heads {
   /** Of all points: how deep the lowest is. */
   deepest = 0;
   #isBounded = false;
+  /** Of a sheet, from its upper side to its lower one, metres. */
+  thick = 0;
 
   /** False: none of them is in it, nor nearer than `reach` metres. */
   measure(volume: Volume, places: Float64Array, count: number, reach: number): boolean {
@@ -37,7 +39,8 @@ export class Heads {
   }
 
   #grow(count: number): void {
-    for (const each of ['surface', 'floor', 'cover'] as const) this[each] = grown(this[each], count);
+    for (const each of ['surface', 'floor', 'cover'] as const)
+      this[each] = grown(this[each], count);
   }
 
   /** There is something else, where it is. */
@@ -46,13 +49,21 @@ export class Heads {
     this.cover[i] = Math.min(this.surface[i]!, other.above(point));
   }
 
+  /** What a sheet of so many m³ displaces more for each metre that it sinks, m², where it goes through the surface. */
+  rises(i: number, j: number, m: number, volume: number): number {
+    const { surface } = this;
+    const low = Math.max(surface[i]!, surface[j]!, surface[m]!);
+    const high = Math.min(surface[i]!, surface[j]!, surface[m]!);
+    const thick = this.thick;
+    return low > -thick / 2 && high < thick / 2 ? volume / (thick + low - high || 1) : 0;
+  }
+
   /** Of a triangle, moved down by so much: what of it is between surface and bottom, and not where something else is. */
   dip(i: number, j: number, m: number, lower: number, out: Float64Array): void {
     const { surface, floor, cover, share, covered } = this;
     out.fill(0, 0, DIPS);
     addDip(surface[i]! + lower, surface[j]! + lower, surface[m]! + lower, share, out);
-    if (covered > 0)
-      addDip(cover[i]! + lower, cover[j]! + lower, cover[m]! + lower, -covered, out);
+    if (covered > 0) addDip(cover[i]! + lower, cover[j]! + lower, cover[m]! + lower, -covered, out);
     if (this.#isBounded)
       addDip(floor[i]! + lower, floor[j]! + lower, floor[m]! + lower, covered - share, out);
   }

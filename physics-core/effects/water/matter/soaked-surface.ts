@@ -34,7 +34,8 @@ export class SoakedSurface {
   #lifts = new Float64Array(0);
   #flows = new Float64Array(0);
   #weights = new Float64Array(0);
-  #areas = new Float64Array(0);
+  /** N/m: how much more each is lifted as it sinks. */
+  #stiffs = new Float64Array(0);
   /** By volume: what is wet of each triangle, at each corner, m². */
   readonly #wet: Float64Array[] = [];
   /** m³ that it displaces, and what that weighs, kg. */
@@ -67,14 +68,11 @@ export class SoakedSurface {
     if (!isWet) return false;
     this.#bound(MOST_LIFT * whole);
     const { braking } = this;
-    this.#spread(of, this.#forces, braking.forces);
+    this.#spreadForces(of);
     braking.push(masses, time);
     this.#look(of);
     volumes.forEach((volume, v) => this.#resist(of, volume, this.#wet[v]!));
-    this.#spread(of, this.#lifts, braking.lifts);
-    this.#spread(of, this.#flows, braking.flows);
-    this.#spreadShares(of, this.#drags, braking.drags);
-    this.#spreadShares(of, this.#weights, braking.weights);
+    this.#spreadDrags(of);
     braking.rate = rate;
     for (let k = 0; k < 3; k++) if (rate > 0) braking.flow[k]! /= rate;
     braking.brake(masses, time);
@@ -90,14 +88,21 @@ export class SoakedSurface {
       this.#flows = grown(this.#flows, 3 * count);
       this.#drags = grown(this.#drags, count);
       this.#weights = grown(this.#weights, count);
+      this.#stiffs = grown(this.#stiffs, count);
     }
     for (let v = 0; v < volumes; v++) {
       const wet = this.#wet[v];
-      if (!wet || wet.length < triangles.length)
-        this.#wet[v] = new Float64Array(triangles.length);
+      if (!wet || wet.length < triangles.length) this.#wet[v] = new Float64Array(triangles.length);
       else wet.fill(0);
     }
-    for (const each of [this.#forces, this.#lifts, this.#flows, this.#drags, this.#weights])
+    for (const each of [
+      this.#forces,
+      this.#lifts,
+      this.#flows,
+      this.#drags,
+      this.#weights,
+      this.#stiffs,
+    ])
       each.fill(0);
     this.braking.clear();
     this.displaced = this.mass = this.speed = 0;
@@ -132,10 +137,14 @@ export class SoakedSurface {
       const m = triangles[n + 2]!;
       measure(places, i, j, m);
       const up = volume.up[0] * normal[0]! + volume.up[1] * normal[1]! + volume.up[2] * normal[2]!;
-      const area = lengthOf(normal);
+      const area = sizeOf(normal);
       if (side === 0 && !this.#standsIn(hull, volume, i, j, m)) continue;
       if (side !== 0) heads.dip(i, j, m, 0, dip);
       else this.#dipSheet(i, j, m, area > 0 ? (thickness * Math.abs(up)) / area : 0);
+      const stiff =
+        density *
+        Math.abs(down) *
+        (side === 0 ? heads.rises(i, j, m, area * thickness) : Math.abs(up));
       for (let c = 0; c < 3; c++) {
         const point = triangles[n + c]!;
         const share = area * dip[DIP.share + c]!;
@@ -143,6 +152,7 @@ export class SoakedSurface {
         wet[n + c] = share;
         const displaced = side === 0 ? thickness * share : -side * up * dip[DIP.depth + c]!;
         this.displaced += displaced;
+        this.#stiffs[point]! += stiff * (side === 0 ? 1 / 3 : dip[DIP.share + c]!);
         this.mass += density * displaced;
         const deep = density * dip[DIP.depth + c]!;
         for (let k = 0; k < 3; k++) {
@@ -183,7 +193,13 @@ export class SoakedSurface {
   }
 
   /** Whether a triangle by itself is between the sides of a volume: its middle. */
-  #standsIn({ places }: WetSurface['hull'], volume: Volume, i: number, j: number, m: number): boolean {
+  #standsIn(
+    { places }: WetSurface['hull'],
+    volume: Volume,
+    i: number,
+    j: number,
+    m: number,
+  ): boolean {
     const heads = this.#heads;
     heads.share = 1;
     heads.covered = 0;
@@ -202,6 +218,7 @@ export class SoakedSurface {
   /** What of a sheet is below, `thick` metres from its upper side to its lower one. */
   #dipSheet(i: number, j: number, m: number, thick: number): void {
     const heads = this.#heads;
+    heads.thick = thick;
     if (!(thick > THIN)) return heads.dip(i, j, m, 0, dip);
     heads.dip(i, j, m, thick / 2, dip);
     heads.dip(i, j, m, -thick / 2, lower);
@@ -216,32 +233,12 @@ export class SoakedSurface {
     let sinks = 0;
     for (let i = 0; i < masses.count; i++) {
       whole += masses.masses[i]!;
-      for (let k = 0; k < 3; k++) sinks -= masses.masses[i]! * up[k]! * masses.velocities[3 * i + k]!;
+      for (let k = 0; k < 3; k++)
+        sinks -= masses.masses[i]! * up[k]! * masses.velocities[3 * i + k]!;
     }
     this.deepest = volume;
     this.depth = deepest;
     this.speed = sinks / whole;
-  }
-
-  /** The square of how quickly the stiffest place of its hull would go up and down on water, 1/s². */
-  stiffness({ masses, hull }: WetSurface, volumes: readonly Volume[]): number {
-    const { places, triangles, width, carriers, shares } = hull;
-    let heaviest = 0;
-    for (const volume of volumes)
-      heaviest = Math.max(heaviest, volume.settings.density * lengthOf(volume.gravity));
-    this.#areas.fill(0);
-    if (this.#areas.length < masses.count) this.#areas = new Float64Array(masses.count);
-    for (let n = 0; n + 2 < triangles.length; n += 3) {
-      measure(places, triangles[n]!, triangles[n + 1]!, triangles[n + 2]!);
-      const third = lengthOf(normal) / 3;
-      for (let c = n; c < n + 3; c++)
-        for (let m = width * triangles[c]!; m < width * (triangles[c]! + 1); m++)
-          this.#areas[carriers[m]!]! += third * Math.max(0, shares[m]!);
-    }
-    let most = 0;
-    for (let i = 0; i < masses.count; i++)
-      most = Math.max(most, this.#areas[i]! * masses.inverse[i]!);
-    return heaviest * most;
   }
 
   // ---- what brakes it ---------------------------------------------------------------------------------------------------
@@ -249,11 +246,23 @@ export class SoakedSurface {
   /** How fast each point of its hull is now. */
   #look({ masses, hull }: WetSurface): void {
     const { width, carriers, shares, count } = hull;
-    this.#speeds.fill(0);
-    for (let i = 0; i < count; i++)
-      for (let n = width * i; n < width * i + width; n++)
-        for (let k = 0; k < 3; k++)
-          this.#speeds[3 * i + k]! += shares[n]! * masses.velocities[3 * carriers[n]! + k]!;
+    const { velocities } = masses;
+    const speeds = this.#speeds;
+    for (let i = 0, n = 0; i < count; i++) {
+      let x = 0;
+      let y = 0;
+      let z = 0;
+      for (const end = n + width; n < end; n++) {
+        const share = shares[n]!;
+        const j = 3 * carriers[n]!;
+        x += share * velocities[j]!;
+        y += share * velocities[j + 1]!;
+        z += share * velocities[j + 2]!;
+      }
+      speeds[3 * i] = x;
+      speeds[3 * i + 1] = y;
+      speeds[3 * i + 2] = z;
+    }
   }
 
   #resist({ hull, side }: WetSurface, { settings }: Volume, wet: Float64Array): void {
@@ -264,7 +273,7 @@ export class SoakedSurface {
       const area = wet[n]! + wet[n + 1]! + wet[n + 2]!;
       if (!(area > 0)) continue;
       measure(places, triangles[n]!, triangles[n + 1]!, triangles[n + 2]!);
-      const size = lengthOf(normal);
+      const size = sizeOf(normal);
       for (let k = 0; k < 3; k++) {
         speed[k] = -flow[k]!;
         for (let c = 0; c < 3; c++)
@@ -272,10 +281,11 @@ export class SoakedSurface {
       }
       const along =
         (speed[0]! * normal[0]! + speed[1]! * normal[1]! + speed[2]! * normal[2]!) / size;
-      const against = side === 0 ? Math.abs(along) : side * along;
+      // Of what is closed the front and the back, half each: what breathes is not driven by what brakes one of them alone.
+      const against = side === 0 ? Math.abs(along) : Math.abs(along) / 2;
       if (!(against > 0)) continue;
       const press = (density * against) / 2;
-      const turn = (lift * Math.sign(along)) / size / lengthOf(speed);
+      const turn = (lift * Math.sign(along)) / size / sizeOf(speed);
       for (let c = 0; c < 3; c++)
         this.#brake(triangles[n + c]!, wet[n + c]! * press, settings, turn);
     }
@@ -295,19 +305,46 @@ export class SoakedSurface {
 
   // ---- who carries it -----------------------------------------------------------------------------------------------------
 
-  #spread({ hull }: WetSurface, from: Float64Array, to: Float64Array): void {
+  #spreadForces({ hull }: WetSurface): void {
     const { width, carriers, shares, count } = hull;
-    for (let i = 0; i < count; i++)
-      for (let n = width * i; n < width * i + width; n++)
-        for (let k = 0; k < 3; k++)
-          to[3 * carriers[n]! + k]! += shares[n]! * from[3 * i + k]!;
+    const from = this.#forces;
+    const { forces } = this.braking;
+    for (let i = 0, n = 0; i < count; i++) {
+      const x = from[3 * i]!;
+      const y = from[3 * i + 1]!;
+      const z = from[3 * i + 2]!;
+      if (x === 0 && y === 0 && z === 0) n += width;
+      else
+        for (const end = n + width; n < end; n++) {
+          const share = shares[n]!;
+          const j = 3 * carriers[n]!;
+          forces[j]! += share * x;
+          forces[j + 1]! += share * y;
+          forces[j + 2]! += share * z;
+        }
+    }
   }
 
-  #spreadShares({ hull }: WetSurface, from: Float64Array, to: Float64Array): void {
+  #spreadDrags({ hull }: WetSurface): void {
     const { width, carriers, shares, count } = hull;
-    for (let i = 0; i < count; i++)
-      for (let n = width * i; n < width * i + width; n++)
-        to[carriers[n]!]! += shares[n]! * from[i]!;
+    const { drags, weights, lifts, flows, stiffs } = this.braking;
+    for (let i = 0, n = 0; i < count; i++) {
+      const weight = this.#weights[i]!;
+      const stiff = this.#stiffs[i]!;
+      if (weight === 0 && stiff === 0) n += width;
+      else
+        for (const end = n + width; n < end; n++) {
+          const share = shares[n]!;
+          const c = carriers[n]!;
+          drags[c]! += share * this.#drags[i]!;
+          weights[c]! += share * weight;
+          stiffs[c]! += share * stiff;
+          for (let k = 0; k < 3; k++) {
+            lifts[3 * c + k]! += share * this.#lifts[3 * i + k]!;
+            flows[3 * c + k]! += share * this.#flows[3 * i + k]!;
+          }
+        }
+    }
   }
 }
 
@@ -317,16 +354,24 @@ function massOf(masses: Float64Array): number {
   return whole;
 }
 
+const sizeOf = (v: Float64Array): number =>
+  Math.sqrt(v[0]! * v[0]! + v[1]! * v[1]! + v[2]! * v[2]!);
+
 /** Into `normal` and `middle`. */
 function measure(places: Float64Array, i: number, j: number, m: number): void {
-  for (let k = 0; k < 3; k++) {
-    const l = (k + 1) % 3;
-    const o = (k + 2) % 3;
-    const ul = places[3 * j + l]! - places[3 * i + l]!;
-    const uo = places[3 * j + o]! - places[3 * i + o]!;
-    const vl = places[3 * m + l]! - places[3 * i + l]!;
-    const vo = places[3 * m + o]! - places[3 * i + o]!;
-    normal[k] = (ul * vo - uo * vl) / 2;
-    middle[k] = (places[3 * i + k]! + places[3 * j + k]! + places[3 * m + k]!) / 3;
-  }
+  const x = places[3 * i]!;
+  const y = places[3 * i + 1]!;
+  const z = places[3 * i + 2]!;
+  const ux = places[3 * j]! - x;
+  const uy = places[3 * j + 1]! - y;
+  const uz = places[3 * j + 2]! - z;
+  const vx = places[3 * m]! - x;
+  const vy = places[3 * m + 1]! - y;
+  const vz = places[3 * m + 2]! - z;
+  normal[0] = (uy * vz - uz * vy) / 2;
+  normal[1] = (uz * vx - ux * vz) / 2;
+  normal[2] = (ux * vy - uy * vx) / 2;
+  middle[0] = x + (ux + vx) / 3;
+  middle[1] = y + (uy + vy) / 3;
+  middle[2] = z + (uz + vz) / 3;
 }

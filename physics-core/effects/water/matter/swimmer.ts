@@ -1,4 +1,3 @@
-import { FOLLOWED, MOST_SOFT_PARTS } from '../../../solver/tolerances.js';
 import type { Volume } from '../volume.js';
 import type { Matter, WetSurface } from './matter.js';
 import { SoakedSurface } from './soaked-surface.js';
@@ -13,13 +12,6 @@ export class Swimmer {
 
   constructor(of: Matter & WetSurface) {
     this.of = of;
-  }
-
-  /** In how many parts a step has to be taken at least, if it takes so many without water: no wave on it is shorter then. */
-  parts(parts: number, dt: number): number {
-    const own = (FOLLOWED * parts) ** 2;
-    const square = (dt * dt * this.#surface.stiffness(this.of, this.volumes)) / 4;
-    return Math.max(parts, Math.min(MOST_SOFT_PARTS, Math.ceil(Math.sqrt(own + square))));
   }
 
   /** A part of a step begins, and nothing acts on it yet. */
