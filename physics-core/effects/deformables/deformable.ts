@@ -48,7 +48,7 @@ export class Deformable implements Matter, WetSurface {
   /** It takes part in this step. */
   moves = false;
   /** What water does to it in this step; undefined: none is near. */
-  water: Swimmer | undefined;
+  water: Swimmer<WetSurface> | undefined;
   #last = 0;
   #quiet = 0;
   /** How far it was stretched lately, as a share. */

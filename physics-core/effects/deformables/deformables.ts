@@ -91,7 +91,7 @@ export class Deformables extends Effect {
   override waterChanged(): void {
     const sea = this.#effects.find(water);
     for (const deformable of this.#all.values()) {
-      if (!deformable.asleep || !sea?.concerns(deformable)) continue;
+      if (!deformable.asleep || !sea?.concerns(deformable, deformable.masses)) continue;
       deformable.wake();
       this.#goOn();
     }

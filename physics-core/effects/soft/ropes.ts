@@ -10,6 +10,7 @@ import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
 import type { JointSolve } from '../joints/joint-solve.js';
+import { water } from '../water/effects.js';
 import { resting } from '../rest/resting.js';
 import { Holding, together, wholesOf } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
@@ -57,6 +58,7 @@ export class Ropes extends Effect implements Pull {
   override release(node: Cause): void {
     if (!this.isNeededBy(node)) return;
     this.#ropes.delete((node as RopeSource).id);
+    this.#effects.find(water)?.forget((node as RopeSource).id);
     super.release(node);
     this.#letGo();
     if (this.active) this.#goOn();
@@ -95,6 +97,15 @@ export class Ropes extends Effect implements Pull {
     if (rope) this.of(rope)?.wake();
     if (rope) this.#wakeTied(rope);
     if (this.active) this.#goOn();
+  }
+
+  override waterChanged(): void {
+    const sea = this.#effects.find(water);
+    for (const rope of this.#ropes.values()) {
+      if (!rope.asleep || !sea?.concerns(rope, rope.points)) continue;
+      rope.wake();
+      this.#goOn();
+    }
   }
 
   #wakeTied(source: RopeSource): void {
@@ -230,7 +241,11 @@ export class Ropes extends Effect implements Pull {
       this.#place(rope, tie, body, movable, dt);
       if (body) this.#touch.comeOut(rope, tie.index, body.slot);
     }
-    for (const rope of ropes) rope.begin(dt);
+    const sea = this.#effects.caused(water);
+    for (const rope of ropes) {
+      rope.water = sea?.swimLine(rope, dt);
+      rope.begin(dt);
+    }
   }
 
   /** A tied point is where its body has it; one that others move is on its way there. */

@@ -14,7 +14,9 @@ import { BodyInWater } from './body-in-water.js';
 import { waves } from './effects.js';
 import { WaterPush } from './push.js';
 import type { KeptMatter } from './matter/wet-matter.js';
-import type { Matter, WetSurface } from './matter/matter.js';
+import type { Matter, Points, WetLine, WetSurface } from './matter/matter.js';
+import { SoakedLine } from './matter/soaked-line.js';
+import { SoakedSurface } from './matter/soaked-surface.js';
 import type { Swimmer } from './matter/swimmer.js';
 import { WetMatters } from './matter/wet-matters.js';
 import { soak, type Drops } from './soak.js';
@@ -23,6 +25,9 @@ import { WetBody, type KeptWet } from './wet.js';
 
 /** For a snapshot: bodies, and what gives way where there is such. */
 type Kept = KeptWet[] | { bodies: KeptWet[]; matter: KeptMatter[] };
+
+const surface = (): SoakedSurface => new SoakedSurface();
+const line = (): SoakedLine => new SoakedLine();
 
 const now = new Float64Array(VELOCITY);
 
@@ -205,16 +210,21 @@ export class Water extends Effect {
   }
 
   /** A step of `dt` seconds begins for a cloth or a soft body: undefined, where no water is near it. */
-  swim(matter: Matter & WetSurface, dt: number): Swimmer | undefined {
-    return this.#matter.swim(matter, this.#here, dt);
+  swim(matter: Matter & WetSurface, dt: number): Swimmer<WetSurface> | undefined {
+    return this.#matter.swim(matter, matter.masses, surface, this.#here, dt);
+  }
+
+  /** The same of a rope. */
+  swimLine(matter: Matter & WetLine, dt: number): Swimmer<WetLine> | undefined {
+    return this.#matter.swim(matter, matter.points, line, this.#here, dt);
   }
 
   /** Whether one that rests has to do with water. */
-  concerns(matter: Matter & WetSurface): boolean {
-    return this.#matter.concerns(matter, this.#here);
+  concerns(matter: Matter, points: Points): boolean {
+    return this.#matter.concerns(matter, points, this.#here);
   }
 
-  /** A cloth or a soft body is there no more. */
+  /** Something that gives way is there no more. */
   forget(id: number): void {
     this.#matter.forget(id);
   }
@@ -231,7 +241,7 @@ export class Water extends Effect {
     return this.#wet.get(body)?.known;
   }
 
-  /** The same of a cloth or a soft body, by its number. */
+  /** The same of what gives way, by its number. */
   knownOfMatter(id: number): Record<string, unknown> | undefined {
     return this.#matter.known(id);
   }

@@ -12,10 +12,19 @@ export type Points = Pick<Masses, 'count' | 'masses' | 'inverse' | 'places' | 'v
 
 /** A surface of points that have mass. */
 export interface WetSurface {
-  readonly masses: Points & Masses;
+  readonly masses: Masses;
   readonly hull: Surface;
   /** Where outside is: 1, where its triangles look to; -1, behind them; 0: it encloses nothing, and both sides are. */
   readonly side: number;
   /** Metres, of what encloses nothing. */
   readonly thickness: number;
+}
+
+/** A line of points with links between them. */
+export interface WetLine {
+  readonly points: Points;
+  /** Of each link, metres. */
+  readonly lengths: Float64Array;
+  /** Metres. */
+  readonly radius: number;
 }

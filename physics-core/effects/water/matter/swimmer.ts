@@ -1,37 +1,54 @@
 import type { Volume } from '../volume.js';
-import type { Matter, WetSurface } from './matter.js';
-import { SoakedSurface } from './soaked-surface.js';
-import { WetMatter } from './wet-matter.js';
+import type { Braking } from './braking.js';
+import type { Matter, Points } from './matter.js';
+import { WetMatter, type Lying } from './wet-matter.js';
 
-/** A cloth or a soft body that is in water, or near it, as its parts of a step go. */
-export class Swimmer {
-  readonly of: Matter & WetSurface;
-  readonly #surface = new SoakedSurface();
+/** How something of that kind is soaked. */
+export interface Soaked<Kind> extends Lying {
+  readonly braking: Braking;
+  /** kg, of its own. */
+  readonly weighs: number;
+  /** Pushes it for so many seconds. False: it is in no water. */
+  soak(of: Kind, volumes: readonly Volume[], time: number): boolean;
+}
+
+/** What gives way and is in water, or near it, as its step goes, or each part of that. */
+export class Swimmer<Kind = never> {
+  readonly of: Matter & Kind;
+  readonly #points: Points;
+  readonly #soaked: Soaked<Kind>;
   wet: WetMatter | undefined;
   volumes: readonly Volume[] = [];
 
-  constructor(of: Matter & WetSurface) {
+  constructor(of: Matter & Kind, points: Points, soaked: Soaked<Kind>) {
     this.of = of;
+    this.#points = points;
+    this.#soaked = soaked;
   }
 
-  /** A part of a step begins, and nothing acts on it yet. */
+  /** Whether it is still that of its points. */
+  isOf(of: Matter, points: Points): boolean {
+    return this.of === of && this.#points === points;
+  }
+
+  /** Nothing acts on it yet. */
   begin(): void {
-    this.#surface.braking.begin(this.of.masses);
+    this.#soaked.braking.begin(this.#points);
   }
 
   /** Everything else that pushes it in `time` seconds has; places are those at the start. */
   soak(time: number): void {
     const { of, volumes } = this;
-    const surface = this.#surface;
-    if (!surface.soak(of, volumes, time)) return;
-    const { source } = surface.deepest!;
+    const soaked = this.#soaked;
+    if (!soaked.soak(of, volumes, time)) return;
+    const { source } = soaked.deepest!;
     this.wet ??= new WetMatter(of.id, source);
-    this.wet.lie(surface, surface.weighs);
+    this.wet.lie(soaked, soaked.weighs);
     this.wet.wetted = true;
   }
 
-  /** The part is over. */
+  /** What holds it meanwhile has: it is as heavy as it was. */
   dry(): void {
-    this.#surface.braking.dry(this.of.masses);
+    this.#soaked.braking.dry(this.#points);
   }
 }

@@ -4,7 +4,7 @@ import type { Volume, WaterSource } from '../volume.js';
 import type { Matter } from './matter.js';
 
 /** How something lies in water: how deep, m, how fast it sinks, m/s, what it displaces, m³, and what that weighs, kg. */
-interface Lying {
+export interface Lying {
   readonly deepest: Volume | undefined;
   readonly depth: number;
   readonly speed: number;

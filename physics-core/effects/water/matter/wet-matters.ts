@@ -1,8 +1,8 @@
 import type { Simulation } from '../../../dynamics/simulation.js';
 import { lengthOf } from '../../../base/exact/index.js';
 import type { Volume, WaterSource } from '../volume.js';
-import type { Matter, WetSurface } from './matter.js';
-import { Swimmer } from './swimmer.js';
+import type { Matter, Points } from './matter.js';
+import { Swimmer, type Soaked } from './swimmer.js';
 import { WetMatter, type KeptMatter } from './wet-matter.js';
 
 const middle = new Float64Array(3);
@@ -19,21 +19,30 @@ export class WetMatters {
   }
 
   /** A step begins for one that moves: undefined, where there is no water near it. */
-  swim(of: Matter & WetSurface, volumes: readonly Volume[], dt: number): Swimmer | undefined {
+  swim<Kind>(
+    of: Matter & Kind,
+    points: Points,
+    soaked: () => Soaked<Kind>,
+    volumes: readonly Volume[],
+    dt: number,
+  ): Swimmer<Kind> | undefined {
     const wet = this.#all.get(of.id);
     if (wet) wet.matter = of;
     if (wet) wet.met = true;
-    if (!reaches(of, volumes, dt)) return undefined;
-    let swimmer = this.#swimmers.get(of.id);
-    if (swimmer?.of !== of) this.#swimmers.set(of.id, (swimmer = new Swimmer(of)));
+    if (!reaches(points, volumes, dt)) return undefined;
+    let swimmer = this.#swimmers.get(of.id) as Swimmer<Kind> | undefined;
+    if (!swimmer?.isOf(of, points)) {
+      swimmer = new Swimmer(of, points, soaked());
+      this.#swimmers.set(of.id, swimmer as never);
+    }
     swimmer.wet = wet;
     swimmer.volumes = volumes;
     return swimmer;
   }
 
   /** Whether one that rests has to do with water. */
-  concerns(of: Matter & WetSurface, volumes: readonly Volume[]): boolean {
-    return this.#all.has(of.id) || reaches(of, volumes, 0);
+  concerns({ id }: Matter, points: Points, volumes: readonly Volume[]): boolean {
+    return this.#all.has(id) || reaches(points, volumes, 0);
   }
 
   forget(id: number): void {
@@ -91,8 +100,11 @@ export class WetMatters {
 }
 
 /** Whether any of it may be in water within so many seconds. */
-function reaches({ masses }: WetSurface, volumes: readonly Volume[], dt: number): boolean {
-  const { places, velocities, count } = masses;
+function reaches(
+  { places, velocities, count }: Points,
+  volumes: readonly Volume[],
+  dt: number,
+): boolean {
   middle.fill(0);
   for (let i = 0; i < count; i++)
     for (let k = 0; k < 3; k++) middle[k]! += places[3 * i + k]! / count;
