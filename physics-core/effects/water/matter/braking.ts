@@ -26,20 +26,20 @@ export class Braking {
   /** Of the water of all, m/s. */
   readonly flow = new Float64Array(3);
   /** m/s, before anything acted on them in this part. */
-  #before = new Float64Array(0);
+  before = new Float64Array(0);
   #inverse = new Float64Array(0);
   #heavier = false;
 
   /** A part begins. */
   begin({ velocities, count }: Points): void {
     if (this.drags.length < count) this.#grow(count);
-    this.#before.set(velocities);
+    this.before.set(velocities);
   }
 
   #grow(count: number): void {
     for (const each of ['forces', 'lifts', 'flows'] as const)
       this[each] = grown(this[each], 3 * count);
-    this.#before = grown(this.#before, 3 * count);
+    this.before = grown(this.before, 3 * count);
     this.drags = grown(this.drags, count);
     this.weights = grown(this.weights, count);
     this.stiffs = grown(this.stiffs, count);
@@ -77,7 +77,7 @@ export class Braking {
         this.flows[j] = weight > 0 ? this.flows[j]! / weight : this.flow[k]!;
         way[k] = velocities[j]! - this.flows[j]!;
         now += way[k]! ** 2;
-        before += (this.#before[j]! - this.flows[j]!) ** 2;
+        before += (this.before[j]! - this.flows[j]!) ** 2;
       }
       const slowed = 1 + time * this.rate;
       const most = time * inverse[i]! * drag;
@@ -93,7 +93,7 @@ export class Braking {
     const heavier = 1 + (time * time * Math.max(0, this.stiffs[i]!) * inverse[i]!) / 4;
     if (heavier === 1) return;
     for (let j = 3 * i; j < 3 * i + 3; j++)
-      velocities[j] = this.#before[j]! + (velocities[j]! - this.#before[j]!) / heavier;
+      velocities[j] = this.before[j]! + (velocities[j]! - this.before[j]!) / heavier;
     inverse[i]! /= heavier;
   }
 

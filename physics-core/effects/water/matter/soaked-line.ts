@@ -128,22 +128,26 @@ export class SoakedLine {
   #resist(of: WetLine, volume: Volume): void {
     const { points, radius } = of;
     const { velocities } = points;
+    const { before } = this.braking;
     const { density, drag, flow } = volume.settings;
     if (!(drag > 0) || !(density > 0)) return;
     for (let i = 0; i + 1 < points.count; i++) {
       if (this.#dip(of, volume, i) < 0) continue;
       let square = 0;
-      let against = 0;
+      let now = 0;
+      let went = 0;
       for (let k = 0; k < 3; k++) {
         const j = 3 * i + k;
         speed[k] = (velocities[j]! + velocities[j + 3]!) / 2 - flow[k]!;
         square += along[k]! ** 2;
-        against += speed[k]! * along[k]!;
+        now += speed[k]! * along[k]!;
+        went += ((before[j]! + before[j + 3]!) / 2 - flow[k]!) * along[k]!;
       }
       let across = 0;
       for (let k = 0; k < 3; k++) {
-        along[k] = square > 0 ? (against * along[k]!) / square : 0;
-        across += (speed[k]! - along[k]!) ** 2;
+        if (square > 0) across += (speed[k]! - (now * along[k]!) / square) ** 2;
+        // As it went before: what holds it may keep it from going as it would by now.
+        along[k] = square > 0 ? (went * along[k]!) / square : 0;
       }
       const press = density * drag * radius * of.lengths[i]! * Math.sqrt(across);
       for (let end = 0; end < 2; end++) this.#brake(i + end, press * shares[end]!, flow);
