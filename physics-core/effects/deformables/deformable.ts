@@ -103,6 +103,10 @@ export class Deformable implements Matter, WetSurface {
     return this.material.side;
   }
 
+  get solid(): number | undefined {
+    return this.material.solid;
+  }
+
   get thickness(): number {
     return this.material.thickness ?? 2 * this.settings.radius;
   }

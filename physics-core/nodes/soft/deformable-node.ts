@@ -1,4 +1,5 @@
 import { deformables } from '../../effects/deformables/effects.js';
+import { water } from '../../effects/water/effects.js';
 import type { Deformable } from '../../effects/deformables/deformable.js';
 import type { DeformableSettings, DeformableSource } from '../../effects/deformables/settings.js';
 import type { Value, Vec3 } from '../../fields/types.js';
@@ -114,6 +115,12 @@ export abstract class DeformableNode extends PhysicsNode implements DeformableSo
   /** How many points its surface has. */
   get count(): number {
     return (this.places ?? this.mesh.points).length / 3;
+  }
+
+  /** What acts on it, as plain data. */
+  get inBullet(): Record<string, unknown> | undefined {
+    const known = this.world.registry.find(water)?.knownOfMatter(this.id);
+    return known && { water: known };
   }
 
   /** Where points of its surface are, metres, flat. */

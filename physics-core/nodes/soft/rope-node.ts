@@ -2,6 +2,7 @@ import type { Line } from '../../shapes/geometry.js';
 import { show } from '../../base/show.js';
 import { levels } from '../../dynamics/levels.js';
 import { ropes } from '../../effects/soft/effects.js';
+import { water } from '../../effects/water/effects.js';
 import type { Rope } from '../../effects/soft/rope.js';
 import type { RopeSettings, RopeSource } from '../../effects/soft/settings.js';
 import type { Value, Vec3 } from '../../fields/types.js';
@@ -110,6 +111,12 @@ export class RopeNode extends PhysicsNode implements RopeSource {
 
   protected override destroy(): void {
     this.world.registry.find(ropes)?.release(this);
+  }
+
+  /** What acts on it, as plain data. */
+  get inBullet(): Record<string, unknown> | undefined {
+    const known = this.world.registry.find(water)?.knownOfMatter(this.id);
+    return known && { water: known };
   }
 
   /** Where its points are, metres, flat. */

@@ -60,7 +60,9 @@ function once(places: number[], triangles: readonly number[], most: number): num
     return number;
   };
   for (let t = 0; t + 2 < triangles.length; t += 3) {
-    const [a, b, c] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!];
+    const a = triangles[t]!;
+    const b = triangles[t + 1]!;
+    const c = triangles[t + 2]!;
     cut(out, [a, b, c], [middle(a, b), middle(b, c), middle(c, a)]);
   }
   return out;

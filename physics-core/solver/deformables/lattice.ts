@@ -30,6 +30,7 @@ export class Lattice implements Material {
   /** How many cells it is made of. */
   readonly cells: number;
   readonly side: number;
+  readonly solid: number;
   private readonly hexahedra: Hexahedra;
   private readonly rest: Float64Array;
   private readonly size: readonly number[];
@@ -56,7 +57,9 @@ export class Lattice implements Material {
     this.rest = cells.places;
     this.masses = new Masses(cells.places);
     this.hexahedra = new Hexahedra(this.masses, cells);
-    this.cellMass = settings.mass / cells.cover.shares.reduce((sum, share) => sum + share, 0);
+    const covered = cells.cover.shares.reduce((sum, share) => sum + share, 0);
+    this.cellMass = settings.mass / covered;
+    this.solid = covered * cells.size.reduce((product, side) => product * side, 1);
     this.weigh(cells);
     this.first = this.masses.masses[0] ?? 0;
     this.masses.free();

@@ -13,6 +13,8 @@ export interface Material {
   readonly hull: Surface;
   /** Where outside is: 1, where the triangles of that look to; -1, behind them; 0: it encloses nothing, and has two sides. */
   readonly side: number;
+  /** m³ as laid, of what is solid within; undefined: it is hollow, or encloses nothing. */
+  readonly solid?: number;
   /** Metres, of what encloses nothing, where it is not its author's. */
   readonly thickness?: number;
   /** In how many equal parts its forces want a step of `dt` seconds to be taken: no wave is shorter then. */

@@ -16,6 +16,8 @@ export interface WetSurface {
   readonly hull: Surface;
   /** Where outside is: 1, where its triangles look to; -1, behind them; 0: it encloses nothing, and both sides are. */
   readonly side: number;
+  /** m³ as laid, of what is solid within; undefined: it is hollow, or encloses nothing. */
+  readonly solid: number | undefined;
   /** Metres, of what encloses nothing. */
   readonly thickness: number;
 }

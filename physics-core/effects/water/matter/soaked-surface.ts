@@ -1,11 +1,11 @@
 import { grown } from '../../../base/grown.js';
-import { lengthOf } from '../../../base/exact/index.js';
 import { MOST_LIFT, THIN } from '../tolerances.js';
 import type { WaterSettings } from '../settings.js';
 import type { Cover, Volume } from '../volume.js';
 import { Braking } from './braking.js';
 import { DIP, DIPS } from './dip.js';
 import { Heads } from './heads.js';
+import { SolidLift } from './solid-lift.js';
 import type { WetSurface } from './matter.js';
 
 const dip = new Float64Array(DIPS);
@@ -20,13 +20,14 @@ const across = new Float64Array(3);
 /**
  * What water does to a surface of triangles, as it is deformed then.
  *
- * What encloses something is pressed by the weight of the water above each place: all of that together lifts it by the weight of
- * what it displaces (Archimedes), and squeezes it. What encloses nothing is lifted by its own thickness. Each triangle is braked as
- * a body's skin is, by its front.
+ * What encloses something is lifted by the weight of what it displaces (Archimedes): a skin by what presses on it from place to
+ * place, and a solid throughout. What encloses nothing is lifted by its own thickness. Each triangle is braked as a body's skin
+ * is, by its front and its back.
  */
 export class SoakedSurface {
   readonly braking = new Braking();
   readonly #heads = new Heads();
+  readonly lift = new SolidLift();
   /** Of the points of its hull: newtons, m/s, kg/s. */
   #forces = new Float64Array(0);
   #speeds = new Float64Array(0);
@@ -34,6 +35,8 @@ export class SoakedSurface {
   #lifts = new Float64Array(0);
   #flows = new Float64Array(0);
   #weights = new Float64Array(0);
+  /** Of each what it has of the areas around it, m². */
+  #normals = new Float64Array(0);
   /** N/m: how much more each is lifted as it sinks. */
   #stiffs = new Float64Array(0);
   /** By volume: what is wet of each triangle, at each corner, m². */
@@ -73,7 +76,7 @@ export class SoakedSurface {
     this.#look(of);
     volumes.forEach((volume, v) => this.#resist(of, volume, this.#wet[v]!));
     this.#spreadDrags(of);
-    braking.rate = rate;
+    braking.rate = Math.max(0, rate);
     for (let k = 0; k < 3; k++) if (rate > 0) braking.flow[k]! /= rate;
     braking.brake(masses, time);
     return true;
@@ -85,6 +88,7 @@ export class SoakedSurface {
       this.#forces = grown(this.#forces, 3 * count);
       this.#speeds = grown(this.#speeds, 3 * count);
       this.#lifts = grown(this.#lifts, 3 * count);
+      this.#normals = grown(this.#normals, 3 * count);
       this.#flows = grown(this.#flows, 3 * count);
       this.#drags = grown(this.#drags, count);
       this.#weights = grown(this.#weights, count);
@@ -114,7 +118,8 @@ export class SoakedSurface {
   #bound(most: number): void {
     const share = most / this.mass;
     if (!(share < 1)) return;
-    for (let j = 0; j < this.#forces.length; j++) this.#forces[j]! *= share;
+    for (const forces of [this.#forces, this.braking.forces])
+      for (let j = 0; j < forces.length; j++) forces[j]! *= share;
     this.mass *= share;
   }
 
@@ -123,48 +128,109 @@ export class SoakedSurface {
   /** False: it is not in that one. */
   #press(of: WetSurface, volume: Volume, wet: Float64Array): boolean {
     const { hull, side, thickness } = of;
-    const { places, count, triangles } = hull;
+    const { places, count } = hull;
     const heads = this.#heads;
     const { density } = volume.settings;
     if (!(density > 0) || !heads.measure(volume, places, count, side === 0 ? thickness : 0))
       return false;
     if (side !== 0 && !this.#bounds(hull, volume)) return false;
+    const isWet = side === 0 ? this.#pressSheet(of, volume, wet) : this.#pressHull(of, volume, wet);
+    if (isWet) this.#note(of, volume);
+    return isWet;
+  }
+
+  /**
+   * What it displaces, by the weight of the water above each place. Its skin is pressed by that where it is hollow, less the
+   * mean of it: the gas in it is given by what it has above the outside. What is solid is lifted throughout.
+   */
+  #pressHull(of: WetSurface, volume: Volume, wet: Float64Array): boolean {
+    const { side, solid } = of;
+    const { places, triangles } = of.hull;
+    const { up, settings } = volume;
+    const { density } = settings;
     const down = this.#tilt(volume);
+    const press = solid === undefined ? side * density : 0;
+    const { lift } = this;
+    const before = this.displaced;
+    let all = 0;
+    let heads = 0;
+    let isWet = false;
+    lift.clear();
+    this.#normals.fill(0);
+    for (let n = 0; n + 2 < triangles.length; n += 3) {
+      const i = triangles[n]!;
+      const j = triangles[n + 1]!;
+      const m = triangles[n + 2]!;
+      measure(places, i, j, m);
+      const rises = up[0] * normal[0]! + up[1] * normal[1]! + up[2] * normal[2]!;
+      const area = sizeOf(normal);
+      this.#heads.dip(i, j, m, 0, dip);
+      all += area;
+      for (let c = 0; c < 3; c++) {
+        const point = triangles[n + c]!;
+        const head = dip[DIP.depth + c]!;
+        const share = dip[DIP.share + c]!;
+        if (share > 0) isWet = true;
+        heads += area * head;
+        wet[n + c] = area * share;
+        const displaced = -side * rises * head;
+        this.displaced += displaced;
+        lift.displace(volume, places, point, displaced);
+        if (press === 0) continue;
+        this.#stiffs[point]! += density * Math.abs(down * rises) * share;
+        for (let k = 0; k < 3; k++) {
+          this.#normals[3 * point + k]! += normal[k]! / 3;
+          this.#forces[3 * point + k]! += press * head * (across[k]! * rises - down * normal[k]!);
+        }
+      }
+    }
+    this.mass += density * (this.displaced - before);
+    if (press !== 0) this.#takeMean(of, volume, down, all > 0 ? (press * heads) / all : 0);
+    else if (isWet) lift.spread(of, volume, this.#heads, this.braking);
+    return isWet;
+  }
+
+  /** Even pressure moves nothing. */
+  #takeMean({ hull }: WetSurface, { up }: Volume, down: number, mean: number): void {
+    const normals = this.#normals;
+    for (let j = 0; j < 3 * hull.count; j += 3) {
+      const rises = up[0] * normals[j]! + up[1] * normals[j + 1]! + up[2] * normals[j + 2]!;
+      for (let k = 0; k < 3; k++)
+        this.#forces[j + k]! -= mean * (across[k]! * rises - down * normals[j + k]!);
+    }
+  }
+
+  /** By how thick it is. */
+  #pressSheet({ hull, thickness }: WetSurface, volume: Volume, wet: Float64Array): boolean {
+    const { places, triangles } = hull;
+    const { up, gravity, settings } = volume;
+    const { density } = settings;
+    const down = Math.abs(this.#tilt(volume));
+    const heads = this.#heads;
     let isWet = false;
     for (let n = 0; n + 2 < triangles.length; n += 3) {
       const i = triangles[n]!;
       const j = triangles[n + 1]!;
       const m = triangles[n + 2]!;
       measure(places, i, j, m);
-      const up = volume.up[0] * normal[0]! + volume.up[1] * normal[1]! + volume.up[2] * normal[2]!;
+      if (!this.#standsIn(hull, volume, i, j, m)) continue;
       const area = sizeOf(normal);
-      if (side === 0 && !this.#standsIn(hull, volume, i, j, m)) continue;
-      if (side !== 0) heads.dip(i, j, m, 0, dip);
-      else this.#dipSheet(i, j, m, area > 0 ? (thickness * Math.abs(up)) / area : 0);
-      const stiff =
-        density *
-        Math.abs(down) *
-        (side === 0 ? heads.rises(i, j, m, area * thickness) : Math.abs(up));
+      const rises = Math.abs(up[0] * normal[0]! + up[1] * normal[1]! + up[2] * normal[2]!);
+      this.#dipSheet(i, j, m, area > 0 ? (thickness * rises) / area : 0);
+      asItWeighs(places, i, j, m);
+      const stiff = (density * down * heads.rises(i, j, m, area * thickness)) / 3;
       for (let c = 0; c < 3; c++) {
         const point = triangles[n + c]!;
         const share = area * dip[DIP.share + c]!;
         if (share > 0) isWet = true;
         wet[n + c] = share;
-        const displaced = side === 0 ? thickness * share : -side * up * dip[DIP.depth + c]!;
-        this.displaced += displaced;
-        this.#stiffs[point]! += stiff * (side === 0 ? 1 / 3 : dip[DIP.share + c]!);
-        this.mass += density * displaced;
-        const deep = density * dip[DIP.depth + c]!;
-        for (let k = 0; k < 3; k++) {
-          const push =
-            side === 0
-              ? -density * displaced * volume.gravity[k]!
-              : side * deep * (across[k]! * up - down * normal[k]!);
-          this.#forces[3 * point + k]! += push;
-        }
+        this.displaced += thickness * share;
+        this.mass += density * thickness * share;
+        this.#stiffs[point]! += stiff;
+        for (let k = 0; k < 3; k++)
+          this.#forces[3 * point + k]! -= density * thickness * share * gravity[k]!;
       }
     }
-    if (isWet) this.#note(of, volume);
     return isWet;
   }
 
@@ -346,6 +412,33 @@ export class SoakedSurface {
         }
     }
   }
+}
+
+/** What is wet of a triangle goes to its corners as its weight does, so that they sink together: each has what is nearest to it. */
+function asItWeighs(places: Float64Array, i: number, j: number, m: number): void {
+  const a = apart(places, j, m);
+  const b = apart(places, m, i);
+  const c = apart(places, i, j);
+  const sum = a + b + c;
+  // Half of a blunt one is nearest to its blunt corner (mixed Voronoi areas, as cloth weighs).
+  const isBlunt = 2 * Math.max(a, b, c) >= sum;
+  const all = a * (sum - 2 * a) + b * (sum - 2 * b) + c * (sum - 2 * c);
+  let before = 0;
+  let after = 0;
+  for (let k = 0; k < 3; k++) {
+    const own = k === 0 ? a : k === 1 ? b : c;
+    const blunt = 2 * own >= sum ? 2 : 1;
+    before += dip[DIP.share + k]!;
+    after += dip[DIP.share + k]! *= isBlunt ? blunt : all - own * (sum - 2 * own);
+  }
+  for (let k = 0; k < 3; k++) dip[DIP.share + k]! *= after > 0 ? before / after : 0;
+}
+
+/** The square of how far points are apart. */
+function apart(places: Float64Array, i: number, j: number): number {
+  let square = 0;
+  for (let k = 0; k < 3; k++) square += (places[3 * i + k]! - places[3 * j + k]!) ** 2;
+  return square;
 }
 
 function massOf(masses: Float64Array): number {
