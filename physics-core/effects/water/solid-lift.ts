@@ -1,5 +1,5 @@
-import type { Volume } from '../volume.js';
-import { LIFTS_ALIKE, THIN } from '../tolerances.js';
+import type { Volume } from './volume.js';
+import { LIFTS_ALIKE, THIN } from './tolerances.js';
 import type { Braking } from './braking.js';
 import { Heads } from './heads.js';
 import type { WetSurface } from './matter.js';

@@ -1,5 +1,5 @@
-import { MOST_LIFT, THIN } from '../tolerances.js';
-import type { Volume } from '../volume.js';
+import { MOST_LIFT, THIN } from './tolerances.js';
+import type { Volume } from './volume.js';
 import { Braking } from './braking.js';
 import type { WetLine } from './matter.js';
 

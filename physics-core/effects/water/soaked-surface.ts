@@ -1,7 +1,7 @@
-import { grown } from '../../../base/grown.js';
-import { MOST_LIFT, THIN } from '../tolerances.js';
-import type { WaterSettings } from '../settings.js';
-import type { Cover, Volume } from '../volume.js';
+import { grown } from '../../base/grown.js';
+import { MOST_LIFT, THIN } from './tolerances.js';
+import type { WaterSettings } from './settings.js';
+import type { Cover, Volume } from './volume.js';
 import { Braking } from './braking.js';
 import { DIP, DIPS } from './dip.js';
 import { Heads } from './heads.js';

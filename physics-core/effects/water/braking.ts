@@ -1,4 +1,4 @@
-import { grown } from '../../../base/grown.js';
+import { grown } from '../../base/grown.js';
 import type { Points } from './matter.js';
 
 const way = new Float64Array(3);

@@ -1,4 +1,4 @@
-import type { Volume } from '../volume.js';
+import type { Volume } from './volume.js';
 import type { Braking } from './braking.js';
 import type { Matter, Points } from './matter.js';
 import { WetMatter, type Lying } from './wet-matter.js';

@@ -1,6 +1,6 @@
-import type { Simulation } from '../../../dynamics/simulation.js';
-import { lengthOf } from '../../../base/exact/index.js';
-import type { Volume, WaterSource } from '../volume.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { lengthOf } from '../../base/exact/index.js';
+import type { Volume, WaterSource } from './volume.js';
 import type { Matter, Points } from './matter.js';
 import { Swimmer, type Soaked } from './swimmer.js';
 import { WetMatter, type KeptMatter } from './wet-matter.js';

@@ -1,5 +1,5 @@
-import { grown } from '../../../base/grown.js';
-import type { Cover, Volume } from '../volume.js';
+import { grown } from '../../base/grown.js';
+import type { Cover, Volume } from './volume.js';
 import { addDip, DIPS } from './dip.js';
 
 const point = new Float64Array(3);

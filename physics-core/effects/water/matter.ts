@@ -1,5 +1,5 @@
-import type { Masses } from '../../../solver/deformables/masses.js';
-import type { Surface } from '../../../solver/deformables/surface.js';
+import type { Masses } from '../../solver/deformables/masses.js';
+import type { Surface } from '../../solver/deformables/surface.js';
 
 /** What gives way, and may be in water: a node by its number, which hears of it. */
 export interface Matter {

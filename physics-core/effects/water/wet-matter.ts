@@ -1,6 +1,6 @@
-import type { Simulation } from '../../../dynamics/simulation.js';
-import { CALM } from '../tolerances.js';
-import type { Volume, WaterSource } from '../volume.js';
+import type { Simulation } from '../../dynamics/simulation.js';
+import { CALM } from './tolerances.js';
+import type { Volume, WaterSource } from './volume.js';
 import type { Matter } from './matter.js';
 
 /** How something lies in water: how deep, m, how fast it sinks, m/s, what it displaces, m³, and what that weighs, kg. */
