@@ -211,8 +211,11 @@ export class Deformables extends Effect {
 
   /** What moves keeps awake what it is tied to, and the other way round. */
   #wakeTogether(): void {
-    for (const deformable of this.#all.values())
-      if (deformable.asleep && this.#isMet(deformable)) deformable.wake();
+    const sea = this.#effects.caused(water);
+    for (const deformable of this.#all.values()) {
+      if (!deformable.asleep) continue;
+      if (sea?.isRocked(deformable.id) || this.#isMet(deformable)) deformable.wake();
+    }
     for (const { tie, deformable } of this.#tied) {
       const { body } = tie;
       if (!body?.movable) continue;

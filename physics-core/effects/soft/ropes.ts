@@ -223,6 +223,10 @@ export class Ropes extends Effect implements Pull {
   /** Whether a rope that rests is about to be touched by what moves. */
   #isMet(rope: Rope): boolean {
     if (!rope.asleep) return false;
+    if (this.#effects.caused(water)?.isRocked(rope.id)) {
+      rope.wake();
+      return true;
+    }
     const { bodies } = this.#simulation;
     const { slots, pointers, asleep } = bodies.moving;
     for (let slot = 0; slot < slots; slot++) {

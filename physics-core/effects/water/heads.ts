@@ -32,7 +32,7 @@ export class Heads {
     let highest = Infinity;
     for (let i = 0; i < count; i++) {
       for (let k = 0; k < 3; k++) point[k] = places[3 * i + k]!;
-      this.surface[i] = volume.above(point);
+      this.surface[i] = volume.waterAbove(point);
       this.floor[i] = volume.bottomAbove(point);
       this.deepest = Math.max(this.deepest, this.surface[i]!);
       this.highest = Math.min(this.highest, this.surface[i]!);

@@ -93,7 +93,7 @@ export class SoakedLine {
     const rises = along[0]! * up[0] + along[1]! * up[1] + along[2]! * up[2];
     const level = square > 0 ? Math.sqrt(Math.max(0, 1 - (rises * rises) / square)) : 1;
     const thick = 2 * radius * level;
-    const head = volume.above(middle);
+    const head = volume.waterAbove(middle);
     shares.fill(0);
     addDip(head + rises / 2, head - rises / 2, thick, 1);
     const floor = volume.bottomAbove(middle);
@@ -117,7 +117,7 @@ export class SoakedLine {
         middle[k] = points.places[3 * i + k]!;
         sinks -= points.masses[i]! * volume.up[k]! * points.velocities[3 * i + k]!;
       }
-      deepest = Math.max(deepest, volume.above(middle) + radius);
+      deepest = Math.max(deepest, volume.waterAbove(middle) + radius);
     }
     if (deepest <= this.depth) return;
     this.depth = deepest;

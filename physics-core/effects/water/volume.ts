@@ -88,6 +88,13 @@ export class Volume {
     return this.#half[1] - this.along(1, point);
   }
 
+  /** The same of what goes along with its surface where that moves. */
+  waterAbove(point: Point): number {
+    const { waves } = this;
+    const still = this.above(point);
+    return waves ? still + waves.heightAt(this.along(0, point), this.along(2, point)) : still;
+  }
+
   /** How far its bottom is above a point. */
   bottomAbove(point: Point): number {
     return -this.#half[1] - this.along(1, point);
@@ -105,7 +112,7 @@ export class Volume {
   /** Whether what reaches so far around a point may be in it. */
   reaches(point: Point, reach: number): boolean {
     return (
-      this.above(point) > -reach &&
+      this.above(point) + (this.waves ? this.waves.crest : 0) > -reach &&
       this.bottomAbove(point) < reach &&
       Math.abs(this.along(0, point)) < this.#half[0] + reach &&
       Math.abs(this.along(2, point)) < this.#half[2] + reach

@@ -224,6 +224,11 @@ export class Water extends Effect {
     return this.#matter.concerns(matter, points, this.#here);
   }
 
+  /** Whether the surface moves that it rests on. */
+  isRocked(id: number): boolean {
+    return this.#matter.isRocked(id, this.#here);
+  }
+
   /** Something that gives way is there no more. */
   forget(id: number): void {
     this.#matter.forget(id);

@@ -45,6 +45,15 @@ export class WetMatters {
     return this.#all.has(id) || reaches(points, volumes, 0);
   }
 
+  /** Whether the surface moves that one rests on. */
+  isRocked(id: number, volumes: readonly Volume[]): boolean {
+    const wet = this.#all.get(id);
+    if (!wet) return false;
+    for (const { source, waves } of volumes)
+      if (source === wet.source && waves && !waves.asleep) return true;
+    return false;
+  }
+
   forget(id: number): void {
     this.#all.delete(id);
     this.#swimmers.delete(id);

@@ -153,3 +153,33 @@ fact('one that is taken out of the water, or out of the world, is no more in it'
   assert.equal(bullet.softBodies, 0);
   assert.equal(bullet.displaced, 0);
 });
+
+fact('what swims rides up and down on waves', async () => {
+  const w = await world();
+  w.add('WaterVolume', {
+    size: [8, 1, 2],
+    position: [0, -0.5, 0],
+    waves: true,
+    subdivision: [64, 8],
+  });
+  const rope = w.add('Rope', {
+    points: [
+      [3, 0, -0.5],
+      [3, 0, 0.5],
+    ],
+    segments: 4,
+    mass: 0.15,
+  });
+  w.advance(0.5);
+  addBody(w, { mass: 300, position: [-3, 0.6, 0], geometry: [box(0.8)] });
+  let least = Infinity;
+  let most = -Infinity;
+  for (let i = 0; i < 30; i++) {
+    w.advance(0.1);
+    for (const [, y] of places(rope)) {
+      least = Math.min(least, y);
+      most = Math.max(most, y);
+    }
+  }
+  assert.ok(most > 0.05, `from ${least} m to ${most} m`);
+});
