@@ -1,19 +1,16 @@
 import { grown } from '../../base/grown.js';
 import { MOST_LIFT, THIN } from './tolerances.js';
-import type { WaterSettings } from './settings.js';
 import type { Cover, Volume } from './volume.js';
 import { Braking } from './braking.js';
 import { DIP, DIPS } from './dip.js';
 import { Heads } from './heads.js';
+import { HullDrag } from './hull-drag.js';
 import { SolidLift } from './solid-lift.js';
 import type { WetSurface } from './matter.js';
+import { apart, measure, middle, normal, sizeOf } from './triangle.js';
 
 const dip = new Float64Array(DIPS);
 const lower = new Float64Array(DIPS);
-/** Of a triangle: its normal, as long as its area, m²; and its middle. */
-const normal = new Float64Array(3);
-const middle = new Float64Array(3);
-const speed = new Float64Array(3);
 /** Across its surface the weight of water, m/s²: what is left of it where that is tilted. */
 const across = new Float64Array(3);
 
@@ -27,14 +24,10 @@ const across = new Float64Array(3);
 export class SoakedSurface {
   readonly braking = new Braking();
   readonly #heads = new Heads();
-  readonly lift = new SolidLift();
-  /** Of the points of its hull: newtons, m/s, kg/s. */
+  readonly #lift = new SolidLift();
+  readonly #drag = new HullDrag();
+  /** Of the points of its hull: newtons. */
   #forces = new Float64Array(0);
-  #speeds = new Float64Array(0);
-  #drags = new Float64Array(0);
-  #lifts = new Float64Array(0);
-  #flows = new Float64Array(0);
-  #weights = new Float64Array(0);
   /** Of each what it has of the areas around it, m². */
   #normals = new Float64Array(0);
   /** N/m: how much more each is lifted as it sinks. */
@@ -73,9 +66,9 @@ export class SoakedSurface {
     const { braking } = this;
     this.#spreadForces(of);
     braking.push(masses, time);
-    this.#look(of);
-    volumes.forEach((volume, v) => this.#resist(of, volume, this.#wet[v]!));
-    this.#spreadDrags(of);
+    this.#drag.look(of);
+    volumes.forEach((volume, v) => this.#drag.resist(of, volume, this.#wet[v]!));
+    this.#drag.spread(of, braking);
     braking.rate = Math.max(0, rate);
     for (let k = 0; k < 3; k++) if (rate > 0) braking.flow[k]! /= rate;
     braking.brake(masses, time);
@@ -84,14 +77,9 @@ export class SoakedSurface {
 
   #clear({ hull }: WetSurface, volumes: number): void {
     const { count, triangles } = hull;
-    if (this.#drags.length < count) {
+    if (this.#stiffs.length < count) {
       this.#forces = grown(this.#forces, 3 * count);
-      this.#speeds = grown(this.#speeds, 3 * count);
-      this.#lifts = grown(this.#lifts, 3 * count);
       this.#normals = grown(this.#normals, 3 * count);
-      this.#flows = grown(this.#flows, 3 * count);
-      this.#drags = grown(this.#drags, count);
-      this.#weights = grown(this.#weights, count);
       this.#stiffs = grown(this.#stiffs, count);
     }
     for (let v = 0; v < volumes; v++) {
@@ -99,15 +87,9 @@ export class SoakedSurface {
       if (!wet || wet.length < triangles.length) this.#wet[v] = new Float64Array(triangles.length);
       else wet.fill(0);
     }
-    for (const each of [
-      this.#forces,
-      this.#lifts,
-      this.#flows,
-      this.#drags,
-      this.#weights,
-      this.#stiffs,
-    ])
-      each.fill(0);
+    this.#forces.fill(0);
+    this.#stiffs.fill(0);
+    this.#drag.clear(count);
     this.braking.clear();
     this.displaced = this.mass = this.speed = 0;
     this.depth = -Infinity;
@@ -150,7 +132,7 @@ export class SoakedSurface {
     const { density } = settings;
     const down = this.#tilt(volume);
     const press = solid === undefined ? side * density : 0;
-    const { lift } = this;
+    const lift = this.#lift;
     const before = this.displaced;
     let all = 0;
     let heads = 0;
@@ -307,79 +289,18 @@ export class SoakedSurface {
     this.speed = sinks / whole;
   }
 
-  // ---- what brakes it ---------------------------------------------------------------------------------------------------
-
-  /** How fast each point of its hull is now. */
-  #look({ masses, hull }: WetSurface): void {
-    const { width, carriers, shares, count } = hull;
-    const { velocities } = masses;
-    const speeds = this.#speeds;
-    for (let i = 0, n = 0; i < count; i++) {
-      let x = 0;
-      let y = 0;
-      let z = 0;
-      for (const end = n + width; n < end; n++) {
-        const share = shares[n]!;
-        const j = 3 * carriers[n]!;
-        x += share * velocities[j]!;
-        y += share * velocities[j + 1]!;
-        z += share * velocities[j + 2]!;
-      }
-      speeds[3 * i] = x;
-      speeds[3 * i + 1] = y;
-      speeds[3 * i + 2] = z;
-    }
-  }
-
-  #resist({ hull, side }: WetSurface, { settings }: Volume, wet: Float64Array): void {
-    const { drag, lift, density, flow } = settings;
-    const { places, triangles } = hull;
-    if (drag === 0 && lift === 0) return;
-    for (let n = 0; n + 2 < triangles.length; n += 3) {
-      const area = wet[n]! + wet[n + 1]! + wet[n + 2]!;
-      if (!(area > 0)) continue;
-      measure(places, triangles[n]!, triangles[n + 1]!, triangles[n + 2]!);
-      const size = sizeOf(normal);
-      for (let k = 0; k < 3; k++) {
-        speed[k] = -flow[k]!;
-        for (let c = 0; c < 3; c++)
-          speed[k]! += (wet[n + c]! * this.#speeds[3 * triangles[n + c]! + k]!) / area;
-      }
-      const along =
-        (speed[0]! * normal[0]! + speed[1]! * normal[1]! + speed[2]! * normal[2]!) / size;
-      // Of what is closed the front and the back, half each: what breathes is not driven by what brakes one of them alone.
-      const against = side === 0 ? Math.abs(along) : Math.abs(along) / 2;
-      if (!(against > 0)) continue;
-      const press = (density * against) / 2;
-      const turn = (lift * Math.sign(along)) / size / sizeOf(speed);
-      for (let c = 0; c < 3; c++)
-        this.#brake(triangles[n + c]!, wet[n + c]! * press, settings, turn);
-    }
-  }
-
-  #brake(i: number, press: number, { drag, lift, flow }: WaterSettings, turn: number): void {
-    const weight = press * (drag + lift);
-    this.#drags[i]! += press * drag;
-    this.#weights[i]! += weight;
-    for (let k = 0; k < 3; k++) {
-      const l = (k + 1) % 3;
-      const m = (k + 2) % 3;
-      this.#flows[3 * i + k]! += weight * flow[k]!;
-      this.#lifts[3 * i + k]! += press * turn * (speed[l]! * normal[m]! - speed[m]! * normal[l]!);
-    }
-  }
-
   // ---- who carries it -----------------------------------------------------------------------------------------------------
 
   #spreadForces({ hull }: WetSurface): void {
     const { width, carriers, shares, count } = hull;
     const from = this.#forces;
-    const { forces } = this.braking;
+    const { forces, stiffs } = this.braking;
     for (let i = 0, n = 0; i < count; i++) {
       const x = from[3 * i]!;
       const y = from[3 * i + 1]!;
       const z = from[3 * i + 2]!;
-      if (x === 0 && y === 0 && z === 0) n += width;
+      const stiff = this.#stiffs[i]!;
+      if (x === 0 && y === 0 && z === 0 && stiff === 0) n += width;
       else
         for (const end = n + width; n < end; n++) {
           const share = shares[n]!;
@@ -387,28 +308,7 @@ export class SoakedSurface {
           forces[j]! += share * x;
           forces[j + 1]! += share * y;
           forces[j + 2]! += share * z;
-        }
-    }
-  }
-
-  #spreadDrags({ hull }: WetSurface): void {
-    const { width, carriers, shares, count } = hull;
-    const { drags, weights, lifts, flows, stiffs } = this.braking;
-    for (let i = 0, n = 0; i < count; i++) {
-      const weight = this.#weights[i]!;
-      const stiff = this.#stiffs[i]!;
-      if (weight === 0 && stiff === 0) n += width;
-      else
-        for (const end = n + width; n < end; n++) {
-          const share = shares[n]!;
-          const c = carriers[n]!;
-          drags[c]! += share * this.#drags[i]!;
-          weights[c]! += share * weight;
-          stiffs[c]! += share * stiff;
-          for (let k = 0; k < 3; k++) {
-            lifts[3 * c + k]! += share * this.#lifts[3 * i + k]!;
-            flows[3 * c + k]! += share * this.#flows[3 * i + k]!;
-          }
+          stiffs[carriers[n]!]! += share * stiff;
         }
     }
   }
@@ -434,37 +334,8 @@ function asItWeighs(places: Float64Array, i: number, j: number, m: number): void
   for (let k = 0; k < 3; k++) dip[DIP.share + k]! *= after > 0 ? before / after : 0;
 }
 
-/** The square of how far points are apart. */
-function apart(places: Float64Array, i: number, j: number): number {
-  let square = 0;
-  for (let k = 0; k < 3; k++) square += (places[3 * i + k]! - places[3 * j + k]!) ** 2;
-  return square;
-}
-
 function massOf(masses: Float64Array): number {
   let whole = 0;
   for (const each of masses) whole += each;
   return whole;
-}
-
-const sizeOf = (v: Float64Array): number =>
-  Math.sqrt(v[0]! * v[0]! + v[1]! * v[1]! + v[2]! * v[2]!);
-
-/** Into `normal` and `middle`. */
-function measure(places: Float64Array, i: number, j: number, m: number): void {
-  const x = places[3 * i]!;
-  const y = places[3 * i + 1]!;
-  const z = places[3 * i + 2]!;
-  const ux = places[3 * j]! - x;
-  const uy = places[3 * j + 1]! - y;
-  const uz = places[3 * j + 2]! - z;
-  const vx = places[3 * m]! - x;
-  const vy = places[3 * m + 1]! - y;
-  const vz = places[3 * m + 2]! - z;
-  normal[0] = (uy * vz - uz * vy) / 2;
-  normal[1] = (uz * vx - ux * vz) / 2;
-  normal[2] = (ux * vy - uy * vx) / 2;
-  middle[0] = x + (ux + vx) / 3;
-  middle[1] = y + (uy + vy) / 3;
-  middle[2] = z + (uz + vz) / 3;
 }
