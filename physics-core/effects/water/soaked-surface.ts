@@ -98,8 +98,8 @@ export class SoakedSurface {
 
   /** No more than that may lift it, kg. */
   #bound(most: number): void {
+    if (!(this.mass > most)) return;
     const share = most / this.mass;
-    if (!(share < 1)) return;
     for (const forces of [this.#forces, this.braking.forces])
       for (let j = 0; j < forces.length; j++) forces[j]! *= share;
     this.mass *= share;
@@ -166,9 +166,9 @@ export class SoakedSurface {
         }
       }
     }
-    this.mass += density * (this.displaced - before);
     if (press !== 0) this.#takeMean(of, volume, down, all > 0 ? (press * heads) / all : 0);
-    else if (isWet) lift.spread(of, volume, this.#heads, this.braking);
+    else if (isWet) this.displaced = before + lift.spread(of, volume, this.#heads, this.braking);
+    this.mass += density * (this.displaced - before);
     return isWet;
   }
 

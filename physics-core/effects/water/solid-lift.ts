@@ -25,6 +25,12 @@ export class SolidLift {
   /** Sums over these: of themselves, times places, times their products. */
   readonly #sums = new Float64Array(6);
 
+  /** A surface that is not closed displaces what makes no sense. */
+  get #isKnown(): boolean {
+    const even = this.#displaced / this.#sums[0]!;
+    return even > 1 / LIFTS_ALIKE && even < LIFTS_ALIKE;
+  }
+
   clear(): void {
     this.#displaced = 0;
     this.#moments.fill(0);
@@ -37,8 +43,8 @@ export class SolidLift {
     this.#moments[1]! += displaced * volume.along(2, point);
   }
 
-  /** As much of it counts as of its hull. */
-  spread({ masses, solid = 0 }: WetSurface, volume: Volume, hull: Heads, braking: Braking): void {
+  /** As much of it counts as of its hull. Answers what it displaces, m³. */
+  spread({ masses, solid = 0 }: WetSurface, volume: Volume, hull: Heads, braking: Braking): number {
     const { count, places } = masses;
     const heads = this.#heads;
     heads.measure(volume, places, count, Infinity);
@@ -49,6 +55,7 @@ export class SolidLift {
     this.#part(masses.masses, solid, high, count);
     this.#sum(volume, places, count);
     this.#push(volume, places, count, high, braking);
+    return this.#isKnown ? this.#displaced : this.#sums[0]!;
   }
 
   #part(masses: Float64Array, solid: number, high: number, count: number): void {
@@ -83,8 +90,7 @@ export class SolidLift {
     const parts = this.#parts;
     if (!(sums[0]! > 0)) return;
     const even = this.#displaced / sums[0]!;
-    // A surface that is not closed displaces what makes no sense.
-    const known = even > 1 / LIFTS_ALIKE && even < LIFTS_ALIKE;
+    const known = this.#isKnown;
     middle[0] = sums[1]! / sums[0]!;
     middle[1] = sums[2]! / sums[0]!;
     // By how much more along both axes, around the middle.

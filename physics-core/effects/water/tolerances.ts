@@ -17,7 +17,7 @@ export const THIN = 1e-9;
 
 /**
  * How many times as much a soft solid may displace by its surface as by its cells: beyond that the surface is not closed, or
- * crossed by itself, and cells count. (Fact: a soft body that is open floats.)
+ * crossed by itself, and cells count. (Fact: a solid whose surface is laid amiss.)
  */
 export const LIFTS_ALIKE = 2;
 
