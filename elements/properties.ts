@@ -1361,7 +1361,7 @@ export interface WaterVolumeProperties {
   /** Linear drag, 1/s: of its speed through the water and of its spin what floats loses this share in a second; what is wetted by more or less than it weighs loses more or less. Range [0, Infinity]. (SFFloat) Default 1. */
   get damping(): number;
   set damping(value: number | string | null | undefined);
-  /** Share of the mass of the displaced water that has to be moved along with what moves freely: a ball in deep water has 0.5. Range [0, Infinity]. (SFFloat) Default 0. */
+  /** Share of the mass of the displaced water that has to be moved along with a body that moves freely: a ball in deep water has 0.5. Range [0, Infinity]. (SFFloat) Default 0. */
   get addedMass(): number;
   set addedMass(value: number | string | null | undefined);
   /** Where the water goes and how fast, m/s, in its own frame: what floats goes along. (SFVec3f) Default 0 0 0. */

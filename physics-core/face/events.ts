@@ -104,16 +104,20 @@ export interface WaterEvent extends Moment {
   speed: number;
 }
 
-/** What `body.on` hears. */
-export interface BodyEvents extends CollidableEvents {
-  /** It has come to rest, and is simulated no longer. */
-  sleep: Moment;
-  /** It moves again. */
-  wake: Moment;
+/** What may be in water hears; ropes, cloths and soft bodies nothing else. */
+export interface SwimmerEvents {
   /** It has come into water. */
   waterenter: WaterEvent;
   /** It is in water no more. */
   waterleave: WaterEvent;
+}
+
+/** What `body.on` hears. */
+export interface BodyEvents extends CollidableEvents, SwimmerEvents {
+  /** It has come to rest, and is simulated no longer. */
+  sleep: Moment;
+  /** It moves again. */
+  wake: Moment;
 }
 
 /** What `joint.on` hears. */

@@ -1354,7 +1354,7 @@ export interface WaterVolumeFields {
   liftCoefficient?: number;
   /** Linear drag, 1/s: of its speed through the water and of its spin what floats loses this share in a second; what is wetted by more or less than it weighs loses more or less. Range [0, Infinity]. (SFFloat) Default 1. */
   damping?: number;
-  /** Share of the mass of the displaced water that has to be moved along with what moves freely: a ball in deep water has 0.5. Range [0, Infinity]. (SFFloat) Default 0. */
+  /** Share of the mass of the displaced water that has to be moved along with a body that moves freely: a ball in deep water has 0.5. Range [0, Infinity]. (SFFloat) Default 0. */
   addedMass?: number;
   /** Where the water goes and how fast, m/s, in its own frame: what floats goes along. (SFVec3f) Default 0 0 0. */
   flow?: Numbers;

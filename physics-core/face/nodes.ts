@@ -2,7 +2,13 @@ import type { DragMode } from '../dynamics/body.js';
 import type { DragEnd } from '../effects/drag/hold.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Geometry } from '../shapes/geometry.js';
-import type { BodyEvents, CollidableEvents, JointEvents, SensorEvents } from './events.js';
+import type {
+  BodyEvents,
+  CollidableEvents,
+  JointEvents,
+  SensorEvents,
+  SwimmerEvents,
+} from './events.js';
 import type { NodeFields, NodeName, NodeValues } from './fields.js';
 import type { World } from './world.js';
 
@@ -44,6 +50,9 @@ export interface Node {
 
 interface EventsOf {
   RigidBody: BodyEvents;
+  Rope: SwimmerEvents;
+  Cloth: SwimmerEvents;
+  SoftBody: SwimmerEvents;
   CollidableShape: CollidableEvents;
   CollidableOffset: CollidableEvents;
   CollisionSensor: SensorEvents;

@@ -46,7 +46,7 @@ const RECIPES = {
   reset: 'Reset and kick',
   throwing: 'Throwing',
   particles: 'Particles: water, snow, dust, smoke',
-  water: 'Water: boats, buoys, a bottle, a lock',
+  water: 'Water: boats, buoys, a bottle, a lock, a jelly',
   ropes: 'Ropes: a lamp, a crane, a swing, a winch',
   cloth: 'Cloth and soft bodies: a flag, a tablecloth, jelly',
   many: 'Many bodies',

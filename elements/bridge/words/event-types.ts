@@ -58,11 +58,16 @@ export const COLLISIONS = ['collisionstart', 'collisionend'];
 /** Sent with each step. */
 export const STEPS = ['beforestep', 'afterstep'];
 
+const WATER_EVENTS = ['waterenter', 'waterleave'];
+
+const GIVE_WAY = new Set(['Rope', 'Cloth', 'SoftBody']);
+
 const WITH_STOPS = new Set(['SingleAxisHingeJoint', 'DoubleAxisHingeJoint', 'SliderJoint']);
 
 /** The events of one node that its own node in the core sends. */
 export function nodeEvents(type: string): string[] {
-  if (type === 'RigidBody') return [...COLLISIONS, 'sleep', 'wake', 'waterenter', 'waterleave'];
+  if (type === 'RigidBody') return [...COLLISIONS, 'sleep', 'wake', ...WATER_EVENTS];
+  if (GIVE_WAY.has(type)) return WATER_EVENTS;
   // A collidable without a body collides itself.
   if (type.startsWith('Collidable')) return COLLISIONS;
   return WITH_STOPS.has(type) ? ['jointlimit'] : [];

@@ -3,9 +3,13 @@ import { pack, bytesOf } from '../../base/packed.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
 import { nearestOnSurface } from '../drag/soft-places.js';
+import type { Masses } from '../../solver/deformables/masses.js';
+import type { Surface } from '../../solver/deformables/surface.js';
 import { blow } from '../../solver/deformables/air.js';
 import type { Material } from '../../solver/deformables/material.js';
 import { MOST_SOFT_PARTS } from '../../solver/tolerances.js';
+import type { Matter, WetSurface } from '../water/matter.js';
+import type { Swimmer } from '../water/swimmer.js';
 import { LIBRARY } from '../rest/resting.js';
 import { samplesOf, type Samples } from './samples.js';
 import type { DeformableSettings, DeformableSource } from './settings.js';
@@ -31,7 +35,7 @@ export interface KeptDeformable {
 }
 
 /** A cloth or a soft body as the world has it. */
-export class Deformable {
+export class Deformable implements Matter, WetSurface {
   readonly source: DeformableSource;
   material: Material;
   settings: DeformableSettings;
@@ -45,6 +49,8 @@ export class Deformable {
   asleep = false;
   /** It takes part in this step. */
   moves = false;
+  /** What water does to it in this step; undefined: none is near. */
+  water: Swimmer<WetSurface> | undefined;
   #last = 0;
   #quiet = 0;
   /** How far it was stretched lately, as a share. */
@@ -83,6 +89,34 @@ export class Deformable {
 
   get triangles(): Int32Array {
     return this.material.surface.triangles;
+  }
+
+  get id(): number {
+    return this.source.id;
+  }
+
+  get masses(): Masses {
+    return this.material.masses;
+  }
+
+  get hull(): Surface {
+    return this.material.hull;
+  }
+
+  get side(): number {
+    return this.material.side;
+  }
+
+  get solid(): number | undefined {
+    return this.material.solid;
+  }
+
+  get thickness(): number {
+    return this.material.thickness ?? 2 * this.settings.radius;
+  }
+
+  emit(event: string, detail: unknown): void {
+    this.source.emit(event, detail);
   }
 
   /** As it was laid. */
@@ -226,17 +260,19 @@ export class Deformable {
     const { velocities, places, before, inverse, count } = masses;
     const { gravity, damping, wind } = this.settings;
     const pushed = (this.#last + time) / 2;
+    this.water?.begin();
     const left = damping > 0 ? exp(-damping * pushed) : 1;
     if (left < 1) for (let j = 0; j < velocities.length; j++) velocities[j]! *= left;
     this.material.push(pushed);
     if (wind) blow(this.material, wind, pushed);
     for (let i = 0; i < count; i++)
-      for (let k = 0; k < 3; k++) {
-        const j = 3 * i + k;
-        if (inverse[i]! > 0) velocities[j]! += pushed * gravity[k]!;
-        before[j] = places[j]!;
-        places[j]! += time * velocities[j]!;
-      }
+      if (inverse[i]! > 0)
+        for (let k = 0; k < 3; k++) velocities[3 * i + k]! += pushed * gravity[k]!;
+    this.water?.soak(pushed);
+    for (let j = 0; j < places.length; j++) {
+      before[j] = places[j]!;
+      places[j]! += time * velocities[j]!;
+    }
     this.#last = time;
   }
 
@@ -244,6 +280,7 @@ export class Deformable {
   go(time: number): void {
     const { velocities, places, before } = this.material.masses;
     for (let j = 0; j < places.length; j++) velocities[j] = (places[j]! - before[j]!) / time;
+    this.water?.dry();
   }
 
   /** The step is over. False: its numbers are none. */

@@ -7,6 +7,7 @@ import type { KeptSoftDrag } from '../drag/soft-drag.js';
 import { SoftHands } from '../drag/soft-hands.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import { Obstacles } from '../particles/collide/obstacles.js';
+import { water } from '../water/effects.js';
 import { resting } from '../rest/resting.js';
 import type { Effects } from '../effect/effects.js';
 import { Deformable, type KeptDeformable, type ToldDeformable } from './deformable.js';
@@ -71,6 +72,7 @@ export class Deformables extends Effect implements SoftWorld {
     this.#hands?.letGo(source, source.removed ? 'removed' : 'reset');
     this.#wakeWith(this.of(source)!);
     this.#all.delete((node as DeformableSource).id);
+    this.#effects.find(water)?.forget((node as DeformableSource).id);
     super.release(node);
     this.#stale = true;
     if (this.active) this.#goOn();
@@ -100,6 +102,15 @@ export class Deformables extends Effect implements SoftWorld {
     if (soft) this.of(soft)?.wake();
     if (body?.sleeping) body.wake();
     if (this.active) this.#goOn();
+  }
+
+  override waterChanged(): void {
+    const sea = this.#effects.find(water);
+    for (const deformable of this.#all.values()) {
+      if (!deformable.asleep || !sea?.concerns(deformable, deformable.masses)) continue;
+      deformable.wake();
+      this.#goOn();
+    }
   }
 
   /** What it holds or carries wakes: it may go, or be another now. */
@@ -196,8 +207,10 @@ export class Deformables extends Effect implements SoftWorld {
     this.#followJumps();
     for (const deformable of moving) deformable.begin();
     this.#hands?.begin(dt);
+    const sea = this.#effects.caused(water);
     let parts = 1;
     for (const deformable of moving) {
+      deformable.water = sea?.swim(deformable, dt);
       deformable.touches.look(deformable, this.#obstacles, guests, dt);
       const { selfCollision, radius } = deformable.settings;
       if (selfCollision) deformable.material.lookAtItself?.(2 * radius, dt);
@@ -261,8 +274,11 @@ export class Deformables extends Effect implements SoftWorld {
 
   /** What moves keeps awake what it is tied to, and the other way round. */
   #wakeTogether(): void {
-    for (const deformable of this.#all.values())
-      if (deformable.asleep && this.#isMet(deformable)) deformable.wake();
+    const sea = this.#effects.caused(water);
+    for (const deformable of this.#all.values()) {
+      if (!deformable.asleep) continue;
+      if (sea?.isRocked(deformable.id) || this.#isMet(deformable)) deformable.wake();
+    }
     for (const { tie, deformable } of this.#tied) {
       const { body } = tie;
       if (!body?.movable) continue;

@@ -112,6 +112,8 @@ export abstract class Effect {
 
   /** Nothing is known of the steps before: the world begins anew, goes back or ends. */
   reset?(reason: 'reset' | 'removed'): void;
+  /** Water came, went, or is another: what rests may float otherwise. */
+  waterChanged?(): void;
   /** What the next step asks of those before it, as plain data: nodes by their numbers. Undefined: nothing. */
   save?(): unknown;
   /** After a reset: goes on from what `save` gave. Bodies stand and move as they did. */

@@ -121,6 +121,10 @@ export class Effects {
     for (const effect of this.#made.values()) effect.unmade(node);
   }
 
+  waterChanged(): void {
+    for (const effect of this.#made.values()) effect.waterChanged?.();
+  }
+
   // ---- going back -----------------------------------------------------------------------------------------------------
 
   reset(reason: 'reset' | 'removed'): void {

@@ -4,6 +4,8 @@ import { FREE, HELD, Strand } from '../../solver/ropes/strand.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
 import { nearestOnLine } from '../drag/soft-places.js';
+import type { Matter, Points, WetLine } from '../water/matter.js';
+import type { Swimmer } from '../water/swimmer.js';
 import { LIBRARY } from '../rest/resting.js';
 import { Bending } from './bending.js';
 import type { RopeSettings, RopeSource } from './settings.js';
@@ -25,7 +27,7 @@ export interface KeptRope {
 }
 
 /** A rope as the world has it. */
-export class Rope {
+export class Rope implements Matter, WetLine {
   readonly source: RopeSource;
   strand = new Strand(2);
   settings: RopeSettings;
@@ -45,6 +47,12 @@ export class Rope {
   #bending = new Bending(this.strand);
   /** What hands hold in this step, and what it weighs without. */
   readonly #held = new Map<number, number>();
+  /** What water does to it in this step; undefined: none is near. */
+  water: Swimmer<WetLine> | undefined;
+  /** As water pushes them. */
+  points!: Points;
+  /** It has the masses of its points, or those with the water that they have to move. */
+  #heavier = false;
 
   constructor(source: RopeSource) {
     this.source = source;
@@ -70,9 +78,34 @@ export class Rope {
     this.touched = new Int32Array(this.strand.points).fill(-1);
     this.touchedBetween = new Int32Array(this.strand.between.count).fill(-1);
     this.#bending = new Bending(this.strand);
+    const { masses, places, free: velocities } = this.strand;
+    this.points = {
+      count: this.strand.points,
+      masses: masses.slice(),
+      inverse: masses.map((each) => 1 / each),
+      places,
+      velocities,
+    };
+    this.#heavier = false;
     this.#last = this.#quiet = 0;
     this.asleep = false;
     this.version++;
+  }
+
+  get id(): number {
+    return this.source.id;
+  }
+
+  get lengths(): Float64Array {
+    return this.strand.lengths;
+  }
+
+  get radius(): number {
+    return this.settings.radius;
+  }
+
+  emit(event: string, detail: unknown): void {
+    this.source.emit(event, detail);
   }
 
   /** Its author says something else. */
@@ -87,8 +120,13 @@ export class Rope {
   }
 
   #weigh(share: number): void {
-    const { masses } = this.strand;
-    for (let i = 0; i < masses.length; i++) masses[i]! *= share;
+    if (this.#heavier) this.#lighten();
+    const { masses, inverse } = this.points;
+    for (let i = 0; i < masses.length; i++) {
+      this.strand.masses[i]! *= share;
+      masses[i] = this.strand.masses[i]!;
+      inverse[i] = 1 / masses[i]!;
+    }
   }
 
   wake(): void {
@@ -145,11 +183,29 @@ export class Rope {
     const { strand } = this;
     const time = (this.#last + dt) / 2;
     const left = damping > 0 ? exp(-damping * time) : 1;
+    if (this.#heavier) this.#lighten();
     strand.begin(dt);
+    for (let j = 0; j < strand.free.length; j++) strand.free[j] = strand.velocities[j]! * left;
+    this.water?.begin();
     for (let j = 0; j < strand.free.length; j += 3)
-      for (let k = 0; k < 3; k++)
-        strand.free[j + k] = strand.velocities[j + k]! * left + time * gravity[k]!;
+      for (let k = 0; k < 3; k++) strand.free[j + k]! += time * gravity[k]!;
     if (this.settings.bending > 0) this.#bend(dt, time);
+    if (this.water) this.#swim(this.water, time);
+  }
+
+  #lighten(): void {
+    this.strand.masses.set(this.points.masses);
+    this.#heavier = false;
+  }
+
+  /** For what pulls it its points are as much heavier as water brakes them. */
+  #swim(water: Swimmer<WetLine>, time: number): void {
+    water.soak(time);
+    const { inverse, masses, count } = this.points;
+    for (let i = 0; i < count; i++)
+      if (inverse[i]! < 1 / masses[i]!) this.strand.masses[i] = 1 / inverse[i]!;
+    this.#heavier = true;
+    water.dry();
   }
 
   #bend(dt: number, time: number): void {

@@ -14,6 +14,7 @@ import type { Effects } from '../effect/effects.js';
 import type { Pull } from '../joints/component-solve.js';
 import { jointSolve } from '../joints/effects.js';
 import type { JointSolve } from '../joints/joint-solve.js';
+import { water } from '../water/effects.js';
 import { resting } from '../rest/resting.js';
 import { Holding, together, wholesOf } from './held.js';
 import { Rope, type KeptRope, type ToldRope } from './rope.js';
@@ -74,6 +75,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     const source = node as RopeSource;
     this.#hands?.letGo(source, source.removed ? 'removed' : 'reset');
     this.#ropes.delete((node as RopeSource).id);
+    this.#effects.find(water)?.forget((node as RopeSource).id);
     super.release(node);
     this.#letGo();
     if (this.active) this.#goOn();
@@ -112,6 +114,15 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     if (rope) this.of(rope)?.wake();
     if (rope) this.#wakeTied(rope);
     if (this.active) this.#goOn();
+  }
+
+  override waterChanged(): void {
+    const sea = this.#effects.find(water);
+    for (const rope of this.#ropes.values()) {
+      if (!rope.asleep || !sea?.concerns(rope, rope.points)) continue;
+      rope.wake();
+      this.#goOn();
+    }
   }
 
   #wakeTied(source: RopeSource): void {
@@ -257,6 +268,10 @@ export class Ropes extends Effect implements Pull, SoftWorld {
   /** Whether a rope that rests is about to be touched by what moves. */
   #isMet(rope: Rope): boolean {
     if (!rope.asleep) return false;
+    if (this.#effects.caused(water)?.isRocked(rope.id)) {
+      rope.wake();
+      return true;
+    }
     const { bodies } = this.#simulation;
     const { slots, pointers, asleep } = bodies.moving;
     for (let slot = 0; slot < slots; slot++) {
@@ -276,7 +291,9 @@ export class Ropes extends Effect implements Pull, SoftWorld {
       if (body) this.#touch.comeOut(rope, tie.index, body.slot);
     }
     const hands = this.#hands?.any ? this.#hands : undefined;
+    const sea = this.#effects.caused(water);
     for (const rope of ropes) {
+      rope.water = sea?.swimLine(rope, dt);
       rope.begin(dt);
       if (hands) rope.take(hands.on(rope.source), dt);
     }

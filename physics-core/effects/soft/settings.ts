@@ -34,6 +34,8 @@ export interface RopeSource extends Grabbed {
   bends(most: number): void;
   /** Its numbers were lost: it stands where it was. */
   stopped(): void;
+  /** It came into water, or out of it. */
+  emit(event: string, detail: unknown): void;
   /** After each step of one that moved. */
   stepped(): void;
 }

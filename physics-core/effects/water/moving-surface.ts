@@ -9,6 +9,10 @@ import type { WaterSource } from './volume.js';
 export interface MovingSurface {
   /** How far above the still water something may be and be in it, metres. */
   readonly crest: number;
+  /** Nothing stirs it: it is flat. */
+  readonly asleep: boolean;
+  /** How far above the still water it is there, metres, by how far that is from the volume's middle along its width and length. */
+  heightAt(across: number, along: number): number;
   /** By how much faster the lift of the body that it met last grows as that sinks: its water rises meanwhile. */
   readonly stiffens: number;
   /** m³ of its water that move with what pushes there, all the way down. */

@@ -12,6 +12,15 @@ export const MOST_LIFT = 1000;
  */
 export const HASTY = 0.5;
 
+/** Metres: what is thinner, as seen from above, is in the water or not. (Fact: a cloth without thickness sinks.) */
+export const THIN = 1e-9;
+
+/**
+ * How many times as much a soft solid may displace by its surface as by its cells: beyond that the surface is not closed, or
+ * crossed by itself, and cells count. (Fact: a solid whose surface is laid amiss.)
+ */
+export const LIFTS_ALIKE = 2;
+
 /** Kilograms within this share of each other are the same for people. (Fact: what is known of it says why.) */
 export const CALM = 0.01;
 

@@ -88,23 +88,31 @@ export class Volume {
     return this.#half[1] - this.along(1, point);
   }
 
+  /** The same of what goes along with its surface where that moves. */
+  waterAbove(point: Point): number {
+    const { waves } = this;
+    const still = this.above(point);
+    return waves ? still + waves.heightAt(this.along(0, point), this.along(2, point)) : still;
+  }
+
   /** How far its bottom is above a point. */
   bottomAbove(point: Point): number {
     return -this.#half[1] - this.along(1, point);
   }
 
-  /** Whether a point is between its sides. */
-  surrounds(point: Point): boolean {
+  /** Whether a point is between its sides, or other ones. */
+  surrounds(point: Point, sides: Sides = this.#sides): boolean {
+    const across = this.along(0, point);
+    const along = this.along(2, point);
     return (
-      Math.abs(this.along(0, point)) <= this.#half[0] &&
-      Math.abs(this.along(2, point)) <= this.#half[2]
+      across >= sides[0][0] && across <= sides[0][1] && along >= sides[2][0] && along <= sides[2][1]
     );
   }
 
   /** Whether what reaches so far around a point may be in it. */
   reaches(point: Point, reach: number): boolean {
     return (
-      this.above(point) > -reach &&
+      this.above(point) + (this.waves ? this.waves.crest : 0) > -reach &&
       this.bottomAbove(point) < reach &&
       Math.abs(this.along(0, point)) < this.#half[0] + reach &&
       Math.abs(this.along(2, point)) < this.#half[2] + reach
@@ -146,6 +154,25 @@ export class Volume {
   share(frame: BodyFrame, skin: Skin, reach: number, sides: Sides = this.#sides): number {
     const across = this.#shareAlong(0, frame, skin, reach, sides[0]);
     return across > 0 ? across * this.#shareAlong(2, frame, skin, reach, sides[2]) : 0;
+  }
+
+  /** The same of so many points. */
+  shareOf(points: Float64Array, count: number, sides: Sides = this.#sides): number {
+    const across = this.#shareOf(0, points, count, sides[0]);
+    return across > 0 ? across * this.#shareOf(2, points, count, sides[2]) : 0;
+  }
+
+  #shareOf(axis: 0 | 2, points: Float64Array, count: number, [from, to]: Range): number {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = 0; i < count; i++) {
+      for (let k = 0; k < 3; k++) way[k] = points[3 * i + k]!;
+      const at = this.along(axis, way);
+      low = Math.min(low, at);
+      high = Math.max(high, at);
+    }
+    const within = Math.min(high, to) - Math.max(low, from);
+    return high > low ? Math.max(0, within / (high - low)) : 0;
   }
 
   #shareAlong(axis: 0 | 2, frame: BodyFrame, skin: Skin, reach: number, [from, to]: Range): number {

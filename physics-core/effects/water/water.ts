@@ -13,9 +13,21 @@ import { flight } from '../flight/flight.js';
 import { BodyInWater } from './body-in-water.js';
 import { waves } from './effects.js';
 import { WaterPush } from './push.js';
+import type { KeptMatter } from './wet-matter.js';
+import type { Matter, Points, WetLine, WetSurface } from './matter.js';
+import { SoakedLine } from './soaked-line.js';
+import { SoakedSurface } from './soaked-surface.js';
+import type { Swimmer } from './swimmer.js';
+import { WetMatters } from './wet-matters.js';
 import { soak, type Drops } from './soak.js';
 import { volumesOf, type SurfaceMet, type Volume, type WaterSource } from './volume.js';
 import { WetBody, type KeptWet } from './wet.js';
+
+/** For a snapshot: bodies, and what gives way where there is such. */
+type Kept = KeptWet[] | { bodies: KeptWet[]; matter: KeptMatter[] };
+
+const surface = (): SoakedSurface => new SoakedSurface();
+const line = (): SoakedLine => new SoakedLine();
 
 const now = new Float64Array(VELOCITY);
 
@@ -28,6 +40,7 @@ export class Water extends Effect {
   /** By slot. */
   readonly #shapes: (BodyInWater | undefined)[] = [];
   readonly #wet = new Map<Body, WetBody>();
+  readonly #matter: WetMatters;
   /** By slot: what a body gains in the step if nothing else acts on it, m/s. */
   #gains = new Float64Array(16 * 3);
 
@@ -36,6 +49,7 @@ export class Water extends Effect {
     this.#simulation = simulation;
     this.#effects = effects;
     this.#push = new WaterPush(simulation);
+    this.#matter = new WetMatters(simulation);
   }
 
   override need(source: WaterSource, reason: string): void {
@@ -54,6 +68,7 @@ export class Water extends Effect {
   #dry(): void {
     for (const wet of this.#wet.values()) wet.leave(this.#simulation);
     this.#wet.clear();
+    this.#matter.dry();
   }
 
   override unmade(node: Cause): void {
@@ -70,6 +85,7 @@ export class Water extends Effect {
       const body = pointers[slot] !== 0 && asleep[slot] === 1 ? bodies.in(slot) : undefined;
       if (body && (this.#wet.has(body) || this.#reaches(body))) body.wake();
     }
+    this.#effects.waterChanged();
   }
 
   #reaches(body: Body): boolean {
@@ -190,6 +206,32 @@ export class Water extends Effect {
       }
       wet.wetted = false;
     }
+    this.#matter.stepOver();
+  }
+
+  /** A step of `dt` seconds begins for a cloth or a soft body: undefined, where no water is near it. */
+  swim(matter: Matter & WetSurface, dt: number): Swimmer<WetSurface> | undefined {
+    return this.#matter.swim(matter, matter.masses, surface, this.#here, dt);
+  }
+
+  /** The same of a rope. */
+  swimLine(matter: Matter & WetLine, dt: number): Swimmer<WetLine> | undefined {
+    return this.#matter.swim(matter, matter.points, line, this.#here, dt);
+  }
+
+  /** Whether one that rests has to do with water. */
+  concerns(matter: Matter, points: Points): boolean {
+    return this.#matter.concerns(matter, points, this.#here);
+  }
+
+  /** Whether the surface moves that it rests on. */
+  isRocked(id: number): boolean {
+    return this.#matter.isRocked(id, this.#here);
+  }
+
+  /** Something that gives way is there no more. */
+  forget(id: number): void {
+    this.#matter.forget(id);
   }
 
   /** After a step of `dt` seconds of particles in it. */
@@ -204,12 +246,19 @@ export class Water extends Effect {
     return this.#wet.get(body)?.known;
   }
 
+  /** The same of what gives way, by its number. */
+  knownOfMatter(id: number): Record<string, unknown> | undefined {
+    return this.#matter.known(id);
+  }
+
   /** How many bodies are in a volume, and what they displace, m³. */
   knownOf(source: WaterSource): Record<string, unknown> {
     const lying = [...this.#wet.values()].map((wet) => wet.lying);
     const within = lying.filter(({ deepest }) => deepest === source);
-    const displaced = within.reduce((sum, { volume }) => sum + volume, 0);
-    return { bodies: within.length, displaced };
+    const soft = this.#matter.within(source);
+    let displaced = within.reduce((sum, { volume }) => sum + volume, 0);
+    for (const each of soft) displaced += each.displaced;
+    return { bodies: within.length, softBodies: soft.length, displaced };
   }
 
   /** The first surface on the way between two points of the world. */
@@ -226,15 +275,20 @@ export class Water extends Effect {
 
   override reset(): void {
     this.#wet.clear();
+    this.#matter.clear();
   }
 
-  override save(): KeptWet[] | undefined {
-    if (this.#wet.size === 0) return undefined;
-    return [...this.#wet.values()].map(({ kept }) => kept);
+  override save(): Kept | undefined {
+    const matter = this.#matter.kept;
+    if (this.#wet.size === 0 && matter.length === 0) return undefined;
+    const bodies = [...this.#wet.values()].map(({ kept }) => kept);
+    return matter.length > 0 ? { bodies, matter } : bodies;
   }
 
-  override load(saved: readonly KeptWet[], nodes: Numbered): void {
-    for (const kept of saved) {
+  override load(saved: Kept, nodes: Numbered): void {
+    const { bodies, matter } = Array.isArray(saved) ? { bodies: saved, matter: [] } : saved;
+    this.#matter.load(matter, this.inOrder as readonly WaterSource[]);
+    for (const kept of bodies) {
       const wet = WetBody.from(kept, nodes, this.inOrder as readonly WaterSource[]);
       if (wet) this.#wet.set(wet.body, wet);
     }

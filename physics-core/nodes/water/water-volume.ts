@@ -8,7 +8,7 @@ export const waterVolume = defineNode<WaterVolumeNode>({
   name: 'WaterVolume',
   containerField: 'waters',
   clause: '',
-  doc: 'A box of water, or of another liquid: bodies float in it, and it brakes them.',
+  doc: 'A box of water, or of another liquid: bodies, ropes, cloths and soft bodies float in it, and it brakes them.',
   rank: 5,
   needs: (volume) => [volume.asked('waves') ? waveChunk : undefined],
   make: (context) => new WaterVolumeNode(context),
@@ -103,7 +103,7 @@ export const waterVolume = defineNode<WaterVolumeNode>({
       own: true,
       edit: 'live',
       patch: changed,
-      doc: 'Share of the mass of the displaced water that has to be moved along with what moves freely: a ball in deep water has 0.5.',
+      doc: 'Share of the mass of the displaced water that has to be moved along with a body that moves freely: a ball in deep water has 0.5.',
     },
     flow: {
       type: 'SFVec3f',

@@ -24,6 +24,7 @@ export interface ClothWords {
 export class Cloth implements Material {
   readonly masses: Masses;
   readonly surface: Surface;
+  readonly side = 0;
   readonly #threads: Threads;
   readonly #corners: Corners;
   readonly #hinges: Hinges;
@@ -99,6 +100,10 @@ export class Cloth implements Material {
   /** Rates are those of 1 kg. */
   get #lightness(): number {
     return 1 / this.masses.mass;
+  }
+
+  get hull(): Surface {
+    return this.surface;
   }
 
   /** Threads pull where a step can follow them, however they may come to lie; otherwise they are held. */

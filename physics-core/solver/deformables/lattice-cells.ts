@@ -24,7 +24,11 @@ export interface Cells {
   /** Of the corners: x, y, z of each. */
   readonly places: Float64Array;
   readonly surface: Surface;
+  /** Another surface that they carry, by its points as laid and its triangles. */
+  carry(points: ArrayLike<number>, triangles: ArrayLike<number>): Surface;
 }
+
+const NOTHING = new Surface([], 8, [], []);
 
 const NONE: Cells = {
   size: [1, 1, 1],
@@ -36,7 +40,8 @@ const NONE: Cells = {
     spreads: new Float64Array(0),
   },
   places: new Float64Array(0),
-  surface: new Surface([], 8, [], []),
+  surface: NOTHING,
+  carry: () => NOTHING,
 };
 
 /** Fills a closed surface with cells, `resolution` of them along the longest side of its box. */
@@ -55,13 +60,15 @@ export function cellsOf(
   const kept = Array.from(cover.shares.keys()).filter((cell) => cover.shares[cell]! > 0);
   if (kept.length === 0) return NONE;
   const { corners, places } = cornersOf(grid, kept);
+  const carry: Cells['carry'] = (own, faces) => surfaceOf(own, faces, grid, kept, corners);
   return {
     size: grid.size,
     count: kept.length,
     corners,
     cover: coverOfKept(cover, kept),
     places,
-    surface: surfaceOf(points, triangles, grid, kept, corners),
+    surface: carry(points, triangles),
+    carry,
   };
 }
 
@@ -138,7 +145,7 @@ function cornersOf(
 /** Each point as the mean of the corners of its cell, or of the nearest one that is kept. */
 function surfaceOf(
   points: ArrayLike<number>,
-  triangles: Int32Array,
+  triangles: ArrayLike<number>,
   grid: Grid,
   kept: readonly number[],
   corners: Int32Array,

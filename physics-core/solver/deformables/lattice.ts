@@ -4,6 +4,7 @@ import { Hexahedra } from './hexahedra.js';
 import { cellsOf, type Cells } from './lattice-cells.js';
 import { Masses } from './masses.js';
 import type { Material } from './material.js';
+import { divided, volumeOf } from './divided.js';
 import type { Surface } from './surface.js';
 import { quickest } from './waves.js';
 
@@ -13,6 +14,9 @@ export interface LatticeSettings extends Elasticity {
   /** Cells along the longest side. */
   readonly resolution?: number;
 }
+
+/** Triangles that a hull is divided into, at most: a finer surface is its own hull. */
+const MOST_DIVIDED = 4000;
 
 /** Cells along the longest side, where nobody says how many. */
 const RESOLUTION = 8;
@@ -25,11 +29,17 @@ export class Lattice implements Material {
   readonly strain = 0;
   /** How many cells it is made of. */
   readonly cells: number;
+  readonly side: number;
+  readonly solid: number;
   private readonly hexahedra: Hexahedra;
   private readonly rest: Float64Array;
   private readonly size: readonly number[];
   /** kg, of a cell that is covered, where all weigh 1 kg together. */
   private readonly cellMass: number;
+  /** Its surface as it is laid, and the cells that carry it. */
+  private readonly laid: readonly [points: ArrayLike<number>, index: ArrayLike<number>];
+  private readonly carry: Cells['carry'];
+  private divided: Surface | undefined;
   /** The square of the greatest frequency at rest of 1 kg, 1/s², and the share of it that hourglasses may have. */
   private square = 0;
   private hourglassShare = 1;
@@ -39,16 +49,30 @@ export class Lattice implements Material {
     this.cells = cells.count;
     this.size = cells.size;
     this.surface = cells.surface;
+    this.laid = [points, cells.surface.triangles];
+    this.carry = cells.carry;
+    this.side = volumeOf(points, cells.surface.triangles) < 0 ? -1 : 1;
     this.rest = cells.places;
     this.masses = new Masses(cells.places);
     this.hexahedra = new Hexahedra(this.masses, cells);
-    this.cellMass = 1 / cells.cover.shares.reduce((sum, share) => sum + share, 0);
+    const covered = cells.cover.shares.reduce((sum, share) => sum + share, 0);
+    this.cellMass = 1 / covered;
+    this.solid = covered * cells.size.reduce((product, side) => product * side, 1);
     this.weigh(cells);
     this.masses.laid();
     this.masses.weigh(settings.mass);
     this.masses.free();
     this.surface.follow(this.masses);
     this.stiffen(settings);
+  }
+
+  /** Made for who asks for it first: nowhere longer than two cells, so that it bends as they do. */
+  get hull(): Surface {
+    if (this.divided) return this.divided;
+    const { points, index } = divided(...this.laid, 2 * Math.min(...this.size), MOST_DIVIDED);
+    this.divided = this.carry(points, index);
+    this.divided.follow(this.masses);
+    return this.divided;
   }
 
   /** What of a cell is covered is borne by its corners as if it were in its middle. */

@@ -9,6 +9,14 @@ import type { Surface } from './surface.js';
 export interface Material {
   readonly masses: Masses;
   readonly surface: Surface;
+  /** What surrounds it acts on this surface, which is as finely divided as it bends. */
+  readonly hull: Surface;
+  /** Where outside is: 1, where the triangles of that look to; -1, behind them; 0: it encloses nothing, and has two sides. */
+  readonly side: number;
+  /** m³ as laid, of what is solid within; undefined: it is hollow, or encloses nothing. */
+  readonly solid?: number;
+  /** Metres, of what encloses nothing, where it is not its author's. */
+  readonly thickness?: number;
   /** In how many equal parts its forces want a step of `dt` seconds to be taken: no wave is shorter then. */
   parts(dt: number): number;
   /** In so many parts: what would follow more quickly is made softer. Answers by how much: 1, not at all. */

@@ -35,10 +35,12 @@ export class Shell implements Material {
   readonly volume: number;
   private readonly skin: Skin;
   private readonly rest: Float64Array;
+  /** Metres. */
+  thickness = 0;
   /** m², of all triangles. */
   private readonly area: number;
   /** 1: triangles look outward; -1: inward. */
-  private readonly side: number;
+  private readonly faces: number;
   private gas = 0;
   /** Of all pressure this share is left, for parts of a step that are too long for more. */
   private gasSoft = 1;
@@ -67,10 +69,18 @@ export class Shell implements Material {
     this.masses.weigh(settings.mass);
     this.masses.free();
     const within = triangles.length > 0 ? this.skin.volume() : 0;
-    this.side = within < 0 ? -1 : 1;
+    this.faces = within < 0 ? -1 : 1;
     this.volume = this.encloses(within) ? Math.abs(within) : 0;
     this.gas = this.volume > 0 ? settings.pressure : 0;
     this.stiffen(settings);
+  }
+
+  get hull(): Surface {
+    return this.surface;
+  }
+
+  get side(): number {
+    return this.volume > 0 ? this.faces : 0;
   }
 
   private encloses(volume: number): boolean {
@@ -117,6 +127,7 @@ export class Shell implements Material {
   }: Elasticity & Pick<ShellSettings, 'thickness'>): void {
     const { skin } = this;
     const poisson = Math.min(MOST_SHELL_POISSON, Math.max(LEAST_POISSON, poissonsRatio));
+    this.thickness = thickness;
     skin.poisson = poisson;
     skin.stiffness = (Math.max(0, youngsModulus) * thickness) / (1 - poisson * poisson);
     this.find();
@@ -173,9 +184,9 @@ export class Shell implements Material {
 
   /** Pa, along the sides that triangles look to. */
   private presses(): number {
-    const presses = this.side * this.gas * this.gasSoft;
+    const presses = this.faces * this.gas * this.gasSoft;
     if (!(this.gas > 0)) return presses;
-    const share = Math.max(LEAST_VOLUME, (this.side * this.skin.volume()) / this.volume);
+    const share = Math.max(LEAST_VOLUME, (this.faces * this.skin.volume()) / this.volume);
     return presses / share;
   }
 

@@ -75,6 +75,21 @@ export class WaveField implements Grid {
     return Math.sqrt(Math.max(0, gravity * depth));
   }
 
+  /** Between the middles of cells, by how far a place is from its own; beyond the last ones as there. */
+  heightAt(across: number, along: number): number {
+    const { columns, rows, heights } = this;
+    const x = Math.min(columns - 1, Math.max(0, (across + this.width / 2) / this.cellWidth - 0.5));
+    const z = Math.min(rows - 1, Math.max(0, (along + this.length / 2) / this.cellLength - 0.5));
+    const i = Math.floor(x);
+    const j = Math.floor(z);
+    const right = Math.min(i + 1, columns - 1);
+    const next = Math.min(j + 1, rows - 1);
+    const near = heights[j * columns + i]! * (1 - x + i) + heights[j * columns + right]! * (x - i);
+    const far =
+      heights[next * columns + i]! * (1 - x + i) + heights[next * columns + right]! * (x - i);
+    return near * (1 - z + j) + far * (z - j);
+  }
+
   step(dt: number): void {
     const perSecond = this.speed * Math.sqrt(1 / this.cellWidth ** 2 + 1 / this.cellLength ** 2);
     const parts = Math.max(1, Math.ceil((dt * perSecond) / COURANT));

@@ -142,6 +142,10 @@ export class WaveSurface implements MovingSurface {
     if (stand) stand.attended = true;
   }
 
+  heightAt(across: number, along: number): number {
+    return this.asleep ? 0 : this.field.heightAt(across, along);
+  }
+
   get crest(): number {
     return Math.max(0, this.field.crest);
   }
