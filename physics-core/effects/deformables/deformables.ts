@@ -75,7 +75,7 @@ export class Deformables extends Effect implements SoftWorld {
     this.#effects.find(water)?.forget((node as DeformableSource).id);
     super.release(node);
     this.#stale = true;
-    if (this.active) this.#goOn();
+    if (this.active) this.#simulation.bodies.goOn();
   }
 
   /** An author said something about one. */
@@ -84,7 +84,7 @@ export class Deformables extends Effect implements SoftWorld {
     if (deformable) deformable.stale = true;
     if (deformable) this.#wakeWith(deformable);
     this.#stale = true;
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 
   tie(tie: DeformableTie): void {
@@ -101,7 +101,7 @@ export class Deformables extends Effect implements SoftWorld {
     this.#stale = true;
     if (soft) this.of(soft)?.wake();
     if (body?.sleeping) body.wake();
-    if (this.active) this.#goOn();
+    if (this.active) this.#simulation.bodies.goOn();
   }
 
   override waterChanged(): void {
@@ -109,7 +109,7 @@ export class Deformables extends Effect implements SoftWorld {
     for (const deformable of this.#all.values()) {
       if (!deformable.asleep || !sea?.concerns(deformable, deformable.masses)) continue;
       deformable.wake();
-      this.#goOn();
+      this.#simulation.bodies.goOn();
     }
   }
 
@@ -149,15 +149,10 @@ export class Deformables extends Effect implements SoftWorld {
 
   keepAwake(source: DeformableSource): void {
     this.of(source)?.wake();
-    if (this.active) this.#goOn();
+    if (this.active) this.#simulation.bodies.goOn();
   }
 
   // ---- who is there ---------------------------------------------------------------------------------------------------
-
-  /** Where no body moves, steps are taken all the same. */
-  #goOn(): void {
-    this.#simulation.bodies.goOn();
-  }
 
   /** Who takes part in the step that begins, by the numbers of their nodes: it adds up to the same bits, whoever came first. */
   #list(): void {
@@ -314,7 +309,7 @@ export class Deformables extends Effect implements SoftWorld {
       deformable.asleep = deformable.quiet && !this.#keepsAwake(deformable);
       if (!deformable.asleep) goesOn = true;
     }
-    if (goesOn) this.#goOn();
+    if (goesOn) this.#simulation.bodies.goOn();
   }
 
   // ---- on another thread ------------------------------------------------------------------------------------------------
@@ -357,6 +352,6 @@ export class Deformables extends Effect implements SoftWorld {
     if (hands) (this.#hands ??= new SoftHands(this.#simulation, this)).load(hands);
     this.#guests.load(guests);
     for (const [id, kept] of all) this.#all.get(id)?.load(kept);
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 }

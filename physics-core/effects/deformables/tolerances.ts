@@ -37,6 +37,9 @@ export const UNFELT = 0.01;
 export const TAUT = 0.03;
 export const ROUNDS = 16;
 
+/** Times that touches of a lattice are gone over in a part of a step. (Fact: a block of jelly on a floor comes to rest.) */
+export const SWEEPS = 4;
+
 /** Rounds in which threads go to their lengths after a jump, at most: each is exact along its line. (Fact: pins that jump.) */
 export const SETTLING = 200;
 

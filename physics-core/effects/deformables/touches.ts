@@ -5,7 +5,7 @@ import { MET, METS, type Obstacles } from '../particles/collide/obstacles.js';
 import type { Deformable } from './deformable.js';
 import type { Guests } from './guests.js';
 import type { Samples } from './samples.js';
-import { AHEAD, FLAT, RETURN, TURNS } from './tolerances.js';
+import { AHEAD, FLAT, RETURN, SWEEPS, TURNS } from './tolerances.js';
 
 const met = new Float64Array(METS);
 const from = new Float64Array(3);
@@ -33,6 +33,9 @@ export class Touches {
   #bases = new Float64Array(0);
   /** How deep each was when the step began, metres, 0 or less. */
   #depths = new Float64Array(0);
+  /** In this part of a step, kg m. */
+  #pressed = new Float64Array(0);
+  #rubbed = new Float64Array(0);
   /** Of each point of the surface, its touch; -1: it has none. */
   #touchOf = new Int32Array(0);
 
@@ -149,10 +152,22 @@ export class Touches {
     this.#normals = grown(this.#normals, 3 * room);
     this.#bases = grown(this.#bases, 3 * room);
     this.#depths = grown(this.#depths, room);
+    this.#pressed = grown(this.#pressed, room);
+    this.#rubbed = grown(this.#rubbed, 3 * room);
   }
 
-  /** Whoever is too near is taken away, in a part of `time` seconds that ends `since` seconds after the step began. */
-  hold(
+  /**
+   * Whoever is too near is taken away, in a part of `time` seconds that ends `since` seconds after the step began. Where more
+   * points touch than carry them, each takes back what the others have done of its push: all that is too much would drive it.
+   */
+  hold(deformable: Deformable, guests: Guests, time: number, since: number): void {
+    const sweeps = deformable.material.surface.width > 1 ? SWEEPS : 1;
+    this.#pressed.fill(0, 0, this.count);
+    this.#rubbed.fill(0, 0, 3 * this.count);
+    for (let sweep = 0; sweep < sweeps; sweep++) this.#sweep(deformable, guests, time, since);
+  }
+
+  #sweep(
     { material, settings: { radius, friction } }: Deformable,
     guests: Guests,
     time: number,
@@ -170,13 +185,15 @@ export class Touches {
       // What begins inside comes out in time: that gives it no speed, and pushes nobody.
       const isIn = this.#depths[c]! + RETURN * since < 0;
       gap -= Math.min(0, this.#depths[c]! + RETURN * since);
-      if (!(gap < 0) || !(gives > 0)) continue;
-      const out = isIn ? Math.min(-gap, RETURN * time) : 0;
+      const pressed = this.#pressed[c]!;
+      if (!(gap < 0 || pressed > 0) || !(gives > 0)) continue;
+      const out = isIn && gap < 0 ? Math.min(-gap, RETURN * time) : 0;
       if (out > 0) this.#comeOut(material, c, out / gives);
-      const press = (-gap - out) / (gives + guests.gives(slot, this.#bases, 3 * c, along));
-      if (!(press > 0)) continue;
+      const more = (-gap - out) / (gives + guests.gives(slot, this.#bases, 3 * c, along));
+      const press = Math.max(-pressed, more);
+      this.#pressed[c]! += press;
       for (let k = 0; k < 3; k++) push[k] = press * along[k]!;
-      this.#rub(slot, c, friction * press, gives, guests);
+      this.#rub(slot, c, friction * this.#pressed[c]!, gives, guests);
       this.#push(material.masses.places, material, c);
       for (let k = 0; k < 3; k++) push[k] = -push[k]!;
       guests.push(slot, this.#bases, 3 * c, push, time);
@@ -237,11 +254,22 @@ export class Touches {
       now[k]! -= out * along[k]!;
       square += now[k]! * now[k]!;
     }
-    if (!(square > 0)) return;
-    const far = Math.sqrt(square);
-    for (let k = 0; k < 3; k++) now[k]! /= far;
-    const rub = Math.min(most, far / (gives + guests.gives(slot, this.#bases, 3 * c, now)));
-    for (let k = 0; k < 3; k++) push[k]! -= rub * now[k]!;
+    if (square > 0) {
+      const far = Math.sqrt(square);
+      for (let k = 0; k < 3; k++) way[k] = now[k]! / far;
+      const all = gives + guests.gives(slot, this.#bases, 3 * c, way);
+      for (let k = 0; k < 3; k++) now[k]! /= all;
+    }
+    square = 0;
+    for (let k = 0; k < 3; k++) {
+      now[k] = this.#rubbed[3 * c + k]! - now[k]!;
+      square += now[k]! * now[k]!;
+    }
+    const share = square > most * most ? most / Math.sqrt(square) : 1;
+    for (let k = 0; k < 3; k++) {
+      push[k]! += share * now[k]! - this.#rubbed[3 * c + k]!;
+      this.#rubbed[3 * c + k] = share * now[k]!;
+    }
   }
 }
 

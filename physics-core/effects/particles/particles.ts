@@ -79,7 +79,7 @@ export class Particles extends Effect {
   /** An author said something about a system, or about what emits or moves its particles. */
   changed(): void {
     for (const system of this.#systems.values()) system.stale = true;
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 
   /** Winds push bodies, as any force of the step does. */
@@ -118,7 +118,7 @@ export class Particles extends Effect {
       source.stepped(active, crowded);
     }
     this.#pushed.end();
-    if (goesOn) this.#goOn();
+    if (goesOn) this.#simulation.bodies.goOn();
   }
 
   get #living(): number {
@@ -130,11 +130,6 @@ export class Particles extends Effect {
   #anyCollides(): boolean {
     for (const system of this.#systems.values()) if (system.collides) return true;
     return false;
-  }
-
-  /** Where no body moves, steps are taken all the same. */
-  #goOn(): void {
-    this.#simulation.bodies.goOn();
   }
 
   // ---- what is seen -----------------------------------------------------------------------------------------------
@@ -178,6 +173,6 @@ export class Particles extends Effect {
   override load(saved: readonly [id: number, kept: KeptSystem][]): void {
     for (const [id, kept] of saved) this.#systems.get(id)?.load(kept);
     if (saved.some(([, { met }]) => met)) this.#obstacles.goOn();
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 }

@@ -78,7 +78,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     this.#effects.find(water)?.forget((node as RopeSource).id);
     super.release(node);
     this.#letGo();
-    if (this.active) this.#goOn();
+    if (this.active) this.#simulation.bodies.goOn();
   }
 
   /** An author said something about a rope. */
@@ -86,7 +86,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     const rope = this.of(source);
     if (rope) rope.stale = true;
     this.#wakeTied(source);
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 
   tie(tie: Tie): void {
@@ -113,7 +113,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     this.#stale = true;
     if (rope) this.of(rope)?.wake();
     if (rope) this.#wakeTied(rope);
-    if (this.active) this.#goOn();
+    if (this.active) this.#simulation.bodies.goOn();
   }
 
   override waterChanged(): void {
@@ -121,18 +121,13 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     for (const rope of this.#ropes.values()) {
       if (!rope.asleep || !sea?.concerns(rope, rope.points)) continue;
       rope.wake();
-      this.#goOn();
+      this.#simulation.bodies.goOn();
     }
   }
 
   #wakeTied(source: RopeSource): void {
     for (const { rope, body } of this.#holding.ties)
       if (rope === source && body?.sleeping) body.wake();
-  }
-
-  /** Where no body moves, steps are taken all the same. */
-  #goOn(): void {
-    this.#simulation.bodies.goOn();
   }
 
   // ---- by hand --------------------------------------------------------------------------------------------------------
@@ -160,7 +155,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
 
   keepAwake(source: RopeSource): void {
     this.of(source)?.wake();
-    if (this.active) this.#goOn();
+    if (this.active) this.#simulation.bodies.goOn();
   }
 
   // ---- who holds what -------------------------------------------------------------------------------------------------
@@ -373,7 +368,7 @@ export class Ropes extends Effect implements Pull, SoftWorld {
       }
       if (!rests) goesOn = true;
     }
-    if (goesOn) this.#goOn();
+    if (goesOn) this.#simulation.bodies.goOn();
   }
 
   // ---- on another thread ------------------------------------------------------------------------------------------------
@@ -416,6 +411,6 @@ export class Ropes extends Effect implements Pull, SoftWorld {
     this.#takeEdits();
     if (hands) (this.#hands ??= new SoftHands(this.#simulation, this)).load(hands);
     for (const [id, kept] of all) this.#ropes.get(id)?.load(kept);
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 }

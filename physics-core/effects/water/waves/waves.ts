@@ -41,7 +41,7 @@ export class Waves extends Effect implements MovingSurfaces {
     const surface = this.of(source);
     if (surface?.fits(volume)) surface.follow(volume);
     else this.#surfaces.set(source, new WaveSurface(volume));
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 
   override beforeStep(dt: number): void {
@@ -53,12 +53,7 @@ export class Waves extends Effect implements MovingSurfaces {
   }
 
   override stepOver(): void {
-    for (const { asleep } of this.#surfaces.values()) if (!asleep) this.#goOn();
-  }
-
-  /** Where no body moves, steps are taken all the same. */
-  #goOn(): void {
-    this.#simulation.bodies.goOn();
+    for (const { asleep } of this.#surfaces.values()) if (!asleep) this.#simulation.bodies.goOn();
   }
 
   // ---- what is seen -----------------------------------------------------------------------------------------------
@@ -97,6 +92,6 @@ export class Waves extends Effect implements MovingSurfaces {
       const of = kept.get(id);
       if (of) surface.load(of, nodes);
     }
-    this.#goOn();
+    this.#simulation.bodies.goOn();
   }
 }
