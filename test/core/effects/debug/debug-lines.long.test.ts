@@ -161,7 +161,7 @@ describe('the debug drawing', () => {
       for (const end of ends(lines))
         above(1e-5, Math.min(...places.map((at) => distance(at, end))));
       rope.set('enabled', false);
-    w.advance(1 / 60);
+      w.advance(1 / 60);
       close(linesOf(drawn, COLOR.out).length, 4, 0, 'lines of what is not enabled');
       for (const node of [rope, cloth, jelly]) node.remove();
       close(linesOf(drawn, COLOR.awake).length, 0, 0, 'lines');
