@@ -4,7 +4,7 @@ import type { EngineSource } from './engine/wasm.js';
 import { particleSystems } from './effects/particles/effects.js';
 import { deformableChunk } from './effects/deformables/effects.js';
 import { ropeChunk } from './effects/soft/effects.js';
-import { waters, waveChunk } from './effects/water/effects.js';
+import { swimming, waters, waveChunk } from './effects/water/effects.js';
 import { behind, shown } from './face/shown.js';
 import type { RigidBodyCollectionFields } from './face/fields.js';
 import type { World } from './face/world.js';
@@ -37,6 +37,7 @@ inside.beyondPages.push(
   ropeChunk.comesFrom(() => import('./world/chunks/rope-code.js')),
   deformableChunk.comesFrom(() => import('./world/chunks/deformable-code.js')),
   waveChunk.comesFrom(() => import('./effects/wave-code.js')),
+  swimming.comesFrom(() => import('./effects/swim-code.js')),
 );
 
 /** The fields of RigidBodyCollection, and what only the world itself has. */

@@ -2,7 +2,7 @@ import type { Chunk } from '../base/chunk.js';
 import { particleSystems } from '../effects/particles/effects.js';
 import { deformableChunk } from '../effects/deformables/effects.js';
 import { ropeChunk } from '../effects/soft/effects.js';
-import { waters, waveChunk } from '../effects/water/effects.js';
+import { swimming, waters, waveChunk } from '../effects/water/effects.js';
 import { dense } from './snapshot/dense.js';
 import { chunks } from './chunks/all.js';
 
@@ -14,5 +14,6 @@ export const wholeCode: readonly Chunk<unknown>[] = [
   ropeChunk.comesFrom(() => import('./chunks/rope-code.js')),
   deformableChunk.comesFrom(() => import('./chunks/deformable-code.js')),
   waveChunk.comesFrom(() => import('../effects/wave-code.js')),
+  swimming.comesFrom(() => import('../effects/swim-code.js')),
   ...chunks,
 ];

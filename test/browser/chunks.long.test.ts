@@ -210,6 +210,22 @@ describe('what a page fetches', () => {
     }
   });
 
+  it('what water does to all that gives way only where there is such, whichever comes first', async () => {
+    const water = '<x3d-water-volume></x3d-water-volume>';
+    const rope = '<x3d-rope points="0 0 0 1 0 0"></x3d-rope>';
+    for (const [content, swims] of [
+      [water, false],
+      [rope, false],
+      [water + rope, true],
+      [rope + water, true],
+    ] as const) {
+      const { page, world } = await show(FALLING + content);
+      await until(() => world.time > 0);
+      expect(has(page, /swim-code/), content).to.equal(swims);
+      expect(world.problems).to.eql([]);
+    }
+  });
+
   it('what ropes are made of with a Rope alone, and what draws them with its Shape', async () => {
     const dry = await show(FALLING);
     await until(() => dry.world.time > 0);

@@ -15,19 +15,15 @@ import { waves } from './effects.js';
 import { WaterPush } from './push.js';
 import type { KeptMatter } from './wet-matter.js';
 import type { Matter, Points, WetLine, WetSurface } from './matter.js';
-import { SoakedLine } from './soaked-line.js';
-import { SoakedSurface } from './soaked-surface.js';
 import type { Swimmer } from './swimmer.js';
-import { WetMatters } from './wet-matters.js';
+import type { Swimming } from './swimming.js';
+import { swimming } from './effects.js';
 import { soak, type Drops } from './soak.js';
 import { volumesOf, type SurfaceMet, type Volume, type WaterSource } from './volume.js';
 import { WetBody, type KeptWet } from './wet.js';
 
 /** For a snapshot: bodies, and what gives way where there is such. */
 type Kept = KeptWet[] | { bodies: KeptWet[]; matter: KeptMatter[] };
-
-const surface = (): SoakedSurface => new SoakedSurface();
-const line = (): SoakedLine => new SoakedLine();
 
 const now = new Float64Array(VELOCITY);
 
@@ -40,7 +36,8 @@ export class Water extends Effect {
   /** By slot. */
   readonly #shapes: (BodyInWater | undefined)[] = [];
   readonly #wet = new Map<Body, WetBody>();
-  readonly #matter: WetMatters;
+  /** Of what gives way; undefined: there is nothing such in the world. */
+  #matter: Swimming | undefined;
   /** By slot: what a body gains in the step if nothing else acts on it, m/s. */
   #gains = new Float64Array(16 * 3);
 
@@ -49,7 +46,6 @@ export class Water extends Effect {
     this.#simulation = simulation;
     this.#effects = effects;
     this.#push = new WaterPush(simulation);
-    this.#matter = new WetMatters(simulation);
   }
 
   override need(source: WaterSource, reason: string): void {
@@ -68,7 +64,7 @@ export class Water extends Effect {
   #dry(): void {
     for (const wet of this.#wet.values()) wet.leave(this.#simulation);
     this.#wet.clear();
-    this.#matter.dry();
+    this.#matter?.dry();
   }
 
   override unmade(node: Cause): void {
@@ -206,32 +202,37 @@ export class Water extends Effect {
       }
       wet.wetted = false;
     }
-    this.#matter.stepOver();
+    this.#matter?.stepOver();
+  }
+
+  /** Nodes that give way wait for its code where there is water, and the other way round. */
+  get #swimming(): Swimming {
+    return (this.#matter ??= swimming.code.swimming(this.#simulation));
   }
 
   /** A step of `dt` seconds begins for a cloth or a soft body: undefined, where no water is near it. */
   swim(matter: Matter & WetSurface, dt: number): Swimmer<WetSurface> | undefined {
-    return this.#matter.swim(matter, matter.masses, surface, this.#here, dt);
+    return this.#swimming.surface(matter, this.#here, dt);
   }
 
   /** The same of a rope. */
   swimLine(matter: Matter & WetLine, dt: number): Swimmer<WetLine> | undefined {
-    return this.#matter.swim(matter, matter.points, line, this.#here, dt);
+    return this.#swimming.line(matter, this.#here, dt);
   }
 
   /** Whether one that rests has to do with water. */
   concerns(matter: Matter, points: Points): boolean {
-    return this.#matter.concerns(matter, points, this.#here);
+    return this.#swimming.concerns(matter, points, this.#here);
   }
 
   /** Whether the surface moves that it rests on. */
   isRocked(id: number): boolean {
-    return this.#matter.isRocked(id, this.#here);
+    return this.#matter?.isRocked(id, this.#here) === true;
   }
 
   /** Something that gives way is there no more. */
   forget(id: number): void {
-    this.#matter.forget(id);
+    this.#matter?.forget(id);
   }
 
   /** After a step of `dt` seconds of particles in it. */
@@ -248,14 +249,14 @@ export class Water extends Effect {
 
   /** The same of what gives way, by its number. */
   knownOfMatter(id: number): Record<string, unknown> | undefined {
-    return this.#matter.known(id);
+    return this.#matter?.known(id);
   }
 
   /** How many bodies are in a volume, and what they displace, m³. */
   knownOf(source: WaterSource): Record<string, unknown> {
     const lying = [...this.#wet.values()].map((wet) => wet.lying);
     const within = lying.filter(({ deepest }) => deepest === source);
-    const soft = this.#matter.within(source);
+    const soft = this.#matter?.within(source) ?? [];
     let displaced = within.reduce((sum, { volume }) => sum + volume, 0);
     for (const each of soft) displaced += each.displaced;
     return { bodies: within.length, softBodies: soft.length, displaced };
@@ -275,11 +276,11 @@ export class Water extends Effect {
 
   override reset(): void {
     this.#wet.clear();
-    this.#matter.clear();
+    this.#matter?.clear();
   }
 
   override save(): Kept | undefined {
-    const matter = this.#matter.kept;
+    const matter = this.#matter?.kept ?? [];
     if (this.#wet.size === 0 && matter.length === 0) return undefined;
     const bodies = [...this.#wet.values()].map(({ kept }) => kept);
     return matter.length > 0 ? { bodies, matter } : bodies;
@@ -287,7 +288,7 @@ export class Water extends Effect {
 
   override load(saved: Kept, nodes: Numbered): void {
     const { bodies, matter } = Array.isArray(saved) ? { bodies: saved, matter: [] } : saved;
-    this.#matter.load(matter, this.inOrder as readonly WaterSource[]);
+    if (matter.length > 0) this.#swimming.load(matter, this.inOrder as readonly WaterSource[]);
     for (const kept of bodies) {
       const wet = WetBody.from(kept, nodes, this.inOrder as readonly WaterSource[]);
       if (wet) this.#wet.set(wet.body, wet);

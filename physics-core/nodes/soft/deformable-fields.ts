@@ -26,7 +26,7 @@ export const deformableNumber = (
 /** Code that both wait for. */
 export const deformableNeeds = (node: DeformableNode): (Chunk<unknown> | undefined)[] => [
   ...codeOf(node.asked('geometry')),
-  ...softNeeds,
+  ...softNeeds(node),
 ];
 
 /** What Cloth and SoftBody have in common. */

@@ -27,7 +27,7 @@ export const rope = defineNode<RopeNode>({
   clause: '',
   doc: 'A rope: it only pulls, hangs and swings, lies on bodies and winds round them, and ties what is attached to it.',
   rank: 4,
-  needs: () => softNeeds,
+  needs: softNeeds,
   make: (context) => new RopeNode(context),
   bounded: true,
   fields: {

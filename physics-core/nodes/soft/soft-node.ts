@@ -4,6 +4,7 @@ import { drags } from '../../effects/drag/effects.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
 import type { Grabbed } from '../../effects/drag/soft.js';
 import type { SoftSight } from '../../effects/drag/soft-places.js';
+import { swimming } from '../../effects/water/effects.js';
 import type { Vec3 } from '../../fields/types.js';
 import { codecs } from '../../fields/values.js';
 import { PhysicsNode } from '../node/node.js';
@@ -90,8 +91,11 @@ export abstract class SoftNode extends PhysicsNode implements Grabbed {
   }
 }
 
-/** Hands need it. */
-export const softNeeds: Chunk<unknown>[] = [drags];
+/** Hands need the one; the other, whoever may come into water. */
+export function softNeeds({ world }: SoftNode): (Chunk<unknown> | undefined)[] {
+  const hasWater = [...world.nodes].some(({ type }) => type.containerField === 'waters');
+  return [drags, hasWater ? swimming : undefined];
+}
 
 export const draggableBody: Field<SoftNode> = {
   type: 'SFBool',

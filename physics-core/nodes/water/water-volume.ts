@@ -1,6 +1,10 @@
-import { waveChunk } from '../../effects/water/effects.js';
+import { swimming, waveChunk } from '../../effects/water/effects.js';
 import { defineNode } from '../node/define.js';
 import { WaterVolumeNode } from './water-volume-node.js';
+
+/** What gives way, too. */
+const hasMatter = ({ world }: WaterVolumeNode): boolean =>
+  [...world.nodes].some(({ type }) => type.containerField === 'softBodies');
 
 const changed = (water: WaterVolumeNode): void => water.changed();
 
@@ -10,7 +14,10 @@ export const waterVolume = defineNode<WaterVolumeNode>({
   clause: '',
   doc: 'A box of water, or of another liquid: bodies, ropes, cloths and soft bodies float in it, and it brakes them.',
   rank: 5,
-  needs: (volume) => [volume.asked('waves') ? waveChunk : undefined],
+  needs: (volume) => [
+    volume.asked('waves') ? waveChunk : undefined,
+    hasMatter(volume) ? swimming : undefined,
+  ],
   make: (context) => new WaterVolumeNode(context),
   bounded: true,
   fields: {

@@ -4,7 +4,7 @@ import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { deformableChunk } from '../../../physics-core/effects/deformables/effects.js';
 import { particleSystems as particles } from '../../../physics-core/effects/particles/effects.js';
 import { ropeChunk } from '../../../physics-core/effects/soft/effects.js';
-import { waters, waveChunk } from '../../../physics-core/effects/water/effects.js';
+import { waters, swimming, waveChunk } from '../../../physics-core/effects/water/effects.js';
 import {
   contacts,
   drags,
@@ -35,6 +35,7 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-water-code', `${waters.causes}: what floats in it`],
   ['chunk-wave-code', `${waveChunk.causes}: its surface, and what it does to what floats`],
   ['chunk-draw-surface', `${waveChunk.causes}: what draws it`],
+  ['chunk-swim-code', `${swimming.causes}: what water does to it`],
   ['chunk-water-elements', `${waters.causes}: its tag`],
   ['chunk-rope-code', `${ropeChunk.causes}: what moves it, and what it is tied to`],
   ['chunk-rope-elements', `${ropeChunk.causes} or a SoftBodyAttachment: their tags`],

@@ -1,15 +1,20 @@
 import type { Simulation } from '../../dynamics/simulation.js';
 import { lengthOf } from '../../base/exact/index.js';
 import type { Volume, WaterSource } from './volume.js';
-import type { Matter, Points } from './matter.js';
+import type { Matter, Points, WetLine, WetSurface } from './matter.js';
+import { SoakedLine } from './soaked-line.js';
+import { SoakedSurface } from './soaked-surface.js';
 import { Swimmer, type Soaked } from './swimmer.js';
 import { WetMatter, type KeptMatter } from './wet-matter.js';
 
 const middle = new Float64Array(3);
 const way = new Float64Array(3);
 
+const soakedSurface = (): SoakedSurface => new SoakedSurface();
+const soakedLine = (): SoakedLine => new SoakedLine();
+
 /** All that gives way and is in water, by the numbers of their nodes. */
-export class WetMatters {
+export class Swimming {
   readonly #simulation: Simulation;
   readonly #all = new Map<number, WetMatter>();
   readonly #swimmers = new Map<number, Swimmer>();
@@ -18,8 +23,21 @@ export class WetMatters {
     this.#simulation = simulation;
   }
 
-  /** A step begins for one that moves: undefined, where there is no water near it. */
-  swim<Kind>(
+  /** A step of `dt` seconds begins for a cloth or a soft body that moves: undefined, where there is no water near it. */
+  surface(
+    of: Matter & WetSurface,
+    volumes: readonly Volume[],
+    dt: number,
+  ): Swimmer<WetSurface> | undefined {
+    return this.#swim(of, of.masses, soakedSurface, volumes, dt);
+  }
+
+  /** The same of a rope. */
+  line(of: Matter & WetLine, volumes: readonly Volume[], dt: number): Swimmer<WetLine> | undefined {
+    return this.#swim(of, of.points, soakedLine, volumes, dt);
+  }
+
+  #swim<Kind>(
     of: Matter & Kind,
     points: Points,
     soaked: () => Soaked<Kind>,
