@@ -9,7 +9,7 @@ export interface Matter {
   /** Three points each; a rope has none. */
   readonly triangles?: Int32Array;
   readonly asleep: boolean;
-  readonly settings: { readonly enabled: boolean };
+  readonly source: { readonly settings: { readonly enabled: boolean } };
 }
 
 /** By its triangles, which are another list where it has torn. */
@@ -17,8 +17,8 @@ const known = new WeakMap<Int32Array, Int32Array>();
 
 /** The links of a rope, or the edges of a surface: each once. */
 export function drawMatter(lines: LineBuffer, matter: Matter): void {
-  const { places, triangles, asleep, settings } = matter;
-  const color = !settings.enabled ? COLOR.out : asleep ? COLOR.sleeping : COLOR.awake;
+  const { places, triangles, asleep, source } = matter;
+  const color = !source.settings.enabled ? COLOR.out : asleep ? COLOR.sleeping : COLOR.awake;
   const at = (i: number): Vec3 => [places[3 * i]!, places[3 * i + 1]!, places[3 * i + 2]!];
   if (!triangles) {
     for (let i = 1; i < places.length / 3; i++) lines.line(at(i - 1), at(i), color);
