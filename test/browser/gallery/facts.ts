@@ -166,8 +166,12 @@ export const FACTS: Record<string, Fact> = {
     each: `(body('beat').value = world.time < 5 ? 1 : 2.2, [body('cherry').position[0] - body('plate').getAttribute('translation').split(' ')[0],
       ...body('jelly').positions[2 * 48].map((value, k) => value - [0.5275, 0.003, 0][k] - (k === 0 ? +body('plate').getAttribute('translation').split(' ')[0] : 0))])`,
     holds: `(() => {
-      const most = (from, to) => Math.max(...seen.slice(20 * from, 20 * to).map(([sway]) => Math.abs(sway)));
-      return most(8, 10) > 5 * most(3, 5) && seen.every(([, x, y, z]) => Math.hypot(x, y, z) < 0.01);
+      // It leans a little, too, as what bears something at its top may: that is no swing.
+      const swing = (from, to) => {
+        const sways = seen.slice(20 * from, 20 * to).map(([sway]) => sway);
+        return Math.max(...sways) - Math.min(...sways);
+      };
+      return swing(8, 10) > 10 * swing(3, 5) && seen.every(([, x, y, z]) => Math.hypot(x, y, z) < 0.01);
     })()`,
   },
   net: {
