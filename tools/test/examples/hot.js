@@ -11,7 +11,13 @@ const LARGER = 'radius="0.6"';
 const TIMES = 4;
 
 /** Runs in the page: bytes of the engine's heap. */
-const heapBytes = () => document.querySelector('x3d-rigid-body').world.stats.heapBytes;
+const heapBytes = async () => {
+  const { world } = document.querySelector('x3d-rigid-body');
+  // A world that was just made anew has no heap before it has started.
+  await world.ready;
+  return world.stats.heapBytes;
+};
+
 /** Runs in the page: how large the lamp is drawn, and that this is still the page that was opened. */
 const shown = () => [document.querySelector('sphere')?.getAttribute('radius'), globalThis.opened];
 
