@@ -24,7 +24,7 @@ interface Look {
   transparency: number;
 }
 
-export const BRASS: Look = { balls: '0.85 0.62 0.25', rods: '0.28 0.32 0.38', transparency: 0 };
+export const BRASS: Look = { balls: '0.95 0.45 0.03', rods: '0.28 0.32 0.38', transparency: 0 };
 export const GHOST: Look = { balls: '0.1 0.6 0.8', rods: '0.1 0.6 0.8', transparency: 0.5 };
 
 const material = (color: string, transparency: number) => html`
@@ -63,7 +63,7 @@ export function chain(
         <transform id="${id}-link${i}" translation=${at(i)}>
           <shape id="${id}-ball${i}">
             ${material(balls, transparency)}
-            <sphere radius=${i === count ? 0.2 : 0.1}></sphere>
+            <sphere radius=${i === count ? 0.25 : 0.15}></sphere>
           </shape>
           ${i === 0 ? nothing : rod}
         </transform>
