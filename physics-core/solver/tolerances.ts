@@ -378,3 +378,9 @@ export const MOST_BOXES = 8;
 
 /** How fast what does not stretch comes back to its length, m/s, where an edit has left it too long. (Fact: pins that jump.) */
 export const THREAD_RETURN = 10;
+
+/** Triangles that the hull of a lattice is divided into, at most: a finer surface is its own hull. (Fact: a soft box floats.) */
+export const MOST_DIVIDED = 4000;
+
+/** Rounds of that, at most: each halves what is too long. */
+export const MOST_HALVINGS = 12;

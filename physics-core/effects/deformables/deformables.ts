@@ -217,8 +217,8 @@ export class Deformables extends Effect implements SoftWorld {
   }
 
   #followJumps(): void {
-    for (const deformable of this.#moving)
-      if (this.#holding.some((each) => each.jumps && each.deformable === deformable))
+    for (const { jumps, deformable } of this.#holding)
+      if (jumps)
         followJumps(
           deformable,
           this.#holding.filter((each) => each.deformable === deformable),

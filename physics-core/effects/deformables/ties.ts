@@ -60,6 +60,7 @@ export class Tied {
 
   /** Its point is there, and stays. Inside of a lattice no point is the surface's. */
   pin(): void {
+    this.jumps = false;
     const { masses, surface } = this.deformable.material;
     if (surface.width > 1) return;
     const carrier = surface.carriers[this.tie.index]!;

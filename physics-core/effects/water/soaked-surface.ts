@@ -52,22 +52,23 @@ export class SoakedSurface {
     let isWet = false;
     let rate = 0;
     const whole = (this.weighs = massOf(masses.masses));
-    volumes.forEach((volume, v) => {
+    for (let v = 0; v < volumes.length; v++) {
+      const volume = volumes[v]!;
       const before = this.mass;
-      if (!this.#press(of, volume, this.#wet[v]!)) return;
+      if (!this.#press(of, volume, this.#wet[v]!)) continue;
       isWet = true;
       const { damping, flow } = volume.settings;
       rate += (damping * (this.mass - before)) / whole;
       for (let k = 0; k < 3; k++)
         this.braking.flow[k]! += (damping * (this.mass - before) * flow[k]!) / whole;
-    });
+    }
     if (!isWet) return false;
     this.#bound(MOST_LIFT * whole);
     const { braking } = this;
     this.#spreadForces(of);
     braking.push(masses, time);
     this.#drag.look(of);
-    volumes.forEach((volume, v) => this.#drag.resist(of, volume, this.#wet[v]!));
+    for (let v = 0; v < volumes.length; v++) this.#drag.resist(of, volumes[v]!, this.#wet[v]!);
     this.#drag.spread(of, braking);
     braking.rate = Math.max(0, rate);
     for (let k = 0; k < 3; k++) if (rate > 0) braking.flow[k]! /= rate;

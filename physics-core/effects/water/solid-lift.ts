@@ -1,11 +1,8 @@
 import type { Volume } from './volume.js';
-import { LIFTS_ALIKE, THIN } from './tolerances.js';
+import { LAYERS, LIFTS_ALIKE, THIN } from './tolerances.js';
 import type { Braking } from './braking.js';
 import { Heads } from './heads.js';
 import type { WetSurface } from './matter.js';
-
-/** Layers of cells from the top of a solid to its bottom, about: what goes through the surface is in it by and by. */
-const LAYERS = 8;
 
 const point = new Float64Array(3);
 const middle = new Float64Array(2);

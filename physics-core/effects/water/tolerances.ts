@@ -49,3 +49,6 @@ export const LEAST_CELLS = 1.5;
 
 /** Share of the longest step with which a field holds: beyond 1 it breaks up (Courant). */
 export const COURANT = 0.9;
+
+/** Layers of cells from the top of a solid to its bottom, about: what goes through the surface is in it by and by. (Fact: a soft box floats.) */
+export const LAYERS = 8;

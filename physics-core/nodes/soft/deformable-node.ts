@@ -1,5 +1,4 @@
 import { deformables } from '../../effects/deformables/effects.js';
-import { water } from '../../effects/water/effects.js';
 import type { Deformable } from '../../effects/deformables/deformable.js';
 import type { DeformableSettings, DeformableSource } from '../../effects/deformables/settings.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
@@ -133,12 +132,6 @@ export abstract class DeformableNode extends SoftNode implements DeformableSourc
   /** How many points its surface has. */
   get count(): number {
     return (this.places ?? this.mesh.points).length / 3;
-  }
-
-  /** What acts on it, as plain data. */
-  get inBullet(): Record<string, unknown> | undefined {
-    const known = this.world.registry.find(water)?.knownOfMatter(this.id);
-    return known && { water: known };
   }
 
   /** Where points of its surface are, metres, flat. */

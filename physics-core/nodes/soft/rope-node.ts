@@ -4,7 +4,6 @@ import { levels } from '../../dynamics/levels.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
 import { sightOfLine, type SoftSight } from '../../effects/drag/soft-places.js';
 import { ropes } from '../../effects/soft/effects.js';
-import { water } from '../../effects/water/effects.js';
 import type { Rope } from '../../effects/soft/rope.js';
 import type { RopeSettings, RopeSource } from '../../effects/soft/settings.js';
 import type { Value, Vec3 } from '../../fields/types.js';
@@ -129,12 +128,6 @@ export class RopeNode extends SoftNode implements RopeSource {
 
   protected override seenAt(places: Float64Array, sight: SoftSight): number | undefined {
     return sightOfLine(places, this.asked('radius'), sight);
-  }
-
-  /** What acts on it, as plain data. */
-  get inBullet(): Record<string, unknown> | undefined {
-    const known = this.world.registry.find(water)?.knownOfMatter(this.id);
-    return known && { water: known };
   }
 
   /** Where its points are, metres, flat. */

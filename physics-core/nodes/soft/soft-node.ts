@@ -4,7 +4,7 @@ import { drags } from '../../effects/drag/effects.js';
 import type { DragEnd, Hold } from '../../effects/drag/hold.js';
 import type { Grabbed } from '../../effects/drag/soft.js';
 import type { SoftSight } from '../../effects/drag/soft-places.js';
-import { swimming } from '../../effects/water/effects.js';
+import { swimming, water } from '../../effects/water/effects.js';
 import type { Vec3 } from '../../fields/types.js';
 import { codecs } from '../../fields/values.js';
 import { PhysicsNode } from '../node/node.js';
@@ -36,6 +36,12 @@ export abstract class SoftNode extends PhysicsNode implements Grabbed {
     this.offered = offered;
     this.world.emit('draggable', this);
     if (!offered) this.letGo();
+  }
+
+  /** What acts on it, as plain data. */
+  get inBullet(): Record<string, unknown> | undefined {
+    const known = this.world.registry.find(water)?.knownOfMatter(this.id);
+    return known && { water: known };
   }
 
   /** It is there no more. */

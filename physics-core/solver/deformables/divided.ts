@@ -1,11 +1,10 @@
+import { MOST_HALVINGS } from '../tolerances.js';
+
 /** Points, and three of them for each triangle. */
 interface Triangles {
   points: ArrayLike<number>;
   index: ArrayLike<number>;
 }
-
-/** Rounds at most: each halves what is too long. */
-const ROUNDS = 12;
 
 /**
  * A surface whose triangles are divided where their sides are longer than `most` metres: each such side in its middle, for
@@ -19,7 +18,7 @@ export function divided(
 ): Triangles {
   const places = Array.from(points);
   let triangles = Array.from(index);
-  for (let round = 0; round < ROUNDS; round++) {
+  for (let round = 0; round < MOST_HALVINGS; round++) {
     const known = places.length;
     const finer = once(places, triangles, most);
     if (places.length === known || finer.length > 3 * count) break;

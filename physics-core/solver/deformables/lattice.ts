@@ -1,4 +1,4 @@
-import { LEAST_POISSON, MOST_POISSON } from '../tolerances.js';
+import { LEAST_POISSON, MOST_DIVIDED, MOST_POISSON } from '../tolerances.js';
 import { followed, type Elasticity } from './elasticity.js';
 import { Hexahedra } from './hexahedra.js';
 import { cellsOf, type Cells } from './lattice-cells.js';
@@ -14,9 +14,6 @@ export interface LatticeSettings extends Elasticity {
   /** Cells along the longest side. */
   readonly resolution?: number;
 }
-
-/** Triangles that a hull is divided into, at most: a finer surface is its own hull. */
-const MOST_DIVIDED = 4000;
 
 /** Cells along the longest side, where nobody says how many. */
 const RESOLUTION = 8;
@@ -42,6 +39,8 @@ export class Lattice implements Material {
   private divided: Surface | undefined;
   /** The square of the greatest frequency at rest of 1 kg, 1/s², and the share of it that hourglasses may have. */
   private square = 0;
+  private youngsModulus = NaN;
+  private poissonsRatio = NaN;
   private hourglassShare = 1;
 
   constructor(points: ArrayLike<number>, index: ArrayLike<number>, settings: LatticeSettings) {
@@ -91,7 +90,10 @@ export class Lattice implements Material {
   /** Another elasticity, at once. */
   stiffen({ youngsModulus, poissonsRatio }: Elasticity): void {
     const { hexahedra, masses } = this;
-    if (masses.count === 0) return;
+    const isAsWas = youngsModulus === this.youngsModulus && poissonsRatio === this.poissonsRatio;
+    if (masses.count === 0 || isAsWas) return;
+    this.youngsModulus = youngsModulus;
+    this.poissonsRatio = poissonsRatio;
     hexahedra.stiffen(
       Math.max(0, youngsModulus),
       Math.min(MOST_POISSON, Math.max(LEAST_POISSON, poissonsRatio)),

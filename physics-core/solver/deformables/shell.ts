@@ -36,7 +36,7 @@ export class Shell implements Material {
   private readonly skin: Skin;
   private readonly rest: Float64Array;
   /** Metres. */
-  thickness = 0;
+  thickness = NaN;
   /** m², of all triangles. */
   private readonly area: number;
   /** 1: triangles look outward; -1: inward. */
@@ -127,9 +127,12 @@ export class Shell implements Material {
   }: Elasticity & Pick<ShellSettings, 'thickness'>): void {
     const { skin } = this;
     const poisson = Math.min(MOST_SHELL_POISSON, Math.max(LEAST_POISSON, poissonsRatio));
+    const stiffness = (Math.max(0, youngsModulus) * thickness) / (1 - poisson * poisson);
+    const isAsWas = stiffness === skin.stiffness && poisson === skin.poisson;
+    if (isAsWas && thickness === this.thickness) return;
     this.thickness = thickness;
     skin.poisson = poisson;
-    skin.stiffness = (Math.max(0, youngsModulus) * thickness) / (1 - poisson * poisson);
+    skin.stiffness = stiffness;
     this.find();
   }
 
