@@ -96,7 +96,7 @@ export interface NodeKind {
 }
 
 /** What a snapshot is written in. */
-export const FORMAT = 3;
+export const FORMAT = 4;
 
 /** A world at one moment as plain data. */
 export interface Snapshot {

@@ -315,7 +315,7 @@ function withNaN(text: string): string {
 }
 
 for (const [what, spoil] of [
-  ['of an earlier version', (s) => ({ ...s, x3dPhysics: 2 })],
+  ['of an earlier version', (s) => ({ ...s, x3dPhysics: 3 })],
   ['cut off', (s) => ({ ...s, nodes: undefined, effects: undefined })],
   ['whose bodies are cut in half', (s) => withBodies(s, (text) => text.slice(0, text.length / 2))],
   ['whose last contact is cut off', (s) => withBodies(s, (text) => text.slice(0, -4))],
