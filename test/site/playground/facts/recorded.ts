@@ -208,6 +208,8 @@ export const recordedRuns: Facts = {
     await tab.press('Pause');
     await recordButton(tab).press('Enter');
     await tab.page.waitForSelector('[data-part=record][aria-pressed=false]');
+    // The button shows what is asked; the scene's page does it a moment later.
+    await tab.settled();
     assert.equal(await looked(tab), undefined);
     const time = await tab.scene.evaluate(
       () => (window as any).worldOf(document.querySelector('x3d')).time,
