@@ -3,8 +3,8 @@ import { BODY } from './offsets.js';
 
 export { isAwake } from './body-state.js';
 
-// Bodies by their heap pointers, for what happens between Bullet's contact search and its solver: only where the heap is
-// trusted. World frame. The views of the heap are asked for at every read, since it may have grown.
+// Bodies by their heap pointers, for what happens between Bullet's contact search and its solver. World frame. The views of
+// the heap are asked for at every read, since it may have grown.
 
 /** Numbers of a velocity: linear, then angular. */
 const VELOCITY = 6;

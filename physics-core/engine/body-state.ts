@@ -27,7 +27,7 @@ export function setMobility(body: BtBody, mobility: Mobility): void {
 export const inverseMassOf = ({ HEAPF32 }: Ammo, body: number): number =>
   HEAPF32[(body + BODY.inverseMass) >> 2]!;
 
-/** Whether Bullet moves it: it is neither immovable nor asleep. By its heap pointer, where the heap is trusted. */
+/** Whether Bullet moves it: it is neither immovable nor asleep. By its heap pointer. */
 export const isAwake = ({ HEAP32, HEAPF32 }: Ammo, body: number): boolean =>
   HEAP32[(body + BODY.activationState) >> 2] !== ACTIVATION.sleeping &&
   HEAPF32[(body + BODY.inverseMass) >> 2] !== 0;

@@ -1,12 +1,11 @@
 import type { Ammo } from './ammo.js';
 import type { Engine } from './engine.js';
-import { solverOffsetsHold } from './heap-check.js';
 import type { BtBody } from './heap.js';
 import { isAwake } from './body-state.js';
 import { keeping } from './keeping.js';
 import type { KeptWorld } from './kept-world.js';
 import { DISPATCHER, MANIFOLD, SOLVER, SOLVER_MODE } from './offsets.js';
-import { firstPoint, forgetImpulses, pointAt, pointCountAt, type Manifold } from './manifold.js';
+import { forgetImpulses, pointAt, pointCountAt } from './manifold.js';
 import { Owner } from './owner.js';
 import type { SolveOrder } from './solve-order.js';
 
@@ -56,7 +55,6 @@ export class BulletWorld {
   readonly #owner: Owner;
   readonly #dispatcher: Ammo['btCollisionDispatcher']['prototype'];
   readonly #solver: number;
-  readonly #solverTrusted: boolean;
   #order: SolveOrder | undefined;
   /** Ids by pointers, of what came before there was an order. */
   readonly #early = { bodies: new Map<number, number>(), constraints: new Map<number, number>() };
@@ -80,18 +78,14 @@ export class BulletWorld {
     // Every body carries its own collection's gravity.
     this.bullet.setGravity(engine.scratch.vector(0, 0, 0));
     this.#broadphase = ammo.getPointer(broadphase);
-    if (engine.heapTrusted) engine.solverHook.attach(ammo.getPointer(solver));
-    engine.stages?.attach(ammo.getPointer(this.bullet));
+    engine.solverHook.attach(ammo.getPointer(solver));
+    engine.stages.attach(ammo.getPointer(this.bullet));
     this.#solver = ammo.getPointer(this.bullet.getSolverInfo());
-    this.#solverTrusted = engine.heapTrusted && solverOffsetsHold(ammo, this.#solver);
   }
 
-  /**
-   * Undefined: there is nothing to solve, or the heap is not trusted. Without its stages Bullet could not be told the names of
-   * its islands.
-   */
+  /** Undefined: there is nothing to solve. */
   get order(): SolveOrder | undefined {
-    return (this.#order ??= this.engine.stages && this.#makeOrder());
+    return (this.#order ??= this.#makeOrder());
   }
 
   #makeOrder(): SolveOrder | undefined {
@@ -104,7 +98,7 @@ export class BulletWorld {
     return order;
   }
 
-  /** What it keeps from step to step beside bodies; undefined: nothing touches, or the heap is not trusted. */
+  /** What it keeps from step to step beside bodies; undefined: nothing touches. */
   get kept(): KeptWorld | undefined {
     return (this.#kept ??= this.order && keeping.of?.(this, this.#broadphase));
   }
@@ -112,7 +106,6 @@ export class BulletWorld {
   configure(settings: SolverSettings): void {
     this.settings = settings;
     this.bullet.getSolverInfo().set_m_numIterations(settings.iterations);
-    if (!this.#solverTrusted) return;
     const { ammo } = this.engine;
     ammo.HEAP32[(this.#solver + SOLVER.mode) >> 2] = modeOf(settings);
     ammo.HEAPF32[(this.#solver + SOLVER.splitImpulseThreshold) >> 2] =
@@ -141,23 +134,11 @@ export class BulletWorld {
 
   /** Between steps: finds what is near each other and where it touches, as a step does first. */
   findPairs(): void {
-    this.engine.stages?.collide(this.engine.ammo.getPointer(this.bullet));
+    this.engine.stages.collide(this.engine.ammo.getPointer(this.bullet));
   }
 
-  /** Calls `visit` with the pointers of both bodies of every pair that may touch. */
-  eachManifold(visit: (manifold: Manifold, a: number, b: number) => void): void {
-    const { ammo } = this.engine;
-    for (let i = 0, count = this.#dispatcher.getNumManifolds(); i < count; i++) {
-      const manifold = this.#dispatcher.getManifoldByIndexInternal(i);
-      visit(manifold, ammo.getPointer(manifold.getBody0()), ammo.getPointer(manifold.getBody1()));
-    }
-  }
-
-  /** The same by pointers alone; only where the heap is trusted. `awakeOnly`: those that Bullet's solver looks at. */
-  eachManifoldInHeap(
-    visit: (manifold: number, a: number, b: number) => void,
-    awakeOnly = false,
-  ): void {
+  /** Calls `visit` for every pair that may touch. `awakeOnly`: those that Bullet's solver looks at. */
+  eachPair(visit: (manifold: number, a: number, b: number) => void, awakeOnly = false): void {
     const { ammo } = this.engine;
     const dispatcher = ammo.getPointer(this.#dispatcher);
     const count = ammo.HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
@@ -170,18 +151,11 @@ export class BulletWorld {
     }
   }
 
-  /** The same wherever the heap is: a wrapper of each manifold takes ten times as long. */
-  eachPair(visit: (manifold: number, a: number, b: number) => void): void {
-    const { ammo, heapTrusted } = this.engine;
-    if (heapTrusted) this.eachManifoldInHeap(visit);
-    else this.eachManifold((manifold, a, b) => visit(ammo.getPointer(manifold), a, b));
-  }
-
   eachAwakeManifold(visit: (manifold: number, a: number, b: number) => void): void {
-    this.eachManifoldInHeap(visit, true);
+    this.eachPair(visit, true);
   }
 
-  /** Whether any two bodies touch, asleep or not; only where the heap is trusted. */
+  /** Whether any two bodies touch, asleep or not. */
   get anyTouching(): boolean {
     const { HEAP32 } = this.engine.ammo;
     const dispatcher = this.engine.ammo.getPointer(this.#dispatcher);
@@ -192,18 +166,11 @@ export class BulletWorld {
     return false;
   }
 
-  /** Calls `visit` for each pair of a body that has contact points, with the other one's pointer. */
+  /**
+   * Calls `visit` for each pair of a body that has contact points, with the other one's pointer. A pair of others costs
+   * nanoseconds: an edit in a large scene costs no more than in a small one.
+   */
   eachTouching(body: number, visit: (other: number, manifold: number) => void): void {
-    const { ammo, heapTrusted } = this.engine;
-    if (heapTrusted) return this.#eachTouchingInHeap(body, visit);
-    this.eachManifold((manifold, a, b) => {
-      if (manifold.getNumContacts() === 0 || (a !== body && b !== body)) return;
-      visit(a === body ? b : a, ammo.getPointer(manifold));
-    });
-  }
-
-  /** A pair of others costs nanoseconds: an edit in a large scene costs no more than in a small one. */
-  #eachTouchingInHeap(body: number, visit: (other: number, manifold: number) => void): void {
     const { ammo } = this.engine;
     const { bodyA, bodyB, pointCount } = MANIFOLD;
     const dispatcher = ammo.getPointer(this.#dispatcher);
@@ -224,8 +191,7 @@ export class BulletWorld {
    * a hundred kilograms throw ten grams away (measured: 700 m/s).
    */
   forgetImpulsesOf(body: number): void {
-    const { ammo, heapTrusted } = this.engine;
-    if (!heapTrusted) return;
+    const { ammo } = this.engine;
     this.eachTouching(body, (_, manifold) => forgetImpulses(ammo, manifold));
   }
 
@@ -234,18 +200,11 @@ export class BulletWorld {
    * the pointers of both bodies.
    */
   eachTouchingPair(visit: (first: number, count: number, a: number, b: number) => void): void {
-    const { ammo, heapTrusted } = this.engine;
-    // A wrapper of each manifold and each point would take twenty times as long.
-    if (heapTrusted)
-      this.eachManifoldInHeap((manifold, a, b) => {
-        const count = pointCountAt(ammo, manifold);
-        if (count > 0) visit(pointAt(manifold, 0), count, a, b);
-      });
-    else
-      this.eachManifold((manifold, a, b) => {
-        const count = manifold.getNumContacts();
-        if (count > 0) visit(firstPoint(ammo, manifold), count, a, b);
-      });
+    const { ammo } = this.engine;
+    this.eachPair((manifold, a, b) => {
+      const count = pointCountAt(ammo, manifold);
+      if (count > 0) visit(pointAt(manifold, 0), count, a, b);
+    });
   }
 
   /** Contact points of all pairs. */

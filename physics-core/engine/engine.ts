@@ -1,12 +1,11 @@
 import { fetchGlue, loadAmmo, type Ammo } from './ammo.js';
 import { HeapExhausted } from './exhausted.js';
-import { bodyOffsetsHold, manifoldOffsetsHold, stagesThatHold } from './heap-check.js';
-import { ApiReader, HeapReader, type BodyReader } from './heap.js';
+import { BodyReader } from './heap.js';
 import type { PairTest } from './pair-test.js';
 import { Scratch } from './scratch.js';
 import { SolverHook } from './solver-hook.js';
-import type { StepStages } from './step-stages.js';
-import { ApiVelocityWriter, HeapVelocityWriter, type VelocityWriter } from './velocity-writer.js';
+import { StepStages } from './step-stages.js';
+import { VelocityWriter } from './velocity-writer.js';
 import type { Sweep } from './sweep.js';
 import { compileAmmo, type LoadOptions } from './wasm.js';
 
@@ -22,25 +21,19 @@ export class Engine {
   readonly reader: BodyReader;
   readonly velocities: VelocityWriter;
   readonly solverHook: SolverHook;
-  /** Undefined where they were not found: Bullet's step is then its own. */
-  readonly stages: StepStages | undefined;
+  readonly stages: StepStages;
   /** Made by those who ask first: `pairTestOf`, `sweepOf`. */
   pairTest: PairTest | undefined;
   sweep: Sweep | undefined;
-  /** False with another Ammo build: then nothing is written to the heap and reads go through the API. */
-  readonly heapTrusted: boolean;
 
   constructor(ammo: Ammo, source: LoadOptions = {}) {
     this.ammo = ammo;
     this.source = source;
     this.scratch = new Scratch(ammo);
     this.solverHook = new SolverHook(ammo);
-    this.heapTrusted = bodyOffsetsHold(ammo) && manifoldOffsetsHold(ammo, this.solverHook);
-    this.stages = this.heapTrusted ? stagesThatHold(ammo) : undefined;
-    this.reader = this.heapTrusted ? new HeapReader(ammo) : new ApiReader();
-    this.velocities = this.heapTrusted
-      ? new HeapVelocityWriter(ammo)
-      : new ApiVelocityWriter(this.scratch);
+    this.stages = new StepStages(ammo);
+    this.reader = new BodyReader(ammo);
+    this.velocities = new VelocityWriter(ammo);
   }
 
   /** A step begins: points that were found after the last one are of the past. */

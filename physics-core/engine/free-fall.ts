@@ -54,14 +54,6 @@ export class FreeFall {
     this.aside = new Int32Array(room);
   }
 
-  /** Leaves all aside: where the heap is not trusted, each is asked by itself. */
-  none({ pointers, asleep }: MovingBodies): void {
-    this.asideCount = 0;
-    for (let slot = 0; slot < this.motions.length; slot++)
-      if (this.motions[slot] !== MOTION.unknown && pointers[slot]! > 0 && asleep[slot] === 0)
-        this.aside[this.asideCount++] = slot;
-  }
-
   /**
    * After a step of `dt` seconds. No call within the loop, as in `StatePass`. `alone`: nothing acts on any body but what
    * all have.

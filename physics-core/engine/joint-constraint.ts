@@ -71,8 +71,7 @@ export class JointConstraint {
    * and faster (measured).
    */
   #pushAtOnePoint(): void {
-    const { ammo, heapTrusted } = this.#world.engine;
-    if (heapTrusted) ammo.HEAPU8[this.pointer + SIX_DOF.useOffsetForConstraintFrame] = 0;
+    this.#world.engine.ammo.HEAPU8[this.pointer + SIX_DOF.useOffsetForConstraintFrame] = 0;
   }
 
   dispose(): void {
@@ -125,11 +124,9 @@ export class JointConstraint {
     this.#setRow(row, target, target);
   }
 
-  /** On an unknown Ammo build it stays as it is. Bounds that cross leave it free. */
+  /** Bounds that cross leave it free. */
   #setRow(row: number, lower: number, upper: number): void {
-    const { ammo, heapTrusted } = this.#world.engine;
-    if (!heapTrusted) return;
-    const heap = ammo.HEAPF32;
+    const heap = this.#world.engine.ammo.HEAPF32;
     if (row < 3) {
       heap[((this.pointer + SIX_DOF.linearLower) >> 2) + row] = lower;
       heap[((this.pointer + SIX_DOF.linearUpper) >> 2) + row] = upper;

@@ -2,7 +2,7 @@ import { quaternionOfRows, type Pose } from '../base/math.js';
 import type { Ammo } from './ammo.js';
 import { SIX_DOF } from './offsets.js';
 
-/** What Bullet has of a btGeneric6DofConstraint, by its pointer; only where the heap is trusted. */
+/** What Bullet has of a btGeneric6DofConstraint, by its pointer */
 export class JointView {
   readonly #ammo: Ammo;
 

@@ -2,7 +2,7 @@ import type { Ammo } from './ammo.js';
 import type { BtBody } from './heap.js';
 import { BODY } from './offsets.js';
 
-// Bodies as they stand on the heap, to the last bit; only where the heap is trusted.
+// Bodies as they stand on the heap, to the last bit.
 
 /** Numbers of a body: the rows of its rotation, its origin, its velocities. */
 export const STATE = 18;

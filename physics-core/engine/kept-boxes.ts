@@ -1,7 +1,7 @@
 import type { Ammo } from './ammo.js';
 import { BODY, BROADPHASE, LEAF, PROXY } from './offsets.js';
 
-// What Bullet's broadphase keeps of bodies: their boxes, and the lists that they stand in; only where the heap is trusted.
+// What Bullet's broadphase keeps of bodies: their boxes, and the lists that they stand in.
 
 /** The list of the broadphase that a body stands in; -1: it is in no world. */
 export function listOf({ HEAP32 }: Ammo, body: number): number {

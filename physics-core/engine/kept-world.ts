@@ -54,7 +54,7 @@ export class KeptWorld {
   saveContacts(): Int32Array {
     this.#bullet.order!.arrange();
     this.#bullet.order!.sortManifolds();
-    return saveContacts(this.#ammo, (visit) => this.#bullet.eachManifoldInHeap(visit));
+    return saveContacts(this.#ammo, (visit) => this.#bullet.eachPair(visit));
   }
 
   /** Whether points in touch are such, of so many bodies; none at all are those of a world without the code of contacts. */
@@ -71,7 +71,7 @@ export class KeptWorld {
     this.#bullet.order!.expectBody();
     this.#bullet.findPairs();
     if (bodies.some(({ solidParts }) => solidParts.length > 1)) this.#findParts(moment.contacts);
-    loadContacts(ammo, (visit) => this.#bullet.eachManifoldInHeap(visit), moment.contacts);
+    loadContacts(ammo, (visit) => this.#bullet.eachPair(visit), moment.contacts);
     bodies.forEach(({ pointer }, i) => loadBox(ammo, pointer, moment.boxes, moment.at[i]!));
     const pointers = bodies.map(({ pointer }) => pointer);
     layLists(ammo, this.#broadphase, moment.list, pointers, lists);
@@ -83,7 +83,7 @@ export class KeptWorld {
       const moved = new Map<number, () => void>();
       eachLost(
         this.#ammo,
-        (visit) => this.#bullet.eachManifoldInHeap(visit),
+        (visit) => this.#bullet.eachPair(visit),
         contacts,
         (rank, normal) => {
           const pointer = this.#bullet.order!.bodyAt(rank);

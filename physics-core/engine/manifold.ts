@@ -2,13 +2,7 @@ import { guards } from '../base/guards.js';
 import type { Ammo } from './ammo.js';
 import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, SHAPE, SHAPE_TYPE } from './offsets.js';
 
-// Bullet's contact points of two bodies near each other; only where the heap is trusted.
-
-export type Manifold = Ammo['btPersistentManifold']['prototype'];
-
-/** Pointer of its first contact point; it must have one. The others follow. */
-export const firstPoint = (ammo: Ammo, manifold: Manifold): number =>
-  ammo.getPointer(manifold.getContactPoint(0));
+// Bullet's contact points of two bodies near each other.
 
 /** Pointer of the contact point `i` after another one of the same manifold. */
 export const pointAfter = (first: number, i: number): number => first + i * POINT.size;

@@ -1,6 +1,7 @@
 /**
  * Byte offsets inside Bullet 2.82's objects as ammojs-typed 1.1.0 lays them out (measured; the classes are not
- * 16-aligned in this build). `heap-check.ts` proves them against the API at load; nothing else may name a number.
+ * 16-aligned in this build), proved by tests (`test/core/engine/layout.ts`): files of the package come with the one ammo.wasm
+ * that their glue can read. Nothing else may name a number.
  */
 export const BODY = {
   /** Rows of the rotation matrix, 16 bytes apart; the origin follows. */
@@ -112,18 +113,18 @@ export const SOLVER_VTABLE = { count: 14, prepareSolve: 2, allSolved: 4 } as con
 
 /**
  * Of btDiscreteDynamicsWorld: how many functions, `internalSingleStepSimulation`, and the stages that this consists of, in
- * their order, with how many numbers each takes: the world, and seconds or the solver's settings.
+ * their order.
  */
 export const WORLD_VTABLE = {
   count: 45,
   step: 40,
   stages: [
-    [35, 2], // predictUnconstraintMotion
-    [11, 1], // performDiscreteCollisionDetection
-    [37, 1], // calculateSimulationIslands
-    [38, 2], // solveConstraints
-    [36, 2], // integrateTransforms
-    [39, 2], // updateActivationState
+    35, // predictUnconstraintMotion: world, seconds
+    11, // performDiscreteCollisionDetection: world
+    37, // calculateSimulationIslands: world
+    38, // solveConstraints: world, settings of its solver
+    36, // integrateTransforms: world, seconds
+    39, // updateActivationState: world, seconds
   ],
 } as const;
 

@@ -9,8 +9,6 @@ const KINDS = new Map<number, ShapeKind>(
   Object.entries(SHAPE_TYPE).map(([kind, number]) => [number, kind as ShapeKind]),
 );
 
-/** What a shape is; undefined where the heap is not trusted, and for what is not made here. */
-export function kindOf({ ammo, heapTrusted }: Engine, shape: Shape): ShapeKind | undefined {
-  if (!heapTrusted) return undefined;
-  return KINDS.get(ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]!);
-}
+/** What a shape is; undefined for what is not made here. */
+export const kindOf = ({ ammo }: Engine, shape: Shape): ShapeKind | undefined =>
+  KINDS.get(ammo.HEAP32[(ammo.getPointer(shape) + SHAPE.type) >> 2]!);

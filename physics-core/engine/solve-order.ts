@@ -14,7 +14,7 @@ const byId = (a: Member, b: Member): number => a.id - b.id;
 /**
  * The order in which Bullet solves what it finds. Its own hangs on what came and went since the world began, and on where
  * things lie on the heap; here it follows from the numbers of nodes alone, so that a world that is restored, or made anew
- * elsewhere, goes on to the same bits. Only where the heap is trusted.
+ * elsewhere, goes on to the same bits.
  */
 export class SolveOrder {
   readonly #ammo: Ammo;

@@ -24,7 +24,7 @@ export class SolverHook {
     this.#ammo = ammo;
   }
 
-  /** `solver`: pointer of a btSequentialImpulseConstraintSolver. Only where the heap is trusted. */
+  /** `solver`: pointer of a btSequentialImpulseConstraintSolver. */
   attach(solver: number): void {
     this.#table ||= tableLike(this.#ammo, tableOf(this.#ammo, solver), VTABLE.count, {
       [VTABLE.prepareSolve]: { call: () => this.#listener?.found(), signature: 'viii' },

@@ -35,13 +35,6 @@ export class StatePass {
   /** Those that have turned by more than 120°: their quaternion is still to be written. */
   #turned = new Int32Array(16);
 
-  /** Leaves all aside: where the heap is not trusted, each is asked by itself. */
-  none({ slots, pointers }: MovingBodies): void {
-    this.#begin(slots);
-    for (let slot = 0; slot < slots; slot++)
-      if (pointers[slot] !== 0) this.aside[this.asideCount++] = slot;
-  }
-
   #begin(slots: number): void {
     if (this.aside.length < slots) {
       this.aside = new Int32Array(2 * slots);

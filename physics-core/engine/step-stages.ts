@@ -10,36 +10,28 @@ import { functionsAt, tableLike, tableOf, type WasmFunction } from './virtual-ta
  */
 export class StepStages {
   readonly #ammo: Ammo;
-  readonly #stages: readonly WasmFunction[];
+  #stages: readonly WasmFunction[] = [];
   /** Tables of virtual functions. */
-  readonly #theirs: number;
-  readonly #ours: number;
+  #theirs = 0;
+  #ours = 0;
   #listener: { islands(): void } | null = null;
 
-  private constructor(ammo: Ammo, theirs: number, stages: readonly WasmFunction[]) {
+  constructor(ammo: Ammo) {
     this.#ammo = ammo;
-    this.#stages = stages;
+  }
+
+  /** `world`: pointer of a btDiscreteDynamicsWorld. */
+  attach(world: number): void {
+    if (!this.#ours) this.#learn(tableOf(this.#ammo, world));
+    this.#ammo.HEAP32[world >> 2] = this.#ours;
+  }
+
+  #learn(theirs: number): void {
     this.#theirs = theirs;
-    this.#ours = tableLike(ammo, theirs, VTABLE.count, {
+    this.#stages = functionsAt(this.#ammo, theirs, VTABLE.stages);
+    this.#ours = tableLike(this.#ammo, theirs, VTABLE.count, {
       [VTABLE.step]: { call: this.#step, signature: 'vif' },
     });
-  }
-
-  /** By the pointer of a btDiscreteDynamicsWorld. Only where the heap is trusted; undefined: its functions are not known. */
-  static of(ammo: Ammo, world: number): StepStages | undefined {
-    const theirs = tableOf(ammo, world);
-    const { stages } = VTABLE;
-    const found = functionsAt(
-      ammo,
-      theirs,
-      stages.map(([entry]) => entry),
-    );
-    if (found.some((each, i) => each?.length !== stages[i]![1])) return undefined;
-    return new StepStages(ammo, theirs, found as WasmFunction[]);
-  }
-
-  attach(world: number): void {
-    this.#ammo.HEAP32[world >> 2] = this.#ours;
   }
 
   /** From now on it steps as Bullet does. */

@@ -1,6 +1,6 @@
 import type { Ammo } from './ammo.js';
 
-/** A function of the wasm as JavaScript calls it; `length` is how many numbers it takes. */
+/** A function of the wasm as JavaScript calls it. */
 export type WasmFunction = (...args: number[]) => number;
 
 /** One of ours in a table of virtual functions: `signature` as the glue wants it, result first. */
@@ -23,17 +23,10 @@ const BEFORE = 2;
 export const tableOf = ({ HEAP32 }: Ammo, object: number): number => HEAP32[object >> 2]!;
 
 /** The functions at these entries of a table. */
-export function functionsAt(
-  ammo: Ammo,
-  table: number,
-  entries: readonly number[],
-): (WasmFunction | null)[] {
+export function functionsAt(ammo: Ammo, table: number, entries: readonly number[]): WasmFunction[] {
   const { asm } = ammo as unknown as Glue;
-  const all = Object.values(asm).find((each) => each instanceof WebAssembly.Table);
-  return entries.map((entry) => {
-    const index = ammo.HEAP32[(table >> 2) + entry]!;
-    return all && index >= 0 && index < all.length ? all.get(index) : null;
-  });
+  const all = Object.values(asm).find((each) => each instanceof WebAssembly.Table)!;
+  return entries.map((entry) => all.get(ammo.HEAP32[(table >> 2) + entry]!));
 }
 
 /** A table of `count` functions like theirs, with ours at some entries. The build has no way to give memory back: to be made once. */

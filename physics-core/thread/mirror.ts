@@ -130,9 +130,7 @@ export class Mirror {
   #place(node: BodyNode): void {
     const { engine, bodies } = this.#world;
     const { p, q } = compose(node.motion.poseInBullet(), node.centerOfMass);
-    engine.velocities.write(node.body, node.pointer, bodies.velocityOf(node), 0);
-    if (!engine.heapTrusted)
-      return node.body.setCenterOfMassTransform(engine.scratch.transform(p, q));
+    engine.velocities.write(node.pointer, bodies.velocityOf(node), 0);
     writeMatrix(this.#rotation, 0, q, 0);
     placeBody(engine.ammo, node.pointer, p, this.#rotation);
   }

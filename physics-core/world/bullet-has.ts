@@ -41,8 +41,8 @@ function bodyIn(body: BodyNode, nameOf: NameOf): Record<string, unknown> {
   const { reader } = body.world.engine;
   const pose = new Float64Array(POSE);
   const velocity = new Float64Array(6);
-  reader.pose(body.body, body.pointer, pose, 0);
-  reader.velocity(body.body, body.pointer, velocity, 0);
+  reader.pose(body.pointer, pose, 0);
+  reader.velocity(body.pointer, velocity, 0);
   return {
     state: stateOf(body),
     shapes: shapesOf(body),

@@ -111,9 +111,13 @@ function ofJoint(node: JointNode): Record<string, unknown> {
 
 function ofWorld(world: World): Record<string, unknown> {
   const touching: string[] = [];
-  world.bullet.eachManifold((manifold, a, b) => {
-    const names = [a, b].map((pointer) => world.bodyAt(pointer)?.name);
-    if (manifold.getNumContacts() > 0) touching.push(names.sort().join());
+  world.bullet.eachTouchingPair((_first, _count, a, b) => {
+    touching.push(
+      [a, b]
+        .map((pointer) => world.bodyAt(pointer)?.name)
+        .sort()
+        .join(),
+    );
   });
   return {
     solver: [world.bullet.settings, world.solver, world.timeStep],

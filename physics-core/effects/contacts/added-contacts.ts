@@ -104,9 +104,9 @@ function predicted(simulation: Simulation, body: Body, dt: number): Velocity {
 }
 
 /** As Bullet has it: other effects changed it before this step. */
-function velocityNow({ engine }: Simulation, { body, pointer }: Body): Velocity {
+function velocityNow({ engine }: Simulation, { pointer }: Body): Velocity {
   const v = new Float64Array(6);
-  engine.reader.velocity(body, pointer, v, 0);
+  engine.reader.velocity(pointer, v, 0);
   return { linear: [v[0]!, v[1]!, v[2]!], angular: [v[3]!, v[4]!, v[5]!] };
 }
 

@@ -123,7 +123,6 @@ export class ContactReader extends Effect {
   // ---- after each step --------------------------------------------------------------------------------------------
 
   override afterStep(): void {
-    if (!this.#simulation.engine.heapTrusted) return;
     this.#effects.find(givenContacts)?.forget();
     this.#touches.begin();
     for (const sensor of this.#sensors) sensor.beginSensing();
@@ -167,7 +166,7 @@ export class ContactReader extends Effect {
     visit: (point: ContactPoint, a: Body, b: Body, first: Collidable, second: Collidable) => void,
   ): void {
     const { collider } = sensor;
-    if (!collider || !this.#simulation.engine.heapTrusted) return;
+    if (!collider) return;
     eachContactPoint(this.#simulation, (pointer, a, b) => {
       const point = this.#point.at(pointer, a.pointer, b.pointer);
       if (point.distance > TOUCHING) return;

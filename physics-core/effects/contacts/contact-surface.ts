@@ -206,8 +206,7 @@ export class ContactSurface extends Effect {
     this.#step.dt = dt;
     this.#step.slop = this.#simulation.bullet.settings.linearSlop;
     if (this.demands.changes) this.#eachVelocity(this.#noteBefore);
-    if (this.#simulation.engine.heapTrusted && anyFast(this.#simulation, dt))
-      forgetStale(this.#simulation, dt);
+    if (anyFast(this.#simulation, dt)) forgetStale(this.#simulation, dt);
   }
 
   override afterStep(): void {
@@ -240,9 +239,9 @@ export class ContactSurface extends Effect {
 
   #eachVelocity(visit: (value: number, at: number) => void): void {
     const { reader } = this.#simulation.engine;
-    for (const { slot, body, pointer } of this.#simulation.bodies) {
+    for (const { slot, pointer } of this.#simulation.bodies) {
       if ((slot + 1) * VELOCITY > this.#before.length) this.#grow(slot);
-      reader.velocity(body, pointer, this.#velocity, 0);
+      reader.velocity(pointer, this.#velocity, 0);
       for (let i = 0; i < VELOCITY; i++) visit(this.#velocity[i]!, slot * VELOCITY + i);
     }
   }

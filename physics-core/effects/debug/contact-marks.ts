@@ -39,7 +39,6 @@ export function markContacts(
 }
 
 function eachContact(simulation: Simulation, visit: Visit): void {
-  if (!simulation.engine.heapTrusted) return;
   const point = new ContactPoint(simulation.engine.ammo);
   eachContactPoint(simulation, (pointer, a, b) => {
     point.at(pointer, a.pointer, b.pointer);

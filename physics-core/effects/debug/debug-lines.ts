@@ -88,7 +88,7 @@ export class DebugLines extends LineBuffer {
     const p = this.#pose;
     const { engine, poses } = this.#simulation;
     if (!body) return { p: [...poses.origin], q: [0, 0, 0, 1] };
-    engine.reader.pose(body.body, body.pointer, p, 0);
+    engine.reader.pose(body.pointer, p, 0);
     return { p: add([p[0]!, p[1]!, p[2]!], poses.origin), q: [p[3]!, p[4]!, p[5]!, p[6]!] };
   }
 

@@ -91,7 +91,7 @@ export class Guests {
     const at = SIX * slot;
     this.#inverseMasses[slot] = 1 / body.mass.mass;
     this.#inertias.set(inverseInertiaOf(body), MATRIX * slot);
-    this.#simulation.engine.reader.load(body.body, body.pointer, load, 0);
+    this.#simulation.engine.reader.load(body.pointer, load, 0);
     for (let k = 0; k < 3; k++)
       this.#accelerations[at + k] = body.appliedGravity[k]! + load[k]! / body.mass.mass;
     for (let k = 0; k < 3; k++) moment[k] = load[3 + k]!;
@@ -193,7 +193,7 @@ export class Guests {
         continue;
       }
       const { reader } = this.#simulation.engine;
-      reader.load(node.body, node.pointer, load, 0);
+      reader.load(node.pointer, load, 0);
       const last = this.#last.get(node.id) ?? new Float64Array(SIX);
       for (let k = 0; k < 3; k++) {
         last[k] = this.#simulation.bodies.velocities[VELOCITY * slot + k]!;

@@ -132,8 +132,8 @@ export class Carrying extends Effect {
   #tellVelocities(): void {
     this.#told = true;
     const { velocities } = this.#simulation.engine;
-    for (const [{ body, pointer }, { jumped, velocity }] of this.#carried)
-      if (!jumped) velocities.write(body, pointer, velocity, 0);
+    for (const [{ pointer }, { jumped, velocity }] of this.#carried)
+      if (!jumped) velocities.write(pointer, velocity, 0);
   }
 
   override settle(dt: number): void {

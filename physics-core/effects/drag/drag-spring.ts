@@ -136,9 +136,9 @@ export class DragSpring {
 
   /** Of the point at the end of the step, if nobody held it. */
   #rate(arm: Vec3, dt: number): Vec3 {
-    const { body, pointer, mass, gravity } = this.#body;
+    const { pointer, mass, gravity } = this.#body;
     const load = this.#load;
-    this.#simulation.engine.reader.load(body, pointer, load, 0);
+    this.#simulation.engine.reader.load(pointer, load, 0);
     const [vx, vy, vz, wx, wy, wz] = this.#simulation.bodies.velocityOf(this.#body);
     const force: Vec3 = [load[0]!, load[1]!, load[2]!];
     const torque: Vec3 = [load[3]!, load[4]!, load[5]!];

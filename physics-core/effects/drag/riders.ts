@@ -125,7 +125,7 @@ export class Riders {
     const { reader } = this.#simulation.engine;
     const { now, next } = carried;
     const velocity = this.#slips.velocityOf(body);
-    reader.pose(body.body, body.pointer, this.#pose, 0);
+    reader.pose(body.pointer, this.#pose, 0);
     const end: Vec3 = [this.#pose[0]!, this.#pose[1]!, this.#pose[2]!];
     // Where it was when the step began, from what carries it.
     const from = subtract(subtract(end, scale(velocity, dt)), now.p);
@@ -138,7 +138,7 @@ export class Riders {
       subtract(rotate(multiply(next.q, conjugate(now.q)), from), from),
     );
     const [x, y, z] = subtract(to, straight);
-    if (x !== 0 || y !== 0 || z !== 0) reader.shift(body.body, body.pointer, x, y, z);
+    if (x !== 0 || y !== 0 || z !== 0) reader.shift(body.pointer, x, y, z);
     return true;
   }
 }

@@ -123,14 +123,14 @@ export class Slips {
     const bullets = flat(v, normal);
     const velocity = add(subtract(v, bullets), along);
     this.#velocity.set(velocity);
-    velocities.write(body.body, body.pointer, this.#velocity, 0);
-    reader.shift(body.body, body.pointer, ...subtract(to, scale(bullets, dt)));
+    velocities.write(body.pointer, this.#velocity, 0);
+    reader.shift(body.pointer, ...subtract(to, scale(bullets, dt)));
     return velocity;
   }
 
   /** Its linear velocity, m/s. */
-  velocityOf({ body, pointer }: Body): Vec3 {
-    this.#simulation.engine.reader.velocity(body, pointer, this.#velocity, 0);
+  velocityOf({ pointer }: Body): Vec3 {
+    this.#simulation.engine.reader.velocity(pointer, this.#velocity, 0);
     return [this.#velocity[0]!, this.#velocity[1]!, this.#velocity[2]!];
   }
 }

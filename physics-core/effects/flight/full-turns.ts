@@ -33,13 +33,13 @@ export class FullTurns extends Effect {
   #turnOn({ body, pointer }: Body, dt: number): void {
     const { reader, scratch } = this.#simulation.engine;
     const velocity = this.#velocity;
-    reader.velocity(body, pointer, velocity, 0);
+    reader.velocity(pointer, velocity, 0);
     const speed = Math.sqrt(dot3(velocity, 3, velocity, 3));
     if (!(speed * dt > BULLETS_TURN)) return;
     const pose = this.#pose;
     const turn = this.#turn;
     for (let i = 0; i < 3; i++) this.#spin[i] = velocity[3 + i]!;
-    reader.pose(body, pointer, pose, 0);
+    reader.pose(pointer, pose, 0);
     writeTurn(turn, this.#spin, dt - turnByBullet(speed * dt) / speed);
     multiply4(turn, turn, 0, pose, 3);
     body.setCenterOfMassTransform(

@@ -156,10 +156,10 @@ export class Gyroscopic extends Effect {
       if (body.active && !body.sleeping) this.#follow(body, spin);
   }
 
-  #read({ body, pointer }: Body): void {
+  #read({ pointer }: Body): void {
     const { reader } = this.#simulation.engine;
-    reader.pose(body, pointer, this.#pose, 0);
-    reader.velocity(body, pointer, this.#velocity, 0);
+    reader.pose(pointer, this.#pose, 0);
+    reader.velocity(pointer, this.#velocity, 0);
     writeAxes(this.#axes, this.#pose, 3);
   }
 
@@ -217,7 +217,7 @@ export class Gyroscopic extends Effect {
     const { given, end, left } = state;
     const spin = this.#spin;
     const v = this.#velocity;
-    this.#simulation.engine.reader.velocity(body.body, body.pointer, v, 0);
+    this.#simulation.engine.reader.velocity(body.pointer, v, 0);
     const free = same3(given, v, 3) && !state.beyond;
     const kept =
       state.slow && (state.even || (this.#effects.caused(jointSolve)?.alone(body) ?? false));
@@ -249,7 +249,7 @@ export class Gyroscopic extends Effect {
     applyInverseInertia(left, 0, axes, moments, momentum, 0);
     const before = energyOf(axes, moments, left, 0);
     const change = energyOf(axes, moments, this.#velocity, 3) - energyOf(axes, moments, given, 0);
-    this.#simulation.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+    this.#simulation.engine.reader.pose(body.pointer, this.#pose, 0);
     writeAxes(this.#axes, this.#pose, 3);
     const after = energyOf(this.#axes, moments, this.#spin, 0);
     const most = Math.max(0, before + change);
@@ -263,7 +263,7 @@ export class Gyroscopic extends Effect {
     for (let i = 0; i < 3; i++) missed[i] = -end[i]! - this.#spin[i]!;
     applyInertia(this.#change, 0, axes, body.mass.moments, this.#spin, 0);
     for (let i = 0; i < 3; i++) momentum[i]! += this.#change[i]!;
-    this.#simulation.engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+    this.#simulation.engine.reader.pose(body.pointer, this.#pose, 0);
     this.#writeEnd(body, state, this.#pose, 3);
     for (let i = 0; i < 3; i++) missed[i]! += end[i]!;
     this.#spin.set(end);

@@ -39,7 +39,7 @@ export class ContinuousCollision extends FastBodies {
       if (!body.active || !body.movable || body.sleeping) continue;
       const radius = body.leastExtent / 2;
       compose7(this.#from, 0, poses.current, body.slot * POSE, body.centerOfMass);
-      engine.reader.pose(body.body, body.pointer, this.#pose, 0);
+      engine.reader.pose(body.pointer, this.#pose, 0);
       const sweep = sweepOf(engine);
       if (!sweep.send(bullet.bullet, body.body, BALL * radius, this.#from, this.#pose)) continue;
       const { met } = sweep;

@@ -30,12 +30,12 @@ export class HitPath {
   isDriven = false;
 
   begin({ reader }: Engine, link: StruckBody, shape: HitShape, dt: number): void {
-    const { body, pointer } = link.body;
+    const { pointer } = link.body;
     this.shape = shape;
     this.#late = link.late;
     this.#struck = link.struck;
-    reader.pose(body, pointer, this.#start, 0);
-    reader.velocity(body, pointer, this.#velocity, 0);
+    reader.pose(pointer, this.#start, 0);
+    reader.velocity(pointer, this.#velocity, 0);
     this.isDriven = !link.movable && this.#velocity.some(Boolean);
     const { gravity } = link.body;
     for (let i = 0; i < 3; i++) {

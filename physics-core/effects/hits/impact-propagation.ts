@@ -172,7 +172,6 @@ export class ImpactPropagation extends Effect implements ContactListener {
    */
   override settle(dt: number): void {
     const { engine, bullet } = this.#simulation;
-    if (!engine.heapTrusted) return;
     const struck = this.#blow.strikes > 0;
     for (const link of this.#touched) link.weigh(dt);
     this.#makeUpAll(dt);

@@ -76,7 +76,7 @@ export class StruckBody {
     this.#known = this.struck = false;
     this.bounces = NaN;
     this.#weighed = begins && this.movable && !this.jointed;
-    if (this.#weighed) this.#engine.reader.velocity(body.body, body.pointer, this.#start, 0);
+    if (this.#weighed) this.#engine.reader.velocity(body.pointer, this.#start, 0);
   }
 
   /** Whether the last step of Bullet, this one, bore it. */
@@ -97,10 +97,10 @@ export class StruckBody {
 
   /** Once Bullet's step is over: what its weight should have given it, and hits did not, something took. */
   weigh(dt: number): void {
-    const { body, pointer, gravity } = this.body;
+    const { pointer, gravity } = this.body;
     this.carried = this.borne = false;
     if (!this.#weighed || !this.body.active) return;
-    this.#engine.reader.velocity(body, pointer, velocity, 0);
+    this.#engine.reader.velocity(pointer, velocity, 0);
     let gained = 0;
     let due = 0;
     let hit = 0;
@@ -168,8 +168,8 @@ export class StruckBody {
     const { body, jointed, before, change, late } = this;
     // Those that hang on others that move had their blow alone: the joint solve brings the rest along.
     if (!this.struck || !body.active || this.hangs) return;
-    reader.pose(body.body, body.pointer, pose, 0);
-    reader.velocity(body.body, body.pointer, velocity, 0);
+    reader.pose(body.pointer, pose, 0);
+    reader.velocity(body.pointer, velocity, 0);
     if (this.bounces === this.bounces && !jointed) this.#noteBounce(dt);
     const evenly = !jointed && this.#isEven(dt);
     for (let i = 0; i < 3; i++) {
@@ -196,8 +196,8 @@ export class StruckBody {
   #begin(): void {
     this.struck = true;
     this.struckIn = this.step;
-    const { body, pointer } = this.body;
-    this.#engine.reader.velocity(body, pointer, this.before, 0);
+    const { pointer } = this.body;
+    this.#engine.reader.velocity(pointer, this.before, 0);
     this.change.fill(0);
     this.late.fill(0);
   }

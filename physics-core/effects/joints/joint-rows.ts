@@ -151,12 +151,12 @@ export class JointRows {
   ): void {
     const { reader } = this.#simulation.engine;
     pose.set(ORIGIN);
-    if (body) reader.pose(body.body, body.pointer, pose, 0);
+    if (body) reader.pose(body.pointer, pose, 0);
     if (body && this.#ahead) this.#moveOn(pose, body, this.#ahead, at);
     writeAxes(principal, pose, 3);
     place(origin, axes, pose, principal, frame);
     this.#now.fill(0, at, at + 6);
-    if (body) reader.velocity(body.body, body.pointer, this.#now, at);
+    if (body) reader.velocity(body.pointer, this.#now, at);
   }
 
   /** As it is displaced, and then moved and turned by Bullet. */

@@ -83,7 +83,7 @@ export class JointSolve extends Effect {
     this.#solver = new ComponentSolve(simulation);
     this.#turns = new StepTurns(simulation);
     this.#moments = new MomentVelocities(simulation, this.#solver);
-    this.#sleepingRows = new SleepingRows(simulation, this.#bodies, this.#solver.targets);
+    this.#sleepingRows = new SleepingRows(this.#bodies, this.#solver.targets);
   }
 
   /** For effects whose code comes without that of joints: they need it only where there is one. */

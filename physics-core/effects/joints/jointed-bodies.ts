@@ -71,8 +71,8 @@ export class JointedBodies {
   woken({ bodies }: Component): boolean {
     const { reader } = this.#simulation.engine;
     for (const i of bodies) {
-      const { body, pointer } = this.bodies[i]!;
-      if (!reader.sleeps(body, pointer)) return true;
+      const { pointer } = this.bodies[i]!;
+      if (!reader.sleeps(pointer)) return true;
     }
     return false;
   }
@@ -181,14 +181,14 @@ export class JointedBodies {
   /** Returns what is finite only if all that was read is. */
   #read(i: number, node: Body, dt: number): number {
     const { reader } = this.#simulation.engine;
-    const { body, pointer } = node;
+    const { pointer } = node;
     const pose = this.#pose;
     const v = this.velocity;
     const p = i * SIDE;
-    reader.pose(body, pointer, pose, 0);
-    reader.velocity(body, pointer, v, p);
+    reader.pose(pointer, pose, 0);
+    reader.velocity(pointer, v, p);
     if (this.#of) copy6(this.#load, p, this.#of.#load, p);
-    else reader.load(body, pointer, this.#load, p);
+    else reader.load(pointer, this.#load, p);
     this.place[i * 3] = pose[0]!;
     this.place[i * 3 + 1] = pose[1]!;
     this.place[i * 3 + 2] = pose[2]!;
@@ -278,10 +278,10 @@ export class JointedBodies {
     const v = this.#out;
     const pose = this.#pose;
     for (const i of bodies) {
-      const { body, pointer } = this.bodies[i]!;
-      reader.velocity(body, pointer, v, 0);
+      const { pointer } = this.bodies[i]!;
+      reader.velocity(pointer, v, 0);
       if (dt > 0) {
-        reader.pose(body, pointer, pose, 0);
+        reader.pose(pointer, pose, 0);
         for (let x = 0; x < 3; x++) v[x]! += (pose[x]! - this.place[i * 3 + x]!) / dt;
       }
       this.#writeMomentumOf(i, v);
@@ -344,7 +344,7 @@ export class JointedBodies {
     for (const i of bodies) this.#write(i, this.bodies[i]!, dt);
   }
 
-  #write(i: number, { body, pointer, appliedGravity }: Body, dt: number): void {
+  #write(i: number, { pointer, appliedGravity }: Body, dt: number): void {
     const { velocity } = this.#system;
     const v = i * SIDE;
     const t = i * TRAITS;
@@ -359,7 +359,7 @@ export class JointedBodies {
     for (let x = 3; x < SIDE; x++) out[x] = velocity[v + x]!;
     if (load[v + 3] !== 0 || load[v + 4] !== 0 || load[v + 5] !== 0) this.#leaveTorque(i, dt);
     for (let x = 3; x < SIDE; x++) out[x]! /= angular;
-    this.#simulation.engine.velocities.write(body, pointer, out, 0);
+    this.#simulation.engine.velocities.write(pointer, out, 0);
   }
 
   /** Bullet will add what the torque of this step does. */

@@ -54,7 +54,7 @@ export class MomentVelocities {
     const { bodies, engine } = this.#simulation;
     for (const i of component.bodies) {
       const body = this.#solver.bodies.bodies[i]!;
-      engine.velocities.write(body.body, body.pointer, this.#velocities, i * SIDE);
+      engine.velocities.write(body.pointer, this.#velocities, i * SIDE);
       this.#solver.bodies.relaunch(body);
       bodies.readVelocity(body);
     }

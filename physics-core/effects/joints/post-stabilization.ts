@@ -64,12 +64,12 @@ export class PostStabilization {
     const { velocity } = this.#system;
     const now = this.#now;
     for (const i of bodies) {
-      const { body, pointer } = this.#jointed.bodies[i]!;
-      reader.pose(body, pointer, this.#pose, 0);
+      const { pointer } = this.#jointed.bodies[i]!;
+      reader.pose(pointer, this.#pose, 0);
       for (let x = 0; x < SIDE; x++) now[x] = this.#kept[i * SIDE + x]!;
       for (let x = 0; x < 3; x++)
         now[x]! -= (this.#pose[x]! - this.#jointed.place[i * 3 + x]!) / dt;
-      velocities.write(body, pointer, now, 0);
+      velocities.write(pointer, now, 0);
       for (let x = 0; x < SIDE; x++) {
         this.#motion[i * SIDE + x] = velocity[i * SIDE + x]!;
         this.#kept[i * SIDE + x] = velocity[i * SIDE + x]! - now[x]!;
@@ -96,14 +96,14 @@ export class PostStabilization {
     for (const i of bodies) {
       const node = this.#jointed.bodies[i]!;
       if (!node.active) continue;
-      engine.reader.velocity(node.body, node.pointer, now, 0);
+      engine.reader.velocity(node.pointer, now, 0);
       for (let x = 0; x < SIDE; x++) now[x]! += this.#kept[i * SIDE + x]!;
       const speed = Math.max(speedIn(now, 0), speedIn(now, 3));
       if (speed > most) {
         left = Math.max(left, speed);
         for (let x = 0; x < SIDE; x++) now[x] = this.#motion[i * SIDE + x]!;
       }
-      engine.velocities.write(node.body, node.pointer, now, 0);
+      engine.velocities.write(node.pointer, now, 0);
       all.readVelocity(node);
     }
     return left;
@@ -132,8 +132,8 @@ export class PostStabilization {
   #swerved(i: number): boolean {
     const { velocity } = this.#system;
     const now = this.#now;
-    const { body, pointer } = this.#jointed.bodies[i]!;
-    this.#simulation.engine.reader.velocity(body, pointer, now, 0);
+    const { pointer } = this.#jointed.bodies[i]!;
+    this.#simulation.engine.reader.velocity(pointer, now, 0);
     let off = 0;
     let size = 1;
     for (let x = 0; x < SIDE; x++) {
@@ -146,8 +146,8 @@ export class PostStabilization {
   /** Out of a contact it had sunk into: Bullet moves a body for that without giving it a velocity. */
   #pushed(i: number, dt: number): boolean {
     const { velocity } = this.#system;
-    const { body, pointer } = this.#jointed.bodies[i]!;
-    this.#simulation.engine.reader.pose(body, pointer, this.#pose, 0);
+    const { pointer } = this.#jointed.bodies[i]!;
+    this.#simulation.engine.reader.pose(pointer, this.#pose, 0);
     let off = 0;
     let size = 1;
     for (let x = 0; x < 3; x++) {
@@ -176,8 +176,8 @@ export class PostStabilization {
   }
 
   #readPose(i: number, out: Float64Array, at: number): void {
-    const { body, pointer } = this.#jointed.bodies[i]!;
-    this.#simulation.engine.reader.pose(body, pointer, out, at);
+    const { pointer } = this.#jointed.bodies[i]!;
+    this.#simulation.engine.reader.pose(pointer, out, at);
   }
 
   clearMomentum({ bodies }: Component): void {
@@ -200,7 +200,7 @@ export class PostStabilization {
     const { reader, scratch } = this.#simulation.engine;
     const { velocity } = this.#system;
     const v = i * SIDE;
-    reader.pose(body, pointer, this.#pose, 0);
+    reader.pose(pointer, this.#pose, 0);
     for (let x = 0; x < 3; x++) {
       this.#pose[x]! += share * velocity[v + x]!;
       this.#displacement[x] = share * velocity[v + 3 + x]!;

@@ -1,5 +1,4 @@
 import type { Joint } from '../../dynamics/joint.js';
-import type { Simulation } from '../../dynamics/simulation.js';
 import type { BulletTargets } from './bullet-targets.js';
 import type { Component, Forest } from '../../solver/joints/forest.js';
 import type { JointedBodies } from './jointed-bodies.js';
@@ -10,7 +9,6 @@ import type { JointedBodies } from './jointed-bodies.js';
  * are seen between Bullet's search for them and its solver: the first touch finds the rows on.
  */
 export class SleepingRows {
-  readonly #simulation: Simulation;
   readonly #bodies: JointedBodies;
   readonly #targets: BulletTargets;
   #joints: readonly Joint[] = [];
@@ -22,8 +20,7 @@ export class SleepingRows {
   readonly #letGo = new Set<Component>();
   #dt = 0;
 
-  constructor(simulation: Simulation, bodies: JointedBodies, targets: BulletTargets) {
-    this.#simulation = simulation;
+  constructor(bodies: JointedBodies, targets: BulletTargets) {
     this.#bodies = bodies;
     this.#targets = targets;
   }
@@ -57,12 +54,7 @@ export class SleepingRows {
   /** A component is solved: its rows are let go, or told what was found. */
   solved(component: Component, dt: number): void {
     this.#dt = dt;
-    if (
-      this.#simulation.engine.heapTrusted &&
-      this.#able.has(component) &&
-      this.#bodies.awake(component)
-    )
-      this.#release(component);
+    if (this.#able.has(component) && this.#bodies.awake(component)) this.#release(component);
     else this.#tell(component);
   }
 

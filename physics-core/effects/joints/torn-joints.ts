@@ -67,7 +67,7 @@ export class TornJoints {
     const pose = this.#pose;
     const turn = this.#turn;
     const at = i * SIDE;
-    reader.pose(body, pointer, pose, 0);
+    reader.pose(pointer, pose, 0);
     this.#left.set(pose, i * POSE);
     for (let x = 0; x < 3; x++) pose[x]! += dt * (this.#closing[at + x]! - velocity[at + x]!);
     this.#writeTurn(this.#back, velocity, at, -dt);
@@ -93,13 +93,13 @@ export class TornJoints {
     const pose = this.#pose;
     const v = this.#velocity;
     const back = this.#back;
-    engine.reader.pose(node.body, node.pointer, pose, 0);
+    engine.reader.pose(node.pointer, pose, 0);
     for (let x = 0; x < 3; x++) back[x] = -this.#left[i * POSE + 3 + x]!;
     back[3] = this.#left[i * POSE + 6]!;
     multiply4(this.#turn, pose, 3, back, 0);
-    engine.reader.velocity(node.body, node.pointer, v, 0);
+    engine.reader.velocity(node.pointer, v, 0);
     v.set(rotate([...this.#turn] as Quaternion, [v[3]!, v[4]!, v[5]!]), 3);
-    engine.velocities.write(node.body, node.pointer, v, 0);
+    engine.velocities.write(node.pointer, v, 0);
     bodies.readVelocity(node);
   }
 }

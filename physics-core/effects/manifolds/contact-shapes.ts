@@ -88,7 +88,6 @@ export class ContactShapes extends Effect {
   }
 
   override beforeStep(): void {
-    if (!this.#simulation.engine.heapTrusted) return;
     this.#old.clear();
     this.#review();
     const { bullet } = this.#simulation;

@@ -89,11 +89,11 @@ export class WindOnBodies {
     this.#blown.length = 0;
   }
 
-  #isFree({ body, pointer, slot, mass, appliedGravity, constantLoad }: Body, dt: number): boolean {
+  #isFree({ pointer, slot, mass, appliedGravity, constantLoad }: Body, dt: number): boolean {
     const { engine, bodies } = this.#simulation;
     const { force } = constantLoad;
     const at = slot * VELOCITY;
-    engine.reader.velocity(body, pointer, now, 0);
+    engine.reader.velocity(pointer, now, 0);
     for (let i = 0; i < 3; i++) {
       half[i] = ((appliedGravity[i]! + force[i]! / mass.mass) * dt) / 2;
       const gain = 2 * half[i]! + this.#gains[at + i]!;
@@ -103,15 +103,15 @@ export class WindOnBodies {
   }
 
   /** Where it goes, from where it was when the step began. */
-  #place({ body, pointer, slot, centerOfMass }: Body, dt: number): void {
+  #place({ pointer, slot, centerOfMass }: Body, dt: number): void {
     const { engine, poses, bodies } = this.#simulation;
     compose7(before, 0, poses.current, slot * POSE, centerOfMass);
-    engine.reader.pose(body, pointer, after, 0);
+    engine.reader.pose(pointer, after, 0);
     for (let i = 0; i < 3; i++) {
       const way = (bodies.velocities[slot * VELOCITY + i]! + half[i]!) * dt + this.#free.gone[i]!;
       after[i] = way - (after[i]! - before[i]!);
     }
-    engine.reader.shift(body, pointer, after[0]!, after[1]!, after[2]!);
+    engine.reader.shift(pointer, after[0]!, after[1]!, after[2]!);
   }
 
   #hasten({ body, slot }: Body): void {

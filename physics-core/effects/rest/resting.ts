@@ -230,7 +230,7 @@ export class Resting extends Effect {
     const islands = new Map<number, Island>();
     for (const body of this.#simulation.bodies) {
       if (!body.active || !body.movable) continue;
-      const number = reader.island(body.body, body.pointer);
+      const number = reader.island(body.pointer);
       let island = islands.get(number);
       if (!island) islands.set(number, (island = { bodies: [], awake: number < 0, slipped: 0 }));
       island.bodies.push(body);

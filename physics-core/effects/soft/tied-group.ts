@@ -136,7 +136,7 @@ export class TiedGroup {
     const { inertias, momenta, velocities } = this.solve.bodies;
     this.bodies.forEach((body, b) => {
       const at = SIDE * b;
-      simulation.engine.reader.velocity(body.body, body.pointer, now, 0);
+      simulation.engine.reader.velocity(body.pointer, now, 0);
       for (let r = 0; r < SIDE; r++) {
         velocities[at + r] = now[r]!;
         // It has what the ropes gave it before: they give all of it again.
@@ -150,16 +150,15 @@ export class TiedGroup {
         joined.free[r] = velocities[joined.from + r]! - joined.yield(r, joined.impulse);
     if (!this.solve.solve(dt)) return;
     this.note();
-    this.bodies.forEach(({ body, pointer, joints }, b) => {
-      if (joints.size === 0)
-        simulation.engine.velocities.write(body, pointer, velocities, SIDE * b);
+    this.bodies.forEach(({ pointer, joints }, b) => {
+      if (joints.size === 0) simulation.engine.velocities.write(pointer, velocities, SIDE * b);
     });
   }
 
   /** What rubs or bears it is no hit: it acts by and by, and ropes answer in the next step. */
   #struck({ engine }: Simulation, dt: number): boolean {
-    return this.bodies.some(({ body, pointer, appliedGravity }, b) => {
-      engine.reader.velocity(body, pointer, now, 0);
+    return this.bodies.some(({ pointer, appliedGravity }, b) => {
+      engine.reader.velocity(pointer, now, 0);
       let off = 0;
       let size = 1;
       for (let k = 0; k < SIDE; k++) {

@@ -163,11 +163,11 @@ export class Water extends Effect {
   }
 
   /** Whether its velocity, read into `now`, is what its weight and the water made of it, each as large as the other. */
-  #isFree({ body, pointer, slot, dampedShare, appliedGravity }: Body, dt: number): boolean {
+  #isFree({ pointer, slot, dampedShare, appliedGravity }: Body, dt: number): boolean {
     const { engine, bodies } = this.#simulation;
     const left = (1 - dampedShare.linear) ** dt;
     const fall = lengthOf(appliedGravity) * dt;
-    engine.reader.velocity(body, pointer, now, 0);
+    engine.reader.velocity(pointer, now, 0);
     for (let k = 0; k < 3; k++) {
       const before = bodies.velocities[slot * VELOCITY + k]! * left;
       const gain = this.#gains[3 * slot + k]!;
@@ -178,13 +178,12 @@ export class Water extends Effect {
   }
 
   /** Bullet took it there by the speed at the end. */
-  #place({ body, pointer, slot }: Body, dt: number): void {
+  #place({ pointer, slot }: Body, dt: number): void {
     const { engine, bodies } = this.#simulation;
     const v = bodies.velocities;
     const at = slot * VELOCITY;
     const half = -dt / 2;
     engine.reader.shift(
-      body,
       pointer,
       half * (now[0]! - v[at]!),
       half * (now[1]! - v[at + 1]!),

@@ -5,7 +5,7 @@ import { continuousCollision, FAR, sweptEnds } from '../../effects/hits/effects.
 import { resting } from '../../effects/rest/resting.js';
 import { keepAwake, putToSleep } from '../../engine/body-state.js';
 import { MovingBodies, VELOCITY } from '../../engine/moving-bodies.js';
-import { loadState, STATE } from '../../engine/kept-bodies.js';
+import { loadState } from '../../engine/kept-bodies.js';
 import { StatePass } from '../../engine/state-pass.js';
 import { guards } from '../../base/guards.js';
 import { compose7, dot3 } from '../../base/flat-math.js';
@@ -150,12 +150,7 @@ export class BodySlots implements BodyTable {
   }
 
   readVelocity(body: BodyNode): void {
-    this.#world.engine.reader.velocity(
-      body.body,
-      body.pointer,
-      this.moving.velocities,
-      body.slot * VELOCITY,
-    );
+    this.#world.engine.reader.velocity(body.pointer, this.moving.velocities, body.slot * VELOCITY);
     this.#judge(this.#bySlot[body.slot]!, body.slot);
   }
 
@@ -178,7 +173,7 @@ export class BodySlots implements BodyTable {
 
   // ---- going back -----------------------------------------------------------------------------------------------------
 
-  /** Whether its pose is the one that Bullet has, to the last bit; only where the heap is trusted. */
+  /** Whether its pose is the one that Bullet has, to the last bit. */
   isAsInBullet(body: BodyNode): boolean {
     const at = body.slot * POSE;
     const pose = this.#readPose(body);
@@ -194,12 +189,7 @@ export class BodySlots implements BodyTable {
   load(body: BodyNode, states: Float32Array, at: number, pose?: Pose): void {
     const { engine } = this.#world;
     if (pose) body.motion.placeInBullet(pose);
-    if (engine.heapTrusted) loadState(engine.ammo, body.body, body.pointer, states, at);
-    else {
-      const [vx, vy, vz, wx, wy, wz] = states.subarray(at + STATE - VELOCITY, at + STATE);
-      body.body.setLinearVelocity(engine.scratch.vector(vx!, vy!, vz!));
-      body.body.setAngularVelocity(engine.scratch.vector(wx!, wy!, wz!));
-    }
+    loadState(engine.ammo, body.body, body.pointer, states, at);
     if (!pose) {
       this.#poses.current.set(this.#readPose(body), body.slot * POSE);
       this.#poses.snap(body.slot);
@@ -209,9 +199,9 @@ export class BodySlots implements BodyTable {
   }
 
   /** Of its origin, from Bullet. */
-  #readPose({ body, pointer, slot, centerOfMass }: BodyNode): Float64Array {
+  #readPose({ pointer, slot, centerOfMass }: BodyNode): Float64Array {
     const out = this.#origin7;
-    this.#world.engine.reader.pose(body, pointer, this.#centre, 0);
+    this.#world.engine.reader.pose(pointer, this.#centre, 0);
     if (isCentred(centerOfMass)) out.set(this.#centre);
     else compose7(out, 0, this.#centre, 0, (this.#origins[slot] ??= invert(centerOfMass)));
     return out;
@@ -287,8 +277,7 @@ export class BodySlots implements BodyTable {
   read(): void {
     const pass = this.#pass;
     const { engine, timeStep } = this.#world;
-    if (engine.heapTrusted) pass.all(engine.ammo, this.moving, this.#poses, timeStep);
-    else pass.none(this.moving);
+    pass.all(engine.ammo, this.moving, this.#poses, timeStep);
     let awake = pass.count;
     let broken: BodyNode[] | undefined;
     for (let i = 0; i < pass.asideCount; i++) {
@@ -346,7 +335,7 @@ export class BodySlots implements BodyTable {
 
   /** Bullet wakes a sleeping island that something hits by changing its state. */
   #stayedAwake(body: BodyNode, slot: number): boolean {
-    if (this.#world.engine.reader.sleeps(body.body, body.pointer)) return false;
+    if (this.#world.engine.reader.sleeps(body.pointer)) return false;
     if (this.moving.asleep[slot]) this.wake(body);
     return true;
   }
@@ -355,8 +344,8 @@ export class BodySlots implements BodyTable {
   #readBody(body: BodyNode, slot: number): boolean {
     const { reader } = this.#world.engine;
     const centre = this.#centre;
-    reader.pose(body.body, body.pointer, centre, 0);
-    reader.velocity(body.body, body.pointer, this.#velocity, 0);
+    reader.pose(body.pointer, centre, 0);
+    reader.velocity(body.pointer, this.#velocity, 0);
     let sum = 0;
     for (let i = 0; i < POSE; i++) sum += centre[i]!;
     for (let i = 0; i < VELOCITY; i++) sum += this.#velocity[i]!;

@@ -70,19 +70,8 @@ export class Lifecycle {
     world.bullet = new BulletWorld(world.engine);
     world.started = true;
     world.awaiting.begin();
-    if (!world.engine.heapTrusted) this.#reportUnknownBuild();
     world.configure();
     world.stepping.restart();
-  }
-
-  #reportUnknownBuild(): void {
-    this.#world.report({
-      code: 'unknown-ammo-build',
-      severity: 'warning',
-      used: "Bullet's own settings",
-      message:
-        'nothing is known of this Ammo build: parameters of CollisionCollections, solver settings and rest are left out',
-    });
   }
 
   reset(): void {
@@ -130,7 +119,7 @@ export class Lifecycle {
     }
     world.rays.dispose();
     world.engine.solverHook.listen(null);
-    world.engine.stages?.listen(null);
+    world.engine.stages.listen(null);
     world.bullet.dispose();
     world.started = false;
   }

@@ -90,7 +90,6 @@ export class HardContacts implements Reports {
   }
 
   #findSunk(): void {
-    if (!this.#simulation.engine.heapTrusted) return;
     const point = (this.#point ??= new ContactPoint(this.#simulation.engine.ammo));
     this.#sunk.begin();
     this.#sinking = false;

@@ -1,5 +1,6 @@
 import { isFiltered } from '../../effects/contacts/contact-points.js';
 import { ContactPoint } from '../../engine/contact-point.js';
+import { eachPoint } from '../../engine/manifold.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 
@@ -10,17 +11,15 @@ const DEEP = 0.02;
 function eachDepth(simulation: Simulation, visit: (depth: number, a: Body, b: Body) => void): void {
   const { ammo } = simulation.engine;
   const point = new ContactPoint(ammo);
-  simulation.bullet.eachManifold((manifold, a, b) => {
+  simulation.bullet.eachPair((manifold, a, b) => {
     const first = simulation.bodyAt(a);
     const second = simulation.bodyAt(b);
     if (!first || !second || !(first.movable || second.movable)) return;
     let depth = -Infinity;
-    for (let i = 0; i < manifold.getNumContacts(); i++) {
-      const pointer = ammo.getPointer(manifold.getContactPoint(i));
-      if (isFiltered(ammo, pointer)) continue;
+    eachPoint(ammo, manifold, (pointer) => {
       // Not the distance that Bullet holds: contact parameters write into it.
-      depth = Math.max(depth, -point.at(pointer, a, b).distance);
-    }
+      if (!isFiltered(ammo, pointer)) depth = Math.max(depth, -point.at(pointer, a, b).distance);
+    });
     visit(depth, first, second);
   });
 }

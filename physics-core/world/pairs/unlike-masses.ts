@@ -67,7 +67,7 @@ export class UnlikeMasses {
     for (const body of bodies) {
       // What hangs on joints is told of by them.
       if (!body.movable || isJointed(body)) continue;
-      const island = engine.reader.island(body.body, body.pointer);
+      const island = engine.reader.island(body.pointer);
       if (island < 0) continue;
       const pile = piles.get(island);
       if (!pile) piles.set(island, { heavy: body, light: body });

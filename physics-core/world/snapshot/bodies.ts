@@ -30,9 +30,8 @@ export function takeBodies(world: BodiesWorld): Moment {
   const placed: number[] = [];
   const poses: number[] = [];
   bodies.forEach((body, i) => {
-    if (engine.heapTrusted) saveState(engine.ammo, body.pointer, states, i * STATE);
-    else states.set(world.bodies.velocityOf(body), (i + 1) * STATE - VELOCITY);
-    if (!engine.heapTrusted || !world.bodies.isAsInBullet(body)) {
+    saveState(engine.ammo, body.pointer, states, i * STATE);
+    if (!world.bodies.isAsInBullet(body)) {
       placed.push(body.id);
       poses.push(...world.poses.current.subarray(body.slot * POSE, (body.slot + 1) * POSE));
     }
@@ -79,9 +78,6 @@ const poseAt = (of: Float64Array, at: number): Pose => ({
   p: [of[at]!, of[at + 1]!, of[at + 2]!],
   q: [of[at + 3]!, of[at + 4]!, of[at + 5]!, of[at + 6]!],
 });
-
-/** Numbers of a velocity, the last ones of a state. */
-const VELOCITY = 6;
 
 function howIs(body: BodyNode): number {
   if (body.presence.parked) return PARKED;

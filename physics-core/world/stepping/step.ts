@@ -117,10 +117,10 @@ export class Step {
     const { engine, bullet, timeStep } = this.#world;
     engine.forgetFound(bullet.bullet);
     engine.solverHook.listen(this.#between);
-    engine.stages?.listen(this.#between);
+    engine.stages.listen(this.#between);
     bullet.step(seconds);
     engine.solverHook.listen(null);
-    engine.stages?.listen(null);
+    engine.stages.listen(null);
     this.#time.count(timeStep, parts);
   }
 

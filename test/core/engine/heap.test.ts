@@ -1,10 +1,8 @@
 import assert from 'node:assert/strict';
 import { loadEngine, World } from '../../../physics-core/inside.js';
-import { Engine } from '../../../physics-core/engine/engine.js';
-import { ApiReader, HeapReader } from '../../../physics-core/engine/heap.js';
 import { Owner } from '../../../physics-core/engine/owner.js';
+import { SolverHook } from '../../../physics-core/engine/solver-hook.js';
 import {
-  claim,
   addBody,
   addFloor,
   addJoint,
@@ -13,21 +11,15 @@ import {
   fact,
   position,
   random,
-  watch,
   world,
 } from '../helpers.js';
-
-/** The engine as it is with an Ammo build whose memory is laid out in another way. */
-async function foreignEngine() {
-  const { ammo } = await loadEngine();
-  const elsewhere = new ArrayBuffer(ammo.HEAPF32.byteLength);
-  const heap = { HEAPF32: new Float32Array(elsewhere), HEAP32: new Int32Array(elsewhere) };
-  const foreign = new Proxy(ammo, {
-    get: (target, key) =>
-      key in heap ? heap[key as keyof typeof heap] : Reflect.get(target, key as string),
-  });
-  return { engine: new Engine(foreign), heap };
-}
+import {
+  bodyOffsetsHold,
+  manifoldOffsetsHold,
+  solverOffsetsHold,
+  stagesHold,
+  stateByMethods,
+} from './layout.js';
 
 function scene(w: World): void {
   addFloor(w);
@@ -43,60 +35,32 @@ function scene(w: World): void {
   addJoint(w, 'BallJoint', { body1: bob, anchorPoint: [5, 6, 0] });
 }
 
-fact('the heap is trusted with the Ammo build this package depends on', async () => {
-  const engine = await loadEngine();
-  assert.equal(engine.heapTrusted, true);
-  assert.ok(engine.reader instanceof HeapReader);
+fact('Bullet has the layout, the hooks and the stages that the core knows', async () => {
+  const { ammo } = await loadEngine();
+  assert.ok(bodyOffsetsHold(ammo), 'bodies, shapes and joints');
+  assert.ok(solverOffsetsHold(ammo), "the solver's settings");
+  assert.ok(manifoldOffsetsHold(ammo, new SolverHook(ammo)), 'contact points, and who is told');
+  assert.ok(stagesHold(ammo), 'stages of a step, and tables');
 });
 
-fact('reading from the heap and through the API gives the same numbers', async () => {
+fact('reading from the heap and by methods of Ammo gives the same numbers', async () => {
   const w = await world();
   scene(w);
-  const { ammo, reader } = w.engine;
-  const api = new ApiReader();
-  const [fast, sure] = [new Float64Array(13), new Float64Array(13)];
+  const { reader } = w.engine;
+  const fast = new Float64Array(13);
   for (let i = 0; i < 30; i++) {
     w.step(5);
-    for (const body of w.bodies) {
-      for (const [by, out] of [
-        [reader, fast],
-        [api, sure],
-      ] as const) {
-        by.pose(body.body, ammo.getPointer(body.body), out, 0);
-        by.velocity(body.body, body.pointer, out, 7);
-      }
+    for (const { body, pointer } of w.bodies) {
+      reader.pose(pointer, fast, 0);
+      reader.velocity(pointer, fast, 7);
+      const sure = stateByMethods(body);
       // A quaternion and its opposite are one rotation; Bullet's own is of single precision.
       const sign = Math.sign(fast[6]! * sure[6]! || 1);
       for (const k of [3, 4, 5, 6]) sure[k]! *= sign;
       close([...fast], [...sure], 1e-6, 'm, m/s');
-      assert.equal(reader.sleeps(body.body, body.pointer), api.sleeps(body.body));
+      assert.equal(reader.sleeps(pointer), !body.isActive());
     }
   }
-});
-
-fact('with another memory layout all goes through the API, and nothing is written', async () => {
-  const { engine, heap } = await foreignEngine();
-  assert.equal(engine.heapTrusted, false);
-  assert.equal(engine.stages, undefined);
-  assert.ok(engine.reader instanceof ApiReader);
-  const far = new World();
-  far.add('RigidBodyCollection', { rest: 'never' });
-  far.start(engine);
-  claim(watch(far), 'unknown-ammo-build');
-  // One after the other: Bullet has one contact callback, and a page one engine.
-  const runs = [far, await world()].map((w) => {
-    scene(w);
-    w.add('CollisionCollection', { collidables: '*' });
-    w.step(30);
-    const falling = [...w.bodies].map(position);
-    w.step(200);
-    for (const body of w.bodies) assert.ok(position(body).every(Number.isFinite));
-    assert.ok(w.stats.contacts > 0);
-    return falling;
-  });
-  runs[0]!.forEach((at, i) => close(at, runs[1]![i]!, 1e-5, 'm, before anything touches'));
-  const written = heap.HEAP32.filter((word) => word !== 0).length;
-  assert.equal(written, 0, 'words written where this build has something else');
 });
 
 fact('reads go on after the heap has grown and moved', async () => {

@@ -53,11 +53,6 @@ function compare(both: readonly Engine[], plan: Plan): void {
   for (const world of worlds) world.destroy();
 }
 
-test('Bullet has the layout and the stages there that the core knows', async () => {
-  for (const { heapTrusted, stages } of await engines())
-    assert.deepEqual([heapTrusted, stages !== undefined], [true, true]);
-});
-
 // Every node with random fields, every geometry, edits of all kinds while it runs, drags, rays, snapshots and removals.
 test('150 random scenes move there as with all of Ammo, to the last bit', async () => {
   const both = await engines();

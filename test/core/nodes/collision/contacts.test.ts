@@ -145,7 +145,7 @@ fact('points that a list moved are written no more once Bullet has taken them ba
   for (let i = 0; i < 4; i++) overflow(stone, [0, -1e38, 0]);
   const { ammo } = w.engine;
   const manifolds: number[] = [];
-  w.bullet.eachManifold((manifold) => manifolds.push(ammo.getPointer(manifold)));
+  w.bullet.eachPair((manifold) => manifolds.push(manifold));
   const read = (): number[] =>
     manifolds.flatMap((at) => [...ammo.HEAP32.subarray(at >> 2, (at >> 2) + 64)]);
   const park = stone.presence.park.bind(stone.presence);
@@ -177,8 +177,9 @@ fact('what a hit passed on is written into no point that Bullet has taken back',
   const readBodies = bodies.read.bind(bodies);
   let pushed = 0;
   bodies.read = () => {
-    w.bullet.eachManifold((manifold) => {
-      manifolds.push(ammo.getPointer(manifold));
+    w.bullet.eachPair((pointer) => {
+      manifolds.push(pointer);
+      const manifold = ammo.wrapPointer(pointer, ammo.btPersistentManifold);
       for (let i = 0; i < manifold.getNumContacts(); i++)
         pushed += manifold.getContactPoint(i).getAppliedImpulse();
     });

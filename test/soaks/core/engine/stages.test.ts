@@ -1,7 +1,5 @@
 import assert from 'node:assert/strict';
-import { loadEngine, type World } from '../../../../physics-core/inside.js';
-import { Owner } from '../../../../physics-core/engine/owner.js';
-import { StepStages } from '../../../../physics-core/engine/step-stages.js';
+import type { World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,
@@ -44,7 +42,7 @@ fact('stage by stage a step moves everything as Bullet’s own does, to the last
   const [ours, theirs] = worlds.map((w) => {
     const move = fill(w);
     const { engine, bullet } = w;
-    if (w === worlds[1]) engine.stages!.detach(engine.ammo.getPointer(bullet.bullet));
+    if (w === worlds[1]) engine.stages.detach(engine.ammo.getPointer(bullet.bullet));
     const states = [];
     for (let second = 0; second < 6; second++) {
       for (let i = 0; i < 60; i++) {
@@ -57,14 +55,3 @@ fact('stage by stage a step moves everything as Bullet’s own does, to the last
   });
   assert.deepEqual(ours, theirs);
 });
-
-fact(
-  'objects of other functions have none of its stages: Bullet’s step is then its own',
-  async () => {
-    const { ammo } = await loadEngine();
-    const owner = new Owner(ammo);
-    const solver = owner.own(new ammo.btSequentialImpulseConstraintSolver());
-    assert.equal(StepStages.of(ammo, ammo.getPointer(solver)), undefined);
-    owner.dispose();
-  },
-);

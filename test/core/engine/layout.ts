@@ -1,8 +1,9 @@
-import type { Ammo } from './ammo.js';
-import { HeapReader, ApiReader, type BodyReader, type BtBody } from './heap.js';
-import { Owner } from './owner.js';
-import type { SolverHook } from './solver-hook.js';
-import { StepStages } from './step-stages.js';
+// Bullet's objects lie on the heap as `offsets.ts` says: what was written by Ammo's methods is found there, and the other way round.
+import type { Ammo } from '../../../physics-core/engine/ammo.js';
+import { BodyReader, type BtBody } from '../../../physics-core/engine/heap.js';
+import { Owner } from '../../../physics-core/engine/owner.js';
+import type { SolverHook } from '../../../physics-core/engine/solver-hook.js';
+import { StepStages } from '../../../physics-core/engine/step-stages.js';
 import {
   BODY,
   BROADPHASE,
@@ -17,7 +18,7 @@ import {
   SIX_DOF,
   SOLVER,
   WORLD,
-} from './offsets.js';
+} from '../../../physics-core/engine/offsets.js';
 
 /** Bytes of a btMatrix3x3, which a btTransform's origin follows. */
 const MATRIX = 48;
@@ -38,10 +39,7 @@ function asking<T>(ammo: Ammo, ask: (owner: Owner) => T): T {
   }
 }
 
-/**
- * One body with odd values written through the API must be found at our offsets. Another Ammo build loses the fast
- * reads, never the right values.
- */
+/** One body with odd values, written by Ammo's methods, is found at our offsets. */
 export const bodyOffsetsHold = (ammo: Ammo): boolean =>
   asking(ammo, (owner) => {
     const vector = owner.own(new ammo.btVector3(2, 3, 4));
@@ -60,15 +58,15 @@ export const bodyOffsetsHold = (ammo: Ammo): boolean =>
     vector.setValue(-9, 0.125, 6);
     body.setAngularVelocity(vector);
     const pointer = ammo.getPointer(body);
-    const reader = new HeapReader(ammo);
-    const fast = stateOf(ammo, body, reader);
-    const sure = stateOf(ammo, body, new ApiReader());
+    const reader = new BodyReader(ammo);
+    const fast = stateOf(ammo, body);
+    const sure = stateByMethods(body);
     vector.setValue(7, -8, 9);
     body.applyCentralForce(vector);
     vector.setValue(10, 11, -12);
     body.applyTorque(vector);
     const load = new Float64Array(6);
-    reader.load(body, pointer, load, 0);
+    reader.load(pointer, load, 0);
     transform.setIdentity();
     const other = owner.own(new ammo.btTransform());
     other.setIdentity();
@@ -135,8 +133,14 @@ function sixDofOffsetsHold(
   );
 }
 
-/** `pointer`: of a fresh world's btContactSolverInfo. Its defaults pin the build (Bullet 2.82). */
-export function solverOffsetsHold(ammo: Ammo, pointer: number): boolean {
+/** A fresh world's btContactSolverInfo: its defaults pin the build (Bullet 2.82). */
+export const solverOffsetsHold = (ammo: Ammo): boolean =>
+  asking(ammo, (owner) => {
+    const pointer = ammo.getPointer(sunkCubes(ammo, owner).world.getSolverInfo());
+    return defaultsHold(ammo, pointer);
+  });
+
+function defaultsHold(ammo: Ammo, pointer: number): boolean {
   const at = (offset: number): number => floatAt(ammo, pointer + offset);
   return (
     wordAt(ammo, pointer + SOLVER.iterations) === 10 &&
@@ -198,30 +202,29 @@ export const manifoldOffsetsHold = (ammo: Ammo, hook: SolverHook): boolean =>
     return holds;
   });
 
-/** Steps stage by stage, where that moves them as Bullet's own steps do, which tell where its seconds are to be written. */
-export const stagesThatHold = (ammo: Ammo): StepStages | undefined =>
+/** Steps stage by stage move two bodies as Bullet's own do, which tell where its seconds are to be written. */
+export const stagesHold = (ammo: Ammo): boolean =>
   asking(ammo, (owner) => {
     const worlds = [sunkCubes(ammo, owner), sunkCubes(ammo, owner)] as const;
-    const tables = worlds.map((world) => () => tablesHold(ammo, world));
     const [theirs, ours] = worlds.map(({ world }) => ammo.getPointer(world)) as [number, number];
-    const stages = StepStages.of(ammo, ours);
-    stages?.attach(ours);
+    new StepStages(ammo).attach(ours);
     let known = true;
-    const [expected, found] = worlds.map(({ world, bodies, vector, end }, i) => {
+    const [expected, found] = worlds.map((each) => {
+      const { world, bodies, vector, end } = each;
       vector.setValue(3, -2, 1);
       bodies[1]!.setAngularVelocity(vector);
       for (let step = 0; step < 3; step++) world.stepSimulation(1 / 64, 0);
-      known &&= tables[i]!();
+      known &&= tablesHold(ammo, each);
       end();
-      return stateOf(ammo, bodies[1]!, new HeapReader(ammo));
+      return stateOf(ammo, bodies[1]!);
     });
-    const holds =
+    return (
       known &&
       [WORLD.dispatchInfo, WORLD.solverInfo + SOLVER.timeStep].every(
         (offset) => floatAt(ammo, theirs + offset) === 1 / 64,
       ) &&
-      String(expected) === String(found);
-    return holds ? stages : undefined;
+      String(expected) === String(found)
+    );
   });
 
 /** Where Bullet's tables are in which `SolveOrder` and `KeptWorld` read and write: of one fixed cube, and one that moves. */
@@ -259,11 +262,21 @@ function tablesHold(
   );
 }
 
-function stateOf(ammo: Ammo, body: BtBody, reader: BodyReader): Float64Array {
+function stateOf(ammo: Ammo, body: BtBody): Float64Array {
+  const reader = new BodyReader(ammo);
   const state = new Float64Array(13);
-  reader.pose(body, ammo.getPointer(body), state, 0);
-  reader.velocity(body, ammo.getPointer(body), state, 7);
+  reader.pose(ammo.getPointer(body), state, 0);
+  reader.velocity(ammo.getPointer(body), state, 7);
   return state;
+}
+
+/** The same by Ammo's methods. */
+export function stateByMethods(body: BtBody): Float64Array {
+  const transform = body.getWorldTransform();
+  const vectors = [transform.getOrigin(), body.getLinearVelocity(), body.getAngularVelocity()];
+  const [origin, linear, angular] = vectors.map((v) => [v.x(), v.y(), v.z()]) as number[][];
+  const q = transform.getRotation();
+  return Float64Array.of(...origin!, q.x(), q.y(), q.z(), q.w(), ...linear!, ...angular!);
 }
 
 function layoutHolds(ammo: Ammo, dispatcher: Ammo['btCollisionDispatcher']['prototype']): boolean {
