@@ -51,7 +51,7 @@ export function wordsOf(module) {
 
 /**
  * Tables of virtual functions, up to the first word that is none: the address that objects have, numbers of functions, and
- * the address of the objects' kind.
+ * the address and the name of the objects' kind.
  */
 export function virtualTables(words, isFunction) {
   const tables = [];
@@ -59,7 +59,8 @@ export function virtualTables(words, isFunction) {
     if (!hasHead(words, begin)) continue;
     const slots = [];
     for (let at = begin; isFunction(words.get(at)); at += WORD) slots.push(words.get(at));
-    if (slots.length > 0) tables.push({ begin, slots, kind: words.get(begin - WORD) });
+    const kind = words.get(begin - WORD);
+    if (slots.length > 0) tables.push({ begin, slots, kind, name: nameOf(words, kind) });
   }
   return tables;
 }

@@ -10,6 +10,8 @@
 // C++ takes the address of no virtual function but through its table. So a number that stands in one is nothing else: 1024
 // bytes are no soft body. Of which kind an object is, which stands before its table, counts where the address of that kind
 // stands in a function that is reached, or where such a function may read what stands there.
+//
+// That says too much where two kinds have slots of one type: what nobody calls all the same stands in `never.js`.
 import binaryen from 'binaryen';
 import { functionsOf, slotOf } from './bodies.js';
 import {
@@ -22,6 +24,7 @@ import {
   virtualTables,
   wordsOf,
 } from './data.js';
+import { isCalled, isMade } from './never.js';
 
 /** Names of the functions that exports stand for. */
 function exported(module) {
@@ -98,7 +101,7 @@ class Reach {
 
   #seeTable(address) {
     const table = this.#tableAt.get(address);
-    if (!table) return;
+    if (!table || !isMade(table.name)) return;
     this.#used.add(table);
     this.#seeWithin(table, address);
   }
@@ -138,10 +141,11 @@ class Reach {
       for (const number of this.#taken) this.#addIf(number, ({ type }) => this.#types.has(type));
       for (const table of this.#tables.filter((each) => this.#used.has(each))) {
         for (const [slot, number] of table.slots.entries())
-          this.#addIf(
-            number,
-            ({ type }) => slot >= this.#from.get(table) || this.#isCalled(type, slot),
-          );
+          if (isCalled(table.name, slot))
+            this.#addIf(
+              number,
+              ({ type }) => slot >= this.#from.get(table) || this.#isCalled(type, slot),
+            );
       }
     } while (this.names.size > before);
   }
