@@ -43,15 +43,18 @@ function worldOfMembers(binding: Binding, asked = new Set<Binding>()): PageWorld
   return undefined;
 }
 
+/** One without a collider is told so. */
 function worldOfCollider(sensor: Binding): PageWorld | undefined {
   const [collider] = nodesOf(sensor, 'collider', 'CollisionCollection');
-  return collider?.scope ? worldFor(collider) : undefined;
+  if (!collider) return sensor.scene!.worlds.default;
+  return collider.scope ? worldFor(collider) : undefined;
 }
 
+/** One that names no body is told so by the world that it would live in. */
 function worldOfBodies(joint: Binding): PageWorld | undefined {
-  for (const side of ['body1', 'body2'] as const) {
-    const body = jointBody(joint, side);
-    if (body && body !== 'missing' && body.scope) return worldFor(body);
-  }
-  return undefined;
+  const named = (['body1', 'body2'] as const)
+    .map((side) => jointBody(joint, side))
+    .filter((body) => body !== undefined);
+  for (const body of named) if (body !== 'missing' && body.scope) return worldFor(body);
+  return named.length > 0 ? undefined : joint.scene!.worlds.default;
 }

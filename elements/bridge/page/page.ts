@@ -114,9 +114,12 @@ class Page implements Listener {
 
   inlineSettled(inline: Element, loaded: boolean): void {
     this.#scenes.settledInlines.add(inline);
-    const scene = loaded ? this.#scenes.of(inline) : undefined;
+    const scene = this.#scenes.of(inline);
+    if (!loaded) return scene?.noteFault(inline, (faults) => faults.unread(inline));
     // A file may be there before the page around it has been looked at.
-    if (scene?.readPage()) scene.tree.addInline(inline);
+    if (!scene?.readPage()) return;
+    scene.strangers.delete(inline);
+    scene.tree.addInline(inline);
   }
 
   // ---- what users ask -------------------------------------------------------------------------------------------

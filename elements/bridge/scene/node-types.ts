@@ -220,12 +220,23 @@ function register(x: X3DOM, name: string, tag: string, type: X3DNodeClass): void
   type._typeName = name;
 }
 
-/** An Inline fires `load` when its file stands in the scene, `error` when no address is left. */
+interface InlineNode extends X3DNode {
+  fireEvents(type: string): void;
+  /** `scene`: what there is of a file that could be read. */
+  loadX3D(scene: Element | null | undefined, space: unknown): void;
+}
+
+/** An Inline fires `load` when its file stands in the scene, `error` when no address is left, and neither of a file without a Scene. */
 function watchInlines(x: X3DOM, listener: Listener): void {
-  const prototype = x.nodeTypes.Inline.prototype as X3DNode & { fireEvents(type: string): void };
+  const prototype = x.nodeTypes.Inline.prototype as InlineNode;
   const { fireEvents } = prototype;
   prototype.fireEvents = function (this: X3DNode, type: string): void {
     fireEvents.call(this, type);
     if (this._xmlNode) listener.inlineSettled(this._xmlNode, type === 'load');
+  };
+  const { loadX3D } = prototype;
+  prototype.loadX3D = function (this: X3DNode, scene, space): void {
+    loadX3D.call(this, scene, space);
+    if (!scene && this._xmlNode) listener.inlineSettled(this._xmlNode, false);
   };
 }

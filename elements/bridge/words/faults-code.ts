@@ -36,6 +36,7 @@ export const provide = (): Faults => ({
   swallowed,
   late,
   stranger,
+  unread,
   notDrawn,
 });
 
@@ -274,6 +275,18 @@ function stranger({ localName: tag }: Element): ProblemReport | undefined {
     value: tag,
     used: 'nothing',
     message: `<${show(tag)}> is no node${text ? `; ${text}` : ''}`,
+  };
+}
+
+function unread(inline: Element): ProblemReport {
+  const value = attribute(inline, 'url');
+  return {
+    code: 'inline-load-failed',
+    severity: 'error',
+    attribute: 'url',
+    value,
+    used: 'nothing',
+    message: `nothing of ${show(value)} is there: it can't be had, is broken, or holds no Scene`,
   };
 }
 

@@ -53,6 +53,8 @@ export interface Faults {
   late(waits: string): ProblemReport;
   /** A tag that nobody knows; undefined where it is none that we should know. */
   stranger(element: Element): ProblemReport | undefined;
+  /** An Inline of whose file nothing came. */
+  unread(inline: Element): ProblemReport;
   /** A geometry that collides and is not drawn. */
   notDrawn(geometry: Element): ProblemReport;
 }

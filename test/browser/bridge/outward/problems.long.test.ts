@@ -290,3 +290,22 @@ describe('a malformed page', () => {
     }
   }
 });
+
+describe('what stands in no collection and has nobody', () => {
+  const alone: [markup: string, code: string][] = [
+    ['<BallJoint></BallJoint>', 'no-body'],
+    ['<x3d-slider-joint></x3d-slider-joint>', 'no-body'],
+    ['<CollisionSensor></CollisionSensor>', 'idle-sensor'],
+    ['<x3d-collision-sensor></x3d-collision-sensor>', 'idle-sensor'],
+  ];
+  for (const [markup, code] of alone)
+    it(`is told, though nothing else has physics: ${markup}`, async () => {
+      claim(code);
+      const page = place(markup);
+      const element = page.querySelector('scene')!.firstElementChild!;
+      await until(() => worldOf(element) !== undefined);
+      const world = await worldOf(element)!.ready;
+      await until(() => world.problems.length > 0);
+      expect(world.problems.map((problem) => problem.code)).to.eql([code]);
+    });
+});

@@ -47,13 +47,34 @@ describe('a file that is broken', () => {
     ['ends in the middle', x3d(`<RigidBodyCollection>${body('a', '0 1 0')}`).slice(0, 90)],
     ['is no XML', 'Not found'],
     ['is empty', ''],
+    ['has no Scene', '<X3D version="4.0"><head></head></X3D>'],
   ] as const) {
-    it(`and ${how} leaves the rest of the page alone`, async () => {
-      const { world } = await beside(text);
-      expect(codes(world)).to.eql([]);
+    it(`and ${how} is told once, and the rest of the page runs`, async () => {
+      claim('inline-load-failed');
+      const { world, inline } = await beside(text);
+      await until(() => codes(world).length > 0);
+      const [problem] = world.problemsOf(inline);
+      expect(codes(world)).to.eql(['inline-load-failed']);
+      expect(problem).to.include({ attribute: 'url', value: inline.getAttribute('url') });
       falls(world, 'beside');
     });
   }
+
+  it('is told no more when another one is named, or it has gone', async () => {
+    claim('inline-load-failed', 'inline-load-failed');
+    const { world, inline } = await beside('Not found');
+    await until(() => codes(world).length > 0);
+    inline.setAttribute(
+      'url',
+      fileOf(x3d(`<RigidBodyCollection>${body('a', '0 1 0')}</RigidBodyCollection>`)),
+    );
+    falls(await inside(inline), 'a');
+    expect(codes(world)).to.eql([]);
+    inline.setAttribute('url', fileOf(''));
+    await until(() => codes(world).length > 0);
+    inline.remove();
+    await until(() => codes(world).length === 0);
+  });
 });
 
 describe('a circle of USE', () => {
