@@ -93,23 +93,23 @@ describe('what a page fetches', () => {
       'chunk-page.js',
       'x3d-physics.js',
     ]);
-    // 89.7 kB (0.9 more by WebKit's gzip), of which 58 are the core; 4 of these are sines and their like, the same in every
+    // 88 kB (0.9 more by WebKit's gzip), of which 56 are the core; 4 of these are sines and their like, the same in every
     // browser, 3 the tables of nodes that are not there, whose elements have their properties all the same, and 9 what
     // page code may call at any time and has to answer at once: rays, snapshots, drags, explain. 85 were asked for: snapshots
     // that go on to the same bits take 3 more than those that did not.
-    expect(await zipped(fetched(page))).to.be.below(92_000);
+    expect(await zipped(fetched(page))).to.be.below(89_500);
     expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([]);
   });
 
-  // With everything but x3dom 327 kB by gzip and 268 by Brotli: the engine 180 and 139 (glue included), contacts 58 and 50, the
-  // core 58 and 51, the page 31 and 28. 260 by Brotli were asked for when our own code was 18 kB less.
+  // With everything but x3dom 313 kB by gzip and 258 by Brotli: the engine 168 and 130 (glue included), contacts 58 and 51, the
+  // core 56 and 49, the page 31 and 28.
   it('of all files, for a box on a floor: bytes', async () => {
     const { page, world } = await show(FALLING + FLOOR);
     await until(() => world.time > 0);
     const { gzip, brotli } = await loaded(page);
     // WebKit's gzip makes one per cent more of it than a server's, and than the other browsers'.
-    expect(gzip).to.be.within(250_000, isWebKit ? 333_300 : 330_000);
-    expect(brotli).to.be.within(200_000, 270_000);
+    expect(gzip).to.be.within(250_000, isWebKit ? 320_200 : 317_000);
+    expect(brotli).to.be.within(200_000, 260_000);
   });
 
   // 104 kB, 60 of them contacts.

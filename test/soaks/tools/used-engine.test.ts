@@ -34,10 +34,10 @@ test('the glue of pages still makes each class that the core names, with what a 
   assert.ok(!code.includes('.prototype.CreateRope='), 'nobody calls it');
 });
 
-test('it is a sixth of the whole, and its wasm, of which a server sends 292 kB, 169', () => {
+test('it is a sixth of the whole, and its wasm, of which a server sends 292 kB, 157', () => {
   const glue = readFileSync(GLUE, 'utf8');
   assert.ok(usedGlue(glue).code.length < glue.length / 6);
-  assert.ok(gzipSync(usedWasm()).length < 172_000);
+  assert.ok(gzipSync(usedWasm()).length < 159_000);
 });
 
 /** Plays a plan in each, step by step. */
