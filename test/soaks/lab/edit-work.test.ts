@@ -13,7 +13,7 @@ const { EDITS, scene } = await import('../../../lab/edits/scene.js');
 
 const SIZES = [10, 1000] as const;
 /** A plain loop over Bullet's pairs on the heap, 1.5 ns each: who rested on what jumps or goes. */
-const SEARCH = '#eachTouchingInHeap';
+const SEARCH = 'eachTouching';
 
 /** How often blocks of ours have run since this was last asked: those of the search, and all others. */
 async function blocks(): Promise<{ search: number; other: number }> {
