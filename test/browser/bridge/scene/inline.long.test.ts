@@ -1,6 +1,6 @@
 import { expect } from 'chai';
 import { claim } from '../../console.js';
-import { nextFrame, place, show, wait } from '../../scene.js';
+import { nextFrame, place, show, until, wait } from '../../scene.js';
 import { worldOf } from '../../inside.js';
 
 const ball = `<transform id="t" translation="0 3 0"><shape><sphere></sphere></shape><x3d-rigid-body id="ball"></x3d-rigid-body></transform>`;
@@ -35,11 +35,14 @@ describe('an Inline', () => {
     expect([world.stats.bodies, world.stats.joints]).to.eql([0, 0]);
   });
 
-  it('that is missing holds nothing up for long', async () => {
+  it('that is missing holds nothing up for long, and is told', async () => {
+    claim('inline-load-failed');
     const { world } = await show(
       `<inline url="/nowhere.x3d"></inline><RigidBodyCollection><RigidBody></RigidBody></RigidBodyCollection>`,
     );
     expect(world.stats.bodies).to.equal(1);
+    await until(() => world.problems.length > 0);
+    expect(world.problems.map(({ code }) => code)).to.eql(['inline-load-failed']);
   });
 
   it('that never answers holds nothing up for more than ten seconds, and is reported', async () => {
