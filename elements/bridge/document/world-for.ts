@@ -43,11 +43,9 @@ function worldOfMembers(binding: Binding, asked = new Set<Binding>()): PageWorld
   return undefined;
 }
 
-/** One without a collider is told so. */
 function worldOfCollider(sensor: Binding): PageWorld | undefined {
   const [collider] = nodesOf(sensor, 'collider', 'CollisionCollection');
-  if (!collider) return sensor.scene!.worlds.default;
-  return collider.scope ? worldFor(collider) : undefined;
+  return collider?.scope ? worldFor(collider) : undefined;
 }
 
 /** One that names no body is told so by the world that it would live in. */

@@ -42,13 +42,6 @@ export class CollisionSensorNode extends PhysicsNode implements Sensor {
   /** Reads contacts only while it has something to watch. */
   updateWatch(): void {
     const { registry: effects } = this.world;
-    this.reportWhile(!this.collider, {
-      code: 'idle-sensor',
-      severity: 'info',
-      attribute: 'collider',
-      used: 'nothing',
-      message: `${this.label} has no collider and senses nothing until it has one`,
-    });
     if (this.collider && this.asked<boolean>('enabled')) {
       effects.get(contactReader).watch(this);
       return;

@@ -295,8 +295,6 @@ describe('what stands in no collection and has nobody', () => {
   const alone: [markup: string, code: string][] = [
     ['<BallJoint></BallJoint>', 'no-body'],
     ['<x3d-slider-joint></x3d-slider-joint>', 'no-body'],
-    ['<CollisionSensor></CollisionSensor>', 'idle-sensor'],
-    ['<x3d-collision-sensor></x3d-collision-sensor>', 'idle-sensor'],
   ];
   for (const [markup, code] of alone)
     it(`is told, though nothing else has physics: ${markup}`, async () => {

@@ -69,7 +69,6 @@ fact(
   'a world without set_contacts, or with a sensor that watches nothing, collides as always',
   async () => {
     const { w, ball } = await falling();
-    claim(w, 'idle-sensor');
     const sensor = w.add('CollisionSensor');
     sensor.on('contacts', (contacts) => w.settings.event('set_contacts', contacts));
     w.advance(2);

@@ -59,7 +59,7 @@ fact('geometry is copied, and data that say the same again are no edit', async (
 
 fact('what a field of nodes does not take is told and left out, and nothing breaks', async () => {
   const w = await world();
-  claim(w, 'misplaced', 'bad-value', 'no-body', 'idle-sensor');
+  claim(w, 'misplaced', 'bad-value', 'no-body');
   const other = watch(await createWorld());
   const [here, there] = [addBody(w), addBody(other)];
   const space = w.add('CollisionSpace', {});

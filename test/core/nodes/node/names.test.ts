@@ -4,7 +4,7 @@ import { addBody, claim, fact, world, told } from '../../helpers.js';
 
 fact('names that every object of JavaScript has are no fields, node types or nodes', async () => {
   const w = await world();
-  claim(w, 'unknown-attribute', 'no-body', 'bad-value', 'idle-sensor');
+  claim(w, 'unknown-attribute', 'no-body', 'bad-value');
   const names = ['constructor', 'toString', '__proto__', 'hasOwnProperty', 'valueOf'];
   for (const type of Object.keys(allTypes)) {
     const node = w.add(type);

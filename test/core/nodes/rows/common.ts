@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { allTypes } from '../../../../physics-core/all-types.js';
-import { addBody, box, claim, close, height, sphere, world, type Body } from '../../helpers.js';
+import { addBody, box, close, height, sphere, world, type Body } from '../../helpers.js';
 import { flat } from '../../effects/deformables/helpers.js';
 import type { Row } from './row.js';
 
@@ -36,7 +36,6 @@ export const commonRows = (type: string): Row[] =>
         addBody(w, { fixed: true, position: [0, -0.5, 0], geometry: [shape] });
         const ball = addBody(w, { position: [0, 0.5, 0], geometry: [sphere(0.5)] });
         const found = [...w.nodes].find((node) => node.type.name === type);
-        if (type === 'CollisionSensor') claim(w, 'idle-sensor');
         const node = found ?? w.add(type, needs(type, ball));
         assert.deepEqual(node.get(field), initial);
         node.set(field, VALUES[field]);
