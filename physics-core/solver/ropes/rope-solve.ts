@@ -202,6 +202,7 @@ export class RopeSolve {
   }
 
   #search(dt: number, directions: Directions, most: number, first = 1): boolean {
+    for (const { knots, between } of this.#parts) knots.cautious = between.cautious = false;
     for (this.#rounds = first; this.#rounds <= most; this.#rounds++) {
       this.#assemble(dt, directions);
       this.#system.factor();
@@ -414,7 +415,7 @@ export class RopeSolve {
     return most * dt;
   }
 
-  /** Where friction turns round a round goes no further. */
+  /** Where friction turns round a round goes no further, and the next one is cautious. */
   #share(dt: number): number {
     let share = 1;
     for (const { knots, between, elimination } of this.#parts) {
@@ -423,6 +424,7 @@ export class RopeSolve {
       share = Math.min(share, knots.share(elimination.change, inertia, dt));
       share = Math.min(share, between.share(elimination.change, inertia, dt));
     }
+    for (const { knots, between } of this.#parts) knots.cautious = between.cautious = share < 1;
     return share;
   }
 

@@ -42,6 +42,12 @@ export class Touches {
   readonly #trials: Float64Array;
   /** Whether it touches anything. */
   any = false;
+  /**
+   * What slips resists a change of its speed, too, as if friction grew with that: more than it does, so that the energy of the
+   * round bounds that of the search from above. By what friction does, a round that ends where something comes to a stand
+   * would be followed by others that end there, too.
+   */
+  cautious = false;
 
   constructor(strand: Strand, spots: Spots) {
     const { count } = spots;
@@ -164,7 +170,7 @@ export class Touches {
       for (let k = 0; k < 3; k++) {
         const n = normals[j + k]!;
         let along = (r === k ? 1 : 0) - normals[j + r]! * n;
-        if (slips) along -= ways[j + r]! * ways[j + k]!;
+        if (slips && !this.cautious) along -= ways[j + r]! * ways[j + k]!;
         blocks[at + 3 * r + k]! += stiff * normals[j + r]! * n + hold * along;
       }
   }
@@ -213,6 +219,7 @@ export class Touches {
     for (let c = 0; c < count; c++) {
       const state = this.#state[c]!;
       if (state === NONE) continue;
+      const turns = state === SLIPS && !this.cautious;
       const j = 3 * c;
       this.#moves(change, c);
       const away = dot3(normals, j, moved, 0);
@@ -228,7 +235,7 @@ export class Touches {
       const within = square > most * most ? most / Math.sqrt(square) : 1;
       for (let k = 0; k < 3; k++) {
         const along = moved[k]! - away * normals[j + k]!;
-        const aside = along - (state === SLIPS ? slipping * this.#ways[j + k]! : 0);
+        const aside = along - (turns ? slipping * this.#ways[j + k]! : 0);
         slope -= along * (within * tried[k]! - (rubs[j + k]! - hold * aside));
       }
     }

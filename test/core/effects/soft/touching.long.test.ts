@@ -1,3 +1,6 @@
+import { equal } from 'node:assert/strict';
+import { Links } from '../../../../physics-core/solver/ropes/links.js';
+import { RopeSweeps } from '../../../../physics-core/solver/ropes/rope-sweeps.js';
 import {
   above,
   addBody,
@@ -34,6 +37,42 @@ for (const accuracy of LEVELS)
       places(rope).forEach((at, i) => close(at, laid[i]!, 1e-5));
     },
   );
+
+/** Calls of a method while a world runs for so long, seconds. */
+function callsOf<T>(of: { prototype: T }, method: keyof T & string, run: () => void): number {
+  const { prototype } = of;
+  const own = prototype[method] as (...args: unknown[]) => unknown;
+  let calls = 0;
+  Object.assign(prototype as object, {
+    [method](this: T, ...args: unknown[]) {
+      calls++;
+      return own.apply(this, args);
+    },
+  });
+  run();
+  Object.assign(prototype as object, { [method]: own });
+  return calls;
+}
+
+fact(
+  'what falls crumpled and slides to a stand takes a few rounds a step, and no sweeps',
+  async () => {
+    const w = await world();
+    addFloor(w);
+    const waves = Array.from({ length: 61 }, (_, i): Vec3 => [
+      i * 0.04 - 1,
+      1 + i * 0.02,
+      0.1 * Math.sin(i),
+    ]);
+    addRope(w, waves, { radius: 0.01, mass: 0.5 });
+    let sweeps = 0;
+    const rounds = callsOf(Links, 'read', () => {
+      sweeps = callsOf(RopeSweeps, 'solve', () => w.advance(2));
+    });
+    equal(sweeps, 0);
+    below(rounds / 240, 6, 'rounds of a step');
+  },
+);
 
 fact('a rope of radius 0 touches nothing', async () => {
   const w = await world();
