@@ -27,6 +27,27 @@ export function writeOrientation(
   );
 }
 
+/** Linear then angular velocity of the body at a pointer, six numbers from `out[at]` on, world frame. */
+export function readVelocity({ HEAPF32 }: Ammo, body: number, out: Float64Array, at: number): void {
+  readTwo(HEAPF32, body + BODY.linearVelocity, body + BODY.angularVelocity, out, at);
+}
+
+/** Force then torque that the step applies to it beside gravity, N and N m. */
+export function readLoad({ HEAPF32 }: Ammo, body: number, out: Float64Array, at: number): void {
+  readTwo(HEAPF32, body + BODY.totalForce, body + BODY.totalTorque, out, at);
+}
+
+function readTwo(f: Float32Array, first: number, second: number, out: Float64Array, at: number) {
+  for (let k = 0; k < 3; k++) {
+    out[at + k] = f[(first >> 2) + k]!;
+    out[at + 3 + k] = f[(second >> 2) + k]!;
+  }
+}
+
+/** Bullet's number of what it is near to, of the step under way or the last one; below 0: it has none. */
+export const islandAt = ({ HEAP32 }: Ammo, body: number): number =>
+  HEAP32[(body + BODY.islandTag) >> 2]!;
+
 /**
  * Reads bodies by their pointers, and puts places right: straight on the heap, about twenty times faster than by Ammo's
  * methods. After a heap growth `HEAPF32` is another array, so it is asked for at every read.
@@ -48,24 +69,12 @@ export class BodyReader {
     writeOrientation(heap, pointer, out, at + 3);
   }
 
-  /** Linear then angular velocity, six numbers, world frame. */
   velocity(pointer: number, out: Float64Array, at: number): void {
-    this.#readPair(BODY.linearVelocity, BODY.angularVelocity, pointer, out, at);
+    readVelocity(this.#ammo, pointer, out, at);
   }
 
-  /** Force then torque that the next step applies beside gravity, six numbers. */
   load(pointer: number, out: Float64Array, at: number): void {
-    this.#readPair(BODY.totalForce, BODY.totalTorque, pointer, out, at);
-  }
-
-  #readPair(first: number, second: number, pointer: number, out: Float64Array, at: number): void {
-    const heap = this.#ammo.HEAPF32;
-    const a = (pointer + first) >> 2;
-    const b = (pointer + second) >> 2;
-    for (let i = 0; i < 3; i++) {
-      out[at + i] = heap[a + i]!;
-      out[at + 3 + i] = heap[b + i]!;
-    }
+    readLoad(this.#ammo, pointer, out, at);
   }
 
   /** Moves a body by so many metres. */
@@ -82,8 +91,7 @@ export class BodyReader {
     return this.#ammo.HEAP32[(pointer + BODY.activationState) >> 2] === ACTIVATION.sleeping;
   }
 
-  /** Bullet's island number of the last step. */
   island(pointer: number): number {
-    return this.#ammo.HEAP32[(pointer + BODY.islandTag) >> 2]!;
+    return islandAt(this.#ammo, pointer);
   }
 }

@@ -12,27 +12,6 @@ const UNTURNABLE = 1e12;
 export const isCarried = ({ HEAP32 }: Ammo, body: number): boolean =>
   (HEAP32[(body + BODY.collisionFlags) >> 2]! & COLLISION_FLAG.kinematic) !== 0;
 
-/** Linear and angular velocity to `out[at]` on. */
-export function readVelocity({ HEAPF32 }: Ammo, body: number, out: Float64Array, at: number): void {
-  readTwo(HEAPF32, body + BODY.linearVelocity, body + BODY.angularVelocity, out, at);
-}
-
-/** Force and torque of this step, N and N m. */
-export function readLoad({ HEAPF32 }: Ammo, body: number, out: Float64Array, at: number): void {
-  readTwo(HEAPF32, body + BODY.totalForce, body + BODY.totalTorque, out, at);
-}
-
-function readTwo(f: Float32Array, first: number, second: number, out: Float64Array, at: number) {
-  for (let k = 0; k < 3; k++) {
-    out[at + k] = f[(first >> 2) + k]!;
-    out[at + 3 + k] = f[(second >> 2) + k]!;
-  }
-}
-
-/** Bullet's number of what it is near to, of this very step; below 0: it has none. */
-export const islandAt = ({ HEAP32 }: Ammo, body: number): number =>
-  HEAP32[(body + BODY.islandTag) >> 2]!;
-
 /** The square of its linear speed. */
 export function speedSquared({ HEAPF32 }: Ammo, body: number): number {
   const v = (body + BODY.linearVelocity) >> 2;

@@ -1,7 +1,8 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Ammo } from '../../engine/ammo.js';
-import { isCarried, readVelocity } from '../../engine/solver-body.js';
+import { readVelocity } from '../../engine/heap.js';
+import { isCarried } from '../../engine/solver-body.js';
 import type { Ahead, JointRows } from '../joints/joint-rows.js';
 import { R, rate, type BoundRows } from '../../solver/rows/bound-rows.js';
 import type { ConeContacts } from '../../solver/rows/cone-contacts.js';

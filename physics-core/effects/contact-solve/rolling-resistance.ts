@@ -1,7 +1,8 @@
 import { grown, grownInt } from '../../base/grown.js';
 import type { Numbered } from '../effect/effect.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { islandAt, speedSquared } from '../../engine/solver-body.js';
+import { islandAt } from '../../engine/heap.js';
+import { speedSquared } from '../../engine/solver-body.js';
 import { R, type BoundRows } from '../../solver/rows/bound-rows.js';
 import { C, type ConeContacts } from '../../solver/rows/cone-contacts.js';
 import type { Part } from '../../solver/part.js';

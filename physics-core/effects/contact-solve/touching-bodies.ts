@@ -3,13 +3,8 @@ import { PointerNumbers } from '../../base/pointer-numbers.js';
 import type { Ammo } from '../../engine/ammo.js';
 import { originOf } from '../../engine/body-heap.js';
 import { inverseMassOf } from '../../engine/body-state.js';
-import {
-  displace,
-  readInertia,
-  readLoad,
-  readVelocity,
-  writeVelocity,
-} from '../../engine/solver-body.js';
+import { readLoad, readVelocity } from '../../engine/heap.js';
+import { displace, readInertia, writeVelocity } from '../../engine/solver-body.js';
 import { SIZE } from '../../solver/matrix/block-cholesky.js';
 import { SolveBodies } from '../../solver/solve-bodies.js';
 

@@ -3,7 +3,7 @@
 // other kinds. Whoever came to one of these all the same would trap, and no test, no fuzz and no case of stability does.
 
 /** By the name of a kind, without the figures that C++ writes before it: slots that nobody calls. */
-const CALLED = [
+const UNCALLED = [
   // Nobody has a btSerializer, which is not bound: nothing is written to files or read from them.
   [/^bt(Collision|DiscreteDynamics)World$/, 12],
   [/^bt(CollisionObject|RigidBody)$/, 4, 5, 6],
@@ -16,7 +16,7 @@ const CALLED = [
 ];
 
 /** Kinds of which no object is ever made, or that nobody asks for anything. */
-const MADE = [
+const UNMADE = [
   // There are no planes without an end.
   /^btConvexPlaneCollisionAlgorithm$/,
   // Depths are found by the other way, EPA, where a configuration is not told otherwise.
@@ -27,7 +27,7 @@ const MADE = [
 
 const plain = (name) => name.replace(/^N?\d+/, '');
 
-export const isMade = (kind) => !MADE.some((pattern) => pattern.test(plain(kind)));
+export const isMade = (kind) => !UNMADE.some((pattern) => pattern.test(plain(kind)));
 
 export const isCalled = (kind, slot) =>
-  !CALLED.some(([pattern, ...slots]) => slots.includes(slot) && pattern.test(plain(kind)));
+  !UNCALLED.some(([pattern, ...slots]) => slots.includes(slot) && pattern.test(plain(kind)));
