@@ -37,13 +37,15 @@ const hull = ({ points }: Mesh): Silhouette =>
 /** In single rays along z, as a grid through it has them. */
 function counted({ points, index }: Mesh, size: number, cells: number): number {
   let count = 0;
-  const at = (corner: number): Vec3 => points.slice(3 * corner, 3 * corner + 3) as Vec3;
+  const at = Array.from({ length: points.length / 3 }, (_, i) => points.slice(3 * i, 3 * i + 3));
+  const triangles = Array.from({ length: index.length / 3 }, (_, i) =>
+    index.slice(3 * i, 3 * i + 3).map((corner) => at[corner] as Vec3),
+  );
   for (let i = 0; i < cells; i++)
     for (let j = 0; j < cells; j++) {
       const x = size * ((i + 0.5) / cells - 0.5);
       const y = size * ((j + 0.5) / cells - 0.5);
-      for (let k = 0; k < index.length; k += 3) {
-        const corners = [0, 1, 2].map((n) => at(index[k + n]!));
+      for (const corners of triangles) {
         const sides = corners.map(([px, py], n) => {
           const [qx, qy] = corners[(n + 1) % 3]!;
           return (qx - px) * (y - py) - (qy - py) * (x - px);
