@@ -45,7 +45,11 @@ const views = () => globSync('elements/ui/*/view.ts');
 const ofViews = (id) => /\/(elements\/ui|styles|node_modules(?!\/ammojs-typed))\//.test(id);
 
 const OF_CORE =
-  /\/physics-core\/(inside|face\/shown|base\/cholesky|solver\/(tolerances|joints\/blocks)|shapes\/(forms\/form|surface\/layout))\.ts$/;
+  /\/physics-core\/(inside|face\/shown|solver\/tolerances|shapes\/(forms\/form|surface\/layout))\.ts$/;
+
+/** What joints, contacts, hands, ropes, particles and soft things reckon with, each of them some of it. */
+const OF_ARITHMETIC =
+  /\/physics-core\/(base\/(cholesky|mix|exact\/(asin|expm1))|dynamics\/(inertia|other-end)|engine\/manifold-points|solver\/joints\/blocks)\.ts$/;
 
 /** What reads, places and draws particles, and their tags. */
 const OF_PARTICLES =
@@ -80,6 +84,9 @@ const OF_MATTER = /\/elements\/(soft-element|bridge\/matter\/[\w-]+)\.ts$/;
 const OF_SILHOUETTES =
   /\/physics-core\/(dynamics\/body-silhouette|shapes\/silhouette\/[\w-]+)\.ts$/;
 
+/** What draws a world as lines, and who asks for it. */
+const OF_DEBUG = /\/physics-core\/(debug-lines|effects\/debug-code)\.ts$/;
+
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
  * also runs without one, with the little that joints, hands, contacts and meshes have in common. What debug drawing and measurement have
@@ -96,7 +103,9 @@ const together = (id) => {
   if (OF_FLOATING.test(id)) return 'water-code';
   if (OF_SILHOUETTES.test(id)) return 'silhouettes';
   if (/\/elements\/(x3d-[\w-]+|define|api|begin)\.ts$/.test(id)) return 'page';
+  if (OF_ARITHMETIC.test(id)) return 'arithmetic';
   if (OF_CORE.test(id)) return 'core';
+  if (OF_DEBUG.test(id)) return 'debug-code';
   return id.endsWith('/chunks/contact-code.ts') ? 'contact-code' : undefined;
 };
 

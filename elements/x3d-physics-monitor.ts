@@ -1,4 +1,4 @@
-import { monitors } from '../physics-core/inside.js';
+import { costs } from '../physics-core/inside.js';
 import { X3DUIElement, type UIDescription } from './ui/ui-element.js';
 import { loadView } from './ui/view.js';
 
@@ -35,7 +35,7 @@ export class X3DPhysicsMonitorElement extends X3DUIElement {
   protected async load() {
     const view = await loadView('monitor', () => import('./ui/monitor/view.js'));
     // So that `world.effects` tells what it weighs.
-    await monitors.comesFrom(async () => ({ provide() {}, bytes: view.bytes ?? 0 })).load();
+    costs.comesWith(view.bytes ?? 0);
     return view;
   }
 }

@@ -1,6 +1,7 @@
 import type { CaseBody, CaseScene, Vec3 } from './case.js';
 import { addBodies, wallsOf } from './walls.js';
-import { loadEngine, World, type PhysicsNode } from '../physics-core/inside.js';
+import { loadEngine } from '../physics-core/create.js';
+import { World, type PhysicsNode } from '../physics-core/inside.js';
 
 /** A scene to measure. */
 export interface Scene {

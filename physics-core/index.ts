@@ -8,6 +8,7 @@ import { swimming, waters, waveChunk } from './effects/water/effects.js';
 import { behind, shown } from './face/shown.js';
 import type { RigidBodyCollectionFields } from './face/fields.js';
 import type { World } from './face/world.js';
+import * as create from './create.js';
 import * as inside from './inside.js';
 
 export { configure, type EngineSource } from './engine/wasm.js';
@@ -18,7 +19,7 @@ export type * from './face/values.js';
 export type { NodeOptions, RayHit, SurfaceHit, World } from './face/world.js';
 export type { Rotation, Vec3 } from './fields/types.js';
 export type { Problem, Severity } from './base/problems.js';
-export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/frame-costs.js';
+export { PHASES, type Costs, type Percentiles, type Phase } from './effects/costs/phases.js';
 export type { FramePace } from './effects/costs/pace.js';
 export type { ColorMeaning } from './effects/debug/colors.js';
 export type { DragMode } from './dynamics/body.js';
@@ -31,7 +32,7 @@ export type { Geometry } from './shapes/geometry.js';
 export type { Snapshot } from './world/snapshot/snapshot.js';
 export type { Stats } from './world/store/types.js';
 
-inside.beyondPages.push(
+create.beyondPages.push(
   particleSystems.comesFrom(() => import('./world/chunks/particle-code.js')),
   waters.comesFrom(() => import('./world/chunks/water-code.js')),
   ropeChunk.comesFrom(() => import('./world/chunks/rope-code.js')),
@@ -57,7 +58,7 @@ export interface CreateOptions
  * world.advance(1);
  */
 export const createWorld = async (options: CreateOptions = {}): Promise<World> =>
-  shown(await inside.createWorld({ ...options }));
+  shown(await create.createWorld({ ...options }));
 
 /** A world as coloured lines. */
 export interface DebugLines {
@@ -73,4 +74,5 @@ export interface DebugLines {
 }
 
 /** Draws a started world as Bullet has it, for any renderer: `update()`, then `positions`, `colors` and `count`. */
-export const debugLines = (world: World): Promise<DebugLines> => inside.debugLines(behind(world));
+export const debugLines = async (world: World): Promise<DebugLines> =>
+  (await import('./debug-lines.js')).debugLines(behind(world));

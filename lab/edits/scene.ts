@@ -1,5 +1,6 @@
 // A scene of any size in which the same things are edited: what one edit costs must not hang on who else is there.
-import { createWorld, type PhysicsNode, type World } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
+import { type PhysicsNode, type World } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 
 /** Boxes on the ground that jump one after another. */

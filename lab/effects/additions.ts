@@ -1,5 +1,5 @@
 import '../../physics-core/index.js';
-import { debugLines } from '../../physics-core/inside.js';
+import { debugLines } from '../../physics-core/debug-lines.js';
 import { BODIES, box, type Scene } from './scenes.js';
 
 /** One effect more than a scene has without it. */

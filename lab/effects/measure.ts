@@ -1,4 +1,5 @@
-import { loadEngine, World } from '../../physics-core/inside.js';
+import { loadEngine } from '../../physics-core/create.js';
+import { World } from '../../physics-core/inside.js';
 import { allEffects } from '../../physics-core/effects/all.js';
 import type { EffectDescriptor } from '../../physics-core/effects/effect/effect.js';
 import { estimate, median, type Estimate } from '../statistics.js';

@@ -1,5 +1,6 @@
 import { jointSolve } from '../../physics-core/inside.js';
-import { levels, loadEngine, World, type Level } from '../../physics-core/inside.js';
+import { loadEngine } from '../../physics-core/create.js';
+import { levels, World, type Level } from '../../physics-core/inside.js';
 import { add, cross, rotate, scale } from '../../physics-core/base/math.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CaseBody, CaseScene, Vec3 } from '../case.js';

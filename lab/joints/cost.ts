@@ -1,5 +1,6 @@
 import { jointSolve } from '../../physics-core/inside.js';
-import { loadEngine, World, type LevelName, type PhysicsNode } from '../../physics-core/inside.js';
+import { loadEngine } from '../../physics-core/create.js';
+import { World, type LevelName, type PhysicsNode } from '../../physics-core/inside.js';
 import { bulletAlone, leaveJointsToBullet } from '../engines/ours.js';
 import { median } from '../run/median.js';
 

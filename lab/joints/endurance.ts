@@ -1,4 +1,5 @@
-import { loadEngine, World, type LevelName } from '../../physics-core/inside.js';
+import { loadEngine } from '../../physics-core/create.js';
+import { World, type LevelName } from '../../physics-core/inside.js';
 import { Snake } from '../../references/snake.js';
 import { caseOf } from '../cases/index.js';
 import { iterated, leaveJointsToBullet, ours } from '../engines/ours.js';

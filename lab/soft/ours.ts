@@ -1,6 +1,7 @@
 // What pages have no words for comes with it.
 import '../../physics-core/index.js';
-import { createWorld, levels, type World } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
+import { levels, type World } from '../../physics-core/inside.js';
 import type { Vec3 } from '../case.js';
 import { heldAt, trianglesOf, type SoftRunning, type SoftScene } from './scene.js';
 import type { SoftEngine } from './engine.js';

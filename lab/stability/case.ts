@@ -1,5 +1,6 @@
 // What a cell of the stability matrix judges: one hard case, at one level.
-import type { CreateOptions, LevelName, World } from '../../physics-core/inside.js';
+import type { CreateOptions } from '../../physics-core/create.js';
+import type { LevelName, World } from '../../physics-core/inside.js';
 import type { Told } from './told.js';
 
 /** A case that plays in a world. */

@@ -1,4 +1,5 @@
-import { createWorld, type LevelName, type World } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
+import { type LevelName, type World } from '../../physics-core/inside.js';
 import { bitsOf } from './bits.js';
 import type { Cell, Play, StabilityCase } from './case.js';
 import { CommonWatch } from './watch.js';

@@ -1,4 +1,4 @@
-import { createWorld } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
 import { bitsOf } from './bits.js';
 import { stabilityCases } from './cases/index.js';
 

@@ -13,6 +13,7 @@ export class Chunk<Code = void> {
   readonly causes!: string;
   #fetch: (() => Promise<ChunkFile<Code>>) | undefined;
   #coming: Promise<void> | undefined;
+  #beside = 0;
   #come: { code: Code; bytes: number } | undefined;
 
   constructor(about: { name: string; causes: string }) {
@@ -31,13 +32,24 @@ export class Chunk<Code = void> {
 
   /** What was fetched for it: nothing before it is here, and where all code is one file. */
   get bytes(): number {
-    return this.#come?.bytes ?? 0;
+    return (this.#come?.bytes ?? 0) + this.#beside;
+  }
+
+  /** So many more bytes were fetched for the same cause. */
+  comesWith(bytes: number): void {
+    this.#beside += bytes;
   }
 
   /** For those that are not made before it is here. */
   get code(): Code {
     if (!this.#come) throw new Error(`the code of "${this.name}" is asked for before it is here`);
     return this.#come.code;
+  }
+
+  /** Now where it is here; else as soon as it is, and never where it does not come. */
+  whenHere(act: () => void): void {
+    if (this.here) act();
+    else this.load().then(act, () => {});
   }
 
   /** Fetched once; what failed may be tried again. */

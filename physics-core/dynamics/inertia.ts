@@ -2,22 +2,6 @@ import { AXES, compose, conjugate, rotate } from '../base/math.js';
 import type { Vec3 } from '../fields/types.js';
 import type { Body } from './body.js';
 
-/** Moments that agree to this count as equal. */
-const SAME = 1e-6;
-
-/** Moments that differ by less than this share of the largest turn a body like a ball. */
-const ALIKE = 1e-3;
-
-/** Whether one rate of angular damping serves all axes. */
-export const areEqualMoments = ([x, y, z]: readonly [number, number, number]): boolean =>
-  Math.abs(x - y) <= SAME * x && Math.abs(x - z) <= SAME * x;
-
-/** Whether a body turns about every axis as about any other. */
-export function turnsAlike(moments: readonly number[]): boolean {
-  const most = Math.max(...moments);
-  return most - Math.min(...moments) < ALIKE * most;
-}
-
 /** What an angular impulse does to the spin of a body, world frame. */
 export const applyInverseInertia = (body: Inert, v: Vec3): Vec3 => byMoments(body, v, -1);
 

@@ -17,13 +17,3 @@ export function isJointed(body: Body): boolean {
   for (const joint of body.joints) if (holds(joint)) return body.movable;
   return false;
 }
-
-/** Whether a joint holds a body to another one that moves. */
-export function hangsOnMoving(body: Body): boolean {
-  for (const joint of body.joints) if (holds(joint) && otherEnd(joint, body)?.movable) return true;
-  return false;
-}
-
-/** What a joint holds a body to; undefined: the world. */
-export const otherEnd = ({ body1, body2 }: Joint, body: Body): Body | undefined =>
-  body1 === body ? body2 : body1;

@@ -1,8 +1,7 @@
 import { contactReader, contactSurface, givenContacts, pairFilter } from './contacts/effects.js';
 import { meshShapes } from './contacts/mesh-shapes.js';
 import { contactSolve } from './contact-solve/effects.js';
-import { frameCosts } from './costs/frame-costs.js';
-import { userTiming } from './costs/user-timing.js';
+import { frameCosts, userTiming } from './costs/effects.js';
 import { debugging } from './debug/debugging.js';
 import { carrying } from './drag/effects.js';
 import { dragging } from './drag/dragging.js';

@@ -1,5 +1,6 @@
 import type { Ammo } from './ammo.js';
-import { bodyAAt, bodyBAt, partsKey, pointAt, pointCountAt } from './manifold.js';
+import { bodyAAt, bodyBAt, pointAt, pointCountAt } from './manifold.js';
+import { partsKey } from './manifold-parts.js';
 import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, MOST_POINTS } from './offsets.js';
 
 // Contact points as they stand on the heap, to the last bit: Bullet's next step begins with them.

@@ -1,6 +1,7 @@
 import { grown, grownInt } from '../base/grown.js';
 import type { Ammo } from './ammo.js';
-import { isInParts, isOfParts, partsKeyAt, pointCountAt } from './manifold.js';
+import { pointCountAt } from './manifold.js';
+import { isInParts, isOfParts, partsKeyAt } from './manifold-parts.js';
 import { BODY, BROADPHASE, DISPATCHER, ISLANDS, MANIFOLD, PROXY, WORLD } from './offsets.js';
 
 /** A body or a constraint of a world, by its pointer and the number of its node. */

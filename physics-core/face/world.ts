@@ -1,7 +1,7 @@
 import type { LevelMeasurement, MeasureOptions, Watching } from '../world/measuring.js';
 import type { Problem } from '../base/problems.js';
 import type { Level, LevelName } from '../dynamics/levels.js';
-import type { Costs } from '../effects/costs/frame-costs.js';
+import type { Costs } from '../effects/costs/phases.js';
 import type { ColorMeaning } from '../effects/debug/colors.js';
 import type { EffectReport } from '../effects/effect/report.js';
 import type { Vec3 } from '../fields/types.js';

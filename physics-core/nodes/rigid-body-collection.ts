@@ -2,6 +2,7 @@ import { DRAG_MODES } from '../dynamics/body.js';
 import { AUTO, DEFAULT_LEVEL, levelNames } from '../dynamics/levels.js';
 import { CollectionNode } from './collection-node.js';
 import { defineNode } from './node/define.js';
+import { costs } from '../effects/costs/effects.js';
 import { threads } from './node/threads.js';
 
 const configure = (collection: CollectionNode): void => collection.configureWorld();
@@ -18,7 +19,10 @@ export const rigidBodyCollection = defineNode<CollectionNode>({
   rank: 0,
   bounded: true,
   make: (context) => new CollectionNode(context),
-  needs: (collection) => (collection.asked('thread') === 'main' ? [] : [threads]),
+  needs: (collection) => [
+    collection.asked('thread') === 'main' ? undefined : threads,
+    collection.asked('accuracy') === AUTO ? costs : undefined,
+  ],
   fields: {
     bodies: {
       type: 'MFNode',

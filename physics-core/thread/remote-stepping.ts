@@ -1,4 +1,4 @@
-import { frameCosts } from '../effects/costs/frame-costs.js';
+import { frameCosts } from '../effects/costs/effects.js';
 import { Stepping } from '../world/stepping/stepping.js';
 import type { World } from '../world/world.js';
 import type { Answer, Order, Stretch } from './messages.js';

@@ -1,5 +1,6 @@
 import { inSlices } from '../accuracy/slices.js';
-import { mix, type Pose, type Quaternion } from '../base/math.js';
+import type { Pose, Quaternion } from '../base/math.js';
+import { mix } from '../base/mix.js';
 import type { Level } from '../dynamics/levels.js';
 import { POSE, type Poses } from '../dynamics/poses.js';
 import type { Vec3 } from '../fields/types.js';

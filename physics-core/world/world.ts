@@ -4,8 +4,8 @@ import type { Problem, ProblemReport } from '../base/problems.js';
 import { AUTO, ladder, type Level, type LevelName } from '../dynamics/levels.js';
 import { Poses } from '../dynamics/poses.js';
 import { allEffects } from '../effects/all.js';
-import { frameCosts, type Costs } from '../effects/costs/frame-costs.js';
-import { userTiming } from '../effects/costs/user-timing.js';
+import { costs, frameCosts, userTiming } from '../effects/costs/effects.js';
+import type { Costs } from '../effects/costs/phases.js';
 import type { ColorMeaning } from '../effects/debug/colors.js';
 import { debugging, outlines } from '../effects/debug/debugging.js';
 import { Effects } from '../effects/effect/effects.js';
@@ -64,6 +64,7 @@ export class World implements TimedWorld {
   bound: Bound | undefined = undefined;
 
   readonly #reporting: Reporting;
+  #profile = false;
   #meeting: Meeting = alone;
   readonly store: NodeStore = new NodeStore(this);
   readonly poses = new Poses();
@@ -383,14 +384,23 @@ export class World implements TimedWorld {
   }
 
   recordCosts(who: unknown, reason = 'costs'): () => void {
-    return this.registry.get(frameCosts).record(who, reason);
+    let stop: (() => void) | undefined;
+    let over = false;
+    costs.whenHere(() => {
+      if (!over) stop = this.registry.get(frameCosts).record(who, reason);
+    });
+    return () => {
+      over = true;
+      stop?.();
+    };
   }
 
   get profile(): boolean {
-    return this.registry.active(userTiming);
+    return this.#profile;
   }
 
   set profile(on: boolean) {
-    this.registry.get(userTiming).turn(on, this);
+    this.#profile = on;
+    costs.whenHere(() => this.registry.get(userTiming).turn(this.#profile, this));
   }
 }

@@ -1,5 +1,6 @@
 import { allTypes } from '../../physics-core/all-types.js';
-import { createWorld, PhysicsNode, type Problem, type World } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
+import { PhysicsNode, type Problem, type World } from '../../physics-core/inside.js';
 import { systemCode } from '../../physics-core/particles.js';
 import { deformableCode } from '../../physics-core/deformables.js';
 import { ropeCode } from '../../physics-core/ropes.js';

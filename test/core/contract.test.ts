@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { createWorld } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
 import { close, distance, fact, watch, way } from './helpers.js';
 
 // The example of the core's contract, to the letter.

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 // What pages have no words for comes with it.
 import '../../physics-core/index.js';
-import { createWorld, type CreateOptions, type World } from '../../physics-core/inside.js';
+import { createWorld, type CreateOptions } from '../../physics-core/create.js';
+import { type World } from '../../physics-core/inside.js';
 import type { BodyNode } from '../../physics-core/nodes/body/body.js';
 import type { CollisionSensorNode } from '../../physics-core/nodes/collision/collision-sensor-node.js';
 import type { JointNode } from '../../physics-core/nodes/joints/joint.js';

@@ -1,4 +1,5 @@
-import { createWorld, World } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
+import { World } from '../../physics-core/inside.js';
 import { copyInto } from '../../physics-core/world/snapshot/copy.js';
 import { softPlaces } from './numbers.js';
 import type { Plan } from './plan.js';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 // Particles come with it.
 import '../../physics-core/index.js';
-import { loadEngine } from '../../physics-core/inside.js';
+import { loadEngine } from '../../physics-core/create.js';
 import { OwnedObjects } from './heap.js';
 import { editsPlan } from './edits-plan.js';
 import { playBack } from './back.js';

@@ -1,4 +1,4 @@
-import { createWorld } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
 import type { Plan } from './plan.js';
 import { Scene } from './scene.js';
 

@@ -1,4 +1,5 @@
-import { createWorld, type World } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
+import { type World } from '../../physics-core/inside.js';
 import type { OwnedObjects } from './heap.js';
 import type { Plan } from './plan.js';
 import { Scene } from './scene.js';

@@ -1,4 +1,4 @@
-import { createWorld } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
 import { hashOf } from '../../physics-core/timeline/hash.js';
 import { goAway } from '../core/thread/sides.js';
 import { softPlaces } from './numbers.js';

@@ -1,5 +1,5 @@
 import '../../physics-core/index.js';
-import { createWorld } from '../../physics-core/inside.js';
+import { createWorld } from '../../physics-core/create.js';
 
 /**
  * What particles come to after two seconds at `standard`, as a hash of all their places and of the poses of what they and their winds push: the

@@ -48,6 +48,11 @@ const FOR_PEOPLE = {
   '/elements/': ['doc', 'causes'],
   '/elements/x3d-': ['doc', 'attributes', 'parts'],
 };
+
+/** What tables say of most fields: `defineNode` puts it back (physics-core/fields/usual.ts). */
+const TABLES = '/physics-core/nodes/';
+const USUAL = { access: 'inputOutput', edit: 'live' };
+
 /** Leaves such out of every page. Blanks keep all else where the source map has it. */
 export function withoutDocs() {
   return {
@@ -65,7 +70,9 @@ export function withoutDocs() {
         if (type !== 'Property') return;
         if (key.name === reasons && value.type === 'ObjectExpression')
           for (const { value: why } of value.properties) blank(why.start, why.end, '0');
-        if (!leftOut.includes(key.name) || !isPlain(value)) return;
+        const isUsual = id.includes(TABLES) && value.value === USUAL[key.name];
+        const isText = leftOut.includes(key.name) && isPlain(value);
+        if (!isText && !(isUsual && value.value)) return;
         const [comma] = /^\s*,?/.exec(code.slice(end));
         blank(start, end + comma.length);
       });

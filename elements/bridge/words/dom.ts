@@ -88,11 +88,6 @@ export const isPhysics = (element: Element): boolean => typeOf(element) !== unde
 export const isCustom = (element: Element): boolean =>
   element.localName.startsWith('x3d-') && element.namespaceURI === 'http://www.w3.org/1999/xhtml';
 
-/** Whether it was written where the parser knows no self-closing tags; what is made from JSON was not. */
-export const isHTML = (element: Element): boolean =>
-  element.ownerDocument.contentType === 'text/html' &&
-  element.namespaceURI === 'http://www.w3.org/1999/xhtml';
-
 /**
  * The outermost of what an element stands in: the document of a page or an XML file. What x3dom makes of a JSON file has
  * the page's `ownerDocument` and stands in no document at all: there it is the X3D element.

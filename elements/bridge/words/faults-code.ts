@@ -2,7 +2,6 @@
 import { advice, meant, show, type ProblemReport } from '../../../physics-core/inside.js';
 import {
   attribute,
-  isHTML,
   isPhysics,
   kebab,
   knownTypes,
@@ -10,6 +9,7 @@ import {
   nameOf,
   type NodeType,
 } from './dom.js';
+import { isHTML } from './is-html.js';
 import { attributeOf } from './fields.js';
 import { STRUCTURE } from './attributes.js';
 import type { Faults, Labelled } from './faults.js';

@@ -5,9 +5,9 @@
 // fdlibm: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a Sun Microsystems, Inc.
 // business. Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is
 // preserved.
+//
+// Those that worlds without joints and particles have no use for, asin.ts and expm1.ts, are imported by themselves.
 export { atan2 } from './arcs.js';
-export { asin } from './asin.js';
-export { expm1 } from './expm1.js';
 export { exp, log } from './exponentials.js';
 export { hypot, lengthOf } from './hypot.js';
 export { cos, sin } from './sin-cos.js';

@@ -1,7 +1,7 @@
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold.js';
+import { setSolverDistanceAt, solverDistanceAt } from '../../engine/manifold-points.js';
 import { contactShapes } from '../manifolds/effects.js';
 import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';

@@ -2,7 +2,7 @@ import type { ContactPoint } from '../../engine/contact-point.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Collidable, CollidablePart } from '../../dynamics/collidable.js';
-import { distanceTo, within } from './part-box.js';
+import { distanceTo, within } from './part-distance.js';
 
 /**
  * The number among the solid parts of a body of the one that a contact point lies on; `side` 0 is the manifold's first

@@ -1,6 +1,7 @@
 import type { Ammo } from '../../engine/ammo.js';
 import { pairTestOf } from '../../engine/pair-test.js';
-import { pointAfter, solverDistanceAt } from '../../engine/manifold.js';
+import { pointAfter } from '../../engine/manifold.js';
+import { solverDistanceAt } from '../../engine/manifold-points.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 

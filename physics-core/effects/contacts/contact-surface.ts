@@ -16,7 +16,8 @@ import { isJointedPair, writeDepth } from './contact-depth.js';
 import { FAR, leaveOut, writeSurface, type Pair, type StepState } from './contact-rows.js';
 import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import { anyFast, forgetStale } from './stale-contacts.js';
-import { DemandCount, demandsOf, NO_DEMANDS, union, type SolverDemands } from './solver-demands.js';
+import { DemandCount, demandsOf, union } from './demand-count.js';
+import { NO_DEMANDS, type SolverDemands } from './solver-demands.js';
 
 /** Numbers of a linear velocity. */
 const VELOCITY = 3;

@@ -10,7 +10,7 @@ import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { contactSurface } from './effects.js';
 import type { ContactSurface } from './contact-surface.js';
-import { demandsOf, union } from './solver-demands.js';
+import { demandsOf, union } from './demand-count.js';
 import { keyOf } from './touches.js';
 
 /** Reports of one and the same point lie this near, metres. */

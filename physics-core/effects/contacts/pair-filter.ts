@@ -1,5 +1,5 @@
 import { ContactPoint } from '../../engine/contact-point.js';
-import { APART } from '../../engine/manifold.js';
+import { APART } from '../../engine/manifold-points.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { partAt, partsAt } from './contact-part.js';

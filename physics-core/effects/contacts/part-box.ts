@@ -1,5 +1,5 @@
 import { lengthOf } from '../../base/exact/index.js';
-import { add, conjugate, rotate, subtract, type Pose } from '../../base/math.js';
+import { add, rotate, subtract } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
 import type { CollidablePart } from '../../dynamics/collidable.js';
 import type { Vec3 } from '../../fields/types.js';
@@ -37,15 +37,4 @@ export function reachOf(body: Body): number {
     }
   }
   return most;
-}
-
-/** A point as it is seen from a pose. */
-export const within = ({ p, q }: Pose, point: Vec3): Vec3 =>
-  rotate(conjugate(q), subtract(point, p));
-
-/** From the box around a part to a point in the body's frame, metres. */
-export function distanceTo(part: CollidablePart, point: Vec3): number {
-  const { min, max } = boxOf(part);
-  const local = within(part.pose, point);
-  return lengthOf(local.map((value, i) => Math.max(min[i]! - value, 0, value - max[i]!)));
 }

@@ -1,5 +1,5 @@
 import { speedBetween } from '../../engine/body-heap.js';
-import { breakingAt, forgetPoints } from '../../engine/manifold.js';
+import { breakingAt, forgetPoints } from '../../engine/manifold-points.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 
 /** Share of the way that a contact point lives for, in a step. */

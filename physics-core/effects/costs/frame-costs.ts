@@ -1,24 +1,6 @@
-import { Chunk } from '../../base/chunk.js';
-import { Effect, type Cause, type EffectDescriptor } from '../effect/effect.js';
-import { Pace, type FramePace } from './pace.js';
-
-/** What a frame's milliseconds are split by: Bullet and effects, reading poses, writing them to the page, listeners. */
-export const PHASES = ['step', 'read', 'write', 'events'] as const;
-export type Phase = (typeof PHASES)[number];
-
-/** Milliseconds that so many of a hundred frames stayed below. */
-export interface Percentiles {
-  p50: number;
-  p90: number;
-  p99: number;
-}
-
-/** Of the frames of the last seconds that took a step. */
-export interface Costs extends Record<Phase | 'total', Percentiles> {
-  frames: number;
-  /** How frames follow each other, those without a step included; undefined before a second frame. */
-  pace: FramePace | undefined;
-}
+import { Effect, type Cause } from '../effect/effect.js';
+import { Pace } from './pace.js';
+import { PHASES, type Costs, type Percentiles, type Phase } from './phases.js';
 
 /** Frames that are looked back on: four seconds at 60 Hz, so that p99 stands on more than one of them. */
 const WINDOW = 240;
@@ -91,16 +73,3 @@ function percentiles(values: number[]): Percentiles {
   const rank = (share: number): number => sorted[Math.ceil(share * sorted.length) - 1]!;
   return { p50: rank(0.5), p90: rank(0.9), p99: rank(0.99) };
 }
-
-/** Who shows them in a page. */
-export const monitors = new Chunk({
-  name: 'monitor',
-  causes: 'an `<x3d-physics-monitor>` in sight',
-});
-
-export const frameCosts: EffectDescriptor<FrameCosts> = {
-  name: 'monitor',
-  chunk: monitors,
-  causes: 'somebody who looks at what frames cost',
-  load: () => new FrameCosts(),
-};

@@ -1,5 +1,5 @@
-import { Effect, type EffectDescriptor } from '../effect/effect.js';
-import type { Phase } from './frame-costs.js';
+import { Effect } from '../effect/effect.js';
+import type { Phase } from './phases.js';
 
 /** How browsers' Performance panels know what belongs on a track of its own. */
 const TRACK = { devtools: { dataType: 'track-entry', track: 'x3d-physics' } };
@@ -23,9 +23,3 @@ export class UserTiming extends Effect {
     performance.clearMeasures(name);
   }
 }
-
-export const userTiming: EffectDescriptor<UserTiming> = {
-  name: 'user timing',
-  causes: 'world.profile',
-  load: () => new UserTiming(),
-};

@@ -2,13 +2,13 @@ import { hypot } from '../../base/exact/index.js';
 import {
   conjugate,
   length,
-  mix,
   multiply,
   rotationOf,
   scale,
   subtract,
   type Pose,
 } from '../../base/math.js';
+import { mix } from '../../base/mix.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { Way } from '../joints/joint-ends.js';
 import { SmoothWay, type PlaceInTime, type StepWay } from './smooth-way.js';

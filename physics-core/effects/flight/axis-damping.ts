@@ -1,7 +1,7 @@
 import { exp } from '../../base/exact/index.js';
 import { compose, conjugate, rotate } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
-import { areEqualMoments } from '../../dynamics/inertia.js';
+import { areEqualMoments } from '../../dynamics/moments.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Vec3 } from '../../fields/types.js';
 import { Effect, type EffectDescriptor } from '../effect/effect.js';

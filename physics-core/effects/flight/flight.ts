@@ -2,7 +2,7 @@ import { log } from '../../base/exact/index.js';
 import type { Vec3 } from '../../fields/types.js';
 import { add, scale } from '../../base/math.js';
 import type { Body } from '../../dynamics/body.js';
-import { turnsAlike } from '../../dynamics/inertia.js';
+import { turnsAlike } from '../../dynamics/moments.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { carrying } from '../drag/effects.js';

@@ -1,7 +1,7 @@
 import { doublesOf, pack } from '../../base/packed.js';
 import { atan2, hypot } from '../../base/exact/index.js';
 import type { Body } from '../../dynamics/body.js';
-import { turnsAlike } from '../../dynamics/inertia.js';
+import { turnsAlike } from '../../dynamics/moments.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { Effect, type Cause, type EffectDescriptor, type Numbered } from '../effect/effect.js';

@@ -2,7 +2,8 @@ import type { Ammo } from '../../engine/ammo.js';
 import { addVelocity, writeInverseMass } from '../../engine/body-heap.js';
 import type { Body } from '../../dynamics/body.js';
 import type { JointRows } from '../joints/joint-rows.js';
-import { holds, otherEnd } from '../../dynamics/jointed.js';
+import { holds } from '../../dynamics/jointed.js';
+import { otherEnd } from '../../dynamics/other-end.js';
 
 /** Linear, then angular. */
 const WIDTH = 6;

@@ -18,7 +18,7 @@ import { jointSolve } from '../joints/effects.js';
 import type { JointRows } from '../joints/joint-rows.js';
 import { keyOf } from '../contacts/touches.js';
 import { apartBetween } from '../../engine/body-heap.js';
-import { breakingAt } from '../../engine/manifold.js';
+import { breakingAt } from '../../engine/manifold-points.js';
 import { anyFast, eachFastPair } from '../contacts/stale-contacts.js';
 
 type KeptLink = [id: number, carried: boolean, borne: boolean];

@@ -1,7 +1,8 @@
 import { multiply4, writeTurn } from '../../base/flat-math.js';
 import type { Body } from '../../dynamics/body.js';
 import { POSE } from '../../dynamics/poses.js';
-import { hangsOnMoving, isJointed } from '../../dynamics/jointed.js';
+import { holds, isJointed } from '../../dynamics/jointed.js';
+import { otherEnd } from '../../dynamics/other-end.js';
 import type { Engine } from '../../engine/engine.js';
 import { EffectiveMassMatrix } from './effective-mass-matrix.js';
 import type { JointRows } from '../joints/joint-rows.js';
@@ -201,4 +202,10 @@ export class StruckBody {
     this.change.fill(0);
     this.late.fill(0);
   }
+}
+
+/** Whether a joint holds a body to another one that moves. */
+function hangsOnMoving(body: Body): boolean {
+  for (const joint of body.joints) if (holds(joint) && otherEnd(joint, body)?.movable) return true;
+  return false;
 }

@@ -7,7 +7,7 @@ import type { Simulation } from '../../dynamics/simulation.js';
 import { VELOCITY } from '../../engine/moving-bodies.js';
 import type { Vec3 } from '../../fields/types.js';
 import { MET_AHEAD, MOST_PARTS } from '../../solver/tolerances.js';
-import { distanceTo, within } from '../contacts/part-box.js';
+import { distanceTo, within } from '../contacts/part-distance.js';
 import { FAR } from './effects.js';
 import { speedOfEnds } from './ends.js';
 import { areJoined, FastBodies } from './fast-bodies.js';

@@ -1,4 +1,5 @@
-import { asin, atan2 } from '../../base/exact/index.js';
+import { atan2 } from '../../base/exact/index.js';
+import { asin } from '../../base/exact/asin.js';
 import { cross3, dot3 } from '../../base/flat-math.js';
 
 /**

@@ -2,7 +2,7 @@ import { doublesOf, pack } from '../../base/packed.js';
 import type { Body } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
-import { APART, setSolverDistanceAt } from '../../engine/manifold.js';
+import { APART, setSolverDistanceAt } from '../../engine/manifold-points.js';
 import { Effect, type Cause, type Numbered } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
 import { stops } from './effects.js';

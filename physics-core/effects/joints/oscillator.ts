@@ -1,4 +1,5 @@
-import { cos, exp, expm1, sin } from '../../base/exact/index.js';
+import { cos, exp, sin } from '../../base/exact/index.js';
+import { expm1 } from '../../base/exact/expm1.js';
 
 /** Least ω² by δ² at which a load's share can still be told from rounding. */
 const LEAST_SPRING = 1e-6;

@@ -1,4 +1,4 @@
-import { expm1 } from '../../base/exact/index.js';
+import { expm1 } from '../../base/exact/expm1.js';
 import type { Joint, Spring } from '../../dynamics/joint.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import type { Effects } from '../effect/effects.js';

@@ -6,7 +6,7 @@ import { MATRIX } from '../../base/matrix.js';
 import { PointerNumbers } from '../../base/pointer-numbers.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { speedBetween, writeFrame } from '../../engine/body-heap.js';
-import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold.js';
+import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold-points.js';
 import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';

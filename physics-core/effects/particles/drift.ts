@@ -1,4 +1,5 @@
-import { exp, expm1 } from '../../base/exact/index.js';
+import { exp } from '../../base/exact/index.js';
+import { expm1 } from '../../base/exact/expm1.js';
 
 /** Below this the series is exact to the last digit, and the quotient no more: found by comparing both. */
 const SMALL = 0.1;

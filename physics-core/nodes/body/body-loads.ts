@@ -1,7 +1,7 @@
 import { exp } from '../../base/exact/index.js';
 import { add } from '../../base/math.js';
 import type { Load } from '../../dynamics/body.js';
-import { areEqualMoments } from '../../dynamics/inertia.js';
+import { areEqualMoments } from '../../dynamics/moments.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { BodyNode } from './body.js';
 

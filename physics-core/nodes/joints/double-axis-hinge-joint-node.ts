@@ -1,4 +1,4 @@
-import { asin } from '../../base/exact/index.js';
+import { asin } from '../../base/exact/asin.js';
 import { direction, notAlong } from '../../effects/joints/axes.js';
 import type { Motor, Stop } from '../../dynamics/joint.js';
 import { FRAME, softnessAtStep } from '../../dynamics/levels.js';

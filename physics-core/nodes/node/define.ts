@@ -1,7 +1,8 @@
 import { boundedFields, nodeFields } from './common-fields.js';
 import type { NodeContext } from './node-world.js';
 import type { PhysicsNode } from './node.js';
-import { byName, type NodeType } from './table.js';
+import { USUAL } from '../../fields/usual.js';
+import { byName, type Field, type NodeType } from './table.js';
 
 /** A node's table, and how a node of it is made. */
 export interface NodeDefinition<N extends PhysicsNode = PhysicsNode> extends NodeType<N> {
@@ -9,8 +10,10 @@ export interface NodeDefinition<N extends PhysicsNode = PhysicsNode> extends Nod
   make?(context: NodeContext): N;
 }
 
-/** Adds the fields that all nodes, or all bounded ones, have. */
+/** Whole tables, with the fields that all nodes, or all bounded ones, have. */
 export function defineNode<N extends PhysicsNode>(type: NodeDefinition<N>): NodeDefinition<N> {
   const common = { ...(type.bounded ? boundedFields : {}), ...nodeFields };
-  return { ...type, fields: byName({ ...type.fields, ...common }) };
+  const fields: [string, Field<N>][] = Object.entries({ ...type.fields, ...common });
+  const whole = fields.map(([name, field]) => [name, { ...USUAL, ...field }]);
+  return { ...type, fields: byName(Object.fromEntries(whole)) };
 }

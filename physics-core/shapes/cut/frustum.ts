@@ -1,4 +1,5 @@
-import { asin, cos, hypot, sin } from '../../base/exact/index.js';
+import { cos, hypot, sin } from '../../base/exact/index.js';
+import { asin } from '../../base/exact/asin.js';
 import { BELOW, PLANE, type Cuttable, type Flat } from './cut.js';
 import { NODES, WEIGHTS } from './gauss.js';
 

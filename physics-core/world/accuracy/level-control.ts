@@ -1,7 +1,7 @@
-import { AutoLevel, type Verdict } from './auto-level.js';
 import { DEFAULT_LEVEL, levelNamed, type Level, type LevelName } from '../../dynamics/levels.js';
 import { isJoint } from '../../nodes/joints/is-joint.js';
 import { jointSettings, levelOf, solverSettings } from './solver-settings.js';
+import { costs, type FollowingLevel, type Verdict } from '../../effects/costs/effects.js';
 import { contactSurface } from '../../effects/contacts/effects.js';
 import { contacts } from '../../effects/effect/chunks.js';
 import { NO_DEMANDS } from '../../effects/contacts/solver-demands.js';
@@ -26,7 +26,9 @@ export class LevelControl {
   readonly #world: NodeWorld;
   readonly #lengthen: Lengthen;
   readonly #own: Level | undefined;
-  readonly #auto = new AutoLevel();
+  /** Where it is left to itself. */
+  #left: Level = levelNamed(DEFAULT_LEVEL);
+  #auto: FollowingLevel | undefined;
   level: Level = levelNamed(DEFAULT_LEVEL);
   /** FALSE on the first collection freezes the world. */
   enabled = true;
@@ -47,7 +49,7 @@ export class LevelControl {
   configure(): void {
     const world = this.#world;
     this.enabled = world.settings.asked('enabled');
-    this.#setLevel(this.#own ?? levelOf(world.settings) ?? this.#auto.level);
+    this.#setLevel(this.#own ?? levelOf(world.settings) ?? this.#left);
     const speed = world.settings.asked<number>('maxCorrectionSpeed');
     this.#limit(speed < 0 ? Infinity : speed);
     this.configureSolver();
@@ -67,7 +69,7 @@ export class LevelControl {
     this.#lengthen(this.level.timeStep, level.timeStep);
     this.level = level;
     // Where it is left to itself it goes on from here.
-    if (!this.#verdict) this.#auto.begin(level);
+    if (!this.#verdict) this.#leave(level);
   }
 
   /** Seconds of one step of Bullet. */
@@ -116,13 +118,22 @@ export class LevelControl {
   /** Where the level is left to itself, it begins at this one; steps are split into so many parts, until one asks for others. */
   begin(name: LevelName = DEFAULT_LEVEL, parts = 1): void {
     this.parts = parts;
-    this.#auto.begin(levelNamed(name));
+    this.#leave(levelNamed(name));
+  }
+
+  #leave(level: Level): void {
+    this.#left = level;
+    this.#auto?.begin(level);
   }
 
   /** A frame that stood for `seconds` took `ms`. */
   noteFrame(ms: number, seconds: number): void {
     const { settings } = this.#world;
     if (levelOf(settings)) return;
+    if (!this.#auto) {
+      this.#auto = costs.code.autoLevel();
+      this.#auto.begin(this.#left);
+    }
     const verdict = this.#auto.note(ms, seconds, settings.asked('timeBudget'));
     if (verdict) this.obey(verdict);
   }
@@ -130,7 +141,8 @@ export class LevelControl {
   /** Goes to the level that frames ask for, here or where they are taken. */
   obey(verdict: Verdict): void {
     this.#verdict = verdict;
-    this.#auto.level = verdict.level;
+    this.#left = verdict.level;
+    if (this.#auto) this.#auto.level = verdict.level;
     this.#world.events.during(this.#carryOut);
   }
 

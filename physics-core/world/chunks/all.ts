@@ -1,4 +1,5 @@
 import type { Chunk } from '../../base/chunk.js';
+import { costs } from '../../effects/costs/effects.js';
 import { outlines } from '../../effects/debug/debugging.js';
 import { drags } from '../../effects/drag/effects.js';
 import { contacts, joints } from '../../effects/effect/chunks.js';
@@ -11,6 +12,7 @@ export const chunks: Chunk<unknown>[] = [
   joints.comesFrom(() => import('./joint-code.js')),
   contacts.comesFrom(() => import('./contact-code.js')),
   drags.comesFrom(() => import('../../effects/drag-code.js')),
+  costs.comesFrom(() => import('../../effects/cost-code.js')),
   meshes.comesFrom(() => import('../../shapes/mesh-code.js')),
   // The room that has it says where it is.
   threads,

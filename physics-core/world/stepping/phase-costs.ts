@@ -1,5 +1,5 @@
-import type { Phase } from '../../effects/costs/frame-costs.js';
-import { userTiming } from '../../effects/costs/user-timing.js';
+import type { Phase } from '../../effects/costs/phases.js';
+import { userTiming } from '../../effects/costs/effects.js';
 import type { Effects } from '../../effects/effect/effects.js';
 
 /** What the phases of a frame take, milliseconds. */

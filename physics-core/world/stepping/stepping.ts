@@ -1,7 +1,7 @@
 import { Clock } from '../../base/clock.js';
 import { show } from '../../base/show.js';
 import { FRAME } from '../../dynamics/levels.js';
-import { frameCosts } from '../../effects/costs/frame-costs.js';
+import { frameCosts } from '../../effects/costs/effects.js';
 import type { LevelControl } from '../accuracy/level-control.js';
 import type { Editing } from '../store/editing.js';
 import type { HeapLimit } from '../store/heap-limit.js';

@@ -1,13 +1,6 @@
-import {
-  asin,
-  atan2,
-  cos,
-  exp,
-  expm1,
-  hypot,
-  log,
-  sin,
-} from '../../../physics-core/base/exact/index.js';
+import { atan2, cos, exp, hypot, log, sin } from '../../../physics-core/base/exact/index.js';
+import { asin } from '../../../physics-core/base/exact/asin.js';
+import { expm1 } from '../../../physics-core/base/exact/expm1.js';
 
 const SIZES = [1e-9, 1e-4, 0.1, 1, 3, 10, 60, 700, 1e4];
 

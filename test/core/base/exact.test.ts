@@ -1,15 +1,15 @@
 import assert from 'node:assert/strict';
 import {
-  asin,
   atan2,
   cos,
   exp,
-  expm1,
   hypot,
   lengthOf,
   log,
   sin,
 } from '../../../physics-core/base/exact/index.js';
+import { asin } from '../../../physics-core/base/exact/asin.js';
+import { expm1 } from '../../../physics-core/base/exact/expm1.js';
 import { below, fact } from '../helpers.js';
 import { EXACT_BITS, exactBits } from './exact-bits.js';
 

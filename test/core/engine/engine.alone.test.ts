@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { loadEngine } from '../../../physics-core/inside.js';
+import { loadEngine } from '../../../physics-core/create.js';
 
 const AWAY = { wasmUrl: 'https://example.invalid/ammo.wasm' };
 

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import { loadEngine, World } from '../../../physics-core/inside.js';
+import { loadEngine } from '../../../physics-core/create.js';
+import { World } from '../../../physics-core/inside.js';
 import { Owner } from '../../../physics-core/engine/owner.js';
 import { SolverHook } from '../../../physics-core/engine/solver-hook.js';
 import {

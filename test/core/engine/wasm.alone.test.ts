@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { configure, createWorld, loadEngine } from '../../../physics-core/inside.js';
+import { createWorld, loadEngine } from '../../../physics-core/create.js';
+import { configure } from '../../../physics-core/inside.js';
 
 const WASM = 'node_modules/ammojs-typed/ammo/ammo.wasm.wasm';
 

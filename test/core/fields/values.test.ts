@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { createWorld } from '../../../physics-core/inside.js';
+import { createWorld } from '../../../physics-core/create.js';
 import {
   addBody,
   claim,

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import { debugging, debugLines, World, type Timeline } from '../../../physics-core/inside.js';
+import { debugLines } from '../../../physics-core/debug-lines.js';
+import { debugging, World, type Timeline } from '../../../physics-core/inside.js';
 import { COLOR } from '../../../physics-core/effects/debug/colors.js';
 import { POSE } from '../../../physics-core/dynamics/poses.js';
 import type { Recording } from '../../../physics-core/timeline/recording.js';

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { Emitter } from '../../../physics-core/base/emitter.js';
-import { loadEngine, World } from '../../../physics-core/inside.js';
+import { loadEngine } from '../../../physics-core/create.js';
+import { World } from '../../../physics-core/inside.js';
 import { landing, hear, record } from './event-scenes.js';
 import {
   addBody,

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { setTimeout as later } from 'node:timers/promises';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
-import { createWorld, loadEngine, World } from '../../../physics-core/inside.js';
+import { createWorld, loadEngine } from '../../../physics-core/create.js';
+import { World } from '../../../physics-core/inside.js';
 import {
   addBody,
   box,

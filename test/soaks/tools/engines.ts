@@ -3,7 +3,8 @@ import { readFileSync } from 'node:fs';
 import '../../../physics-core/index.js';
 import { fetchGlue, loadAmmo } from '../../../physics-core/engine/ammo.js';
 import { Engine } from '../../../physics-core/engine/engine.js';
-import { loadEngine, World } from '../../../physics-core/inside.js';
+import { loadEngine } from '../../../physics-core/create.js';
+import { World } from '../../../physics-core/inside.js';
 import { BodyNode } from '../../../physics-core/nodes/body/body.js';
 import { usedWasm } from '../../../tools/build/engine/used-wasm.js';
 

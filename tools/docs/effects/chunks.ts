@@ -7,6 +7,7 @@ import { ropeChunk } from '../../../physics-core/effects/soft/effects.js';
 import { waters, swimming, waveChunk } from '../../../physics-core/effects/water/effects.js';
 import {
   contacts,
+  costs,
   drags,
   joints,
   meshes,
@@ -27,6 +28,11 @@ const FILES: readonly [name: string, causes: string][] = [
   ['chunk-joint-code', joints.causes],
   ['chunk-mesh-code', meshes.causes],
   ['chunk-drag-code', drags.causes],
+  [
+    'chunk-arithmetic',
+    'joints, contacts, hands, particles, a Rope, a Cloth, a SoftBody, the timeline: what they reckon with alike',
+  ],
+  ['chunk-cost-code', costs.causes],
   ['chunk-particle-code', `${particles.causes}: what moves its particles`],
   [
     'chunk-particle-elements',

@@ -4,7 +4,7 @@ import '../../../physics-core/index.js';
 import { readFileSync } from 'node:fs';
 import { allEffects } from '../../../physics-core/effects/all.js';
 import type { Effect, EffectDescriptor } from '../../../physics-core/effects/effect/effect.js';
-import { createWorld } from '../../../physics-core/inside.js';
+import { createWorld } from '../../../physics-core/create.js';
 
 export const PAGE = 'docs/effects.md';
 

@@ -2,7 +2,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { build, type Plugin } from 'esbuild';
-import type * as Core from '../../../physics-core/inside.js';
+import type * as Core from '../../../physics-core/create.js';
 import { instrumented } from './instrument.js';
 import { BULLET, recorder } from './recorder.js';
 
@@ -30,7 +30,7 @@ export async function instrumentedCore(): Promise<typeof Core> {
   const outfile = join(folder, 'core.mjs');
   try {
     await build({
-      entryPoints: ['physics-core/inside.ts'],
+      entryPoints: ['physics-core/create.ts'],
       outfile,
       bundle: true,
       ignoreAnnotations: true,

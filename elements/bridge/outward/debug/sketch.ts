@@ -1,5 +1,5 @@
 import { debugging } from '../../../../physics-core/inside.js';
-import { debugLines, type DebugLines } from '../../../../physics-core/inside.js';
+import { debugLines, type DebugLines } from '../../../../physics-core/debug-lines.js';
 import type { PageWorld } from '../../nodes/surroundings.js';
 import type { Stage } from '../stage.js';
 import type { X3DDocument } from '../../x3dom/x3dom.js';

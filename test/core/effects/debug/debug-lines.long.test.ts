@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe } from 'node:test';
-import { debugLines, type DebugLines, type World } from '../../../../physics-core/inside.js';
+import { debugLines, type DebugLines } from '../../../../physics-core/debug-lines.js';
+import type { World } from '../../../../physics-core/inside.js';
 import { COLOR, type Color } from '../../../../physics-core/effects/debug/colors.js';
 import {
   above,

@@ -1,4 +1,4 @@
-import { debugLines } from '../../../../physics-core/inside.js';
+import { debugLines } from '../../../../physics-core/debug-lines.js';
 import { addBody, fact, world } from '../../helpers.js';
 import { leavesNoTrace } from '../../no-trace.js';
 

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import type { CreateOptions, World } from '../../../../physics-core/inside.js';
+import type { CreateOptions } from '../../../../physics-core/create.js';
+import type { World } from '../../../../physics-core/inside.js';
 import type { SoftNode } from '../../../../physics-core/nodes/soft/soft-node.js';
 import {
   above,

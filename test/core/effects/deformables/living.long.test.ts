@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import type { CreateOptions, Problem, World } from '../../../../physics-core/inside.js';
+import type { CreateOptions } from '../../../../physics-core/create.js';
+import type { Problem, World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createWorld, type World } from '../../../../physics-core/inside.js';
+import { createWorld } from '../../../../physics-core/create.js';
+import { type World } from '../../../../physics-core/inside.js';
 import type { PhysicsNode } from '../../../../physics-core/nodes/node/node.js';
 import { codes, random, type Vec3 } from '../../helpers.js';
 

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { CreateOptions } from '../../../../physics-core/inside.js';
+import type { CreateOptions } from '../../../../physics-core/create.js';
 import {
   addBody,
   box,

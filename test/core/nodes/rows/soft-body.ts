@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import type { CreateOptions } from '../../../../physics-core/inside.js';
+import type { CreateOptions } from '../../../../physics-core/create.js';
 import { addBody, box, close, sphere, world, type Node, type Vec3 } from '../../helpers.js';
 import type { Row } from './row.js';
 import { softDragRow } from './soft-dragging.js';

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { allTypes } from '../../../../physics-core/all-types.js';
-import { createWorld, type World } from '../../../../physics-core/inside.js';
+import { createWorld } from '../../../../physics-core/create.js';
+import { type World } from '../../../../physics-core/inside.js';
 import {
   addBody,
   close,

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import { bulletHas, debugLines } from '../../../../physics-core/inside.js';
+import { debugLines } from '../../../../physics-core/debug-lines.js';
+import { bulletHas } from '../../../../physics-core/inside.js';
 import {
   addBody,
   addJoint,

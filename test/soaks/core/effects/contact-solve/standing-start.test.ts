@@ -1,5 +1,6 @@
 import { PartMatrix } from '../../../../../physics-core/solver/methods/part-matrix.js';
-import type { CreateOptions, World } from '../../../../../physics-core/inside.js';
+import type { CreateOptions } from '../../../../../physics-core/create.js';
+import type { World } from '../../../../../physics-core/inside.js';
 import {
   addBody,
   addFloor,

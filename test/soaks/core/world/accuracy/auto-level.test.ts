@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { levels, type LevelName, type World } from '../../../../../physics-core/inside.js';
-import { AutoLevel } from '../../../../../physics-core/world/accuracy/auto-level.js';
+import { AutoLevel } from '../../../../../physics-core/effects/costs/auto-level.js';
 import { levelNamed } from '../../../../../physics-core/dynamics/levels.js';
 import {
   addBody,

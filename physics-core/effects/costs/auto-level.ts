@@ -1,4 +1,5 @@
 import { DEFAULT_LEVEL, levelNamed, levels, type Level } from '../../dynamics/levels.js';
+import type { FollowingLevel, Verdict } from './effects.js';
 
 /** Frames that a verdict is made of, and least seconds between two changes of level. */
 const FRAMES = 60;
@@ -14,15 +15,8 @@ const expectedGrowth = (from: Level, to: Level): number =>
 /** Bounds of what was seen of it: loads that come and go meanwhile are no growth. */
 const GROWTH = [1.2, 6] as const;
 
-export interface Verdict {
-  level: Level;
-  because: 'over budget' | 'room for more';
-  /** Milliseconds of a frame that nine in ten stay below. */
-  p90: number;
-}
-
 /** The finest level whose frames fit a budget: one level at a time, so a factor of two in the step. */
-export class AutoLevel {
+export class AutoLevel implements FollowingLevel {
   level: Level = levelNamed(DEFAULT_LEVEL);
   readonly #costs = new Float64Array(FRAMES);
   readonly #sorted = new Float64Array(FRAMES);
@@ -33,7 +27,6 @@ export class AutoLevel {
   /** The level before this one and its p90, until this one's is known. */
   #before: { index: number; p90: number } | undefined;
 
-  /** Begins anew at a level. */
   begin(level: Level): void {
     this.level = level;
     this.#before = undefined;
@@ -45,7 +38,6 @@ export class AutoLevel {
     this.#seconds = 0;
   }
 
-  /** A frame that stood for `seconds` took `ms`. A verdict where the level changes. */
   note(ms: number, seconds: number, budget: number): Verdict | undefined {
     this.#costs[this.#frames % FRAMES] = ms;
     this.#frames++;
