@@ -9,7 +9,6 @@ import { behind, shown } from './face/shown.js';
 import type { RigidBodyCollectionFields } from './face/fields.js';
 import type { World } from './face/world.js';
 import * as create from './create.js';
-import * as inside from './inside.js';
 
 export { configure, type EngineSource } from './engine/wasm.js';
 export type * from './face/events.js';

@@ -1,6 +1,6 @@
 import { guards } from '../base/guards.js';
 import type { Ammo } from './ammo.js';
-import { BODY, MANIFOLD, MANIFOLD_POINT as POINT, SHAPE, SHAPE_TYPE } from './offsets.js';
+import { MANIFOLD, MANIFOLD_POINT as POINT } from './offsets.js';
 
 // Bullet's contact points of two bodies near each other.
 

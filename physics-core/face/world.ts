@@ -193,10 +193,13 @@ export interface World {
   /** What the colours of the debug drawing mean; nothing while it is off. */
   readonly debugLegend: readonly ColorMeaning[];
 
-  /** Keeps what frames cost, for `costs`; `who` looks stands in `effects`. Returns how to stop. */
+  /**
+   * Keeps what frames cost, for `costs`; `who` looks stands in `effects`. Returns how to stop. A page fetches the code of
+   * that first.
+   */
   recordCosts(who: unknown, reason?: string): () => void;
 
-  /** Whether each phase stands on the browser's Performance panel (User Timing); false by default. */
+  /** Whether each phase stands on the browser's Performance panel (User Timing); false by default. A page fetches the code of that first. */
   profile: boolean;
 
   // ---- another thread -------------------------------------------------------------------------------------------

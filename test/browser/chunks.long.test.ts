@@ -71,11 +71,12 @@ const JOINTS = /joint-code/;
 const CONTACTS = /contact-code/;
 const MESHES = /mesh-code/;
 const DRAGS = /drag-code/;
+const COSTS = /cost-code/;
 const BATCHES = /batch-code/;
 const WATERS = /water-(code|elements)/;
 const ROPES = /rope-(code|elements)|draw-rope|own-shapes/;
 const DEFORMABLES = /deformable-(code|elements)|draw-deformable|own-shapes/;
-const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS];
+const CHUNKS = [JOINTS, CONTACTS, MESHES, DRAGS, COSTS];
 
 /** WebKitGTK and Safari. */
 const isWebKit = !/Chrome|Firefox/.test(navigator.userAgent);
@@ -100,8 +101,8 @@ describe('what a page fetches', () => {
     expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([]);
   });
 
-  // With everything but x3dom 313 kB by gzip and 258 by Brotli: the engine 168 and 130 (glue included), contacts 58 and 51, the
-  // core 56 and 49, the page 31 and 28.
+  // With everything but x3dom 312 kB by gzip and 257 by Brotli: the engine 168 and 130 (glue included), contacts and what they
+  // reckon with 60 and 53, the core 53 and 46, the page 31 and 28.
   it('of all files, for a box on a floor: bytes', async () => {
     const { page, world } = await show(FALLING + FLOOR);
     await until(() => world.time > 0);
@@ -136,6 +137,27 @@ describe('what a page fetches', () => {
     const begins = docs.map((text) => text.slice(0, 16));
     expect(begins.filter((text) => files.some((file) => file.includes(text)))).to.eql([]);
   });
+
+  for (const [who, ask, acts] of [
+    [
+      'who asks for them',
+      (world) => world.recordCosts('a fact'),
+      (world) => (world.costs?.frames ?? 0) > 0,
+    ],
+    ['profile', (world) => (world.profile = true), () => true],
+    [
+      'accuracy auto',
+      (world) => world.set('accuracy', 'auto'),
+      (world) => world.accuracy !== 'standard',
+    ],
+  ] as [string, (world: World) => unknown, (world: World) => boolean][])
+    it(`what looks at the costs of frames, with ${who}`, async () => {
+      const { page, world } = await show(FALLING);
+      await until(() => world.time > 0);
+      expect(has(page, COSTS)).to.equal(false);
+      ask(world);
+      await until(() => has(page, COSTS) && acts(world));
+    });
 
   it('the code of drags with a body that may be dragged', async () => {
     const { page, world } = await show(FALLING.replace('id="b"', 'id="b" draggable-body'));
