@@ -12,6 +12,8 @@ interface State {
   /** Of bodies; of particle systems, how many particles they have and where the oldest one is; and where points of ropes, cloth and soft bodies are. */
   poses: number[][];
   problems: string[];
+  /** Of the page and its worlds, for whoever asks why nothing moves. */
+  stands: string;
 }
 
 /**
@@ -60,7 +62,7 @@ async function waitUntilMoved(tab: Tab, scene: Scene, start: State): Promise<Sta
   for (;;) {
     const now = await state(tab, scene);
     if (wayOf(start, now) > MOVED) return now;
-    if (Date.now() > end) throw new Error('nothing moves');
+    if (Date.now() > end) throw new Error(`nothing moves: ${[now.stands, ...now.problems].join('; ')}`);
     await tab.waitForTimeout(100);
   }
 }
