@@ -40,6 +40,7 @@ const stateOf = (library: string, begins: boolean): string => `(async () => {
     ],
     problems: [...worlds].flatMap((world) =>
       world.problems.filter(({ code }) => code !== 'lag').map(({ code, message }) => code + ': ' + message)),
+    stands: [document.visibilityState, ...[...worlds].map(({ time, stats }) => 'at ' + time + ' s ' + JSON.stringify(stats))].join(', '),
   };
   if (${begins}) for (const world of worlds) world.reset();
   return found;
@@ -62,7 +63,8 @@ async function waitUntilMoved(tab: Tab, scene: Scene, start: State): Promise<Sta
   for (;;) {
     const now = await state(tab, scene);
     if (wayOf(start, now) > MOVED) return now;
-    if (Date.now() > end) throw new Error(`nothing moves: ${[now.stands, ...now.problems].join('; ')}`);
+    if (Date.now() > end)
+      throw new Error(`nothing moves: ${[now.stands, ...now.problems].join('; ')}`);
     await tab.waitForTimeout(100);
   }
 }
