@@ -32,9 +32,11 @@ const stateOf = (library: string, begins: boolean): string => `(async () => {
   const bodies = nodes.filter((node) => node.applyImpulse);
   const systems = nodes.filter(({ type }) => type.name === 'ParticleSystem');
   const soft = nodes.filter(({ type }) => ['Rope', 'Cloth', 'SoftBody'].includes(type.name));
+  // What hardly turns does so about one axis or its opposite.
+  const turnOf = ([x, y, z, angle]) => [x * angle, y * angle, z * angle];
   const found = {
     poses: [
-      ...bodies.map((node) => [...node.get('position'), ...node.get('orientation')]),
+      ...bodies.map((node) => [...node.get('position'), ...turnOf(node.get('orientation'))]),
       ...systems.map((node) => [node.get('count'), ...(node.get('positions')[0] ?? [])]),
       ...soft.map((node) => node.get('positions').flat()),
     ],
