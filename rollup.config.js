@@ -89,8 +89,7 @@ const OF_DEBUG = /\/physics-core\/(debug-lines|effects\/debug-code)\.ts$/;
 
 /**
  * What every page has comes in two files, however many elements it is written in: ours of the page, and the core, which
- * also runs without one, with the little that joints, hands, contacts and meshes have in common. What debug drawing and measurement have
- * in common with contacts stays in the file of these.
+ * also runs without one. What debug drawing and measurement have in common with contacts stays in the file of these.
  */
 const together = (id) => {
   if (OF_PARTICLES.test(id)) return 'particle-elements';

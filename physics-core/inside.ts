@@ -22,14 +22,7 @@ export { nodeTypes } from './nodes/index.js';
 export type { NodeDefinition as NodeType } from './nodes/node/define.js';
 export { defaultOf, type Field } from './nodes/node/table.js';
 export { advice, meant } from './nodes/node/advice.js';
-export {
-  cross,
-  normalize,
-  perpendicular,
-  quaternionOf,
-  quaternionOfAxes,
-  writeQuaternion,
-} from './base/math.js';
+export { cross, normalize, perpendicular, quaternionOf, quaternionOfAxes } from './base/math.js';
 export { show } from './base/show.js';
 export { codecs } from './fields/values.js';
 export { fromSI, SI, toSI, type Units } from './fields/units.js';

@@ -13,6 +13,7 @@ export class Chunk<Code = void> {
   readonly causes!: string;
   #fetch: (() => Promise<ChunkFile<Code>>) | undefined;
   #coming: Promise<void> | undefined;
+  /** Bytes of a file that is fetched for the same cause beside its own. */
   #beside = 0;
   #come: { code: Code; bytes: number } | undefined;
 
@@ -35,9 +36,9 @@ export class Chunk<Code = void> {
     return (this.#come?.bytes ?? 0) + this.#beside;
   }
 
-  /** So many more bytes were fetched for the same cause. */
+  /** A file of so many bytes is fetched for the same cause, too. */
   comesWith(bytes: number): void {
-    this.#beside += bytes;
+    this.#beside = bytes;
   }
 
   /** For those that are not made before it is here. */

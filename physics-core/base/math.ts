@@ -1,4 +1,4 @@
-import { atan2, cos, hypot, lengthOf, sin } from './exact/index.js';
+import { atan2, cos, hypot, sin } from './exact/index.js';
 import type { Rotation, Vec3 } from '../fields/types.js';
 
 /** Unit quaternion: x, y, z, w. */
@@ -84,17 +84,6 @@ export const compose = (a: Pose, b: Pose): Pose => ({
 export function invert(a: Pose): Pose {
   const q = conjugate(a.q);
   return { p: scale(rotate(q, a.p), -1), q };
-}
-
-/** The pose `f` of the way from `a` to `b`: a straight line, and the normalised line between the quaternions. */
-export function mix(a: Pose, b: Pose, f: number): Pose {
-  const sign = a.q.reduce((sum, value, i) => sum + value * b.q[i]!, 0) < 0 ? -1 : 1;
-  const q = a.q.map((value, i) => value + (sign * b.q[i]! - value) * f) as Quaternion;
-  const size = lengthOf(q);
-  return {
-    p: add(a.p, scale(subtract(b.p, a.p), f)),
-    q: q.map((value) => value / size) as Quaternion,
-  };
 }
 
 /** Quaternion of the rotation matrix with these rows. */

@@ -101,7 +101,7 @@ describe('what a page fetches', () => {
     expect(CHUNKS.filter((chunk) => has(page, chunk))).to.eql([]);
   });
 
-  // With everything but x3dom 312 kB by gzip and 257 by Brotli: the engine 168 and 130 (glue included), contacts and what they
+  // With everything but x3dom 313 kB by gzip and 258 by Brotli: the engine 168 and 130 (glue included), contacts and what they
   // reckon with 60 and 53, the core 53 and 46, the page 31 and 28.
   it('of all files, for a box on a floor: bytes', async () => {
     const { page, world } = await show(FALLING + FLOOR);
@@ -349,6 +349,21 @@ describe('world.effects', () => {
       const weight = await zipped(fetched(page).filter((path) => file.test(path)));
       expect(bytes()).to.be.closeTo(weight, 0.02 * weight);
     });
+
+  it('counts the file of monitors once, however many there are', async () => {
+    const { page, world } = await show(FALLING);
+    const effect = () => world.effects.find(({ name }) => name === 'monitor')!;
+    const { body } = page.document;
+    body.insertAdjacentHTML('beforeend', MONITOR);
+    await until(() => effect().active);
+    const { bytes } = effect();
+    body.insertAdjacentHTML('beforeend', MONITOR);
+    const shown = [...body.querySelectorAll('x3d-physics-monitor')];
+    await until(() =>
+      shown.every(({ shadowRoot }) => shadowRoot && !/^Loading/.test(shadowRoot.textContent!)),
+    );
+    expect(effect().bytes).to.equal(bytes);
+  });
 });
 
 describe('a node that comes late, with the first of its code', () => {

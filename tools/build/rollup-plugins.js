@@ -49,9 +49,13 @@ const FOR_PEOPLE = {
   '/elements/x3d-': ['doc', 'attributes', 'parts'],
 };
 
-/** What tables say of most fields: `defineNode` puts it back (physics-core/fields/usual.ts). */
+/** What tables say of most fields: `defineNode` puts it back, from the same file. */
 const TABLES = '/physics-core/nodes/';
-const USUAL = { access: 'inputOutput', edit: 'live' };
+const USUAL = new Map(
+  [...readFileSync('physics-core/fields/usual.ts', 'utf8').matchAll(/(\w+): '(\w+)'/g)].map(
+    ([, name, value]) => [name, value],
+  ),
+);
 
 /** Leaves such out of every page. Blanks keep all else where the source map has it. */
 export function withoutDocs() {
@@ -70,9 +74,10 @@ export function withoutDocs() {
         if (type !== 'Property') return;
         if (key.name === reasons && value.type === 'ObjectExpression')
           for (const { value: why } of value.properties) blank(why.start, why.end, '0');
-        const isUsual = id.includes(TABLES) && value.value === USUAL[key.name];
+        const isUsual =
+          id.includes(TABLES) && USUAL.has(key.name) && value.value === USUAL.get(key.name);
         const isText = leftOut.includes(key.name) && isPlain(value);
-        if (!isText && !(isUsual && value.value)) return;
+        if (!isUsual && !isText) return;
         const [comma] = /^\s*,?/.exec(code.slice(end));
         blank(start, end + comma.length);
       });

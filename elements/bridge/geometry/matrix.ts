@@ -1,10 +1,4 @@
-import {
-  cross,
-  normalize,
-  perpendicular,
-  quaternionOfAxes,
-  writeQuaternion,
-} from '../../../physics-core/inside.js';
+import { cross, normalize, perpendicular, quaternionOfAxes } from '../../../physics-core/inside.js';
 
 export { quaternionOf } from '../../../physics-core/inside.js';
 
@@ -137,34 +131,35 @@ interface XYZW {
   w: number;
 }
 
-const turn = [0, 0, 0, 1];
+function setNormalised(out: XYZW, x: number, y: number, z: number, w: number): void {
+  const s = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+  out.x = x * s;
+  out.y = y * s;
+  out.z = z * s;
+  out.w = w * s;
+}
 
 /** `Math.hypot` takes twenty times as long. */
 const oneBy = (x: number, y: number, z: number): number => 1 / Math.sqrt(x * x + y * y + z * z);
 
-/** Quaternion of a matrix's rotation; a scale in it goes away. */
+/** Quaternion of a matrix's rotation, by the largest of its four components; a scale in it goes away. */
 export function quaternionInto(m: Affine, out: XYZW): void {
-  const x = oneBy(m[0], m[4], m[8]);
-  const y = oneBy(m[1], m[5], m[9]);
-  const z = oneBy(m[2], m[6], m[10]);
-  writeQuaternion(
-    turn,
-    0,
-    m[0] * x,
-    m[1] * y,
-    m[2] * z,
-    m[4] * x,
-    m[5] * y,
-    m[6] * z,
-    m[8] * x,
-    m[9] * y,
-    m[10] * z,
-  );
-  const size = Math.sqrt(turn[0] ** 2 + turn[1] ** 2 + turn[2] ** 2 + turn[3] ** 2);
-  out.x = turn[0] / size;
-  out.y = turn[1] / size;
-  out.z = turn[2] / size;
-  out.w = turn[3] / size;
+  const sx = oneBy(m[0], m[4], m[8]),
+    sy = oneBy(m[1], m[5], m[9]),
+    sz = oneBy(m[2], m[6], m[10]);
+  const a = m[0] * sx,
+    b = m[1] * sy,
+    c = m[2] * sz,
+    d = m[4] * sx,
+    e = m[5] * sy,
+    f = m[6] * sz;
+  const g = m[8] * sx,
+    h = m[9] * sy,
+    i = m[10] * sz;
+  if (a + e + i > 0) setNormalised(out, h - f, c - g, d - b, 1 + a + e + i);
+  else if (a > e && a > i) setNormalised(out, 1 + a - e - i, b + d, c + g, h - f);
+  else if (e > i) setNormalised(out, b + d, 1 - a + e - i, f + h, c - g);
+  else setNormalised(out, c + g, f + h, 1 - a - e + i, d - b);
 }
 
 export interface Decomposed extends Pose {
