@@ -1146,6 +1146,8 @@ export interface RopeFields {
   damping?: number;
   /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
   friction?: number;
+  /** TRUE: its links do not go through each other. It costs, so it is off. (SFBool) Default false. */
+  selfCollision?: boolean;
   /** Points that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
   fixedIndex?: Numbers;
   /** TRUE: people may drag it by mouse, touch, pen and keyboard, at any place of it, by a spring. Not authored: as its collection. (SFBool) Default false. */
@@ -1174,6 +1176,7 @@ export interface RopeValues {
   bendStiffness: number;
   damping: number;
   friction: number;
+  selfCollision: boolean;
   fixedIndex: number[];
   draggableBody: boolean;
   positions: Vec3[];

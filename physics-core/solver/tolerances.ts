@@ -272,6 +272,20 @@ export const GRIP_COMPLIANCE = 1e-6;
 /** Times that links are gone over one at a time where no search finds an end: a step is usable, and no more. */
 export const ROPE_SWEEPS = 40;
 
+/**
+ * Where a rope meets itself. Its places are gone over so many times, with its links and what it touches, or until none is off
+ * by more than so much, metres; then all is searched for anew, at most so often. A coil of five turns stands so, and a knot
+ * holds twice the weight of its rope; a search that ends nearer than COIL_MISS goes round and round in a coil.
+ */
+export const COIL_SWEEPS = 30;
+export const COIL_NEAR = 1e-5;
+export const COIL_MISS = 1e-4;
+export const COIL_TRIES = 6;
+export const ROPE_ROUNDS_AGAIN = 15;
+
+/** How fast what is within itself comes out, m/s: as much of its speed stays. */
+export const COIL_RETURN = 0.2;
+
 /** How fast a link comes back that an edit, or such a step, has left too long, m/s. */
 export const ROPE_RETURN = 1;
 

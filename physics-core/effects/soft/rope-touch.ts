@@ -4,6 +4,7 @@ import { ROPE_RETURN } from '../../solver/tolerances.js';
 import { FREE } from '../../solver/ropes/strand.js';
 import { SPOTS, type Spots } from '../../solver/ropes/spots.js';
 import { MET, METS, Obstacles } from '../particles/collide/obstacles.js';
+import { CoilSearch } from './coil-search.js';
 import { Flying } from './flying.js';
 import { OnLink, SPOT } from './on-link.js';
 import type { Rope } from './rope.js';
@@ -29,6 +30,7 @@ export class RopeTouch {
   readonly #bodies: TouchedBodies;
   readonly #onLink: OnLink;
   readonly #flying: Flying;
+  readonly #coils = new CoilSearch();
   #dt = 0;
   /** Of each point, how far away it looks for something, metres. */
   #reaches = new Float64Array(0);
@@ -94,6 +96,7 @@ export class RopeTouch {
       isNear = i + 2 < points && this.#isLinkNear(rope, i + 1);
     }
     this.#flying.look(rope, dt, this.#meetInFlight);
+    if (strand.coils) this.#coils.look(rope, strand.coils, this.#reaches, dt);
   }
 
   /** What flies into a link does so across it: along it that is as it is. */

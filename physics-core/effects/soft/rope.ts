@@ -1,5 +1,6 @@
 import { exp } from '../../base/exact/index.js';
 import { doublesOf, pack } from '../../base/packed.js';
+import { Coils } from '../../solver/ropes/coils.js';
 import { FREE, HELD, Strand } from '../../solver/ropes/strand.js';
 import type { Vec3 } from '../../fields/types.js';
 import type { SoftDrag, SoftGrip } from '../drag/soft-drag.js';
@@ -9,6 +10,8 @@ import type { Swimmer } from '../water/swimmer.js';
 import { LIBRARY } from '../rest/resting.js';
 import { Bending } from './bending.js';
 import type { RopeSettings, RopeSource } from './settings.js';
+
+const NOTHING = new Float64Array(0);
 
 /** One as another thread is told of it, by the number of its node. */
 export interface ToldRope {
@@ -24,6 +27,8 @@ export interface KeptRope {
   asleep: boolean;
   /** Places, velocities, pulls, and of what it touches and is tied to. */
   state: string;
+  /** What it meets of itself. */
+  coils?: string;
 }
 
 /** A rope as the world has it. */
@@ -74,6 +79,7 @@ export class Rope implements Matter, WetLine {
     const { points, mass, softness } = this.settings;
     this.strand = new Strand(Math.max(2, points.length / 3));
     this.strand.lay(points, mass);
+    this.#coil();
     this.strand.softness.fill(softness);
     this.touched = new Int32Array(this.strand.points).fill(-1);
     this.touchedBetween = new Int32Array(this.strand.between.count).fill(-1);
@@ -115,8 +121,17 @@ export class Rope implements Matter, WetLine {
     this.stale = false;
     this.wake();
     const { mass, softness } = this.settings;
+    this.#coil();
     if (mass !== before.mass) this.#weigh(mass / before.mass);
     this.strand.softness.fill(softness);
+  }
+
+  /** It meets itself, or no more. */
+  #coil(): void {
+    const { selfCollision, radius } = this.settings;
+    const { strand } = this;
+    if (!selfCollision || !(radius > 0)) strand.coils = undefined;
+    else strand.coils ??= new Coils(strand);
   }
 
   #weigh(share: number): void {
@@ -265,6 +280,7 @@ export class Rope implements Matter, WetLine {
     const { velocities, pulls, knots, between, found } = this.strand;
     const pushes = [knots.presses, knots.rubs, between.presses, between.rubs];
     for (const all of [velocities, pulls, found, ...pushes]) all.fill(0);
+    this.strand.coils?.clear();
     this.#last = 0;
   }
 
@@ -302,7 +318,9 @@ export class Rope implements Matter, WetLine {
   }
 
   save(): KeptRope {
+    const coils = this.strand.coils?.save();
     return {
+      ...(coils && { coils: pack(coils) }),
       last: this.#last,
       quiet: this.#quiet,
       asleep: this.asleep,
@@ -310,7 +328,7 @@ export class Rope implements Matter, WetLine {
     };
   }
 
-  load({ last, quiet, asleep, state }: KeptRope): void {
+  load({ last, quiet, asleep, state, coils }: KeptRope): void {
     const kept = doublesOf(state);
     let at = 0;
     for (const part of this.#lasting) {
@@ -320,6 +338,7 @@ export class Rope implements Matter, WetLine {
     }
     this.strand.knots.restore();
     this.strand.between.restore();
+    this.strand.coils?.load(coils ? doublesOf(coils) : NOTHING);
     this.#last = last;
     this.#quiet = quiet;
     this.asleep = asleep;

@@ -19,6 +19,8 @@ export interface RopeSettings {
   /** Share of its speed that it loses, 1/s. */
   readonly damping: number;
   readonly friction: number;
+  /** It touches itself. */
+  readonly selfCollision: boolean;
   /** Points that stay where they are. */
   readonly fixed: readonly number[];
   /** m/s². */

@@ -53,6 +53,7 @@ export class RopeNode extends SoftNode implements RopeSource {
       bending: this.asked('bendStiffness'),
       damping: this.asked('damping'),
       friction: this.asked('friction'),
+      selfCollision: this.asked('selfCollision'),
       fixed: this.asked('fixedIndex'),
       gravity: collection.asked('gravity'),
       rests:

@@ -85,6 +85,15 @@ export const rope = defineNode<RopeNode>({
     }),
     damping: number(0, { doc: 'Share of its speed that it loses, 1/s.' }),
     friction: number(0.5, { doc: 'Coulomb friction on what it touches.' }),
+    selfCollision: {
+      type: 'SFBool',
+      access: 'inputOutput',
+      default: false,
+      own: true,
+      edit: 'live',
+      patch: changed,
+      doc: 'TRUE: its links do not go through each other. It costs, so it is off.',
+    },
     fixedIndex: {
       type: 'MFInt32',
       access: 'inputOutput',

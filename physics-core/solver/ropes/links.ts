@@ -33,6 +33,8 @@ export class Links {
   /** Of unit length, where the step ends; and, in metres, which way it pulls. */
   readonly units: Float64Array;
   readonly pulling: Float64Array;
+  /** Of one that stretches, what it counts by how long it was before, metres. */
+  readonly past: Float64Array;
   /** Metres for each N s a metre. */
   readonly compliance: Float64Array;
   readonly #firm: Float64Array;
@@ -52,6 +54,7 @@ export class Links {
     this.excess = new Float64Array(links);
     this.units = new Float64Array(3 * links);
     this.pulling = new Float64Array(3 * links);
+    this.past = new Float64Array(links);
     this.limits = new Float64Array(links);
     this.compliance = new Float64Array(links);
     this.#firm = new Float64Array(links);
@@ -121,8 +124,10 @@ export class Links {
       else units[j + 1] = 1;
       let over = length - limits[i]!;
       // What stretches pulls by the same mean of its lengths as gives its direction.
-      if (this.#soft[i]! > 0)
-        over += ((1 - after - before) * this.#before[i]! + before * this.#longBefore[i]!) / after;
+      if (this.#soft[i]! > 0) {
+        const past = (1 - after - before) * this.#before[i]! + before * this.#longBefore[i]!;
+        over += this.past[i] = past / after;
+      }
       this.compliance[i] = this.#firm[i]! + this.#soft[i]! / after;
       const mass = (2 * masses[i]! * masses[i + 1]!) / (masses[i]! + masses[i + 1]!);
       const pull = pulls[i]! + (over * mass) / (2 * dt * lengths[i]!);

@@ -2,12 +2,16 @@ import { dot3, writeTurn } from '../../base/flat-math.js';
 import { SIDE } from '../joints/blocks.js';
 import { DenseLu } from '../matrix/dense-lu.js';
 import {
+  COIL_MISS,
+  COIL_TRIES,
   ROPE_GAIN,
   ROPE_FLUNG,
   ROPE_MISS,
   ROPE_ROUNDS,
+  ROPE_ROUNDS_AGAIN,
   ROPE_ROUNDS_NEAREST,
 } from '../tolerances.js';
+import { sweepCoils } from './coil-sweeps.js';
 import { Elimination } from './elimination.js';
 import type { JoinedBodies } from './joined-bodies.js';
 import { Links, EVEN, NEAREST, type Directions } from './links.js';
@@ -76,8 +80,9 @@ export class RopeSolve {
   #armsTurn = true;
   /** Whether the last step was found with even pulls. */
   even = false;
-  /** Rounds of the search so far. */
+  /** Rounds of the search so far, and how far the last one may move a point, metres. */
   #rounds = 0;
+  #miss = ROPE_MISS;
 
   take(strands: readonly Strand[], bodies: number, joined: readonly JoinedBodies[] = []): void {
     this.#parts.length = 0;
@@ -102,12 +107,37 @@ export class RopeSolve {
       part.knots.begin(dt);
       part.between.begin(dt);
     }
+    const meets = this.#parts.filter(({ strand }) => strand.coils?.count);
+    for (const { strand } of meets) strand.coils!.begin();
+    this.#miss = meets.some(({ strand }) => strand.coils!.press) ? COIL_MISS : ROPE_MISS;
     this.#keep();
-    // Arms that turn find ends that others do not; where they find none, a search without them may.
+    const found = this.#findOrSweep(dt);
+    return found && meets.length > 0 ? this.#meet(meets, dt) : found;
+  }
+
+  #findOrSweep(dt: number): boolean {
     this.#armsTurn = true;
     if (this.#find(dt)) return true;
+    // Arms that turn find ends that others do not; where they find none, a search without them may.
     this.#armsTurn = false;
-    return this.#find(dt) || this.#sweep(dt);
+    return (this.bodies.count > 0 && this.#find(dt)) || this.#sweep(dt);
+  }
+
+  /**
+   * What was found goes by what the last step knew of where ropes meet themselves. What is missing of that is found one place
+   * after the other, and what all else says to that by another search, until both agree.
+   */
+  #meet(meets: readonly Part[], dt: number): boolean {
+    for (let tries = 1; ; tries++) {
+      let most = 0;
+      for (const { strand, links } of meets)
+        most = Math.max(most, sweepCoils(links, strand.coils!, dt));
+      if (most < COIL_MISS || tries > COIL_TRIES) return this.#isFinite();
+      for (const { strand } of meets) strand.coils!.give();
+      if (this.#search(dt, this.even ? EVEN : NEAREST, ROPE_ROUNDS_AGAIN, 2)) continue;
+      this.#sweep(dt);
+      tries = COIL_TRIES;
+    }
   }
 
   /** By even pulls, else the nearest places. */
@@ -210,7 +240,7 @@ export class RopeSolve {
       this.#system.solve(this.#change);
       const step = this.#follow(dt);
       if (!(step < ROPE_FLUNG)) return false;
-      if (step < ROPE_MISS && !this.#pushes(dt)) return this.#end(dt);
+      if (step < this.#miss && !this.#pushes(dt)) return this.#end(dt);
     }
     return false;
   }

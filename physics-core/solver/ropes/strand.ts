@@ -1,4 +1,5 @@
 import { SHORTEST_LINK } from '../tolerances.js';
+import type { Coils } from './coils.js';
 import { Spots, SPOTS } from './spots.js';
 
 /** A point that nothing holds, or that goes where it is taken; else the number of the body that it is tied to. */
@@ -45,6 +46,8 @@ export class Strand {
   /** By its points, and by its links between them. */
   readonly knots: Spots;
   readonly between: Spots;
+  /** Where it meets itself; undefined: it does not. */
+  coils: Coils | undefined;
 
   constructor(points: number) {
     const links = points - 1;
