@@ -273,18 +273,25 @@ export const GRIP_COMPLIANCE = 1e-6;
 export const ROPE_SWEEPS = 40;
 
 /**
- * Where a rope meets itself. Its places are gone over so many times, with its links and what it touches, or until none is off
- * by more than so much, metres; then all is searched for anew, at most so often. A coil of five turns stands so, and a knot
- * holds twice the weight of its rope; a search that ends nearer than COIL_MISS goes round and round in a coil.
+ * Where a rope meets itself: its places are gone over so many times, with its links and what it touches, or until none is off by
+ * more than COIL_NEAR, m/s; then all is searched for anew, at most so often, until none is off by more than COIL_MISS. By less, a
+ * coil of five turns trembles and does not rest, and a knot lets go of twice what its rope weighs; searches that are to end nearer
+ * go round and round in a coil.
  */
-export const COIL_SWEEPS = 30;
-export const COIL_NEAR = 1e-5;
-export const COIL_MISS = 1e-4;
+export const COIL_SWEEPS = 60;
+export const COIL_NEAR = 3e-4;
+export const COIL_MISS = 3e-3;
 export const COIL_TRIES = 6;
 export const ROPE_ROUNDS_AGAIN = 15;
 
-/** How fast what is within itself comes out, m/s: as much of its speed stays. */
+/** How fast what is within itself comes out, m/s. */
 export const COIL_RETURN = 0.2;
+
+/**
+ * What is nearer to itself than this share of its thickness has no side any more, and goes through: pushed out either way, three
+ * turns that lie in one would writhe at 7 m/s.
+ */
+export const COIL_SIDE = 0.25;
 
 /** How fast a link comes back that an edit, or such a step, has left too long, m/s. */
 export const ROPE_RETURN = 1;

@@ -62,6 +62,7 @@ export const ropeEdits: Record<string, Edit> = {
   bendStiffness: edit(SHARES),
   damping: edit(SHARES),
   friction: edit([0.2, 0.8]),
+  selfCollision: edit(ON),
   fixedIndex: edit([[0], [1]]),
 };
 

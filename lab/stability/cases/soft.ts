@@ -98,4 +98,28 @@ const ballOnCloth: StabilityCase = {
   },
 };
 
-export const soft: readonly StabilityCase[] = [heavyEnd, clothOnBox, ballOnCloth];
+const coiled: StabilityCase = {
+  id: 'rope in a coil',
+  says: 'a rope lies in a coil of four turns on the ground, one on the other',
+  load: { of: 'points', ratio: 97 },
+  seconds: 5,
+  criterion: { what: 'lower than four turns are, of that', unit: '', most: 0.1 },
+  promisedFrom: 'game',
+  work: HANGS,
+  scene(w) {
+    addFloor(w);
+    const radius = 0.015;
+    const turn = 24;
+    const coil = Array.from({ length: 4 * turn + 1 }, (_, i) => {
+      const angle = (2 * Math.PI * i) / turn;
+      const height = radius + 0.001 + (2.1 * radius * i) / turn;
+      return [0.12 * Math.cos(angle), height, 0.12 * Math.sin(angle)];
+    });
+    const fields = { mass: 0.5, damping: 0.5, selfCollision: true };
+    const rope = w.add('Rope', { points: coil.flat(), radius, ...fields });
+    // Its end lies on four turns.
+    return greatest(() => Math.max(0, 1 - points(rope).at(-1)![1] / (9 * radius)));
+  },
+};
+
+export const soft: readonly StabilityCase[] = [heavyEnd, clothOnBox, ballOnCloth, coiled];

@@ -1,7 +1,7 @@
 import { dot3 } from '../../base/flat-math.js';
 import type { Coils } from '../../solver/ropes/coils.js';
 import type { Strand } from '../../solver/ropes/strand.js';
-import { COIL_RETURN } from '../../solver/tolerances.js';
+import { COIL_RETURN, COIL_SIDE } from '../../solver/tolerances.js';
 import type { Rope } from './rope.js';
 
 const a = new Float64Array(3);
@@ -11,7 +11,8 @@ const way = new Float64Array(3);
 
 /**
  * Finds where a rope may meet itself in a step that begins. Two links may do so in more than one place, as those that lie side
- * by side do at either end: so each point is looked at with each link, and links that cross with each other.
+ * by side do at either end: so each point is looked at with each link, and links that cross with each other. They stay as far
+ * apart as the rope is thick, or as they were laid.
  */
 export class CoilSearch {
   /** Of each link, the box that it may be in; and links in the order of where their boxes begin. */
@@ -27,6 +28,7 @@ export class CoilSearch {
   /** In this look. */
   #strand!: Strand;
   #coils!: Coils;
+  #laid: ArrayLike<number> = [];
   #radius = 0;
   /** A gap that is deeper when the step begins is taken for this one, metres. */
   #deepest = 0;
@@ -35,6 +37,7 @@ export class CoilSearch {
   look({ strand, settings }: Rope, coils: Coils, reaches: Float64Array, dt: number): void {
     this.#strand = strand;
     this.#coils = coils;
+    this.#laid = settings.points;
     this.#radius = settings.radius;
     this.#deepest = -COIL_RETURN * dt;
     this.#keep();
@@ -171,21 +174,17 @@ export class CoilSearch {
 
   /** If it is near. What is nearer along the rope than half round a circle as tight as itself is bent, and in no one's way. */
   #note(i: number, s: number, j: number, t: number): void {
-    const { places } = this.#strand;
     const first = this.#along[i]! + s * (this.#along[i + 1]! - this.#along[i]!);
     const second = this.#along[j]! + t * (this.#along[j + 1]! - this.#along[j]!);
     if (Math.abs(second - first) < Math.PI * this.#radius) return;
-    for (let k = 0; k < 3; k++) {
-      const p = places[3 * i + k]!;
-      const q = places[3 * j + k]!;
-      way[k] = p + s * (places[3 * i + 3 + k]! - p) - q - t * (places[3 * j + 3 + k]! - q);
-    }
-    const far = Math.sqrt(dot3(way, 0, way, 0));
-    if (!(far > 0) || !(far < this.#reaches[i]! + this.#reaches[j]!)) return;
+    const thick = Math.min(2 * this.#radius, awayFrom(this.#laid, i, s, j, t));
+    const far = awayFrom(this.#strand.places, i, s, j, t);
+    if (!(far > 0) || far < COIL_SIDE * thick) return;
+    if (!(far < this.#reaches[i]! + this.#reaches[j]!)) return;
     const c = this.#coils.add(i, j, s, t);
     const { normals, gaps } = this.#coils;
     for (let k = 0; k < 3; k++) normals[3 * c + k] = way[k]! / far;
-    gaps[c] = Math.max(far - 2 * this.#radius, this.#deepest);
+    gaps[c] = Math.max(far - thick, this.#deepest);
     this.#inherit(c, i, j);
   }
 
@@ -211,4 +210,14 @@ export class CoilSearch {
     if (at !== undefined) this.#before.delete(key);
     return at;
   }
+}
+
+/** How far a place on one link is from one on another, metres; the way from the second to `way`. */
+function awayFrom(places: ArrayLike<number>, i: number, s: number, j: number, t: number): number {
+  for (let k = 0; k < 3; k++) {
+    const p = places[3 * i + k]!;
+    const q = places[3 * j + k]!;
+    way[k] = p + s * (places[3 * i + 3 + k]! - p) - q - t * (places[3 * j + 3 + k]! - q);
+  }
+  return Math.sqrt(dot3(way, 0, way, 0));
 }

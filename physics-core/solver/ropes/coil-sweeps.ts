@@ -15,7 +15,7 @@ const slip = new Float64Array(3);
 export function sweepCoils(links: Links, coils: Coils, dt: number): number {
   const first = coils.sweep(dt, false);
   let off = first;
-  for (let sweep = 1; off > COIL_NEAR && sweep < COIL_SWEEPS; sweep++) {
+  for (let sweep = 1; off > COIL_NEAR * dt && sweep < COIL_SWEEPS; sweep++) {
     const back = sweep % 2 === 1;
     sweepLinks(links, dt, back);
     off = coils.sweep(dt, back);
@@ -44,23 +44,24 @@ function link({ strand, limits, past, compliance }: Links, i: number, dt: number
   const a = softness(strand, i);
   const b = softness(strand, i + 1);
   if (!(a + b > 0) || holders[i]! >= 0 || holders[i + 1]! >= 0) return;
-  let square = 0;
-  for (let k = 0; k < 3; k++) {
-    const j = 3 * i + k;
-    way[k] = ways[j]! + dt * (found[j + 3]! - found[j]!);
-    square += way[k]! ** 2;
-  }
-  const length = Math.sqrt(square);
+  const j = 3 * i;
+  const x = ways[j]! + dt * (found[j + 3]! - found[j]!);
+  const y = ways[j + 1]! + dt * (found[j + 4]! - found[j + 1]!);
+  const z = ways[j + 2]! + dt * (found[j + 5]! - found[j + 2]!);
+  const length = Math.sqrt(x * x + y * y + z * z);
   const before = pulls[i]!;
   const over = length - limits[i]! + past[i]! - compliance[i]! * before;
   const pull = Math.max(0, before + over / (length * dt * (a + b) + compliance[i]!));
   if (pull === 0 && before === 0) return;
   pulls[i] = pull;
-  for (let k = 0; k < 3; k++) {
-    const j = 3 * i + k;
-    found[j]! += (pull - before) * a * way[k]!;
-    found[j + 3]! -= (pull - before) * b * way[k]!;
-  }
+  const first = (pull - before) * a;
+  const second = (pull - before) * b;
+  found[j]! += first * x;
+  found[j + 1]! += first * y;
+  found[j + 2]! += first * z;
+  found[j + 3]! -= second * x;
+  found[j + 4]! -= second * y;
+  found[j + 5]! -= second * z;
 }
 
 function touch(strand: Strand, spots: Spots, c: number, dt: number): void {

@@ -16,6 +16,8 @@ const push = new Float64Array(3);
 export class Coils {
   readonly #strand: Strand;
   readonly #free: Float64Array;
+  /** Of each point that nothing holds, 1/kg. */
+  readonly #lightness: Float64Array;
   count = 0;
   friction = 0;
   /** Of each pair: its links, and the share of each that is before its place. */
@@ -33,6 +35,7 @@ export class Coils {
   constructor(strand: Strand) {
     this.#strand = strand;
     this.#free = new Float64Array(3 * strand.points);
+    this.#lightness = new Float64Array(strand.points);
   }
 
   /** Whether anything of it pressed on itself in the last step. */
@@ -69,6 +72,8 @@ export class Coils {
 
   /** A step begins with what was given in the last one. */
   begin(): void {
+    const { holders, masses, points } = this.#strand;
+    for (let i = 0; i < points; i++) this.#lightness[i] = holders[i]! < HELD ? 1 / masses[i]! : 0;
     for (let c = 0; c < this.count; c++) this.#gives[c] = this.#givesOf(c);
     this.#free.set(this.#strand.free);
     this.give();
@@ -94,13 +99,11 @@ export class Coils {
   }
 
   #givesOf(c: number): number {
-    const { masses, holders } = this.#strand;
     let gives = 0;
     for (let n = 0; n < 4; n++) {
       const i = this.links[2 * c + (n >> 1)]! + (n & 1);
       const s = this.shares[2 * c + (n >> 1)]!;
-      const share = n & 1 ? s : 1 - s;
-      if (holders[i]! < HELD) gives += (share * share) / masses[i]!;
+      gives += (n & 1 ? s : 1 - s) ** 2 * this.#lightness[i]!;
     }
     return gives;
   }
@@ -117,52 +120,61 @@ export class Coils {
   }
 
   #meet(c: number, dt: number): number {
-    const { normals, presses, rubs, friction, shares } = this;
+    const { normals, presses, shares, links } = this;
     const { found } = this.#strand;
     const gives = this.#gives[c]!;
     if (!(gives > 0)) return 0;
-    const i = 3 * this.links[2 * c]!;
-    const j = 3 * this.links[2 * c + 1]!;
+    const i = 3 * links[2 * c]!;
+    const j = 3 * links[2 * c + 1]!;
     const s = shares[2 * c]!;
     const t = shares[2 * c + 1]!;
-    for (let k = 0; k < 3; k++)
-      slip[k] =
-        found[i + k]! +
-        s * (found[i + 3 + k]! - found[i + k]!) -
-        found[j + k]! -
-        t * (found[j + 3 + k]! - found[j + k]!);
+    const [a, b] = [1 - s, 1 - t];
+    const x = a * found[i]! + s * found[i + 3]! - b * found[j]! - t * found[j + 3]!;
+    const y = a * found[i + 1]! + s * found[i + 4]! - b * found[j + 1]! - t * found[j + 4]!;
+    const z = a * found[i + 2]! + s * found[i + 5]! - b * found[j + 2]! - t * found[j + 5]!;
     const n = 3 * c;
-    const away = dot3(normals, n, slip, 0);
+    const away = x * normals[n]! + y * normals[n + 1]! + z * normals[n + 2]!;
     const before = presses[c]!;
     const press = Math.max(0, before - (away + this.gaps[c]! / dt) / gives);
     if (press === 0 && before === 0) return 0;
     presses[c] = press;
-    const most = friction * press;
-    let square = 0;
-    for (let k = 0; k < 3; k++) {
-      push[k] = rubs[n + k]! - (slip[k]! - away * normals[n + k]!) / gives;
-      square += push[k]! ** 2;
-    }
-    const within = square > most * most ? most / Math.sqrt(square) : 1;
-    let change = 0;
-    for (let k = 0; k < 3; k++) {
-      const rub = within * push[k]!;
-      push[k] = (press - before) * normals[n + k]! + rub - rubs[n + k]!;
-      rubs[n + k] = rub;
-      change += push[k]! ** 2;
-    }
-    this.#push(i, 1 - s);
+    slip[0] = x - away * normals[n]!;
+    slip[1] = y - away * normals[n + 1]!;
+    slip[2] = z - away * normals[n + 2]!;
+    const change = this.#rub(c, press - before, gives);
+    this.#push(i, a);
     this.#push(i + 3, s);
-    this.#push(j, t - 1);
+    this.#push(j, -b);
     this.#push(j + 3, -t);
-    return Math.sqrt(change) * gives * dt;
+    return change * gives * dt;
+  }
+
+  /** What it gives more than before, to `push`, once it is pressed by so much more and slips: returns how much that is, N s. */
+  #rub(c: number, pressed: number, gives: number): number {
+    const { normals, rubs } = this;
+    const n = 3 * c;
+    const most = this.friction * this.presses[c]!;
+    const x = rubs[n]! - slip[0]! / gives;
+    const y = rubs[n + 1]! - slip[1]! / gives;
+    const z = rubs[n + 2]! - slip[2]! / gives;
+    const square = x * x + y * y + z * z;
+    const within = square > most * most ? most / Math.sqrt(square) : 1;
+    push[0] = pressed * normals[n]! + within * x - rubs[n]!;
+    push[1] = pressed * normals[n + 1]! + within * y - rubs[n + 1]!;
+    push[2] = pressed * normals[n + 2]! + within * z - rubs[n + 2]!;
+    rubs[n] = within * x;
+    rubs[n + 1] = within * y;
+    rubs[n + 2] = within * z;
+    return Math.sqrt(push[0]! ** 2 + push[1]! ** 2 + push[2]! ** 2);
   }
 
   #push(at: number, share: number): void {
-    const { found, masses, holders } = this.#strand;
-    if (share === 0 || holders[at / 3]! >= HELD) return;
-    const by = share / masses[at / 3]!;
-    for (let k = 0; k < 3; k++) found[at + k]! += by * push[k]!;
+    if (share === 0) return;
+    const { found } = this.#strand;
+    const by = share * this.#lightness[at / 3]!;
+    found[at]! += by * push[0]!;
+    found[at + 1]! += by * push[1]!;
+    found[at + 2]! += by * push[2]!;
   }
 
   // ---- going back -----------------------------------------------------------------------------------------------------

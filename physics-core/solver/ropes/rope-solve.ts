@@ -109,7 +109,7 @@ export class RopeSolve {
     }
     const meets = this.#parts.filter(({ strand }) => strand.coils?.count);
     for (const { strand } of meets) strand.coils!.begin();
-    this.#miss = meets.some(({ strand }) => strand.coils!.press) ? COIL_MISS : ROPE_MISS;
+    this.#miss = meets.some(({ strand }) => strand.coils!.press) ? COIL_MISS * dt : ROPE_MISS;
     this.#keep();
     const found = this.#findOrSweep(dt);
     return found && meets.length > 0 ? this.#meet(meets, dt) : found;
@@ -132,7 +132,7 @@ export class RopeSolve {
       let most = 0;
       for (const { strand, links } of meets)
         most = Math.max(most, sweepCoils(links, strand.coils!, dt));
-      if (most < COIL_MISS || tries > COIL_TRIES) return this.#isFinite();
+      if (most < COIL_MISS * dt || tries > COIL_TRIES) return this.#isFinite();
       for (const { strand } of meets) strand.coils!.give();
       if (this.#search(dt, this.even ? EVEN : NEAREST, ROPE_ROUNDS_AGAIN, 2)) continue;
       this.#sweep(dt);

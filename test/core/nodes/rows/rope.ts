@@ -163,6 +163,27 @@ const rows: Row[] = [
       close(point(rope, 4)[0], 2, 0.05, 'm');
     },
   ),
+  {
+    field: 'selfCollision',
+    fact: 'what hangs over another part of it does not go through',
+    run: async () => {
+      const w = await world();
+      // A bar along x, held at both ends of each link; from its end on it comes back above it, along z.
+      const rope = addRope(w, {
+        points: [[-1, 0, 0], [1, 0, 0], [1, 0.5, 1], [0, 0.1, 1], [0, 0.1, -0.5]],
+        segments: 0,
+        radius: 0.04,
+        fixedIndex: [0, 1, 3],
+      });
+      w.step(2);
+      rope.set('selfCollision', true);
+      w.advance(1);
+      const [, y, z] = point(rope, 4);
+      close(Math.hypot(y - 0.1, z - 1), 1.5, 1e-3, 'm');
+      // Straight over the bar, or hanging down beside it: below the bar it would be at half of its length.
+      assert.ok(y > -0.6, `${y} m`);
+    },
+  },
   edited('fixedIndex', 'holds these points where they are', {}, [4], 0.5, (rope, before) => {
     same(point(rope, 4), before[4]!);
     assert.ok(Math.hypot(...point(rope, 0).map((x, k) => x - before[0]![k]!)) > 0.1);
