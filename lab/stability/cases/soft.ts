@@ -98,12 +98,21 @@ const ballOnCloth: StabilityCase = {
   },
 };
 
+/** How near points of it come to each other that are so many links apart and more, metres. */
+function nearest(at: readonly Vec3[], apart: number): number {
+  let least = Infinity;
+  for (let i = 0; i < at.length; i++)
+    for (let j = i + apart; j < at.length; j++)
+      least = Math.min(least, Math.hypot(...at[i]!.map((x, k) => x - at[j]![k]!)));
+  return least;
+}
+
 const coiled: StabilityCase = {
   id: 'rope in a coil',
-  says: 'a rope lies in a coil of four turns on the ground, one on the other',
+  says: 'a rope falls on the ground in a coil of four turns, and lies on itself',
   load: { of: 'points', ratio: 97 },
-  seconds: 5,
-  criterion: { what: 'lower than four turns are, of that', unit: '', most: 0.1 },
+  seconds: 3,
+  criterion: { what: 'how much nearer to itself it is than thick', unit: '', most: 0.15 },
   promisedFrom: 'game',
   work: HANGS,
   scene(w) {
@@ -112,13 +121,12 @@ const coiled: StabilityCase = {
     const turn = 24;
     const coil = Array.from({ length: 4 * turn + 1 }, (_, i) => {
       const angle = (2 * Math.PI * i) / turn;
-      const height = radius + 0.001 + (2.1 * radius * i) / turn;
+      const height = radius + 0.05 + (2.1 * radius * i) / turn;
       return [0.12 * Math.cos(angle), height, 0.12 * Math.sin(angle)];
     });
     const fields = { mass: 0.5, damping: 0.5, selfCollision: true };
     const rope = w.add('Rope', { points: coil.flat(), radius, ...fields });
-    // Its end lies on four turns.
-    return greatest(() => Math.max(0, 1 - points(rope).at(-1)![1] / (9 * radius)));
+    return greatest(() => Math.max(0, 1 - nearest(points(rope), 4) / (2 * radius)));
   },
 };
 
