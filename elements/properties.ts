@@ -1146,6 +1146,9 @@ export interface RopeProperties {
   /** Coulomb friction on what it touches. Range [0, Infinity]. (SFFloat) Default 0.5. */
   get friction(): number;
   set friction(value: number | string | null | undefined);
+  /** TRUE: its links do not go through each other. It costs, so it is off. (SFBool) Default false. */
+  get selfCollision(): boolean;
+  set selfCollision(value: boolean | string | null | undefined);
   /** Points that stay where they are, counted from 0. Range [0, Infinity]. (MFInt32) */
   get fixedIndex(): number[];
   set fixedIndex(

@@ -1,4 +1,3 @@
-import { dot3 } from '../../base/flat-math.js';
 import { grown, grownInt } from '../../base/grown.js';
 import { HELD, type Strand } from './strand.js';
 
@@ -128,7 +127,8 @@ export class Coils {
     const j = 3 * links[2 * c + 1]!;
     const s = shares[2 * c]!;
     const t = shares[2 * c + 1]!;
-    const [a, b] = [1 - s, 1 - t];
+    const a = 1 - s;
+    const b = 1 - t;
     const x = a * found[i]! + s * found[i + 3]! - b * found[j]! - t * found[j + 3]!;
     const y = a * found[i + 1]! + s * found[i + 4]! - b * found[j + 1]! - t * found[j + 4]!;
     const z = a * found[i + 2]! + s * found[i + 5]! - b * found[j + 2]! - t * found[j + 5]!;

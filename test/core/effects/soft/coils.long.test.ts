@@ -96,10 +96,9 @@ fact('a coil of five turns comes to rest, and stays where it is', async () => {
   const rope = addRope(w, coil(5), COILED);
   w.advance(6);
   const before = places(rope);
-  
+
   w.advance(2);
   assert.deepEqual(places(rope), before);
-
 });
 
 /** Its first half is held, level; its second comes back and hangs over that, with its end as heavy as is said. */
@@ -126,18 +125,21 @@ for (const level of LEVELS.slice(0, 3))
     above(nearestIn(w, rope, 1.5), 0.75, 'of its thickness');
   });
 
-fact('a rope 2 m long that falls on the ground from its end never goes through itself', async () => {
-  const w = await world();
-  addFloor(w);
-  // Bends of a few millimetres, the same in every run.
-  const points = Array.from({ length: 61 }, (_, i): Vec3 => [
-    0.01 * Math.sin(1.7 * i),
-    0.1 + 0.03 * i,
-    0.01 * Math.cos(2.3 * i),
-  ]);
-  const rope = addRope(w, points, { ...COILED, damping: 1 });
-  above(nearestIn(w, rope, 1.2), 0.1, 'of its thickness');
-});
+fact(
+  'a rope 2 m long that falls on the ground from its end never goes through itself',
+  async () => {
+    const w = await world();
+    addFloor(w);
+    // Bends of a few millimetres, the same in every run.
+    const points = Array.from({ length: 61 }, (_, i): Vec3 => [
+      0.01 * Math.sin(1.7 * i),
+      0.1 + 0.03 * i,
+      0.01 * Math.cos(2.3 * i),
+    ]);
+    const rope = addRope(w, points, { ...COILED, damping: 1 });
+    above(nearestIn(w, rope, 1.2), 0.1, 'of its thickness');
+  },
+);
 
 // ---- what it keeps -----------------------------------------------------------------------------------------------------
 
@@ -152,12 +154,20 @@ function arms(w: World, fields: Record<string, unknown> = {}): Node {
 fact('what it gives itself does not change its momentum', async () => {
   const w = await world(WEIGHTLESS);
   const rope = arms(w, { mass: 1 });
-  const lengths = places(rope).slice(1).map((at, i) => distance(at, places(rope)[i]!));
+  const lengths = places(rope)
+    .slice(1)
+    .map((at, i) => distance(at, places(rope)[i]!));
   const whole = lengths.reduce((sum, each) => sum + each);
-  const masses = places(rope).map((_, i) => ((lengths[i - 1] ?? 0) + (lengths[i] ?? 0)) / 2 / whole);
+  const masses = places(rope).map(
+    (_, i) => ((lengths[i - 1] ?? 0) + (lengths[i] ?? 0)) / 2 / whole,
+  );
   // Its arms are flung at one another.
   const balls = [0, 20].map((index) => {
-    const ball = addBody(w, { mass: 0.2, position: places(rope)[index]!, geometry: [sphere(0.01)] });
+    const ball = addBody(w, {
+      mass: 0.2,
+      position: places(rope)[index]!,
+      geometry: [sphere(0.01)],
+    });
     tie(w, rope, index, { body: ball });
     return ball;
   });
@@ -169,7 +179,9 @@ fact('what it gives itself does not change its momentum', async () => {
     w.step();
     const now = places(rope);
     const sum: Vec3 = [0, 0, 0];
-    now.forEach((at, i) => at.forEach((x, k) => (sum[k]! += (masses[i]! * (x - before[i]![k]!)) / w.timeStep)));
+    now.forEach((at, i) =>
+      at.forEach((x, k) => (sum[k]! += (masses[i]! * (x - before[i]![k]!)) / w.timeStep)),
+    );
     for (const ball of balls) velocity(ball).forEach((v, k) => (sum[k]! += 0.2 * v));
     for (const each of sum) close(each, 0, 1e-5, 'N s');
     before = now;
@@ -183,7 +195,11 @@ fact('put back to before, it goes on to the same bits', async () => {
   const w = await world();
   addFloor(w);
   const rope = addRope(w, coil(2), COILED);
-  const hung = addRope(w, over().map(([x, y, z]): Vec3 => [x + 2, y + 1, z]), OVER);
+  const hung = addRope(
+    w,
+    over().map(([x, y, z]): Vec3 => [x + 2, y + 1, z]),
+    OVER,
+  );
   for (const before of [0.05, 0.2, 0.5]) {
     w.advance(before);
     const snapshot = w.snapshot();
@@ -213,9 +229,26 @@ fact('told to meet itself where it lies within itself, it does not writhe', asyn
 });
 
 const ODD: Record<string, Vec3[]> = {
-  'goes to and fro in one place': [[0, 0, 0], [1, 0, 0], [0, 0, 0], [1, 0, 0], [0, 0, 0]],
-  'has all points in one place': [[1, 1, 1], [1, 1, 1], [1, 1, 1], [1, 1, 1]],
-  'crosses itself': [[-1, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1], [0, 0, -1]],
+  'goes to and fro in one place': [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 0, 0],
+  ],
+  'has all points in one place': [
+    [1, 1, 1],
+    [1, 1, 1],
+    [1, 1, 1],
+    [1, 1, 1],
+  ],
+  'crosses itself': [
+    [-1, 0, 0],
+    [1, 0, 0],
+    [1, 0, 1],
+    [0, 0, 1],
+    [0, 0, -1],
+  ],
 };
 
 for (const [name, points] of Object.entries(ODD))

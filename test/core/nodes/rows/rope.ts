@@ -170,7 +170,13 @@ const rows: Row[] = [
       const w = await world();
       // A bar along x, held at both ends of each link; from its end on it comes back above it, along z.
       const rope = addRope(w, {
-        points: [[-1, 0, 0], [1, 0, 0], [1, 0.5, 1], [0, 0.1, 1], [0, 0.1, -0.5]],
+        points: [
+          [-1, 0, 0],
+          [1, 0, 0],
+          [1, 0.5, 1],
+          [0, 0.1, 1],
+          [0, 0.1, -0.5],
+        ],
         segments: 0,
         radius: 0.04,
         fixedIndex: [0, 1, 3],
