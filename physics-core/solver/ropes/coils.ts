@@ -1,5 +1,8 @@
 import { grown, grownInt } from '../../base/grown.js';
+import { SIDE } from '../joints/blocks.js';
 import { HELD, type Strand } from './strand.js';
+
+const BLOCK = SIDE * SIDE;
 
 /** Numbers of each pair in what is kept. */
 const KEPT = 9;
@@ -69,10 +72,15 @@ export class Coils {
     this.#gives = grown(this.#gives, room);
   }
 
-  /** A step begins with what was given in the last one. */
-  begin(): void {
+  /** A step begins with what was given in the last one. `inertias`: of the bodies that its points are tied to. */
+  begin(inertias: Float64Array): void {
     const { holders, masses, points } = this.#strand;
-    for (let i = 0; i < points; i++) this.#lightness[i] = holders[i]! < HELD ? 1 / masses[i]! : 0;
+    for (let i = 0; i < points; i++) {
+      const holder = holders[i]!;
+      // What a tied point gives way by is up to the search; here its body counts by its mass alone.
+      const mass = masses[i]! + (holder >= 0 ? inertias[BLOCK * holder]! : 0);
+      this.#lightness[i] = holder === HELD ? 0 : 1 / mass;
+    }
     for (let c = 0; c < this.count; c++) this.#gives[c] = this.#givesOf(c);
     this.#free.set(this.#strand.free);
     this.give();
@@ -95,6 +103,11 @@ export class Coils {
         for (let k = 0; k < 3; k++) free[3 * i + k]! += by * push[k]!;
       }
     }
+  }
+
+  /** What would be done without is known again: the step may be found anew. */
+  end(): void {
+    this.#strand.free.set(this.#free);
   }
 
   #givesOf(c: number): number {

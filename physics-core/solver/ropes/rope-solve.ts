@@ -108,7 +108,7 @@ export class RopeSolve {
       part.between.begin(dt);
     }
     const meets = this.#parts.filter(({ strand }) => strand.coils?.count);
-    for (const { strand } of meets) strand.coils!.begin();
+    for (const { strand } of meets) strand.coils!.begin(this.bodies.inertias);
     this.#miss = meets.some(({ strand }) => strand.coils!.press) ? COIL_MISS * dt : ROPE_MISS;
     this.#keep();
     const found = this.#findOrSweep(dt);
@@ -125,19 +125,25 @@ export class RopeSolve {
 
   /**
    * What was found goes by what the last step knew of where ropes meet themselves. What is missing of that is found one place
-   * after the other, and what all else says to that by another search, until both agree.
+   * after the other, and what all else says to that by another search, until both agree. What bodies say has the last word: they
+   * have no part in what is found place by place.
    */
   #meet(meets: readonly Part[], dt: number): boolean {
-    for (let tries = 1; ; tries++) {
+    for (let tries = 0; tries <= COIL_TRIES; tries++) {
       let most = 0;
       for (const { strand, links } of meets)
         most = Math.max(most, sweepCoils(links, strand.coils!, dt));
-      if (most < COIL_MISS * dt || tries > COIL_TRIES) return this.#isFinite();
+      const last = most < COIL_MISS * dt || tries === COIL_TRIES;
+      if (last && this.bodies.count === 0) break;
       for (const { strand } of meets) strand.coils!.give();
-      if (this.#search(dt, this.even ? EVEN : NEAREST, ROPE_ROUNDS_AGAIN, 2)) continue;
-      this.#sweep(dt);
-      tries = COIL_TRIES;
+      if (!this.#search(dt, this.even ? EVEN : NEAREST, ROPE_ROUNDS_AGAIN, 2)) {
+        this.#sweep(dt);
+        tries = Math.max(tries, COIL_TRIES - 1);
+      }
+      if (last) break;
     }
+    for (const { strand } of meets) strand.coils!.end();
+    return this.#isFinite();
   }
 
   /** By even pulls, else the nearest places. */
@@ -152,7 +158,9 @@ export class RopeSolve {
 
   /** Finds them anew, where joints have said that bodies go otherwise than they had: from what was found, it is near. */
   solveAgain(dt: number): boolean {
-    if (this.even && this.#search(dt, EVEN, ROPE_ROUNDS, 2) && !this.#gains()) return true;
+    const meets = this.#parts.some(({ strand }) => strand.coils?.count);
+    if (this.even && !meets && this.#search(dt, EVEN, ROPE_ROUNDS, 2) && !this.#gains())
+      return true;
     return this.solve(dt);
   }
 
@@ -195,7 +203,7 @@ export class RopeSolve {
   /** What never runs away. */
   #sweep(dt: number): boolean {
     this.#goBack();
-    this.#sweeps.begin();
+    this.#sweeps.begin(this.#links);
     this.#sweeps.solve(this.#links, dt);
     for (const { strand } of this.#parts) strand.armsAfter.set(strand.arms);
     this.resistance.fill(0);

@@ -10,6 +10,7 @@ const BLOCK = SIDE * SIDE;
 const way = new Float64Array(3);
 const slip = new Float64Array(3);
 const given = new Float64Array(SIDE);
+const momentum = new Float64Array(SIDE);
 
 /**
  * Links and touches one at a time, to and fro: each impulse only takes energy, so this never runs away, and what it leaves
@@ -25,7 +26,7 @@ export class RopeSweeps {
   }
 
   /** From velocities without pulls on. */
-  begin(): void {
+  begin(strands: readonly Links[]): void {
     const { count, inertias, momenta, velocities, joined } = this.#bodies;
     if (this.#inverses.length < BLOCK * count) this.#inverses = new Float64Array(BLOCK * count);
     for (const each of joined) if (each.active) each.begin(velocities);
@@ -35,13 +36,34 @@ export class RopeSweeps {
       if (own) continue;
       this.#block.resize(SIDE);
       for (let n = 0; n < BLOCK; n++) this.#block.matrix[n] = inertias[BLOCK * b + n]!;
+      momentum.set(momenta.subarray(SIDE * b, SIDE * (b + 1)));
+      for (const { strand } of strands) this.#tie(strand, b);
       this.#block.factor();
       this.#block.inverseBlock(0, SIDE, this.#inverses.subarray(BLOCK * b, BLOCK * (b + 1)));
       for (let r = 0; r < SIDE; r++) {
         let v = 0;
         for (let c = 0; c < SIDE; c++)
-          v += this.#inverses[BLOCK * b + SIDE * r + c]! * momenta[SIDE * b + c]!;
+          v += this.#inverses[BLOCK * b + SIDE * r + c]! * momentum[c]!;
         velocities[SIDE * b + r] = v;
+      }
+    }
+  }
+
+  /** Points that are tied to a body weigh with it, where they are, and bring what they have. */
+  #tie(strand: Strand, b: number): void {
+    const { holders, masses, free, points } = strand;
+    const { matrix } = this.#block;
+    for (let i = 0; i < points; i++) {
+      if (holders[i] !== b) continue;
+      for (let k = 0; k < 3; k++) {
+        way.fill(0);
+        way[k] = 1;
+        this.#turn(strand, i, 1);
+        for (let r = 0; r < SIDE; r++) {
+          momentum[r]! += masses[i]! * free[3 * i + k]! * given[r]!;
+          for (let c = 0; c < SIDE; c++)
+            matrix[SIDE * r + c]! += masses[i]! * given[r]! * given[c]!;
+        }
       }
     }
   }

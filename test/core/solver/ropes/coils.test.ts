@@ -39,7 +39,7 @@ const go = (strand: Strand, velocity: readonly number[]): void => {
 test('what comes at it is pushed by its momentum: m v', () => {
   const { strand, coils, links } = crossing(0);
   go(strand, [0, -3, 0]);
-  coils.begin();
+  coils.begin(new Float64Array(0));
   // How far off it was: 3 m/s for a step.
   close(sweepCoils(links, coils, DT), 3 * DT, 1e-12, 'm');
   close(coils.presses[0]!, 3, 1e-9, 'N s');
@@ -50,7 +50,7 @@ test('what gets no farther than its gap is not pushed', () => {
   const { strand, coils, links } = crossing(0);
   coils.gaps[0] = 0.02;
   go(strand, [0, -0.02 / DT + 1e-9, 0]);
-  coils.begin();
+  coils.begin(new Float64Array(0));
   assert.equal(sweepCoils(links, coils, DT), 0);
   assert.equal(coils.presses[0], 0);
 });
@@ -62,7 +62,7 @@ test('it rubs by friction times what presses it, and stops what needs less', () 
   ] as const) {
     const { strand, coils, links } = crossing(friction);
     go(strand, [along, -3, 0]);
-    coils.begin();
+    coils.begin(new Float64Array(0));
     sweepCoils(links, coils, DT);
     close(strand.found[9]!, left, 1e-9, 'm/s');
     close(coils.rubs[0]!, left - along, 1e-9, 'N s');
@@ -72,7 +72,7 @@ test('it rubs by friction times what presses it, and stops what needs less', () 
 test('what it gave in the last step acts from the start of the next, and is taken back where it is too much', () => {
   const { strand, coils, links } = crossing(0);
   coils.presses[0] = 3;
-  coils.begin();
+  coils.begin(new Float64Array(0));
   // Half of it to either end.
   for (const i of [10, 13]) close(strand.free[i]!, 3, 1e-12, 'm/s');
   go(strand, [0, 1, 0]);

@@ -91,7 +91,7 @@ test('nor do they where links are solved one at a time', () => {
     bodies.resize(MASSES.length, joined);
     fill(bodies, joined);
     const sweeps = new RopeSweeps(bodies);
-    sweeps.begin();
+    sweeps.begin([]);
     const links = strands().map((strand) => new Links(strand));
     for (const each of links) each.begin(DT);
     sweeps.solve(links, DT);
