@@ -44,13 +44,13 @@ export class CoupledJoints {
   }
 
   /** The rows of a joint, into those of its part. False: it gives way, and no row here does. */
-  add(joint: Joint, solve: JointSolve, dt: number, { bodies, rows: into }: Part): boolean {
+  add(joint: Joint, solve: JointSolve, { bodies, rows: into }: Part): boolean {
     this.#stiffness = bodies.length > MANY ? ROW_STIFFNESS_OF_MANY : ROW_STIFFNESS;
     const { lockedRows, corrections, body1, body2 } = joint;
     const a = body1?.movable ? this.#bodies.numberOf(body1.pointer) : -1;
     const b = body2?.movable ? this.#bodies.numberOf(body2.pointer) : -1;
     this.#joints ??= solve.newRows();
-    this.#joints.fill(joint, dt);
+    this.#joints.fillLocked(joint);
     let place = 0;
     for (const row of lockedRows) {
       if (corrections[row]!.softness > 0) return false;
@@ -68,6 +68,7 @@ export class CoupledJoints {
     { row, least, most, impulse, target }: Bound,
     into: number[],
   ): void {
+    this.#joints!.add(row);
     const at = this.#add(joint, row, place, a, b, into);
     this.#numbers[this.#rows.count - 1] = -1;
     const r = this.#rows.values;

@@ -1,7 +1,8 @@
-import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
+import { rowOf } from '../../base/cholesky.js';
 import { SparseCholesky } from '../matrix/sparse-cholesky.js';
 import { SparsePattern } from '../matrix/sparse-pattern.js';
-import { BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { add6, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { backwardBody, factorBody, forwardBody } from './body-triangles.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
 import {
@@ -131,7 +132,7 @@ export class LoopRows {
 
   #factorBody(body: number): boolean {
     this.#system.writeInertia(body, this.#bodies, body * BODY_BLOCK);
-    return factor(this.#bodies, body * BODY_BLOCK, SIDE);
+    return factorBody(this.#bodies, body * BODY_BLOCK);
   }
 
   /** Rows that give way are left out. */
@@ -149,7 +150,7 @@ export class LoopRows {
 
   #seeRow(body: number, row: number): void {
     copy6(this.#seen, row, this.#system.jacobian, row);
-    forward(this.#bodies, body * BODY_BLOCK, SIDE, this.#seen, row);
+    forwardBody(this.#bodies, body * BODY_BLOCK, this.#seen, row);
   }
 
   #fill({ joints }: Component, { matrix, couplings, closing }: Loops): void {
@@ -269,8 +270,8 @@ export class LoopRows {
     for (const body of bodies) {
       const v = body * SIDE;
       copy6(velocity, v, load, v);
-      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
-      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      forwardBody(this.#bodies, body * BODY_BLOCK, velocity, v);
+      backwardBody(this.#bodies, body * BODY_BLOCK, velocity, v);
     }
   }
 }
