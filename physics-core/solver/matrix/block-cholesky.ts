@@ -291,19 +291,59 @@ function copy(from: Float64Array, at: number, to: Float64Array, into: number, co
 
 /** Lower factor in place; its diagonal holds the inverse. */
 function factorBlock(a: Float64Array, at: number): boolean {
-  for (let j = 0; j < SIZE; j++) {
-    const row = at + j * SIZE;
-    let diagonal = a[row + j]!;
-    for (let k = row; k < row + j; k++) diagonal -= a[k]! * a[k]!;
-    if (!(diagonal > 0)) return false;
-    const inverse = 1 / Math.sqrt(diagonal);
-    a[row + j] = inverse;
-    for (let other = row + SIZE; other < at + BLOCK; other += SIZE) {
-      let sum = a[other + j]!;
-      for (let k = 0; k < j; k++) sum -= a[other + k]! * a[row + k]!;
-      a[other + j] = sum * inverse;
-    }
-  }
+  const m0 = a[at]!;
+  if (!(m0 > 0)) return false;
+  const d0 = 1 / Math.sqrt(m0);
+  const l10 = a[at + 6]! * d0;
+  const l20 = a[at + 12]! * d0;
+  const l30 = a[at + 18]! * d0;
+  const l40 = a[at + 24]! * d0;
+  const l50 = a[at + 30]! * d0;
+  const m1 = a[at + 7]! - l10 * l10;
+  if (!(m1 > 0)) return false;
+  const d1 = 1 / Math.sqrt(m1);
+  const l21 = (a[at + 13]! - l20 * l10) * d1;
+  const l31 = (a[at + 19]! - l30 * l10) * d1;
+  const l41 = (a[at + 25]! - l40 * l10) * d1;
+  const l51 = (a[at + 31]! - l50 * l10) * d1;
+  const m2 = a[at + 14]! - l20 * l20 - l21 * l21;
+  if (!(m2 > 0)) return false;
+  const d2 = 1 / Math.sqrt(m2);
+  const l32 = (a[at + 20]! - l30 * l20 - l31 * l21) * d2;
+  const l42 = (a[at + 26]! - l40 * l20 - l41 * l21) * d2;
+  const l52 = (a[at + 32]! - l50 * l20 - l51 * l21) * d2;
+  const m3 = a[at + 21]! - l30 * l30 - l31 * l31 - l32 * l32;
+  if (!(m3 > 0)) return false;
+  const d3 = 1 / Math.sqrt(m3);
+  const l43 = (a[at + 27]! - l40 * l30 - l41 * l31 - l42 * l32) * d3;
+  const l53 = (a[at + 33]! - l50 * l30 - l51 * l31 - l52 * l32) * d3;
+  const m4 = a[at + 28]! - l40 * l40 - l41 * l41 - l42 * l42 - l43 * l43;
+  if (!(m4 > 0)) return false;
+  const d4 = 1 / Math.sqrt(m4);
+  const l54 = (a[at + 34]! - l50 * l40 - l51 * l41 - l52 * l42 - l53 * l43) * d4;
+  const m5 = a[at + 35]! - l50 * l50 - l51 * l51 - l52 * l52 - l53 * l53 - l54 * l54;
+  if (!(m5 > 0)) return false;
+  a[at] = d0;
+  a[at + 6] = l10;
+  a[at + 7] = d1;
+  a[at + 12] = l20;
+  a[at + 13] = l21;
+  a[at + 14] = d2;
+  a[at + 18] = l30;
+  a[at + 19] = l31;
+  a[at + 20] = l32;
+  a[at + 21] = d3;
+  a[at + 24] = l40;
+  a[at + 25] = l41;
+  a[at + 26] = l42;
+  a[at + 27] = l43;
+  a[at + 28] = d4;
+  a[at + 30] = l50;
+  a[at + 31] = l51;
+  a[at + 32] = l52;
+  a[at + 33] = l53;
+  a[at + 34] = l54;
+  a[at + 35] = 1 / Math.sqrt(m5);
   return true;
 }
 
@@ -376,21 +416,21 @@ function takeProduct(v: Float64Array, a: number, b: number, c: number): void {
 
 /** A ← A - B Bᵀ, its lower half. */
 function takeSquare(v: Float64Array, a: number, b: number): void {
-  for (let p = b, row = a; p < b + BLOCK; p += SIZE, row += SIZE) {
-    const p0 = v[p]!;
-    const p1 = v[p + 1]!;
-    const p2 = v[p + 2]!;
-    const p3 = v[p + 3]!;
-    const p4 = v[p + 4]!;
-    const p5 = v[p + 5]!;
-    for (let q = b, to = row; q <= p; q += SIZE, to++)
+  for (let q = b, column = 0; q < b + BLOCK; q += SIZE, column++) {
+    const q0 = v[q]!;
+    const q1 = v[q + 1]!;
+    const q2 = v[q + 2]!;
+    const q3 = v[q + 3]!;
+    const q4 = v[q + 4]!;
+    const q5 = v[q + 5]!;
+    for (let p = q, to = a + column * (SIZE + 1); p < b + BLOCK; p += SIZE, to += SIZE)
       v[to]! -=
-        p0 * v[q]! +
-        p1 * v[q + 1]! +
-        p2 * v[q + 2]! +
-        p3 * v[q + 3]! +
-        p4 * v[q + 4]! +
-        p5 * v[q + 5]!;
+        v[p]! * q0 +
+        v[p + 1]! * q1 +
+        v[p + 2]! * q2 +
+        v[p + 3]! * q3 +
+        v[p + 4]! * q4 +
+        v[p + 5]! * q5;
   }
 }
 
