@@ -226,9 +226,8 @@ export function stiffnessOf(c: Float64Array, at: number, w: Float64Array): boole
   const ux = c[at + 6]!;
   const uy = c[at + 7]!;
   const uz = c[at + 8]!;
-  w.fill(0);
   if (state === STICKS) {
-    addSquare(w, nx, ny, nz, penalty);
+    setSquare(w, nx, ny, nz, penalty);
     addSquare(w, tx, ty, tz, penalty);
     addSquare(w, ux, uy, uz, penalty);
     return true;
@@ -239,7 +238,7 @@ export function stiffnessOf(c: Float64Array, at: number, w: Float64Array): boole
   const p = friction * t;
   const q = friction * u;
   const share = penalty / (1 + friction * friction);
-  addSquare(w, nx + p * tx + q * ux, ny + p * ty + q * uy, nz + p * tz + q * uz, share);
+  setSquare(w, nx + p * tx + q * ux, ny + p * ty + q * uy, nz + p * tz + q * uz, share);
   const turning = penalty * c[at + C.turning]!;
   addSquare(w, t * ux - u * tx, t * uy - u * ty, t * uz - u * tz, turning);
   return true;
@@ -260,6 +259,18 @@ export function answerTo(c: Float64Array, at: number): boolean {
   c[d + 1] = friction * normal * t - aside * u;
   c[d + 2] = friction * normal * u + aside * t;
   return true;
+}
+
+/** w ← s d dᵀ */
+function setSquare(w: Float64Array, x: number, y: number, z: number, s: number): void {
+  const sx = s * x;
+  const sy = s * y;
+  w[0] = sx * x;
+  w[4] = sy * y;
+  w[8] = s * z * z;
+  w[1] = w[3] = sx * y;
+  w[2] = w[6] = sx * z;
+  w[5] = w[7] = sy * z;
 }
 
 /** w ← w + s d dᵀ */
