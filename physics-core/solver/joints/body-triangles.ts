@@ -107,3 +107,29 @@ export function backwardBody(l: Float64Array, at: number, x: Float64Array, i: nu
   x[i + 4] = e;
   x[i + 5] = f;
 }
+
+// ---- where nothing but its inertia resists a body: linear and angular velocity have nothing to do with each other ----
+
+/** L y = x, in place, of such a body. */
+export function forwardFree(l: Float64Array, at: number, x: Float64Array, i: number): void {
+  const a = x[i + 3]! * l[at + 9]!;
+  const b = (x[i + 4]! - l[at + 13]! * a) * l[at + 14]!;
+  x[i] = x[i]! * l[at]!;
+  x[i + 1] = x[i + 1]! * l[at + 2]!;
+  x[i + 2] = x[i + 2]! * l[at + 5]!;
+  x[i + 3] = a;
+  x[i + 4] = b;
+  x[i + 5] = (x[i + 5]! - l[at + 18]! * a - l[at + 19]! * b) * l[at + 20]!;
+}
+
+/** Lᵀ x = y, in place, of such a body. */
+export function backwardFree(l: Float64Array, at: number, x: Float64Array, i: number): void {
+  const c = x[i + 5]! * l[at + 20]!;
+  const b = (x[i + 4]! - l[at + 19]! * c) * l[at + 14]!;
+  x[i] = x[i]! * l[at]!;
+  x[i + 1] = x[i + 1]! * l[at + 2]!;
+  x[i + 2] = x[i + 2]! * l[at + 5]!;
+  x[i + 3] = (x[i + 3]! - l[at + 18]! * c - l[at + 13]! * b) * l[at + 9]!;
+  x[i + 4] = b;
+  x[i + 5] = c;
+}

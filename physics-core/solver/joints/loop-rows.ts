@@ -2,7 +2,13 @@ import { rowOf } from '../../base/cholesky.js';
 import { SparseCholesky } from '../matrix/sparse-cholesky.js';
 import { SparsePattern } from '../matrix/sparse-pattern.js';
 import { add6, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
-import { backwardBody, factorBody, forwardBody } from './body-triangles.js';
+import {
+  backwardBody,
+  backwardFree,
+  factorBody,
+  forwardBody,
+  forwardFree,
+} from './body-triangles.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
 import {
@@ -42,6 +48,8 @@ export class LoopRows {
   /** Cholesky factors of the inertia of bodies, and rows as they see them: L⁻¹ Jᵀ, as `jacobian`. */
   #bodies = new Float64Array(0);
   #seen = new Float64Array(0);
+  /** Nothing but their inertia resists bodies. */
+  #free = true;
 
   constructor(system: RowSystem) {
     this.#system = system;
@@ -123,6 +131,7 @@ export class LoopRows {
     const loops = this.#loopsOf(component);
     this.#component = loops && component;
     if (!loops) return false;
+    this.#free = this.#system.resisting.size === 0;
     for (const body of component.bodies) if (!this.#factorBody(body)) return false;
     loops.matrix.numbers.fill(0);
     for (const joint of component.joints) this.#see(joint);
@@ -150,7 +159,9 @@ export class LoopRows {
 
   #seeRow(body: number, row: number): void {
     copy6(this.#seen, row, this.#system.jacobian, row);
-    forwardBody(this.#bodies, body * BODY_BLOCK, this.#seen, row);
+    const at = body * BODY_BLOCK;
+    if (this.#free) forwardFree(this.#bodies, at, this.#seen, row);
+    else forwardBody(this.#bodies, at, this.#seen, row);
   }
 
   #fill({ joints }: Component, { matrix, couplings, closing }: Loops): void {
@@ -169,11 +180,9 @@ export class LoopRows {
       );
     }
     for (const { a, b, first, second, at } of couplings) {
-      let to = at;
       const end = first + rowCount[a]! * SIDE;
       const last = second + rowCount[b]! * SIDE;
-      for (let r = first; r < end; r += SIDE)
-        for (let c = second; c < last; c += SIDE) matrix.numbers[to++]! += dot6(seen, r, seen, c);
+      addProducts(matrix.numbers, at, seen, first, end, second, last);
     }
   }
 
@@ -270,8 +279,42 @@ export class LoopRows {
     for (const body of bodies) {
       const v = body * SIDE;
       copy6(velocity, v, load, v);
-      forwardBody(this.#bodies, body * BODY_BLOCK, velocity, v);
-      backwardBody(this.#bodies, body * BODY_BLOCK, velocity, v);
+      const at = body * BODY_BLOCK;
+      if (this.#free) {
+        forwardFree(this.#bodies, at, velocity, v);
+        backwardFree(this.#bodies, at, velocity, v);
+      } else {
+        forwardBody(this.#bodies, at, velocity, v);
+        backwardBody(this.#bodies, at, velocity, v);
+      }
     }
+  }
+}
+
+/** H ← H + A Bᵀ, with rows of six numbers: of A from `a` to `end`, of B from `b` to `last`. */
+function addProducts(
+  h: Float64Array,
+  to: number,
+  rows: Float64Array,
+  a: number,
+  end: number,
+  b: number,
+  last: number,
+): void {
+  for (; a < end; a += SIDE) {
+    const u = rows[a]!;
+    const v = rows[a + 1]!;
+    const w = rows[a + 2]!;
+    const x = rows[a + 3]!;
+    const y = rows[a + 4]!;
+    const z = rows[a + 5]!;
+    for (let c = b; c < last; c += SIDE)
+      h[to++]! +=
+        u * rows[c]! +
+        v * rows[c + 1]! +
+        w * rows[c + 2]! +
+        x * rows[c + 3]! +
+        y * rows[c + 4]! +
+        z * rows[c + 5]!;
   }
 }
