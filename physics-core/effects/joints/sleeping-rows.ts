@@ -98,6 +98,7 @@ export class SleepingRows {
 
   /** Something touches a body, by its pointer. */
   touch(pointer: number): void {
+    if (this.#letGo.size === 0) return;
     const component = this.#partOf.get(pointer);
     if (component && this.#letGo.has(component)) this.#tell(component);
   }
