@@ -93,12 +93,7 @@ export function backwardBody(l: Float64Array, at: number, x: Float64Array, i: nu
   const b =
     (x[i + 1]! - l[at + 16]! * f - l[at + 11]! * e - l[at + 7]! * d - l[at + 4]! * c) * l[at + 2]!;
   const a =
-    (x[i]! -
-      l[at + 15]! * f -
-      l[at + 10]! * e -
-      l[at + 6]! * d -
-      l[at + 3]! * c -
-      l[at + 1]! * b) *
+    (x[i]! - l[at + 15]! * f - l[at + 10]! * e - l[at + 6]! * d - l[at + 3]! * c - l[at + 1]! * b) *
     l[at]!;
   x[i] = a;
   x[i + 1] = b;

@@ -1,7 +1,7 @@
 import { rowOf } from '../../base/cholesky.js';
 import { SparseCholesky } from '../matrix/sparse-cholesky.js';
 import { SparsePattern } from '../matrix/sparse-pattern.js';
-import { add6, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { addProducts, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import {
   backwardBody,
   backwardFree,
@@ -288,33 +288,5 @@ export class LoopRows {
         backwardBody(this.#bodies, at, velocity, v);
       }
     }
-  }
-}
-
-/** H ← H + A Bᵀ, with rows of six numbers: of A from `a` to `end`, of B from `b` to `last`. */
-function addProducts(
-  h: Float64Array,
-  to: number,
-  rows: Float64Array,
-  a: number,
-  end: number,
-  b: number,
-  last: number,
-): void {
-  for (; a < end; a += SIDE) {
-    const u = rows[a]!;
-    const v = rows[a + 1]!;
-    const w = rows[a + 2]!;
-    const x = rows[a + 3]!;
-    const y = rows[a + 4]!;
-    const z = rows[a + 5]!;
-    for (let c = b; c < last; c += SIDE)
-      h[to++]! +=
-        u * rows[c]! +
-        v * rows[c + 1]! +
-        w * rows[c + 2]! +
-        x * rows[c + 3]! +
-        y * rows[c + 4]! +
-        z * rows[c + 5]!;
   }
 }

@@ -80,7 +80,8 @@ export class PartMatrix {
       this.#places = new Int32Array(2 * contacts.length * PLACES);
     for (let j = 0; j < contacts.length; j++) {
       const i = contacts[j]!;
-      const [p, q] = [this.#numberOf(a[i]!), this.#numberOf(b[i]!)];
+      const p = this.#numberOf(a[i]!);
+      const q = this.#numberOf(b[i]!);
       placesOf(this.#matrix, p, q, this.#places, j * PLACES);
     }
   }

@@ -2,7 +2,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cross, dot, length } from '../../../../physics-core/base/math.js';
 import { C, speeds, takePush } from '../../../../physics-core/solver/rows/cone-contacts.js';
-import { addContact, PLACES, placesOf } from '../../../../physics-core/solver/rows/contact-blocks.js';
+import {
+  addContact,
+  PLACES,
+  placesOf,
+} from '../../../../physics-core/solver/rows/contact-blocks.js';
 import { SparseCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { below, type Vec3 } from '../../helpers.js';
 import { anyContact, fullOf, minus, some, three } from './contacts.js';
