@@ -401,7 +401,7 @@ export class ContactSolve extends Effect {
       if (part.stands) this.#standing.readWays(part);
     }
     this.#solved.push(part);
-    if (part.looped) this.#joints.tell(part, this.#effects.get(jointSolve));
+    if (part.jointed) this.#joints.tell(part, this.#effects.get(jointSolve));
     this.#grips.tell(part);
     const { ammo } = this.#simulation.engine;
     for (const i of part.contacts) {

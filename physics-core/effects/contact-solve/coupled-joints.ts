@@ -15,6 +15,11 @@ const ROWS = 12;
 /** Numbers of one row in `JointRows`. */
 const WIDTH = 12;
 
+interface KeptImpulses {
+  step: number;
+  values: Float64Array;
+}
+
 /**
  * The joints of what is in touch. The joint solve has found velocities at which they are whole after the step; contacts
  * change them, and the rows see to it that the rates found stay.
@@ -24,7 +29,10 @@ export class CoupledJoints {
   readonly #rows: BoundRows;
   readonly #bodies: TouchingBodies;
   /** Impulses by joint, and the step that found them. */
-  readonly #impulses = new Map<Joint, { step: number; values: Float64Array }>();
+  readonly #impulses = new Map<Joint, KeptImpulses>();
+  /** Of the joint whose rows are added or kept; undefined: there are none. */
+  #kept: KeptImpulses | undefined;
+  #keptOf: Joint | undefined;
   #step = 0;
   #stiffness = ROW_STIFFNESS;
   /** By row: its joint, and which of its rows. */
@@ -41,16 +49,18 @@ export class CoupledJoints {
   /** A new step: only impulses of the one before it are begun with. */
   begin(): void {
     this.#step++;
+    this.#keptOf = undefined;
   }
 
   /** The rows of a joint, into those of its part. False: it gives way, and no row here does. */
-  add(joint: Joint, solve: JointSolve, dt: number, { bodies, rows: into }: Part): boolean {
+  add(joint: Joint, solve: JointSolve, { bodies, rows: into }: Part): boolean {
     this.#stiffness = bodies.length > MANY ? ROW_STIFFNESS_OF_MANY : ROW_STIFFNESS;
     const { lockedRows, corrections, body1, body2 } = joint;
     const a = body1?.movable ? this.#bodies.numberOf(body1.pointer) : -1;
     const b = body2?.movable ? this.#bodies.numberOf(body2.pointer) : -1;
     this.#joints ??= solve.newRows();
-    this.#joints.fill(joint, dt);
+    this.#joints.fillLocked(joint);
+    this.#look(joint);
     let place = 0;
     for (const row of lockedRows) {
       if (corrections[row]!.softness > 0) return false;
@@ -68,6 +78,7 @@ export class CoupledJoints {
     { row, least, most, impulse, target }: Bound,
     into: number[],
   ): void {
+    this.#joints!.add(row);
     const at = this.#add(joint, row, place, a, b, into);
     this.#numbers[this.#rows.count - 1] = -1;
     const r = this.#rows.values;
@@ -85,7 +96,7 @@ export class CoupledJoints {
     for (let k = 0; k < WIDTH; k++) r[at + k] = joints.jacobian[from + k]!;
     r[at + R.target] = rate(r, at, this.#bodies.free, a, b);
     r[at + R.penalty] = this.#stiffness / (joints.between(row, row) || 1);
-    r[at + R.impulse] = this.#impulseOf(joint, place);
+    r[at + R.impulse] = this.#impulseOf(place);
     r[at + R.least] = -Infinity;
     r[at + R.most] = Infinity;
     into.push(rows.count - 1);
@@ -129,18 +140,24 @@ export class CoupledJoints {
     return this.#stiffness / (this.#joints!.between(number, number) || 1);
   }
 
-  #impulseOf(joint: Joint, place: number): number {
-    const kept = this.#impulses.get(joint);
+  #look(joint: Joint): void {
+    this.#keptOf = joint;
+    this.#kept = this.#impulses.get(joint);
+  }
+
+  #impulseOf(place: number): number {
+    const kept = this.#kept;
     return kept && kept.step === this.#step - 1 ? kept.values[place]! : 0;
   }
 
   /** For the next step. */
   keep(row: number): void {
     const joint = this.#owners[row]!;
-    let kept = this.#impulses.get(joint);
-    if (!kept) this.#impulses.set(joint, (kept = { step: 0, values: new Float64Array(ROWS) }));
-    kept.step = this.#step;
-    kept.values[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
+    if (joint !== this.#keptOf) this.#look(joint);
+    if (!this.#kept)
+      this.#impulses.set(joint, (this.#kept = { step: 0, values: new Float64Array(ROWS) }));
+    this.#kept.step = this.#step;
+    this.#kept.values[this.#places[row]!] = this.#rows.values[row * R.size + R.impulse]!;
   }
 
   /** Of the last step, by the ids of joints. */
@@ -151,7 +168,7 @@ export class CoupledJoints {
   }
 
   load(kept: readonly [id: number, impulses: string][], { joint }: Numbered): void {
-    this.#impulses.clear();
+    this.forgetAll();
     for (const [id, impulses] of kept) {
       const of = joint(id);
       if (of) this.#impulses.set(of, { step: this.#step, values: doublesOf(impulses) });
@@ -160,10 +177,12 @@ export class CoupledJoints {
 
   forgetAll(): void {
     this.#impulses.clear();
+    this.#keptOf = undefined;
   }
 
   /** A joint that is made anew begins anew. */
   forget(joint: Joint): void {
     this.#impulses.delete(joint);
+    this.#keptOf = undefined;
   }
 }

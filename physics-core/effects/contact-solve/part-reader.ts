@@ -101,7 +101,7 @@ export class PartReader {
         if (!joint.attached || (joint.body1?.movable ? joint.body1 !== body : false)) continue;
         if (joint.lockedRows.length === 0) continue;
         if (!joints.solvedWith(body)) return false;
-        if (!this.#joints.add(joint, joints, this.#step.dt, part)) return false;
+        if (!this.#joints.add(joint, joints, part)) return false;
       }
     }
     return true;

@@ -9,14 +9,22 @@ import { cross3, dot3 } from '../../base/flat-math.js';
 export class Gimbal {
   #one: Float64Array = new Float64Array(9);
   #two: Float64Array = new Float64Array(9);
+  /** At right angles to both other axes, and the cosine of the angle about it: only once an axis is asked for. */
   readonly #middle = new Float64Array(3);
-  /** Of the middle angle. */
   #cosine = 1;
+  #stale = true;
 
   look(one: Float64Array, two: Float64Array): void {
-    const m = this.#middle;
     this.#one = one;
     this.#two = two;
+    this.#stale = true;
+  }
+
+  #findMiddle(): void {
+    const m = this.#middle;
+    const one = this.#one;
+    const two = this.#two;
+    this.#stale = false;
     cross3(m, 0, one, 6, two, 0);
     this.#cosine = Math.sqrt(dot3(m, 0, m, 0)) || 1;
     for (let x = 0; x < 3; x++) m[x]! /= this.#cosine;
@@ -33,6 +41,7 @@ export class Gimbal {
 
   /** The axis that Bullet pushes about. */
   writeAxis(row: number, out: Float64Array, at: number): void {
+    if (this.#stale) this.#findMiddle();
     if (row === 3) cross3(out, at, this.#middle, 0, this.#one, 6);
     else if (row === 5) cross3(out, at, this.#two, 0, this.#middle, 0);
     else for (let x = 0; x < 3; x++) out[at + x] = this.#middle[x]!;

@@ -65,7 +65,7 @@ export class JointClosing {
       worst = error;
       this.widest = k;
     };
-    bodies.read(component, dt);
+    bodies.readInertia(component, dt);
     system.resisting.clear();
     for (const k of component.pins) {
       note(k, pins.fill(k));

@@ -114,14 +114,18 @@ export class JointEnds {
     turn: Float64Array,
   ): void {
     const f = this.#frames;
+    const p0 = f[frame]!;
+    const p1 = f[frame + 1]!;
+    const p2 = f[frame + 2]!;
     for (let x = 0; x < 3; x++) {
       const o = body * MATRIX + x * 3;
       const t0 = turn[o]!;
       const t1 = turn[o + 1]!;
       const t2 = turn[o + 2]!;
-      origin[x] = place[body * 3 + x]! + t0 * f[frame]! + t1 * f[frame + 1]! + t2 * f[frame + 2]!;
-      for (let c = 0; c < 3; c++)
-        axes[c * 3 + x] = t0 * f[frame + 3 + c]! + t1 * f[frame + 6 + c]! + t2 * f[frame + 9 + c]!;
+      origin[x] = place[body * 3 + x]! + t0 * p0 + t1 * p1 + t2 * p2;
+      axes[x] = t0 * f[frame + 3]! + t1 * f[frame + 6]! + t2 * f[frame + 9]!;
+      axes[3 + x] = t0 * f[frame + 4]! + t1 * f[frame + 7]! + t2 * f[frame + 10]!;
+      axes[6 + x] = t0 * f[frame + 5]! + t1 * f[frame + 8]! + t2 * f[frame + 11]!;
     }
   }
 }

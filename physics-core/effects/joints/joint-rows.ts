@@ -1,4 +1,4 @@
-import type { Body } from '../../dynamics/body.js';
+import type { Body, MassProperties } from '../../dynamics/body.js';
 import type { Joint } from '../../dynamics/joint.js';
 import { POSE } from '../../dynamics/poses.js';
 import type { Simulation } from '../../dynamics/simulation.js';
@@ -17,6 +17,8 @@ const ROWS = 6;
 class Centre {
   readonly pose = new Float64Array(POSE);
   readonly principal = new Float64Array(9);
+  /** Of a body that moves. */
+  mass: MassProperties | undefined;
 }
 
 /** Where a step that begins takes bodies. */
@@ -86,10 +88,21 @@ export class JointRows {
     this.#look(joint);
     for (let row = 0; row < ROWS; row++) {
       this.values[row] = this.#geometry.value(row);
-      this.#fillRow(row);
-      this.#respond(row, 0, joint.body1, this.#one);
-      this.#respond(row, 6, joint.body2, this.#two);
+      this.add(row);
     }
+  }
+
+  /** Only those of its rows that are locked, without values; others by `add`. */
+  fillLocked(joint: Joint): void {
+    this.#look(joint);
+    for (const row of joint.lockedRows) this.add(row);
+  }
+
+  /** One row of the joint. */
+  add(row: number): void {
+    this.#fillRow(row);
+    this.#respond(row, 0, this.#one);
+    this.#respond(row, 6, this.#two);
   }
 
   /** The same where its bodies will be. */
@@ -143,31 +156,39 @@ export class JointRows {
   }
 
   #readEnd(
-    { pose, principal }: Centre,
+    centre: Centre,
     { origin, axes }: End,
     body: Body | undefined,
     frame: Pose,
     at: number,
   ): void {
-    const { reader } = this.#simulation.engine;
-    pose.set(ORIGIN);
-    if (body) reader.pose(body.pointer, pose, 0);
-    if (body && this.#ahead) this.#moveOn(pose, body, this.#ahead, at);
+    const { pose, principal } = centre;
+    this.#readBody(pose, body, at);
+    centre.mass = body?.movable ? body.mass : undefined;
     writeAxes(principal, pose, 3);
     place(origin, axes, pose, principal, frame);
-    this.#now.fill(0, at, at + 6);
-    if (body) reader.velocity(body.pointer, this.#now, at);
+  }
+
+  #readBody(pose: Float64Array, body: Body | undefined, at: number): void {
+    if (!body) {
+      pose.set(ORIGIN);
+      this.#now.fill(0, at, at + 6);
+      return;
+    }
+    const { reader } = this.#simulation.engine;
+    reader.pose(body.pointer, pose, 0);
+    reader.velocity(body.pointer, this.#now, at);
+    if (this.#ahead) this.#moveOn(pose, body, this.#ahead);
   }
 
   /** As it is displaced, and then moved and turned by Bullet. */
-  #moveOn(pose: Float64Array, body: Body, ahead: Ahead, at: number): void {
+  #moveOn(pose: Float64Array, body: Body, ahead: Ahead): void {
     const v = this.#step;
     if (ahead.readDisplacement(body, v)) {
       const angle = hypot(v[3]!, v[4]!, v[5]!);
       this.#moveBy(pose, v, 1, angle > 0 ? atan2(angle, 1) / angle : 1);
     }
     ahead.readVelocity(body, v);
-    this.#now.set(v, at);
     this.#moveBy(pose, v, ahead.dt, ahead.dt);
   }
 
@@ -191,15 +212,15 @@ export class JointRows {
     this.#geometry.writeLinear(this.jacobian, o + 6, row, this.#two.pose, 0, -1);
   }
 
-  #respond(row: number, at: number, body: Body | undefined, { principal }: Centre): void {
+  #respond(row: number, at: number, { principal, mass }: Centre): void {
     const { jacobian, response } = this;
     const o = row * WIDTH + at;
-    if (!body?.movable) {
+    if (!mass) {
       response.fill(0, o, o + 6);
       return;
     }
-    for (let i = o; i < o + 3; i++) response[i] = jacobian[i]! / body.mass.mass;
-    applyInverseInertia(response, o + 3, principal, body.mass.moments, jacobian, o + 3);
+    for (let i = o; i < o + 3; i++) response[i] = jacobian[i]! / mass.mass;
+    applyInverseInertia(response, o + 3, principal, mass.moments, jacobian, o + 3);
   }
 
   // ---- J M⁻¹ Jᵀ -------------------------------------------------------------------------------------------------------

@@ -352,10 +352,12 @@ export class JointSolve extends Effect {
       }
   }
 
-  /** This step solves a joint together with what touches its bodies. */
+  /** This step solves a joint together with what touches its bodies: Bullet's own rows are not to be solved besides. */
   solvedInTouch({ body1, body2 }: Joint): void {
     const component = this.#componentOf.get(body1?.movable ? body1 : body2!);
-    if (component) this.#inTouch.add(component);
+    if (!component || this.#inTouch.has(component)) return;
+    this.#inTouch.add(component);
+    this.#sleepingRows.letGo(component);
   }
 
   override solved(dt: number): void {

@@ -172,7 +172,13 @@ export class JointedBodies {
   /** Whether what was read last is all finite. */
   finite = true;
 
-  read({ bodies }: Component, dt: number): void {
+  read(component: Component, dt: number): void {
+    this.readInertia(component, dt);
+    for (const i of component.bodies) this.#writeMomentum(i, this.bodies[i]!, dt);
+  }
+
+  /** All but what joints are to bring to their velocities. */
+  readInertia({ bodies }: Component, dt: number): void {
     let sum = 0;
     for (const i of bodies) sum += this.#read(i, this.bodies[i]!, dt);
     this.finite = Number.isFinite(sum);
@@ -195,7 +201,6 @@ export class JointedBodies {
     writeMatrix(this.turn, i * MATRIX, pose, 3);
     this.#readTraits(i, node, this.#of ? this.#of.lastStep(node) / 2 : dt);
     this.#writeInertia(i);
-    this.#writeMomentum(i, node, dt);
     return (
       pose[0]! +
       pose[1]! +

@@ -54,8 +54,14 @@ export class SleepingRows {
   /** A component is solved: its rows are let go, or told what was found. */
   solved(component: Component, dt: number): void {
     this.#dt = dt;
-    if (this.#able.has(component) && this.#bodies.awake(component)) this.#release(component);
-    else this.#tell(component);
+    if (!this.letGo(component)) this.#tell(component);
+  }
+
+  /** What Bullet would do to it is of no account. False: some of its rows can't be let go. */
+  letGo(component: Component): boolean {
+    const able = this.#able.has(component) && this.#bodies.awake(component);
+    if (able) this.#release(component);
+    return able;
   }
 
   #release(component: Component): void {
@@ -92,6 +98,7 @@ export class SleepingRows {
 
   /** Something touches a body, by its pointer. */
   touch(pointer: number): void {
+    if (this.#letGo.size === 0) return;
     const component = this.#partOf.get(pointer);
     if (component && this.#letGo.has(component)) this.#tell(component);
   }

@@ -40,3 +40,31 @@ export function copy6(to: Float64Array, i: number, from: Float64Array, j: number
   to[i + 4] = from[j + 4]!;
   to[i + 5] = from[j + 5]!;
 }
+
+/** H ← H + A Bᵀ, with rows of six numbers: of A from `a` to `end`, of B from `b` to `last`. */
+export function addProducts(
+  h: Float64Array,
+  to: number,
+  rows: Float64Array,
+  a: number,
+  end: number,
+  b: number,
+  last: number,
+): void {
+  for (; a < end; a += SIDE) {
+    const u = rows[a]!;
+    const v = rows[a + 1]!;
+    const w = rows[a + 2]!;
+    const x = rows[a + 3]!;
+    const y = rows[a + 4]!;
+    const z = rows[a + 5]!;
+    for (let c = b; c < last; c += SIDE)
+      h[to++]! +=
+        u * rows[c]! +
+        v * rows[c + 1]! +
+        w * rows[c + 2]! +
+        x * rows[c + 3]! +
+        y * rows[c + 4]! +
+        z * rows[c + 5]!;
+  }
+}

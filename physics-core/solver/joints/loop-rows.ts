@@ -1,7 +1,14 @@
-import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
+import { rowOf } from '../../base/cholesky.js';
 import { SparseCholesky } from '../matrix/sparse-cholesky.js';
 import { SparsePattern } from '../matrix/sparse-pattern.js';
-import { BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import { addProducts, BODY_BLOCK, copy6, dot6, INERTIA, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
+import {
+  backwardBody,
+  backwardFree,
+  factorBody,
+  forwardBody,
+  forwardFree,
+} from './body-triangles.js';
 import type { Component } from './forest.js';
 import type { RowSystem } from './row-system.js';
 import {
@@ -41,6 +48,8 @@ export class LoopRows {
   /** Cholesky factors of the inertia of bodies, and rows as they see them: L⁻¹ Jᵀ, as `jacobian`. */
   #bodies = new Float64Array(0);
   #seen = new Float64Array(0);
+  /** Nothing but their inertia resists bodies. */
+  #free = true;
 
   constructor(system: RowSystem) {
     this.#system = system;
@@ -122,6 +131,7 @@ export class LoopRows {
     const loops = this.#loopsOf(component);
     this.#component = loops && component;
     if (!loops) return false;
+    this.#free = this.#system.resisting.size === 0;
     for (const body of component.bodies) if (!this.#factorBody(body)) return false;
     loops.matrix.numbers.fill(0);
     for (const joint of component.joints) this.#see(joint);
@@ -131,7 +141,7 @@ export class LoopRows {
 
   #factorBody(body: number): boolean {
     this.#system.writeInertia(body, this.#bodies, body * BODY_BLOCK);
-    return factor(this.#bodies, body * BODY_BLOCK, SIDE);
+    return factorBody(this.#bodies, body * BODY_BLOCK);
   }
 
   /** Rows that give way are left out. */
@@ -149,7 +159,9 @@ export class LoopRows {
 
   #seeRow(body: number, row: number): void {
     copy6(this.#seen, row, this.#system.jacobian, row);
-    forward(this.#bodies, body * BODY_BLOCK, SIDE, this.#seen, row);
+    const at = body * BODY_BLOCK;
+    if (this.#free) forwardFree(this.#bodies, at, this.#seen, row);
+    else forwardBody(this.#bodies, at, this.#seen, row);
   }
 
   #fill({ joints }: Component, { matrix, couplings, closing }: Loops): void {
@@ -168,11 +180,9 @@ export class LoopRows {
       );
     }
     for (const { a, b, first, second, at } of couplings) {
-      let to = at;
       const end = first + rowCount[a]! * SIDE;
       const last = second + rowCount[b]! * SIDE;
-      for (let r = first; r < end; r += SIDE)
-        for (let c = second; c < last; c += SIDE) matrix.numbers[to++]! += dot6(seen, r, seen, c);
+      addProducts(matrix.numbers, at, seen, first, end, second, last);
     }
   }
 
@@ -269,8 +279,14 @@ export class LoopRows {
     for (const body of bodies) {
       const v = body * SIDE;
       copy6(velocity, v, load, v);
-      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
-      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      const at = body * BODY_BLOCK;
+      if (this.#free) {
+        forwardFree(this.#bodies, at, velocity, v);
+        backwardFree(this.#bodies, at, velocity, v);
+      } else {
+        forwardBody(this.#bodies, at, velocity, v);
+        backwardBody(this.#bodies, at, velocity, v);
+      }
     }
   }
 }

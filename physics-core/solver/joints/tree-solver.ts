@@ -1,4 +1,5 @@
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
+import { backwardBody, factorBody, forwardBody } from './body-triangles.js';
 import { add6, BODY_BLOCK, copy6, dot6, JOINT_BLOCK, ROW_BLOCK, ROWS, SIDE } from './blocks.js';
 import type { Component } from './forest.js';
 import type { PointSolver } from './point-solver.js';
@@ -57,7 +58,7 @@ export class TreeSolver {
     const pin = this.#isPin(joint);
     const given = pin
       ? this.#pins.factors.factor(joint, this.#bodies, body, parent)
-      : factor(this.#bodies, body * BODY_BLOCK, SIDE);
+      : factorBody(this.#bodies, body * BODY_BLOCK);
     if (!given) return false;
     if (joint < 0 || this.#system.heldCount[joint] === 0) return true;
     if (pin) this.#respondPinned(joint, body);
@@ -79,11 +80,11 @@ export class TreeSolver {
     for (let r = 0; r < n; r++) {
       const row = rows + r * SIDE;
       copy6(w, row, jacobian, child + held[joint * ROWS + r]! * SIDE);
-      forward(this.#bodies, body * BODY_BLOCK, SIDE, w, row);
+      forwardBody(this.#bodies, body * BODY_BLOCK, w, row);
       const into = joint * JOINT_BLOCK + rowOf(r);
       for (let c = 0; c <= r; c++) this.#joints[into + c] = dot6(w, row, w, rows + c * SIDE);
     }
-    for (let r = 0; r < n; r++) backward(this.#bodies, body * BODY_BLOCK, SIDE, w, rows + r * SIDE);
+    for (let r = 0; r < n; r++) backwardBody(this.#bodies, body * BODY_BLOCK, w, rows + r * SIDE);
   }
 
   /** The same of rows about axes at a pin, which hold on to the parent through it. */
@@ -201,8 +202,8 @@ export class TreeSolver {
     else {
       const v = body * SIDE;
       copy6(velocity, v, load, v);
-      forward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
-      backward(this.#bodies, body * BODY_BLOCK, SIDE, velocity, v);
+      forwardBody(this.#bodies, body * BODY_BLOCK, velocity, v);
+      backwardBody(this.#bodies, body * BODY_BLOCK, velocity, v);
     }
     if (joint >= 0 && heldCount[joint]! > 0) this.#releaseRows(joint, body, parent, pin);
   }

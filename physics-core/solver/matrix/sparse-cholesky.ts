@@ -1,8 +1,6 @@
 import { backward, factor, forward, rowOf } from '../../base/cholesky.js';
+import { divideRows, factorPoints, POINT, solvePoints } from './point-blocks.js';
 import type { SparsePattern } from './sparse-pattern.js';
-
-/** Rows of a joint that holds a point: of nets all blocks have so many, and are gone through without loops inside. */
-const POINT = 3;
 
 /**
  * The Cholesky factor of a sparse symmetric matrix of blocks. Diagonal blocks are triangles as `cholesky.ts` has them;
@@ -15,6 +13,10 @@ export class SparseCholesky {
   readonly #firsts: Int32Array;
   readonly #diagonalAt: Int32Array;
   readonly #blockAt: Int32Array;
+  /** Where the products of each pair of blocks of a column are taken from. */
+  readonly #targets: Int32Array;
+  /** All its blocks have three rows. */
+  readonly #ofPoints: boolean;
   readonly numbers: Float64Array;
   readonly #vector: Float64Array;
 
@@ -37,6 +39,8 @@ export class SparseCholesky {
         room += n * this.#sizes[rows[b]!]!;
       }
     }
+    this.#targets = pattern.targets(this.#diagonalAt, this.#blockAt);
+    this.#ofPoints = this.#sizes.every((rows) => rows === POINT);
     this.numbers = new Float64Array(room);
     this.#vector = new Float64Array(this.#firsts[size]!);
   }
@@ -52,8 +56,10 @@ export class SparseCholesky {
 
   /** In place. False: not positive definite. */
   factor(): boolean {
-    const { size, starts, rows, targets } = this.pattern;
+    const { size, starts, rows } = this.pattern;
     const sizes = this.#sizes;
+    const targets = this.#targets;
+    if (this.#ofPoints) return factorPoints(this.numbers, this.pattern, this.#diagonalAt, targets);
     let target = 0;
     for (let j = 0; j < size; j++) {
       const n = sizes[j]!;
@@ -63,11 +69,11 @@ export class SparseCholesky {
       for (let b = starts[j]!; b < end; b++) {
         const at = this.#blockAt[b]!;
         const last = at + sizes[rows[b]!]! * n;
-        if (n === POINT) forwardPoints(this.numbers, diagonal, at, last);
+        if (n === POINT) divideRows(this.numbers, diagonal, at, last);
         else for (let r = at; r < last; r += n) forward(this.numbers, diagonal, n, this.numbers, r);
       }
       for (let b = starts[j]!; b < end; b++) {
-        this.#reduceDiagonal(-1 - targets[target++]!, b, n);
+        this.#reduceDiagonal(targets[target++]!, b, n, sizes[rows[b]!]!);
         for (let a = b + 1; a < end; a++)
           this.#reduce(targets[target++]!, a, b, n, sizes[rows[a]!]!, sizes[rows[b]!]!);
       }
@@ -75,12 +81,11 @@ export class SparseCholesky {
     return true;
   }
 
-  /** The triangle of row `i` -= block blockᵀ. */
-  #reduceDiagonal(i: number, block: number, n: number): void {
+  /** The triangle at `to` -= block blockᵀ. */
+  #reduceDiagonal(to: number, block: number, n: number, height: number): void {
     const l = this.numbers;
     const from = this.#blockAt[block]!;
-    let to = this.#diagonalAt[i]!;
-    for (let r = 0; r < this.#sizes[i]!; r++)
+    for (let r = 0; r < height; r++)
       for (let c = 0; c <= r; c++) {
         let sum = 0;
         for (let k = 0; k < n; k++) sum += l[from + r * n + k]! * l[from + c * n + k]!;
@@ -88,13 +93,11 @@ export class SparseCholesky {
       }
   }
 
-  /** A block -= a bᵀ. */
-  #reduce(target: number, a: number, b: number, n: number, height: number, width: number): void {
+  /** The block at `to` -= a bᵀ. */
+  #reduce(to: number, a: number, b: number, n: number, height: number, width: number): void {
     const l = this.numbers;
-    let to = this.#blockAt[target]!;
     let row = this.#blockAt[a]!;
     const first = this.#blockAt[b]!;
-    if (n === POINT && height === POINT && width === POINT) return reducePoint(l, to, row, first);
     if (n === POINT) return reducePoints(l, to, row, row + height * n, first, first + width * n);
     for (let r = 0; r < height; r++, row += n) {
       let column = first;
@@ -119,6 +122,8 @@ export class SparseCholesky {
 
   /** L Lᵀ x = b, in place. */
   solve(): void {
+    if (this.#ofPoints)
+      return solvePoints(this.numbers, this.pattern, this.#diagonalAt, this.#vector);
     this.#forward();
     this.#backward();
   }
@@ -161,23 +166,6 @@ export class SparseCholesky {
       }
       backward(l, this.#diagonalAt[j]!, n, x, first);
     }
-  }
-}
-
-/** L y = x of three rows, for each three numbers from `from` to `end`, in place. */
-function forwardPoints(l: Float64Array, at: number, from: number, end: number): void {
-  const a = l[at]!;
-  const b = l[at + 1]!;
-  const c = l[at + 2]!;
-  const d = l[at + 3]!;
-  const e = l[at + 4]!;
-  const f = l[at + 5]!;
-  for (let i = from; i < end; i += POINT) {
-    const x = l[i]! * a;
-    const y = (l[i + 1]! - b * x) * c;
-    l[i] = x;
-    l[i + 1] = y;
-    l[i + 2] = (l[i + 2]! - d * x - e * y) * f;
   }
 }
 
@@ -235,35 +223,4 @@ function reducePoints(
     const z = l[row + 2]!;
     for (let c = first; c < last; c += POINT) l[to++]! -= x * l[c]! + y * l[c + 1]! + z * l[c + 2]!;
   }
-}
-
-/** A block of three rows and columns -= a bᵀ: nearly all that the factor of a net takes. */
-function reducePoint(l: Float64Array, to: number, row: number, column: number): void {
-  const a = l[column]!;
-  const b = l[column + 1]!;
-  const c = l[column + 2]!;
-  const d = l[column + 3]!;
-  const e = l[column + 4]!;
-  const f = l[column + 5]!;
-  const g = l[column + 6]!;
-  const h = l[column + 7]!;
-  const i = l[column + 8]!;
-  let x = l[row]!;
-  let y = l[row + 1]!;
-  let z = l[row + 2]!;
-  l[to] = l[to]! - (x * a + y * b + z * c);
-  l[to + 1] = l[to + 1]! - (x * d + y * e + z * f);
-  l[to + 2] = l[to + 2]! - (x * g + y * h + z * i);
-  x = l[row + 3]!;
-  y = l[row + 4]!;
-  z = l[row + 5]!;
-  l[to + 3] = l[to + 3]! - (x * a + y * b + z * c);
-  l[to + 4] = l[to + 4]! - (x * d + y * e + z * f);
-  l[to + 5] = l[to + 5]! - (x * g + y * h + z * i);
-  x = l[row + 6]!;
-  y = l[row + 7]!;
-  z = l[row + 8]!;
-  l[to + 6] = l[to + 6]! - (x * a + y * b + z * c);
-  l[to + 7] = l[to + 7]! - (x * d + y * e + z * f);
-  l[to + 8] = l[to + 8]! - (x * g + y * h + z * i);
 }

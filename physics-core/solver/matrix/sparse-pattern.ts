@@ -14,8 +14,6 @@ export class SparsePattern {
   /** Per column of the factor, its blocks below the diagonal: where they begin, and the row of each, all by elimination. */
   readonly starts: Int32Array;
   readonly rows: Int32Array;
-  /** From what the product of each pair of blocks of a column is taken, column by column: a block, or -1 - i for diagonal i. */
-  readonly targets: Int32Array;
 
   /** Whether the factor would take more products than it may; then nothing else here is filled in. */
   readonly tangled: boolean;
@@ -31,7 +29,6 @@ export class SparsePattern {
     this.starts = new Int32Array(this.size + 1);
     columns.forEach((column, i) => (this.starts[i + 1] = this.starts[i]! + column.length));
     this.rows = Int32Array.from(columns.flatMap((column) => column));
-    this.targets = found ? this.#pairs() : new Int32Array(0);
   }
 
   /** Returns the rows of each column of the factor; undefined: they have more products than that. */
@@ -60,21 +57,24 @@ export class SparsePattern {
     return columns.map((column) => column.map((i) => this.place[i]!).sort((a, b) => a - b));
   }
 
-  #pairs(): Int32Array {
+  /**
+   * From where the product of each pair of blocks of a column is taken, column by column, in a matrix whose diagonals and
+   * blocks are at these places.
+   */
+  targets(diagonalAt: Int32Array, blockAt: Int32Array): Int32Array {
     const { starts, rows } = this;
     const targets: number[] = [];
     for (let j = 0; j < this.size; j++)
-      for (let b = starts[j]!; b < starts[j + 1]!; b++)
-        for (let a = b; a < starts[j + 1]!; a++) targets.push(this.#blockAt(rows[a]!, rows[b]!));
+      for (let b = starts[j]!; b < starts[j + 1]!; b++) {
+        targets.push(diagonalAt[rows[b]!]!);
+        for (let a = b + 1; a < starts[j + 1]!; a++)
+          targets.push(blockAt[this.#blockAt(rows[a]!, rows[b]!)]!);
+      }
     return Int32Array.from(targets);
   }
 
-  /** The block in a row and a column, by elimination: -1 - i for diagonal i. */
+  /** The block in a row and a column, by elimination. */
   #blockAt(row: number, column: number): number {
-    return row === column ? -1 - row : this.#search(row, column);
-  }
-
-  #search(row: number, column: number): number {
     let low = this.starts[column]!;
     let high = this.starts[column + 1]!;
     while (high - low > 1) {

@@ -77,11 +77,13 @@ export class Newton {
     this.#most = matrices;
     this.used = 0;
     this.ranAway = false;
-    if (this.#stands()) return true;
+    let speed = this.#readSlope();
+    if (this.#stands(speed)) return true;
     let before = Infinity;
     let share = 1;
     for (let round = 0; round < NEWTON_ROUNDS; round++) {
-      if (!this.#minimise()) return false;
+      if (round > 0) speed = this.#lookAgain();
+      if (!this.#minimise(speed)) return false;
       const miss = this.#raise(share);
       if (miss < this.#miss || (miss < this.#nearly && miss > STUCK * before)) return true;
       this.#foresee();
@@ -126,10 +128,10 @@ export class Newton {
   }
 
   /** What it begins with is its end, as far as that was kept; what joints pull is kept in double precision. */
-  #stands(): boolean {
+  #stands(speed: number): boolean {
+    if (speed < this.#still) return true;
     const { bodies, jointed } = this.#part;
-    const rounded = bodies.length > MANY && !jointed ? ROUNDED * this.#greatestLoad() : 0;
-    return this.#readSlope() < this.#still + rounded;
+    return bodies.length > MANY && !jointed && speed < this.#still + ROUNDED * this.#greatestLoad();
   }
 
   /** What contacts push a body by, all pushes taken alike: as a speed or a spin of it, m/s or rad/s. */
@@ -209,10 +211,17 @@ export class Newton {
 
   // ---- one round ----------------------------------------------------------------------------------------------------
 
-  #minimise(): boolean {
+  /** Where another round begins; returns the slope there. */
+  #lookAgain(): number {
     this.#readMisses();
+    return this.#readSlope();
+  }
+
+  /** From where the slope is `speed` on. */
+  #minimise(speed: number): boolean {
     for (let step = 0; step < NEWTON_STEPS; step++) {
-      if (this.#readSlope() < this.#end) return true;
+      if (step > 0) speed = this.#readSlope();
+      if (speed < this.#end) return true;
       if (this.used++ >= this.#most || !this.#matrix.factor()) return false;
       // Newton's direction goes to `change`.
       const size = this.#matrix.solve();

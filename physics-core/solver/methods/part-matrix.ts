@@ -1,5 +1,5 @@
 import { stiffnessOf, C, type ConeContacts } from '../rows/cone-contacts.js';
-import { addContact } from '../rows/contact-blocks.js';
+import { addContact, PLACES, placesOf } from '../rows/contact-blocks.js';
 import { addOuter, addSquare, gives, isBounded, R, type BoundRows } from '../rows/bound-rows.js';
 import type { Part } from '../part.js';
 import type { SolveBodies } from '../solve-bodies.js';
@@ -21,6 +21,8 @@ export class PartMatrix {
   readonly #w = new Float64Array(9);
   /** By body: its number in the part. */
   #number = new Int32Array(16);
+  /** By contact of the part: where its blocks are. */
+  #places = new Int32Array(16);
   #part!: Part;
   /** What does not change in a step is in it. */
   #begun = false;
@@ -42,13 +44,16 @@ export class PartMatrix {
   /** As contacts and rows are now. False: it takes too much work, or has no end. */
   factor(): boolean {
     if (!this.#begun && !this.#beginMatrix()) return false;
-    const { values: c, a, b } = this.#contacts;
+    const c = this.#contacts.values;
     const matrix = this.#matrix;
     const { contacts, rows } = this.#part;
+    const places = this.#places;
     matrix.restore();
-    for (const i of contacts)
-      if (stiffnessOf(c, i * C.size, this.#w))
-        addContact(matrix, this.#w, c, i * C.size, this.#numberOf(a[i]!), this.#numberOf(b[i]!));
+    for (let j = 0; j < contacts.length; j++) {
+      const at = contacts[j]! * C.size;
+      if (stiffnessOf(c, at, this.#w))
+        addContact(matrix.values, this.#w, c, at, places, j * PLACES);
+    }
     for (const i of rows)
       if (this.#isBounded(i) && gives(this.#rows.values, i * R.size)) this.#addRow(i);
     return matrix.factor();
@@ -63,7 +68,22 @@ export class PartMatrix {
     for (let i = 0; i < bodies.length; i++)
       this.#bodies.addMass(bodies[i]!, matrix.values, matrix.diagonal(i));
     for (const i of rows) if (!this.#isBounded(i)) this.#addRow(i);
+    this.#findPlaces();
     return (this.#begun = matrix.factorConstant());
+  }
+
+  /** Contacts are added anew for each matrix of a step, and always to the same blocks. */
+  #findPlaces(): void {
+    const { contacts } = this.#part;
+    const { a, b } = this.#contacts;
+    if (this.#places.length < contacts.length * PLACES)
+      this.#places = new Int32Array(2 * contacts.length * PLACES);
+    for (let j = 0; j < contacts.length; j++) {
+      const i = contacts[j]!;
+      const p = this.#numberOf(a[i]!);
+      const q = this.#numberOf(b[i]!);
+      placesOf(this.#matrix, p, q, this.#places, j * PLACES);
+    }
   }
 
   #matrixOf(part: Part): SparseCholesky {

@@ -49,8 +49,28 @@ export class BoundRows {
 /** J v */
 export function rate(r: Float64Array, at: number, v: Float64Array, a: number, b: number): number {
   let sum = 0;
-  if (a >= 0) for (let k = 0; k < 6; k++) sum += r[at + k]! * v[6 * a + k]!;
-  if (b >= 0) for (let k = 0; k < 6; k++) sum += r[at + 6 + k]! * v[6 * b + k]!;
+  if (a >= 0) {
+    const i = 6 * a;
+    sum =
+      sum +
+      r[at]! * v[i]! +
+      r[at + 1]! * v[i + 1]! +
+      r[at + 2]! * v[i + 2]! +
+      r[at + 3]! * v[i + 3]! +
+      r[at + 4]! * v[i + 4]! +
+      r[at + 5]! * v[i + 5]!;
+  }
+  if (b >= 0) {
+    const i = 6 * b;
+    sum =
+      sum +
+      r[at + 6]! * v[i]! +
+      r[at + 7]! * v[i + 1]! +
+      r[at + 8]! * v[i + 2]! +
+      r[at + 9]! * v[i + 3]! +
+      r[at + 10]! * v[i + 4]! +
+      r[at + 11]! * v[i + 5]!;
+  }
   return sum;
 }
 
@@ -63,8 +83,17 @@ export function takeAlong(
   b: number,
   s: number,
 ): void {
-  if (a >= 0) for (let k = 0; k < 6; k++) g[6 * a + k]! -= s * r[at + k]!;
-  if (b >= 0) for (let k = 0; k < 6; k++) g[6 * b + k]! -= s * r[at + 6 + k]!;
+  if (a >= 0) takeSix(r, at + R.a, g, 6 * a, s);
+  if (b >= 0) takeSix(r, at + R.b, g, 6 * b, s);
+}
+
+function takeSix(r: Float64Array, at: number, g: Float64Array, i: number, s: number): void {
+  g[i]! -= s * r[at]!;
+  g[i + 1]! -= s * r[at + 1]!;
+  g[i + 2]! -= s * r[at + 2]!;
+  g[i + 3]! -= s * r[at + 3]!;
+  g[i + 4]! -= s * r[at + 4]!;
+  g[i + 5]! -= s * r[at + 5]!;
 }
 
 /** What the row pushes at a rate that misses by `miss + s change`. */
@@ -90,10 +119,38 @@ export function addSquare(
   i: number,
   s: number,
 ): void {
-  for (let x = 0; x < 6; x++) {
-    const value = s * r[i + x]!;
-    if (value !== 0) for (let y = 0; y <= x; y++) h[at + 6 * x + y]! += value * r[i + y]!;
-  }
+  const a = r[i]!;
+  const b = r[i + 1]!;
+  const c = r[i + 2]!;
+  const d = r[i + 3]!;
+  const e = r[i + 4]!;
+  const f = r[i + 5]!;
+  const sb = s * b;
+  const sc = s * c;
+  const sd = s * d;
+  const se = s * e;
+  const sf = s * f;
+  h[at]! += s * a * a;
+  h[at + 6]! += sb * a;
+  h[at + 7]! += sb * b;
+  h[at + 12]! += sc * a;
+  h[at + 13]! += sc * b;
+  h[at + 14]! += sc * c;
+  h[at + 18]! += sd * a;
+  h[at + 19]! += sd * b;
+  h[at + 20]! += sd * c;
+  h[at + 21]! += sd * d;
+  h[at + 24]! += se * a;
+  h[at + 25]! += se * b;
+  h[at + 26]! += se * c;
+  h[at + 27]! += se * d;
+  h[at + 28]! += se * e;
+  h[at + 30]! += sf * a;
+  h[at + 31]! += sf * b;
+  h[at + 32]! += sf * c;
+  h[at + 33]! += sf * d;
+  h[at + 34]! += sf * e;
+  h[at + 35]! += sf * f;
 }
 
 /** H ← H + s jᵢᵀ jₖ, of six numbers each. */
@@ -105,8 +162,19 @@ export function addOuter(
   k: number,
   s: number,
 ): void {
-  for (let x = 0; x < 6; x++) {
+  const a = r[k]!;
+  const b = r[k + 1]!;
+  const c = r[k + 2]!;
+  const d = r[k + 3]!;
+  const e = r[k + 4]!;
+  const f = r[k + 5]!;
+  for (let x = 0, row = at; x < 6; x++, row += 6) {
     const value = s * r[i + x]!;
-    if (value !== 0) for (let y = 0; y < 6; y++) h[at + 6 * x + y]! += value * r[k + y]!;
+    h[row]! += value * a;
+    h[row + 1]! += value * b;
+    h[row + 2]! += value * c;
+    h[row + 3]! += value * d;
+    h[row + 4]! += value * e;
+    h[row + 5]! += value * f;
   }
 }

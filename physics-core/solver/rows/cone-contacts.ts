@@ -217,18 +217,30 @@ export function stiffnessOf(c: Float64Array, at: number, w: Float64Array): boole
   const penalty = c[at + C.penalty]!;
   const state = c[at + C.state]!;
   if (state === OPEN) return false;
+  const nx = c[at]!;
+  const ny = c[at + 1]!;
+  const nz = c[at + 2]!;
+  const tx = c[at + 3]!;
+  const ty = c[at + 4]!;
+  const tz = c[at + 5]!;
+  const ux = c[at + 6]!;
+  const uy = c[at + 7]!;
+  const uz = c[at + 8]!;
   if (state === STICKS) {
-    addSquare(w, c, at, 1, 0, 0, penalty, true);
-    addSquare(w, c, at, 0, 1, 0, penalty, false);
-    addSquare(w, c, at, 0, 0, 1, penalty, false);
+    setSquare(w, nx, ny, nz, penalty);
+    addSquare(w, tx, ty, tz, penalty);
+    addSquare(w, ux, uy, uz, penalty);
     return true;
   }
   const friction = c[at + C.friction]!;
   const t = c[at + C.along1]!;
   const u = c[at + C.along2]!;
+  const p = friction * t;
+  const q = friction * u;
   const share = penalty / (1 + friction * friction);
-  addSquare(w, c, at, 1, friction * t, friction * u, share, true);
-  addSquare(w, c, at, 0, -u, t, penalty * c[at + C.turning]!, false);
+  setSquare(w, nx + p * tx + q * ux, ny + p * ty + q * uy, nz + p * tz + q * uz, share);
+  const turning = penalty * c[at + C.turning]!;
+  addSquare(w, t * ux - u * tx, t * uy - u * ty, t * uz - u * tz, turning);
   return true;
 }
 
@@ -249,23 +261,22 @@ export function answerTo(c: Float64Array, at: number): boolean {
   return true;
 }
 
-/** w ← (w +) s d dᵀ, with d put together of the three directions. */
-function addSquare(
-  w: Float64Array,
-  c: Float64Array,
-  at: number,
-  n: number,
-  t: number,
-  u: number,
-  s: number,
-  first: boolean,
-): void {
-  const x = n * c[at]! + t * c[at + 3]! + u * c[at + 6]!;
-  const y = n * c[at + 1]! + t * c[at + 4]! + u * c[at + 7]!;
-  const z = n * c[at + 2]! + t * c[at + 5]! + u * c[at + 8]!;
+/** w ← s d dᵀ */
+function setSquare(w: Float64Array, x: number, y: number, z: number, s: number): void {
   const sx = s * x;
   const sy = s * y;
-  if (first) w.fill(0);
+  w[0] = sx * x;
+  w[4] = sy * y;
+  w[8] = s * z * z;
+  w[1] = w[3] = sx * y;
+  w[2] = w[6] = sx * z;
+  w[5] = w[7] = sy * z;
+}
+
+/** w ← w + s d dᵀ */
+function addSquare(w: Float64Array, x: number, y: number, z: number, s: number): void {
+  const sx = s * x;
+  const sy = s * y;
   w[0]! += sx * x;
   w[4]! += sy * y;
   w[8]! += s * z * z;

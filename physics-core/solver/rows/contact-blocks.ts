@@ -1,23 +1,44 @@
 import { C } from './cone-contacts.js';
 import { SIZE, type SparseCholesky } from '../matrix/block-cholesky.js';
 
-/** Adds how a contact answers the velocities of its bodies, `p` and `q` of the matrix; -1: it does not move. */
-export function addContact(
+/** Numbers of `placesOf`. */
+export const PLACES = 3;
+
+/**
+ * Where the blocks of two bodies, `p` and `q` of the matrix (-1: it does not move), begin in its values: of each by itself,
+ * -1 for none, and between both as `SparseCholesky` tells it.
+ */
+export function placesOf(
   matrix: SparseCholesky,
+  p: number,
+  q: number,
+  out: Int32Array,
+  at: number,
+): void {
+  out[at] = p < 0 ? -1 : matrix.diagonal(p);
+  out[at + 1] = q < 0 ? -1 : matrix.diagonal(q);
+  out[at + 2] = p < 0 || q < 0 ? 0 : matrix.between(p, q);
+}
+
+/** Adds to values `h` how a contact answers the velocities of its bodies, whose blocks are at `places[k]`. */
+export function addContact(
+  h: Float64Array,
   w: Float64Array,
   c: Float64Array,
   at: number,
-  p: number,
-  q: number,
+  places: Int32Array,
+  k: number,
 ): void {
   const armA = at + C.armA;
   const armB = at + C.armB;
-  if (p >= 0) addToBody(matrix.values, matrix.diagonal(p), w, c, armA);
-  if (q >= 0) addToBody(matrix.values, matrix.diagonal(q), w, c, armB);
-  if (p < 0 || q < 0) return;
-  const between = matrix.between(p, q);
-  if (between >= 0) takeFromPair(matrix.values, between, w, c, armA, armB);
-  else takeFromPair(matrix.values, -1 - between, w, c, armB, armA);
+  const a = places[k]!;
+  const b = places[k + 1]!;
+  if (a >= 0) addToBody(h, a, w, c, armA);
+  if (b >= 0) addToBody(h, b, w, c, armB);
+  if (a < 0 || b < 0) return;
+  const between = places[k + 2]!;
+  if (between >= 0) takeFromPair(h, between, w, c, armA, armB);
+  else takeFromPair(h, -1 - between, w, c, armB, armA);
 }
 
 /** H ← H + [1; S(r)] W [1, -S(r)], its lower half, with the arm r of the body and a symmetric W; S(r) v = r × v. */

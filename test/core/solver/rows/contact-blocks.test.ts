@@ -2,7 +2,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cross, dot, length } from '../../../../physics-core/base/math.js';
 import { C, speeds, takePush } from '../../../../physics-core/solver/rows/cone-contacts.js';
-import { addContact } from '../../../../physics-core/solver/rows/contact-blocks.js';
+import {
+  addContact,
+  PLACES,
+  placesOf,
+} from '../../../../physics-core/solver/rows/contact-blocks.js';
 import { SparseCholesky } from '../../../../physics-core/solver/matrix/block-cholesky.js';
 import { below, type Vec3 } from '../../helpers.js';
 import { anyContact, fullOf, minus, some, three } from './contacts.js';
@@ -67,7 +71,9 @@ void test('the blocks of a contact are Jᵀ W J, whichever of its bodies comes f
     matrix.connect(0, 1);
     assert.ok(matrix.analyse(1000));
     matrix.clear();
-    addContact(matrix, W, c, at, p, q);
+    const places = new Int32Array(PLACES);
+    placesOf(matrix, p, q, places, 0);
+    addContact(matrix.values, W, c, at, places, 0);
     const full = fullOf(matrix, 2, [[0, 1]]);
     const J = jacobian(c, at);
     const numbers = [p, q];
