@@ -64,7 +64,7 @@ export class MeshContact {
     this.#sure = true;
     this.#plane.fill(0);
     this.#writeBox(a, at, limit);
-    const count = surface.near(this.#box, this.#near);
+    const count = surface.notBeside(this.#box, limit, this.#near);
     this.#lowest = known ? -a.height(-normal[0]!, -normal[1]!, -normal[2]!) - DEEPER : -Infinity;
     for (let i = 0; i < count && this.#sure; i++) {
       const triangle = this.#near[i]!;
