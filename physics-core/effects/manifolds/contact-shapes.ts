@@ -195,10 +195,20 @@ export class ContactShapes extends Effect {
     const b = ofB.placed;
     const known = theirs < Infinity;
     points.clear();
-    if (ofB.surface) return this.#meshContact.find(a, b, ofB.surface, normal, known, limit, points);
+    if (ofB.surface)
+      return this.#meshContact.find(manifold, a, b, ofB.surface, normal, known, limit, points);
     if (ofA.surface) {
       for (let k = 0; k < 3; k++) normal[k] = -normal[k]!;
-      const sure = this.#meshContact.find(b, a, ofA.surface, normal, known, limit, points);
+      const sure = this.#meshContact.find(
+        manifold,
+        b,
+        a,
+        ofA.surface,
+        normal,
+        known,
+        limit,
+        points,
+      );
       points.swap();
       return sure;
     }
