@@ -6,7 +6,12 @@ import { MATRIX } from '../../base/matrix.js';
 import { PointerNumbers } from '../../base/pointer-numbers.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { speedBetween, writeFrame } from '../../engine/body-heap.js';
-import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold-points.js';
+import {
+  breakingAt,
+  firstPointAt,
+  forgetPoints,
+  writeDeepestNormal,
+} from '../../engine/manifold-points.js';
 import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
@@ -167,16 +172,19 @@ export class ContactShapes extends Effect {
     if (!(ofA.form ?? ofA.surface) || !(ofB.form ?? ofB.surface)) return;
     this.#place(a, ofA);
     this.#place(b, ofB);
+    const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
+    const isEmpty = firstPointAt(this.#ammo, manifold) === 0;
+    if (isEmpty && ofA.form && ofB.form && areFar(ofA.placed, ofB.placed, limit)) return;
     const theirs = this.#guess(manifold, ofA.placed, ofB.placed);
     // One that lies deep in another is Bullet's: from there a nearest face is no longer where it came in.
     if (boxes && theirs < -OFF) return;
-    const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
     if (!this.#find(manifold, ofA, ofB, theirs, limit)) return;
-    const { least } = this.#points;
+    const { least, count } = this.#points;
     // What Bullet finds deep in a mesh must not be missed; of what it has hardly in touch nothing is deep.
     if (ofA.surface ?? ofB.surface) {
       if (least > 0 && theirs < -OFF) return;
     } else if (least < Math.min(theirs, 0) - OFF) return;
+    if (count === 0) return forgetPoints(this.#ammo, manifold);
     const old = this.#old;
     if (old.look(manifold, a, b)) this.#points.setBefore(old.first(0), old.first(1), old.first(2));
     this.#points.reduce();
@@ -212,7 +220,7 @@ export class ContactShapes extends Effect {
       points.swap();
       return sure;
     }
-    if (!known && (areFar(a, b, limit) || this.#axes.separates(manifold, a, b, limit))) return true;
+    if (!known && this.#axes.separates(manifold, a, b, limit)) return true;
     // In single precision, of a long floor and a rim that rolls on it, Bullet's normal may point anywhere.
     if (apartAlong(a, b, normal) < theirs - OFF) preferAxes(a, b, normal);
     this.#convex.find(a, b, normal, limit, points, -1, theirs);
