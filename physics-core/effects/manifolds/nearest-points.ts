@@ -44,20 +44,21 @@ export class NearestPoints {
     const best = this.#best;
     best.distance = -Infinity;
     const size = Math.min(a.form.reach, b.form.reach);
+    let between = this.#between(a, b);
     for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < MOST_TRIES; tries++) {
       const x = normal[0]!;
       const y = normal[1]!;
       const z = normal[2]!;
-      const apart = APART * size * (1 + tries) - this.#between(a, b) - a.form.round - b.form.round;
+      const apart = APART * size * (1 + tries) - between - a.form.round - b.form.round;
       for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
       this.#far = apart > 0 ? Infinity : limit + a.form.round + b.form.round;
       const found = this.#search(a, b);
       if (found === 'far') return false;
+      between = this.#between(a, b);
       if (found === 'nothing') continue;
       turn++;
-      const distance = this.#between(a, b);
-      const farther = distance - best.distance;
-      if (farther > 0) this.#keepBest(distance);
+      const farther = between - best.distance;
+      if (farther > 0) this.#keepBest(between);
       const change = Math.abs(normal[0]! - x) + Math.abs(normal[1]! - y) + Math.abs(normal[2]! - z);
       if (change < STEADY || apart <= 0 || farther < NO_FARTHER) break;
     }

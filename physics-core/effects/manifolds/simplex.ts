@@ -127,20 +127,54 @@ export class Simplex {
     share[k] = vc / sum;
   }
 
+  /** The nearest of those faces that the origin lies beyond: their edges are worked out once for all that share them. */
   #tetrahedron(): boolean {
+    const { w } = this;
+    const x = w[0]!;
+    const y = w[1]!;
+    const z = w[2]!;
+    const ax = w[3]! - x;
+    const ay = w[4]! - y;
+    const az = w[5]! - z;
+    const bx = w[6]! - x;
+    const by = w[7]! - y;
+    const bz = w[8]! - z;
+    const cx = w[9]! - x;
+    const cy = w[10]! - y;
+    const cz = w[11]! - z;
     this.#least = Infinity;
-    this.#tryFace(0, 1, 2, 3);
-    this.#tryFace(0, 2, 3, 1);
-    this.#tryFace(0, 3, 1, 2);
-    this.#tryFace(1, 3, 2, 0);
+    if (isOutside(x, y, z, ax, ay, az, bx, by, bz, cx, cy, cz)) this.#tryFace(0, 1, 2);
+    if (isOutside(x, y, z, bx, by, bz, cx, cy, cz, ax, ay, az)) this.#tryFace(0, 2, 3);
+    if (isOutside(x, y, z, cx, cy, cz, ax, ay, az, bx, by, bz)) this.#tryFace(0, 3, 1);
+    if (this.#isOutsideLast()) this.#tryFace(1, 3, 2);
     if (this.#least === Infinity) return false;
     copy4(this.#best, this.share);
     return true;
   }
 
-  /** `across`: the corner that is not of it. */
-  #tryFace(i: number, j: number, k: number, across: number): void {
-    if (!this.#outside(i, j, k, across)) return;
+  /** Whether the origin lies beyond the face without the first corner. */
+  #isOutsideLast(): boolean {
+    const { w } = this;
+    const x = w[3]!;
+    const y = w[4]!;
+    const z = w[5]!;
+    return isOutside(
+      x,
+      y,
+      z,
+      w[9]! - x,
+      w[10]! - y,
+      w[11]! - z,
+      w[6]! - x,
+      w[7]! - y,
+      w[8]! - z,
+      w[0]! - x,
+      w[1]! - y,
+      w[2]! - z,
+    );
+  }
+
+  #tryFace(i: number, j: number, k: number): void {
     this.#clearShares();
     this.#triangle(i, j, k);
     const distance = this.#distance();
@@ -148,31 +182,35 @@ export class Simplex {
     this.#least = distance;
     copy4(this.share, this.#best);
   }
+}
 
-  /** Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. */
-  #outside(i: number, j: number, k: number, across: number): boolean {
-    const { w } = this;
-    const x = w[3 * i]!;
-    const y = w[3 * i + 1]!;
-    const z = w[3 * i + 2]!;
-    const ex = w[3 * j]! - x;
-    const ey = w[3 * j + 1]! - y;
-    const ez = w[3 * j + 2]! - z;
-    const fx = w[3 * k]! - x;
-    const fy = w[3 * k + 1]! - y;
-    const fz = w[3 * k + 2]! - z;
-    const gx = w[3 * across]! - x;
-    const gy = w[3 * across + 1]! - y;
-    const gz = w[3 * across + 2]! - z;
-    const nx = ey * fz - ez * fy;
-    const ny = ez * fx - ex * fz;
-    const nz = ex * fy - ey * fx;
-    const origin = -(nx * x + ny * y + nz * z);
-    const corner = nx * gx + ny * gy + nz * gz;
-    const size =
-      (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
-    return corner * corner <= FLAT * FLAT * size || origin * corner < 0;
-  }
+/**
+ * Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. Of the face a corner
+ * and the edges from there, last the one to the fourth.
+ */
+function isOutside(
+  x: number,
+  y: number,
+  z: number,
+  ex: number,
+  ey: number,
+  ez: number,
+  fx: number,
+  fy: number,
+  fz: number,
+  gx: number,
+  gy: number,
+  gz: number,
+): boolean {
+  const nx = ey * fz - ez * fy;
+  const ny = ez * fx - ex * fz;
+  const nz = ex * fy - ey * fx;
+  const origin = -(nx * x + ny * y + nz * z);
+  const corner = nx * gx + ny * gy + nz * gz;
+  if (origin * corner < 0) return true;
+  const size =
+    (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
+  return corner * corner <= FLAT * FLAT * size;
 }
 
 /** `set` and `copyWithin` of arrays take longer than a round of the search. */
