@@ -178,7 +178,7 @@ export class SolveOrder {
     for (let i = 0; i < count; i++) {
       const manifold = ammo.HEAP32[at + i]!;
       if (pointCountAt(ammo, manifold) === 0 && isOfParts(ammo, manifold)) aside.push(manifold);
-      else this.#put(at, kept++, manifold);
+      else if (kept++ < i) this.#put(at, kept - 1, manifold);
     }
     aside.forEach((manifold, i) => this.#put(at, kept + i, manifold));
     ammo.HEAP32[counter] = kept;

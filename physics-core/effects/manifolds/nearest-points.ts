@@ -34,6 +34,8 @@ export class NearestPoints {
   readonly #shift = new Float64Array(3);
   /** By how much what was taken may still be farther than the nearest, metres. */
   #gap = Infinity;
+  /** From B to A, as it was taken. */
+  readonly #taken = new Float64Array(3);
   /** Forms without what is round about them that are farther apart than this are none of the caller's, metres. */
   #far = Infinity;
   readonly #best = { distance: -Infinity, normal: new Float64Array(3), onB: new Float64Array(3) };
@@ -53,6 +55,7 @@ export class NearestPoints {
       for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
       this.#far = apart > 0 ? Infinity : limit + a.form.round + b.form.round;
       const found = this.#search(a, b);
+      if (found !== 'far' && this.#gap < Infinity) this.#turnNormal();
       if (found === 'far') return false;
       between = this.#between(a, b);
       if (found === 'nothing') continue;
@@ -144,7 +147,6 @@ export class NearestPoints {
 
   #take(gap: number): void {
     const { nearest, share, count, b } = this.#simplex;
-    const size = hypot(nearest[0]!, nearest[1]!, nearest[2]!);
     this.#gap = gap;
     let x = 0;
     let y = 0;
@@ -155,7 +157,14 @@ export class NearestPoints {
       z += share[i]! * b[3 * i + 2]!;
     }
     write3(this.onB, x, y, z);
-    write3(this.normal, nearest[0]! / size, nearest[1]! / size, nearest[2]! / size);
+    write3(this.#taken, nearest[0]!, nearest[1]!, nearest[2]!);
+  }
+
+  /** To where what was taken last lies. */
+  #turnNormal(): void {
+    const taken = this.#taken;
+    const size = hypot(taken[0]!, taken[1]!, taken[2]!);
+    write3(this.normal, taken[0]! / size, taken[1]! / size, taken[2]! / size);
   }
 }
 
