@@ -19,7 +19,7 @@ import { partNumberAt } from '../contacts/contact-part.js';
 import { contactSurface } from '../contacts/effects.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { formsOf, type BodyForms, type PartForm } from './body-forms.js';
+import { concerns, formsOf, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
@@ -63,6 +63,8 @@ export class ContactShapes extends Effect {
   readonly #bodies = new PointerNumbers();
   readonly #near: (BodyForms | undefined)[] = [];
   #reviews = -1;
+  /** Whether it concerns any body: of balls alone no pair is looked at. */
+  #concerned = false;
   /** Searches of Bullet so far. */
   #searches = 0;
   readonly #points = new FoundPoints();
@@ -97,7 +99,7 @@ export class ContactShapes extends Effect {
     this.#review();
     const { bullet } = this.#simulation;
     this.#busy = bullet.manifoldCount > BUSY;
-    bullet.eachAwakeManifold(this.#keep);
+    if (this.#concerned) bullet.eachAwakeManifold(this.#keep);
   }
 
   override found(): void {
@@ -105,7 +107,7 @@ export class ContactShapes extends Effect {
     this.#searches++;
     const { bullet } = this.#simulation;
     this.#bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
-    bullet.eachAwakeManifold(this.#renew);
+    if (this.#concerned) bullet.eachAwakeManifold(this.#renew);
     // Who comes on in the middle of a step finds nothing of an earlier one.
     this.#old.clear();
   }
@@ -116,6 +118,12 @@ export class ContactShapes extends Effect {
     this.#reviews = reviews;
     this.#bodies.clear();
     this.#near.length = 0;
+    this.#concerned = this.#concernsAny();
+  }
+
+  #concernsAny(): boolean {
+    for (const body of this.#simulation.bodies) if (concerns(body)) return true;
+    return false;
   }
 
   /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
