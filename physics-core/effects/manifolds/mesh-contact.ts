@@ -178,7 +178,7 @@ export class MeshContact {
     const face = this.#corners;
     const out = this.#out;
     const low = this.#low;
-    this.#a.support(-out[0]!, -out[1]!, -out[2]!, low, 0);
+    this.#a.support(out, -1, low, 0);
     for (let i = 0; i < 3; i++) {
       const from = 3 * i;
       const to = 3 * ((i + 1) % 3);

@@ -134,11 +134,8 @@ export class NearestPoints {
 
   #support(a: PlacedForm, b: PlacedForm, at: number): void {
     const { nearest, w, a: onA, b: onB } = this.#simplex;
-    const x = nearest[0]!;
-    const y = nearest[1]!;
-    const z = nearest[2]!;
-    a.support(-x, -y, -z, onA, at);
-    b.support(x, y, z, onB, at);
+    a.support(nearest, -1, onA, at);
+    b.support(nearest, 1, onB, at);
     const shift = this.#shift;
     w[at] = onA[at]! + shift[0]! - onB[at]!;
     w[at + 1] = onA[at + 1]! + shift[1]! - onB[at + 1]!;

@@ -16,6 +16,8 @@ export class Simplex {
   readonly nearest = new Float64Array(3);
   /** Of a tetrahedron's faces, the nearest so far: its distance, squared, and its shares. */
   #least = Infinity;
+  /** Of the tetrahedron: from its first corner to the others, then from the second to the last, the third and the first. */
+  readonly #edges = new Float64Array(18);
   readonly #best = new Float64Array(4);
 
   #clearShares(): void {
@@ -129,49 +131,50 @@ export class Simplex {
 
   /** The nearest of those faces that the origin lies beyond: their edges are worked out once for all that share them. */
   #tetrahedron(): boolean {
-    const { w } = this;
-    const x = w[0]!;
-    const y = w[1]!;
-    const z = w[2]!;
-    const ax = w[3]! - x;
-    const ay = w[4]! - y;
-    const az = w[5]! - z;
-    const bx = w[6]! - x;
-    const by = w[7]! - y;
-    const bz = w[8]! - z;
-    const cx = w[9]! - x;
-    const cy = w[10]! - y;
-    const cz = w[11]! - z;
+    for (let i = 1; i < 4; i++) this.#writeEdge(3 * i - 3, i, 0);
+    this.#writeEdge(9, 3, 1);
+    this.#writeEdge(12, 2, 1);
+    this.#writeEdge(15, 0, 1);
     this.#least = Infinity;
-    if (isOutside(x, y, z, ax, ay, az, bx, by, bz, cx, cy, cz)) this.#tryFace(0, 1, 2);
-    if (isOutside(x, y, z, bx, by, bz, cx, cy, cz, ax, ay, az)) this.#tryFace(0, 2, 3);
-    if (isOutside(x, y, z, cx, cy, cz, ax, ay, az, bx, by, bz)) this.#tryFace(0, 3, 1);
-    if (this.#isOutsideLast()) this.#tryFace(1, 3, 2);
+    if (this.#isOutside(0, 0, 3, 6)) this.#tryFace(0, 1, 2);
+    if (this.#isOutside(0, 3, 6, 0)) this.#tryFace(0, 2, 3);
+    if (this.#isOutside(0, 6, 0, 3)) this.#tryFace(0, 3, 1);
+    if (this.#isOutside(3, 9, 12, 15)) this.#tryFace(1, 3, 2);
     if (this.#least === Infinity) return false;
     copy4(this.#best, this.share);
     return true;
   }
 
-  /** Whether the origin lies beyond the face without the first corner. */
-  #isOutsideLast(): boolean {
+  #writeEdge(at: number, to: number, from: number): void {
     const { w } = this;
-    const x = w[3]!;
-    const y = w[4]!;
-    const z = w[5]!;
-    return isOutside(
-      x,
-      y,
-      z,
-      w[9]! - x,
-      w[10]! - y,
-      w[11]! - z,
-      w[6]! - x,
-      w[7]! - y,
-      w[8]! - z,
-      w[0]! - x,
-      w[1]! - y,
-      w[2]! - z,
-    );
+    for (let k = 0; k < 3; k++) this.#edges[at + k] = w[3 * to + k]! - w[3 * from + k]!;
+  }
+
+  /**
+   * Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. Where a corner of
+   * the face begins, two edges from there, and the one to the fourth: as numbers that are no integers they would be boxed.
+   */
+  #isOutside(corner: number, e: number, f: number, g: number): boolean {
+    const { w } = this;
+    const edges = this.#edges;
+    const ex = edges[e]!;
+    const ey = edges[e + 1]!;
+    const ez = edges[e + 2]!;
+    const fx = edges[f]!;
+    const fy = edges[f + 1]!;
+    const fz = edges[f + 2]!;
+    const gx = edges[g]!;
+    const gy = edges[g + 1]!;
+    const gz = edges[g + 2]!;
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
+    const origin = -(nx * w[corner]! + ny * w[corner + 1]! + nz * w[corner + 2]!);
+    const fourth = nx * gx + ny * gy + nz * gz;
+    if (origin * fourth < 0) return true;
+    const size =
+      (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
+    return fourth * fourth <= FLAT * FLAT * size;
   }
 
   #tryFace(i: number, j: number, k: number): void {
@@ -182,35 +185,6 @@ export class Simplex {
     this.#least = distance;
     copy4(this.share, this.#best);
   }
-}
-
-/**
- * Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. Of the face a corner
- * and the edges from there, last the one to the fourth.
- */
-function isOutside(
-  x: number,
-  y: number,
-  z: number,
-  ex: number,
-  ey: number,
-  ez: number,
-  fx: number,
-  fy: number,
-  fz: number,
-  gx: number,
-  gy: number,
-  gz: number,
-): boolean {
-  const nx = ey * fz - ez * fy;
-  const ny = ez * fx - ex * fz;
-  const nz = ex * fy - ey * fx;
-  const origin = -(nx * x + ny * y + nz * z);
-  const corner = nx * gx + ny * gy + nz * gz;
-  if (origin * corner < 0) return true;
-  const size =
-    (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
-  return corner * corner <= FLAT * FLAT * size;
 }
 
 /** `set` and `copyWithin` of arrays take longer than a round of the search. */

@@ -54,8 +54,8 @@ export class TriangleForm implements Form {
     for (let k = 0; k < 3; k++) out[at + k] = this.corners[3 * corner + k]!;
   }
 
-  support(x: number, y: number, z: number, out: Flat): void {
-    this.#copy(this.#farthest(x, y, z), out, 0);
+  support(direction: Flat, out: Flat): void {
+    this.#copy(this.#farthest(direction[0]!, direction[1]!, direction[2]!), out, 0);
   }
 
   facing(x: number, y: number, z: number, out: Flat): number {
