@@ -173,16 +173,18 @@ export class SolveOrder {
     const counter = (this.#dispatcher + DISPATCHER.manifoldCount) >> 2;
     const count = ammo.HEAP32[counter]!;
     const at = ammo.HEAP32[(this.#dispatcher + DISPATCHER.manifolds) >> 2]! >> 2;
-    const aside: number[] = [];
+    // It has room for all since they were sorted.
+    const aside = this.#manifolds;
     let kept = 0;
+    let left = 0;
     for (let i = 0; i < count; i++) {
       const manifold = ammo.HEAP32[at + i]!;
-      if (pointCountAt(ammo, manifold) === 0 && isOfParts(ammo, manifold)) aside.push(manifold);
-      else this.#put(at, kept++, manifold);
+      if (pointCountAt(ammo, manifold) === 0 && isOfParts(ammo, manifold)) aside[left++] = manifold;
+      else if (kept++ < i) this.#put(at, kept - 1, manifold);
     }
-    aside.forEach((manifold, i) => this.#put(at, kept + i, manifold));
+    for (let i = 0; i < left; i++) this.#put(at, kept + i, aside[i]!);
     ammo.HEAP32[counter] = kept;
-    this.#aside = aside.length;
+    this.#aside = left;
   }
 
   putBack(): void {

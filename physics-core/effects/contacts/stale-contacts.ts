@@ -12,15 +12,20 @@ const SHORT = 0.005;
 export const anyFast = ({ bodies }: Simulation, dt: number): boolean =>
   bodies.anyFaster(SHORT / dt);
 
-/** Visits pairs near each other that move farther along each other in a step than their contact points live for. */
+/**
+ * Visits pairs near each other that move farther along each other in a step than their contact points live for. `touchingOnly`:
+ * those that have any.
+ */
 export function eachFastPair(
   { bullet, engine: { ammo } }: Simulation,
   dt: number,
   visit: (manifold: number, a: number, b: number) => void,
+  touchingOnly = false,
 ): void {
-  bullet.eachPair((manifold, a, b) => {
+  const see = (manifold: number, a: number, b: number): void => {
     if (speedBetween(ammo, a, b) * dt > LONG * breakingAt(ammo, manifold)) visit(manifold, a, b);
-  });
+  };
+  bullet.eachPair(see, false, touchingOnly);
 }
 
 /**
@@ -30,5 +35,5 @@ export function eachFastPair(
  */
 export function forgetStale(simulation: Simulation, dt: number): void {
   const { ammo } = simulation.engine;
-  eachFastPair(simulation, dt, (manifold) => forgetPoints(ammo, manifold));
+  eachFastPair(simulation, dt, (manifold) => forgetPoints(ammo, manifold), true);
 }

@@ -197,7 +197,7 @@ export class Effects {
     const seeing = this.#seeing;
     seeing.length = 0;
     for (const effect of this.#contacts) if (effect.seesContacts?.() ?? true) seeing.push(effect);
-    if (seeing.length > 0) this.#simulation.bullet.eachAwakeManifold(this.#see);
+    if (seeing.length > 0) this.#simulation.bullet.eachAwakeTouching(this.#see);
   }
 
   readonly #see = (manifold: number, a: number, b: number): void => {

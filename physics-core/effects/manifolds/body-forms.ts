@@ -33,6 +33,12 @@ export interface BodyForms {
   boxes: boolean;
 }
 
+const isBoxes = ({ solidParts }: Body): boolean =>
+  solidParts.every(({ outline }) => outline?.kind === 'box');
+
+/** Whether any pair of it may be one whose points are worked out here. */
+export const concerns = (body: Body): boolean => wanted(body) !== undefined || isBoxes(body);
+
 export function formsOf(body: Body): BodyForms {
   const parts = body.solidParts;
   const inverse = invert(body.centerOfMass);
@@ -46,6 +52,5 @@ export function formsOf(body: Body): BodyForms {
     if (form) placed.form = form;
     return { form, surface, turn, origin: Float64Array.from(p), placed, search: 0 };
   });
-  const boxes = parts.every(({ outline }) => outline?.kind === 'box');
-  return { body, parts, forms, wanted: wanted(body) !== undefined, boxes };
+  return { body, parts, forms, wanted: wanted(body) !== undefined, boxes: isBoxes(body) };
 }

@@ -6,7 +6,12 @@ import { MATRIX } from '../../base/matrix.js';
 import { PointerNumbers } from '../../base/pointer-numbers.js';
 import { ContactPoint } from '../../engine/contact-point.js';
 import { speedBetween, writeFrame } from '../../engine/body-heap.js';
-import { breakingAt, firstPointAt, writeDeepestNormal } from '../../engine/manifold-points.js';
+import {
+  breakingAt,
+  firstPointAt,
+  forgetPoints,
+  writeDeepestNormal,
+} from '../../engine/manifold-points.js';
 import { ManifoldWriter } from '../../engine/manifold-writer.js';
 import { OldPoints } from '../../engine/old-points.js';
 import { DEFAULT_FRICTION } from '../../dynamics/contact-parameters.js';
@@ -14,7 +19,7 @@ import { partNumberAt } from '../contacts/contact-part.js';
 import { contactSurface } from '../contacts/effects.js';
 import { Effect, type Cause } from '../effect/effect.js';
 import type { Effects } from '../effect/effects.js';
-import { formsOf, type BodyForms, type PartForm } from './body-forms.js';
+import { concerns, formsOf, type BodyForms, type PartForm } from './body-forms.js';
 import { ConvexContact, OFF } from './convex-contact.js';
 import { FoundPoints } from './found-points.js';
 import { MeshContact } from './mesh-contact.js';
@@ -58,6 +63,8 @@ export class ContactShapes extends Effect {
   readonly #bodies = new PointerNumbers();
   readonly #near: (BodyForms | undefined)[] = [];
   #reviews = -1;
+  /** Whether it concerns any body: of balls alone no pair is looked at. */
+  #concerned = false;
   /** Searches of Bullet so far. */
   #searches = 0;
   readonly #points = new FoundPoints();
@@ -92,7 +99,7 @@ export class ContactShapes extends Effect {
     this.#review();
     const { bullet } = this.#simulation;
     this.#busy = bullet.manifoldCount > BUSY;
-    bullet.eachAwakeManifold(this.#keep);
+    if (this.#concerned) bullet.eachAwakeManifold(this.#keep);
   }
 
   override found(): void {
@@ -100,7 +107,7 @@ export class ContactShapes extends Effect {
     this.#searches++;
     const { bullet } = this.#simulation;
     this.#bouncing = this.#effects.caused(contactSurface)?.demands.bouncing ?? false;
-    bullet.eachAwakeManifold(this.#renew);
+    if (this.#concerned) bullet.eachAwakeManifold(this.#renew);
     // Who comes on in the middle of a step finds nothing of an earlier one.
     this.#old.clear();
   }
@@ -111,6 +118,12 @@ export class ContactShapes extends Effect {
     this.#reviews = reviews;
     this.#bodies.clear();
     this.#near.length = 0;
+    this.#concerned = this.#concernsAny();
+  }
+
+  #concernsAny(): boolean {
+    for (const body of this.#simulation.bodies) if (concerns(body)) return true;
+    return false;
   }
 
   /** Of boxes alone Bullet's points are good enough for its own solver, and where so many are near each other. */
@@ -167,16 +180,19 @@ export class ContactShapes extends Effect {
     if (!(ofA.form ?? ofA.surface) || !(ofB.form ?? ofB.surface)) return;
     this.#place(a, ofA);
     this.#place(b, ofB);
+    const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
+    const isEmpty = firstPointAt(this.#ammo, manifold) === 0;
+    if (isEmpty && ofA.form && ofB.form && areFar(ofA.placed, ofB.placed, limit)) return;
     const theirs = this.#guess(manifold, ofA.placed, ofB.placed);
     // One that lies deep in another is Bullet's: from there a nearest face is no longer where it came in.
     if (boxes && theirs < -OFF) return;
-    const limit = careful ? NEAR : breakingAt(this.#ammo, manifold);
     if (!this.#find(manifold, ofA, ofB, theirs, limit)) return;
-    const { least } = this.#points;
+    const { least, count } = this.#points;
     // What Bullet finds deep in a mesh must not be missed; of what it has hardly in touch nothing is deep.
     if (ofA.surface ?? ofB.surface) {
       if (least > 0 && theirs < -OFF) return;
     } else if (least < Math.min(theirs, 0) - OFF) return;
+    if (count === 0) return forgetPoints(this.#ammo, manifold);
     const old = this.#old;
     if (old.look(manifold, a, b)) this.#points.setBefore(old.first(0), old.first(1), old.first(2));
     this.#points.reduce();
@@ -195,14 +211,24 @@ export class ContactShapes extends Effect {
     const b = ofB.placed;
     const known = theirs < Infinity;
     points.clear();
-    if (ofB.surface) return this.#meshContact.find(a, b, ofB.surface, normal, known, limit, points);
+    if (ofB.surface)
+      return this.#meshContact.find(manifold, a, b, ofB.surface, normal, known, limit, points);
     if (ofA.surface) {
       for (let k = 0; k < 3; k++) normal[k] = -normal[k]!;
-      const sure = this.#meshContact.find(b, a, ofA.surface, normal, known, limit, points);
+      const sure = this.#meshContact.find(
+        manifold,
+        b,
+        a,
+        ofA.surface,
+        normal,
+        known,
+        limit,
+        points,
+      );
       points.swap();
       return sure;
     }
-    if (!known && (areFar(a, b, limit) || this.#axes.separates(manifold, a, b, limit))) return true;
+    if (!known && this.#axes.separates(manifold, a, b, limit)) return true;
     // In single precision, of a long floor and a rim that rolls on it, Bullet's normal may point anywhere.
     if (apartAlong(a, b, normal) < theirs - OFF) preferAxes(a, b, normal);
     this.#convex.find(a, b, normal, limit, points, -1, theirs);

@@ -7,12 +7,16 @@ import { ConvexContact, FLUSH } from './convex-contact.js';
 import { clip, MOST_CLIPPED } from './clip.js';
 import { FoundPoints } from './found-points.js';
 import { PlacedForm } from './placed-form.js';
+import { SeparatingAxes } from './separating-axes.js';
 
 /** Triangles that are looked at for one pair in a step. */
 const MOST_TRIANGLES = 4096;
 
 /** Corners the other way round: the sides from each to the next, by their own numbers. */
 const BACK = [1, 0, 2] as const;
+
+/** Of 2^32: it spreads the numbers of triangles. */
+const SPREAD = 0x9e3779b1;
 
 /** A face that is deeper than the guess says by more than this is not what separates, metres. */
 const DEEPER = 1e-5;
@@ -39,8 +43,19 @@ export class MeshContact {
   readonly #single = new FoundPoints();
   /** The lowest point of A over a triangle. */
   readonly #low = new Float64Array(3);
+  /** What is asked for, all along `find`. */
+  #a!: PlacedForm;
+  #pair = 0;
+  #seams!: Seams;
+  #guess!: Flat;
+  #limit = 0;
+  #points!: FoundPoints;
   /** Nothing was met that single triangles do not tell. */
   #sure = true;
+  /** How far A is from the plane of the triangle, metres. */
+  #gap = 0;
+  /** By pairs and triangles. */
+  readonly #axes = new SeparatingAxes();
   /** A is behind the triangle: its corners are looked at the other way round. */
   #back = false;
   /** How low A reaches along the guess, less DEEPER. */
@@ -50,8 +65,12 @@ export class MeshContact {
     this.#triangle.form = this.#form;
   }
 
-  /** `turn` and `origin` of `at`: where the surface stands. `normal`: a guess, from B into A, if it is `known`. False: it can't tell. */
+  /**
+   * `turn` and `origin` of `at`: where the surface stands. `normal`: a guess, from B into A, if it is `known`; `pair`: a number
+   * that stands for both. False: it can't tell.
+   */
   find(
+    pair: number,
     a: PlacedForm,
     at: PlacedForm,
     surface: Surface,
@@ -60,20 +79,28 @@ export class MeshContact {
     limit: number,
     points: FoundPoints,
   ): boolean {
+    this.#pair = pair;
+    this.#a = a;
+    this.#seams = surface.seams;
+    this.#guess = normal;
+    this.#limit = limit;
+    this.#points = points;
     this.#triangle.standAt(at);
     this.#sure = true;
     this.#plane.fill(0);
     this.#writeBox(a, at, limit);
-    const count = surface.near(this.#box, this.#near);
+    const count = surface.notBeside(this.#box, limit, this.#near);
     this.#lowest = known ? -a.height(-normal[0]!, -normal[1]!, -normal[2]!) - DEEPER : -Infinity;
-    for (let i = 0; i < count && this.#sure; i++) {
-      const triangle = this.#near[i]!;
-      this.#take(surface, triangle);
-      if (this.#form.isFlat) continue;
-      if (!this.#lies(a, surface.seams, normal, limit, points, triangle))
-        this.#touchEdge(a, surface.seams, normal, limit, points, triangle);
-    }
+    for (let i = 0; i < count && this.#sure; i++) this.#look(surface, this.#near[i]!);
     return this.#sure;
+  }
+
+  #look(surface: Surface, triangle: number): void {
+    this.#take(surface, triangle);
+    if (this.#form.isFlat) return;
+    this.#gap = this.#gapTo(this.#a);
+    if (this.#gap > this.#limit) return;
+    if (!this.#lies(triangle)) this.#touchEdge(triangle);
   }
 
   #take({ points, index, normals }: Surface, triangle: number): void {
@@ -96,17 +123,11 @@ export class MeshContact {
    * Whether A lies over the triangle: its lowest is there, or where the surface goes on in the same plane or rises, so
    * that no edge is in the way.
    */
-  #lies(
-    a: PlacedForm,
-    seams: Seams,
-    guess: Flat,
-    limit: number,
-    points: FoundPoints,
-    triangle: number,
-  ): boolean {
+  #lies(triangle: number): boolean {
     const face = this.#corners;
-    const gap = this.#gapTo(a);
-    if (gap > limit) return false;
+    const gap = this.#gap;
+    const a = this.#a;
+    const guess = this.#guess;
     const x = this.#out[0]!;
     const y = this.#out[1]!;
     const z = this.#out[2]!;
@@ -118,14 +139,14 @@ export class MeshContact {
       least = Math.min(least, x * lying[at]! + y * lying[at + 1]! + z * lying[at + 2]! - height);
     // What separates them along the guess is less than that: its side is not where A comes from.
     if (least < this.#lowest - this.#triangle.height(guess[0]!, guess[1]!, guess[2]!)) return false;
-    if (least > gap + FLUSH && !this.#goesOn(a, seams, triangle)) return false;
+    if (least > gap + FLUSH && !this.#goesOn(triangle)) return false;
     for (let at = 0; at < 3 * count; at += 3) {
       const px = lying[at]!;
       const py = lying[at + 1]!;
       const pz = lying[at + 2]!;
       const distance = x * px + y * py + z * pz - height;
-      if (distance > limit) continue;
-      points.add(
+      if (distance > this.#limit) continue;
+      this.#points.add(
         px - x * distance,
         py - y * distance,
         pz - z * distance,
@@ -153,11 +174,11 @@ export class MeshContact {
   }
 
   /** Whether the surface neither ends nor falls beyond those sides of the triangle that the lowest of A is beyond. */
-  #goesOn(a: PlacedForm, seams: Seams, triangle: number): boolean {
+  #goesOn(triangle: number): boolean {
     const face = this.#corners;
     const out = this.#out;
     const low = this.#low;
-    a.support(-out[0]!, -out[1]!, -out[2]!, low, 0);
+    this.#a.support(out, -1, low, 0);
     for (let i = 0; i < 3; i++) {
       const from = 3 * i;
       const to = 3 * ((i + 1) % 3);
@@ -172,7 +193,7 @@ export class MeshContact {
         py * (ez * out[0]! - ex * out[2]!) +
         pz * (ex * out[1]! - ey * out[0]!);
       if (outside <= 0) continue;
-      const seam = seams.beyond[3 * triangle + (this.#back ? BACK[i]! : i)]!;
+      const seam = this.#seams.beyond[3 * triangle + (this.#back ? BACK[i]! : i)]!;
       if (seam === SEAM.nothing || (this.#back ? seam > 0 : seam < 0)) return false;
     }
     return true;
@@ -198,7 +219,8 @@ export class MeshContact {
   }
 
   /** Whether A is farther than `limit` beyond a side of the triangle, seen along its normal: most of what is near a mesh is. */
-  #isBeside(a: PlacedForm, limit: number): boolean {
+  #isBeside(): boolean {
+    const a = this.#a;
     const face = this.#corners;
     const out = this.#out;
     for (let i = 0; i < 9; i += 3) {
@@ -211,7 +233,7 @@ export class MeshContact {
       const z = ex * out[1]! - ey * out[0]!;
       const size = Math.sqrt(x * x + y * y + z * z);
       const edge = x * face[i]! + y * face[i + 1]! + z * face[i + 2]!;
-      if (-a.height(-x / size, -y / size, -z / size) - edge / size > limit) return true;
+      if (-a.height(-x / size, -y / size, -z / size) - edge / size > this.#limit) return true;
     }
     return false;
   }
@@ -220,27 +242,20 @@ export class MeshContact {
    * A touches an edge or a corner of the triangle. Where neighbours stand out farther its normal can't be that of an edge.
    * What is round then has its point on the neighbour; of anything else, which lies on both, more is to be known.
    */
-  #touchEdge(
-    a: PlacedForm,
-    seams: Seams,
-    guess: Flat,
-    limit: number,
-    points: FoundPoints,
-    triangle: number,
-  ): void {
+  #touchEdge(triangle: number): void {
     const normal = this.#normal;
     const single = this.#single;
-    const gap = this.#gapTo(a);
-    if (gap > limit) return;
-    const gx = guess[0]!;
-    const gy = guess[1]!;
-    const gz = guess[2]!;
-    const along = this.#lowest - this.#triangle.height(gx, gy, gz);
-    if (along > limit || this.#isBeside(a, limit)) return;
-    normal.set(along > gap ? guess : this.#out);
+    const guess = this.#guess;
+    const limit = this.#limit;
+    const along = this.#lowest - this.#triangle.height(guess[0]!, guess[1]!, guess[2]!);
+    if (along > limit || this.#isBeside()) return;
+    const a = this.#a;
+    const pair = pairOf(this.#pair, triangle);
+    if (this.#axes.separates(pair, a, this.#triangle, limit)) return;
+    normal.set(along > this.#gap ? guess : this.#out);
     single.clear();
     this.#convex.find(a, this.#triangle, normal, limit, single, triangle);
-    if (single.count === 0) return;
+    if (single.count === 0) return this.#axes.note(pair, normal);
     const { turn } = this.#triangle;
     const x = normal[0]!;
     const y = normal[1]!;
@@ -248,7 +263,11 @@ export class MeshContact {
     const u = turn[0]! * x + turn[3]! * y + turn[6]! * z;
     const v = turn[1]! * x + turn[4]! * y + turn[7]! * z;
     const w = turn[2]! * x + turn[5]! * y + turn[8]! * z;
-    if (seams.standsOut(triangle, u, v, w)) points.take(single);
+    if (this.#seams.standsOut(triangle, u, v, w)) this.#points.take(single);
     else this.#sure &&= a.form.round > 0;
   }
 }
+
+/** One number for a pair and a triangle, not 0. */
+const pairOf = (pair: number, triangle: number): number =>
+  pair ^ Math.imul(triangle + 1, SPREAD) || 1;

@@ -34,6 +34,8 @@ export class NearestPoints {
   readonly #shift = new Float64Array(3);
   /** By how much what was taken may still be farther than the nearest, metres. */
   #gap = Infinity;
+  /** From B to A, as it was taken. */
+  readonly #taken = new Float64Array(3);
   /** Forms without what is round about them that are farther apart than this are none of the caller's, metres. */
   #far = Infinity;
   readonly #best = { distance: -Infinity, normal: new Float64Array(3), onB: new Float64Array(3) };
@@ -44,20 +46,22 @@ export class NearestPoints {
     const best = this.#best;
     best.distance = -Infinity;
     const size = Math.min(a.form.reach, b.form.reach);
+    let between = this.#between(a, b);
     for (let turn = 0, tries = 0; turn < MOST_TURNS && tries < MOST_TRIES; tries++) {
       const x = normal[0]!;
       const y = normal[1]!;
       const z = normal[2]!;
-      const apart = APART * size * (1 + tries) - this.#between(a, b) - a.form.round - b.form.round;
+      const apart = APART * size * (1 + tries) - between - a.form.round - b.form.round;
       for (let i = 0; i < 3; i++) this.#shift[i] = Math.max(0, apart) * normal[i]!;
       this.#far = apart > 0 ? Infinity : limit + a.form.round + b.form.round;
       const found = this.#search(a, b);
+      if (found !== 'far' && this.#gap < Infinity) this.#turnNormal();
       if (found === 'far') return false;
+      between = this.#between(a, b);
       if (found === 'nothing') continue;
       turn++;
-      const distance = this.#between(a, b);
-      const farther = distance - best.distance;
-      if (farther > 0) this.#keepBest(distance);
+      const farther = between - best.distance;
+      if (farther > 0) this.#keepBest(between);
       const change = Math.abs(normal[0]! - x) + Math.abs(normal[1]! - y) + Math.abs(normal[2]! - z);
       if (change < STEADY || apart <= 0 || farther < NO_FARTHER) break;
     }
@@ -130,11 +134,8 @@ export class NearestPoints {
 
   #support(a: PlacedForm, b: PlacedForm, at: number): void {
     const { nearest, w, a: onA, b: onB } = this.#simplex;
-    const x = nearest[0]!;
-    const y = nearest[1]!;
-    const z = nearest[2]!;
-    a.support(-x, -y, -z, onA, at);
-    b.support(x, y, z, onB, at);
+    a.support(nearest, -1, onA, at);
+    b.support(nearest, 1, onB, at);
     const shift = this.#shift;
     w[at] = onA[at]! + shift[0]! - onB[at]!;
     w[at + 1] = onA[at + 1]! + shift[1]! - onB[at + 1]!;
@@ -143,7 +144,6 @@ export class NearestPoints {
 
   #take(gap: number): void {
     const { nearest, share, count, b } = this.#simplex;
-    const size = hypot(nearest[0]!, nearest[1]!, nearest[2]!);
     this.#gap = gap;
     let x = 0;
     let y = 0;
@@ -154,7 +154,14 @@ export class NearestPoints {
       z += share[i]! * b[3 * i + 2]!;
     }
     write3(this.onB, x, y, z);
-    write3(this.normal, nearest[0]! / size, nearest[1]! / size, nearest[2]! / size);
+    write3(this.#taken, nearest[0]!, nearest[1]!, nearest[2]!);
+  }
+
+  /** To where what was taken last lies. */
+  #turnNormal(): void {
+    const taken = this.#taken;
+    const size = hypot(taken[0]!, taken[1]!, taken[2]!);
+    write3(this.normal, taken[0]! / size, taken[1]! / size, taken[2]! / size);
   }
 }
 

@@ -66,9 +66,15 @@ export class PlacedForm {
     return count;
   }
 
-  /** Into `out[at]`: the point farthest along a direction, without what is round about it. */
-  support(x: number, y: number, z: number, out: Flat, at: number): void {
-    this.form.support(this.#in(x, y, z, 0), this.#in(x, y, z, 1), this.#in(x, y, z, 2), local);
+  /** Into `out[at]`: the point farthest along a direction, or against it (`sign` -1), without what is round about it. */
+  support(direction: Flat, sign: 1 | -1, out: Flat, at: number): void {
+    const x = sign * direction[0]!;
+    const y = sign * direction[1]!;
+    const z = sign * direction[2]!;
+    local[0] = this.#in(x, y, z, 0);
+    local[1] = this.#in(x, y, z, 1);
+    local[2] = this.#in(x, y, z, 2);
+    this.form.support(local, local);
     const { turn, origin } = this;
     const u = local[0]!;
     const v = local[1]!;
@@ -84,7 +90,10 @@ export class PlacedForm {
     const u = this.#in(x, y, z, 0);
     const v = this.#in(x, y, z, 1);
     const w = this.#in(x, y, z, 2);
-    form.support(u, v, w, local);
+    local[0] = u;
+    local[1] = v;
+    local[2] = w;
+    form.support(local, local);
     return (
       x * origin[0]! +
       y * origin[1]! +

@@ -2,6 +2,9 @@ import { PointerNumbers } from '../../base/pointer-numbers.js';
 import type { Flat } from '../../shapes/forms/form.js';
 import type { PlacedForm } from './placed-form.js';
 
+/** With more of them all are forgotten, and found again. */
+const MOST_PAIRS = 2 ** 14;
+
 /**
  * The direction along which a pair was found apart last. What is farther apart than a limit along any direction is so in
  * truth: nothing but the time of a step hangs on what is kept here.
@@ -19,6 +22,7 @@ export class SeparatingAxes {
   }
 
   note(pair: number, axis: Flat): void {
+    if (this.#pairs.count === MOST_PAIRS) this.#pairs.clear();
     const at = 3 * this.#pairs.numberOf(pair);
     if (at >= this.#axes.length) this.#grow();
     for (let k = 0; k < 3; k++) this.#axes[at + k] = axis[k]!;

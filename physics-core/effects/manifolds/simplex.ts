@@ -16,6 +16,8 @@ export class Simplex {
   readonly nearest = new Float64Array(3);
   /** Of a tetrahedron's faces, the nearest so far: its distance, squared, and its shares. */
   #least = Infinity;
+  /** Of the tetrahedron: from its first corner to the others, then from the second to the last, the third and the first. */
+  readonly #edges = new Float64Array(18);
   readonly #best = new Float64Array(4);
 
   #clearShares(): void {
@@ -127,51 +129,61 @@ export class Simplex {
     share[k] = vc / sum;
   }
 
+  /** The nearest of those faces that the origin lies beyond: their edges are worked out once for all that share them. */
   #tetrahedron(): boolean {
+    for (let i = 1; i < 4; i++) this.#writeEdge(3 * i - 3, i, 0);
+    this.#writeEdge(9, 3, 1);
+    this.#writeEdge(12, 2, 1);
+    this.#writeEdge(15, 0, 1);
     this.#least = Infinity;
-    this.#tryFace(0, 1, 2, 3);
-    this.#tryFace(0, 2, 3, 1);
-    this.#tryFace(0, 3, 1, 2);
-    this.#tryFace(1, 3, 2, 0);
+    if (this.#isOutside(0, 0, 3, 6)) this.#tryFace(0, 1, 2);
+    if (this.#isOutside(0, 3, 6, 0)) this.#tryFace(0, 2, 3);
+    if (this.#isOutside(0, 6, 0, 3)) this.#tryFace(0, 3, 1);
+    if (this.#isOutside(3, 9, 12, 15)) this.#tryFace(1, 3, 2);
     if (this.#least === Infinity) return false;
     copy4(this.#best, this.share);
     return true;
   }
 
-  /** `across`: the corner that is not of it. */
-  #tryFace(i: number, j: number, k: number, across: number): void {
-    if (!this.#outside(i, j, k, across)) return;
+  #writeEdge(at: number, to: number, from: number): void {
+    const { w } = this;
+    for (let k = 0; k < 3; k++) this.#edges[at + k] = w[3 * to + k]! - w[3 * from + k]!;
+  }
+
+  /**
+   * Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. Where a corner of
+   * the face begins, two edges from there, and the one to the fourth: as numbers that are no integers they would be boxed.
+   */
+  #isOutside(corner: number, e: number, f: number, g: number): boolean {
+    const { w } = this;
+    const edges = this.#edges;
+    const ex = edges[e]!;
+    const ey = edges[e + 1]!;
+    const ez = edges[e + 2]!;
+    const fx = edges[f]!;
+    const fy = edges[f + 1]!;
+    const fz = edges[f + 2]!;
+    const gx = edges[g]!;
+    const gy = edges[g + 1]!;
+    const gz = edges[g + 2]!;
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
+    const origin = -(nx * w[corner]! + ny * w[corner + 1]! + nz * w[corner + 2]!);
+    const fourth = nx * gx + ny * gy + nz * gz;
+    if (origin * fourth < 0) return true;
+    const size =
+      (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
+    return fourth * fourth <= FLAT * FLAT * size;
+  }
+
+  #tryFace(i: number, j: number, k: number): void {
     this.#clearShares();
     this.#triangle(i, j, k);
     const distance = this.#distance();
     if (!(distance < this.#least)) return;
     this.#least = distance;
     copy4(this.share, this.#best);
-  }
-
-  /** Whether the origin lies on the other side of a face than the fourth corner; so it does of what is flat. */
-  #outside(i: number, j: number, k: number, across: number): boolean {
-    const { w } = this;
-    const x = w[3 * i]!;
-    const y = w[3 * i + 1]!;
-    const z = w[3 * i + 2]!;
-    const ex = w[3 * j]! - x;
-    const ey = w[3 * j + 1]! - y;
-    const ez = w[3 * j + 2]! - z;
-    const fx = w[3 * k]! - x;
-    const fy = w[3 * k + 1]! - y;
-    const fz = w[3 * k + 2]! - z;
-    const gx = w[3 * across]! - x;
-    const gy = w[3 * across + 1]! - y;
-    const gz = w[3 * across + 2]! - z;
-    const nx = ey * fz - ez * fy;
-    const ny = ez * fx - ex * fz;
-    const nz = ex * fy - ey * fx;
-    const origin = -(nx * x + ny * y + nz * z);
-    const corner = nx * gx + ny * gy + nz * gz;
-    const size =
-      (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
-    return corner * corner <= FLAT * FLAT * size || origin * corner < 0;
   }
 }
 

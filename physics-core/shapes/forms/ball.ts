@@ -10,7 +10,7 @@ export class BallForm implements Form {
     this.round = this.reach = radius;
   }
 
-  support(_x: number, _y: number, _z: number, out: Flat): void {
+  support(_direction: Flat, out: Flat): void {
     out[0] = out[1] = out[2] = 0;
   }
 
@@ -27,8 +27,8 @@ export class BallForm implements Form {
     return 1;
   }
 
-  line(x: number, y: number, z: number, out: Flat): number {
-    this.support(x, y, z, out);
+  line(_x: number, _y: number, _z: number, out: Flat): number {
+    this.support(out, out);
     return 1;
   }
 }

@@ -17,7 +17,10 @@ export class EllipsoidForm implements Form {
     this.reach = reach;
   }
 
-  support(x: number, y: number, z: number, out: Flat): void {
+  support(direction: Flat, out: Flat): void {
+    const x = direction[0]!;
+    const y = direction[1]!;
+    const z = direction[2]!;
     // By index: to go through it as a list takes as long as the rest.
     const { 0: xx, 1: yy, 2: zz, 3: xy, 4: xz, 5: yz } = this.#squares;
     const u = xx * x + xy * y + xz * z;
@@ -39,12 +42,18 @@ export class EllipsoidForm implements Form {
   }
 
   lying(x: number, y: number, z: number, _u: number, _v: number, _w: number, out: Flat): number {
-    this.support(x, y, z, out);
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+    this.support(out, out);
     return 1;
   }
 
   line(x: number, y: number, z: number, out: Flat): number {
-    this.support(x, y, z, out);
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+    this.support(out, out);
     return 1;
   }
 }

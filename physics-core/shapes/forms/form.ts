@@ -15,8 +15,8 @@ export interface Form {
   readonly cornered: boolean;
   /** From its frame's origin to what is farthest of it, metres. */
   readonly reach: number;
-  /** The point farthest along a direction. */
-  support(x: number, y: number, z: number, out: Flat): void;
+  /** The point farthest along a direction, which may lie in `out`: of all that is asked for most, as an array, so that no number is boxed. */
+  support(direction: Flat, out: Flat): void;
   /** The outward normal, into `out`, of the flat face that looks most along a direction; its number, -1 without any. */
   facing(x: number, y: number, z: number, out: Flat): number;
   /** The corners of a flat face; their count. */

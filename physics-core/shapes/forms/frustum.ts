@@ -36,7 +36,10 @@ export class FrustumForm implements Form {
     this.#up = (bottom - top) / slant;
   }
 
-  support(x: number, y: number, z: number, out: Flat): void {
+  support(direction: Flat, out: Flat): void {
+    const x = direction[0]!;
+    const y = direction[1]!;
+    const z = direction[2]!;
     const across = hypot(x, z);
     const atTop = across * this.#top + y * this.#half > across * this.#bottom - y * this.#half;
     this.#rim(atTop, x, z, across, out, 0);
@@ -100,7 +103,10 @@ export class FrustumForm implements Form {
     // The sine of the angle between the line and the plane.
     if (Math.abs(y * this.#out - across * this.#up) < ALONG)
       return this.#generatrix(x, z, across, out);
-    this.support(x, y, z, out);
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+    this.support(out, out);
     return 1;
   }
 }

@@ -56,8 +56,8 @@ export class PolytopeForm implements Form {
     out[at + 2] = points[from + 2]!;
   }
 
-  support(x: number, y: number, z: number, out: Flat): void {
-    this.#copy(this.farthest(x, y, z), out, 0);
+  support(direction: Flat, out: Flat): void {
+    this.#copy(this.farthest(direction[0]!, direction[1]!, direction[2]!), out, 0);
   }
 
   /** The number of the face that looks most along a direction, of equals the first. */

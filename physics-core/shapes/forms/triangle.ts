@@ -5,27 +5,31 @@ import type { Flat, Form } from './form.js';
 export class TriangleForm implements Form {
   readonly round = 0;
   readonly cornered = true;
-  reach = 0;
   readonly corners = new Float64Array(9);
   readonly normal = new Float64Array(3);
 
   set(points: Flat, index: Int32Array, normals: Flat, triangle: number): void {
-    this.reach = 0;
     for (let i = 0; i < 3; i++) {
       const at = 3 * index[3 * triangle + i]!;
       for (let k = 0; k < 3; k++) this.corners[3 * i + k] = points[at + k]!;
       this.normal[i] = normals[3 * triangle + i]!;
     }
+  }
+
+  /** Few of those that it becomes are asked for that. */
+  get reach(): number {
     const { corners } = this;
+    let reach = 0;
     for (let i = 3; i < 9; i += 3)
-      this.reach = Math.max(
-        this.reach,
+      reach = Math.max(
+        reach,
         hypot(
           corners[i]! - corners[0]!,
           corners[i + 1]! - corners[1]!,
           corners[i + 2]! - corners[2]!,
         ),
       );
+    return reach;
   }
 
   /** Whether it has no area, and so no normal. */
@@ -50,8 +54,8 @@ export class TriangleForm implements Form {
     for (let k = 0; k < 3; k++) out[at + k] = this.corners[3 * corner + k]!;
   }
 
-  support(x: number, y: number, z: number, out: Flat): void {
-    this.#copy(this.#farthest(x, y, z), out, 0);
+  support(direction: Flat, out: Flat): void {
+    this.#copy(this.#farthest(direction[0]!, direction[1]!, direction[2]!), out, 0);
   }
 
   facing(x: number, y: number, z: number, out: Flat): number {

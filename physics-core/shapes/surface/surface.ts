@@ -1,5 +1,6 @@
 import { hypot } from '../../base/exact/index.js';
 import { BoxTree } from './box-tree.js';
+import { dropBeside } from './beside.js';
 import { BOX } from './layout.js';
 import { Seams } from './seams.js';
 
@@ -28,6 +29,11 @@ export class Surface {
   /** The numbers of triangles near a box; their count. */
   near(box: Float64Array, out: Int32Array): number {
     return this.#tree.find(box, out);
+  }
+
+  /** Of those the ones that the box is not wholly beside, by more than `limit`, metres. */
+  notBeside(box: Float64Array, limit: number, out: Int32Array): number {
+    return dropBeside(this, box, limit, out, this.near(box, out));
   }
 }
 

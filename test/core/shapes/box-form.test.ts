@@ -16,7 +16,7 @@ fact('no corner of a box is farther along a direction than the one that it finds
   const form = new BoxForm([0.5, 1, 2]);
   const out = new Float64Array(3);
   for (const d of directions()) {
-    form.support(...d, out);
+    form.support(Float64Array.from(d), out);
     let most = -Infinity;
     for (let i = 0; i < 24; i += 3) most = Math.max(most, along(form.points, i, d));
     close(along(out, 0, d), most, 1e-12);

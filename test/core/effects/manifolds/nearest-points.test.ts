@@ -42,9 +42,9 @@ const axisOf = ({ turn }: PlacedForm): Vec3 => [turn[1]!, turn[4]!, turn[7]!];
 const cross = ([a, b, c]: Vec3, [x, y, z]: Vec3) => [b * z - c * y, c * x - a * z, a * y - b * x];
 
 /** Of what is farthest along `n`: a point of the rim, or, `onSide`, any of the straight line. */
-function farthest(form: PlacedForm, [x, y, z]: Vec3, onSide: boolean, r: () => number): number[] {
+function farthest(form: PlacedForm, n: Vec3, onSide: boolean, r: () => number): number[] {
   const out = new Float64Array(3);
-  form.support(x, y, z, out, 0);
+  form.support(Float64Array.from(n), 1, out, 0);
   if (!onSide) return [...out];
   const axis = axisOf(form);
   const on = 2 * HALF * (r() - 0.5) - axis.reduce((sum, a, k) => sum + a * out[k]!, 0);
