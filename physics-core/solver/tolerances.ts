@@ -282,6 +282,8 @@ export const COIL_SWEEPS = 60;
 export const COIL_NEAR = 3e-4;
 export const COIL_MISS = 3e-3;
 export const COIL_TRIES = 6;
+
+/** Rounds of each of those searches, at most: they begin near their end, those of a knot that is drawn tight need ten. */
 export const ROPE_ROUNDS_AGAIN = 15;
 
 /** How fast what is within itself comes out, m/s. */

@@ -17,7 +17,7 @@ const push = new Float64Array(3);
 export class Coils {
   readonly #strand: Strand;
   readonly #free: Float64Array;
-  /** Of each point that nothing holds, 1/kg. */
+  /** Of each point, 1/kg: 0 where it is held, with its body where it is tied. */
   readonly #lightness: Float64Array;
   count = 0;
   friction = 0;
@@ -40,7 +40,7 @@ export class Coils {
   }
 
   /** Whether anything of it pressed on itself in the last step. */
-  get press(): boolean {
+  get pressed(): boolean {
     for (let c = 0; c < this.count; c++) if (this.presses[c]! > 0) return true;
     return false;
   }
@@ -120,8 +120,8 @@ export class Coils {
   }
 
   /**
-   * Goes over all pairs once; returns how far the worst was off, metres. Three quarters of what it costs that a rope meets itself
-   * are spent here: in one piece, it takes half as long.
+   * Goes over all pairs once; returns how far the worst was off, metres. Half of what it costs that a rope meets itself is spent
+   * here: in pieces, it takes twice as long.
    */
   sweep(dt: number, back: boolean): number {
     const { links, shares, normals, gaps, presses, rubs, friction, count } = this;

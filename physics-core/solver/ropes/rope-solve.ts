@@ -66,6 +66,8 @@ const own = new Float64Array(9);
 export class RopeSolve {
   readonly bodies = new TiedBodies();
   readonly #parts: Part[] = [];
+  /** Those that may meet themselves in this step. */
+  readonly #meets: Part[] = [];
   #links: Links[] = [];
   readonly #sweeps = new RopeSweeps(this.bodies);
   readonly #system = new DenseLu();
@@ -107,12 +109,21 @@ export class RopeSolve {
       part.knots.begin(dt);
       part.between.begin(dt);
     }
-    const meets = this.#parts.filter(({ strand }) => strand.coils?.count);
-    for (const { strand } of meets) strand.coils!.begin(this.bodies.inertias);
-    this.#miss = meets.some(({ strand }) => strand.coils!.press) ? COIL_MISS * dt : ROPE_MISS;
+    this.#beginMeeting(dt);
     this.#keep();
-    const found = this.#findOrSweep(dt);
-    return found && meets.length > 0 ? this.#meet(meets, dt) : found;
+    return this.#findOrSweep(dt) && (this.#meets.length === 0 || this.#meet(dt));
+  }
+
+  #beginMeeting(dt: number): void {
+    this.#miss = ROPE_MISS;
+    this.#meets.length = 0;
+    for (const part of this.#parts) {
+      const { coils } = part.strand;
+      if (!coils?.count) continue;
+      this.#meets.push(part);
+      if (coils.pressed) this.#miss = COIL_MISS * dt;
+      coils.begin(this.bodies.inertias);
+    }
   }
 
   #findOrSweep(dt: number): boolean {
@@ -128,7 +139,8 @@ export class RopeSolve {
    * after the other, and what all else says to that by another search, until both agree. What bodies say has the last word: they
    * have no part in what is found place by place.
    */
-  #meet(meets: readonly Part[], dt: number): boolean {
+  #meet(dt: number): boolean {
+    const meets = this.#meets;
     for (let tries = 0; tries <= COIL_TRIES; tries++) {
       let most = 0;
       for (const { strand, links } of meets)
@@ -136,7 +148,7 @@ export class RopeSolve {
       const last = most < COIL_MISS * dt || tries === COIL_TRIES;
       if (last && this.bodies.count === 0) break;
       for (const { strand } of meets) strand.coils!.give();
-      if (!this.#search(dt, this.even ? EVEN : NEAREST, ROPE_ROUNDS_AGAIN, 2)) {
+      if (!this.#searchAgain(dt)) {
         this.#sweep(dt);
         tries = Math.max(tries, COIL_TRIES - 1);
       }
@@ -144,6 +156,14 @@ export class RopeSolve {
     }
     for (const { strand } of meets) strand.coils!.end();
     return this.#isFinite();
+  }
+
+  /** As far as it was found before, by what gave no energy there. */
+  #searchAgain(dt: number): boolean {
+    if (this.even && this.#search(dt, EVEN, ROPE_ROUNDS_AGAIN, 2) && !this.#gains()) return true;
+    if (this.even) this.#goBack();
+    this.even = false;
+    return this.#search(dt, NEAREST, ROPE_ROUNDS_AGAIN, 2);
   }
 
   /** By even pulls, else the nearest places. */
@@ -158,7 +178,7 @@ export class RopeSolve {
 
   /** Finds them anew, where joints have said that bodies go otherwise than they had: from what was found, it is near. */
   solveAgain(dt: number): boolean {
-    const meets = this.#parts.some(({ strand }) => strand.coils?.count);
+    const meets = this.#meets.length > 0;
     if (this.even && !meets && this.#search(dt, EVEN, ROPE_ROUNDS, 2) && !this.#gains())
       return true;
     return this.solve(dt);
