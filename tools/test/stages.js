@@ -118,9 +118,12 @@ function countsIn(report) {
   }
 }
 
+/** What the runner says of a file whose browser went away under it. */
+const GONE = /interrupted because the browser disconnected/;
+
 /**
- * In a browser, files that `nameOf` puts together in one page. One that dies takes the runner along: what failed with it and what it had not come to is run in another,
- * once, and that is said.
+ * In a browser, files that `nameOf` puts together in one page. One that dies may take the runner along: what failed with it
+ * and what it had not come to is run in another, once, and that is said.
  */
 const inBrowser =
   (config, nameOf = BY_FOLDER) =>
@@ -133,16 +136,17 @@ const inBrowser =
         env: { TEST_COUNTS: report },
       });
       const { ended, files: counted } = countsIn(report);
-      const final = ended || last;
-      const done = bundles.filter(
-        (bundle) => bundle in counted && (final || !counted[bundle].failed),
-      );
+      const died = (bundle) =>
+        ended
+          ? counted[bundle]?.faults.some((fault) => GONE.test(fault))
+          : !(bundle in counted) || counted[bundle].failed > 0;
+      const done = bundles.filter((bundle) => (last ? bundle in counted : !died(bundle)));
       for (const bundle of done) {
         add(total, counted[bundle]);
         faults.push(...counted[bundle].faults);
       }
       const left = bundles.filter((bundle) => !done.includes(bundle));
-      if (final || left.length === 0)
+      if (last || left.length === 0)
         return { ok: ended ? ok : left.length === 0, ...total, faults };
       console.log(`The browser ended with ${left[0]}: what is left runs in a new one.`);
       return run(left, true);
