@@ -321,8 +321,11 @@ export class Away implements Elsewhere {
     return this.#given + 1;
   }
 
+  /** Somebody waits to see it: it does not wait for the next frame, and what was done before is done before. */
   look(look: Look): void {
+    this.flush();
     this.#deeds.push({ look });
+    this.send();
     this.#world.work();
   }
 

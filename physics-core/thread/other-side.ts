@@ -91,6 +91,8 @@ export class OtherSide extends World {
       this.flush();
     });
     for (const { seconds, seen } of order.stretches) this.#pass(seconds, seen);
+    // Where somebody looks back no time passes: what he sees is drawn, too.
+    if (order.stretches.length === 0) this.#pass(0, false);
     const asked = order.ask && this.#answer(order.ask);
     const said = this.#said;
     this.#said = [];

@@ -100,18 +100,19 @@ export class Pictures {
     return before && time - before.time < this.#all[after]!.time - time ? after - 1 : after;
   }
 
-  /** Says where each body was. */
+  /** Says where each body was: the last picture that has it, of those since all were shown. */
   show(at: number, put: (id: number, pose: Float32Array) => void): void {
-    let first = at;
-    while (first > 0 && !this.#all[first]!.whole) first--;
-    const poses = new Map<number, Float32Array>();
-    for (let i = first; i <= at; i++) {
-      const picture = this.#all[i]!;
-      picture.ids.forEach((id, k) =>
-        poses.set(id, picture.poses.subarray(k * POSE, (k + 1) * POSE)),
-      );
+    const said = new Set<number>();
+    for (let i = at; i >= 0; i--) {
+      const { ids, poses, whole } = this.#all[i]!;
+      for (let k = 0; k < ids.length; k++) {
+        const id = ids[k]!;
+        if (said.has(id)) continue;
+        said.add(id);
+        put(id, poses.subarray(k * POSE, (k + 1) * POSE));
+      }
+      if (whole) return;
     }
-    for (const [id, pose] of poses) put(id, pose);
   }
 
   /** Those of steps after one have not been. */

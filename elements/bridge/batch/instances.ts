@@ -2,7 +2,7 @@ import type { Affine } from '../geometry/matrix.js';
 import type { X3DColor, X3DVolume } from '../x3dom/renderer.js';
 import type { X3DVector } from '../x3dom/x3dom.js';
 import type { Passes } from './passes.js';
-import { AFFINE } from './products.js';
+import { AFFINE, placeInto } from './products.js';
 import { BOX, reachInto } from './reach.js';
 import { InstanceRows, LOOK, type Placed } from './rows.js';
 
@@ -53,9 +53,9 @@ export class Instances implements Placed {
 
   // ---- one instance -----------------------------------------------------------------------------------------------
 
-  /** `model`: from the frame of its Shape to the world. */
-  place(at: number, model: Affine): void {
-    for (let i = 0; i < AFFINE; i++) this.models[at * AFFINE + i] = model[i];
+  /** `local`: from the frame of its Shape to that of its group; `above`: from there to the world. */
+  place(at: number, above: Affine, local: Affine): void {
+    placeInto(above, local, this.models, at * AFFINE);
     this.#note(at);
   }
 

@@ -1,3 +1,4 @@
+import type { Affine } from '../geometry/matrix.js';
 import type { X3DMatrix } from '../x3dom/x3dom.js';
 
 // x3dom's own products: the same sums in the same order, in double precision. What comes out is the same to the last bit,
@@ -8,6 +9,19 @@ export type Rows = Float64Array;
 
 /** Numbers of what stands in the world. */
 export const AFFINE = 12;
+
+/** `above` × `local`. */
+export function placeInto(above: Affine, local: Affine, out: Rows, to: number): void {
+  for (let row = 0; row < AFFINE; row += 4) {
+    const a = above[row];
+    const b = above[row + 1];
+    const c = above[row + 2];
+    out[to + row] = a * local[0] + b * local[4] + c * local[8];
+    out[to + row + 1] = a * local[1] + b * local[5] + c * local[9];
+    out[to + row + 2] = a * local[2] + b * local[6] + c * local[10];
+    out[to + row + 3] = a * local[3] + b * local[7] + c * local[11] + above[row + 3];
+  }
+}
 
 const FIELDS = [
   ...['_00', '_01', '_02', '_03', '_10', '_11', '_12', '_13'],

@@ -87,7 +87,7 @@ export class Strand {
   place(local: Affine, above: Affine, instances: Instances, at: number): void {
     if (this.#alone) {
       instances.reach(at, local, this.#inside);
-      return instances.place(at, multiply(above, local, product));
+      return instances.place(at, above, local);
     }
     let matrix = local;
     let box = this.#inside;
@@ -98,17 +98,19 @@ export class Strand {
       box = reach;
     }
     instances.reach(at, matrix, box);
-    instances.place(at, this.#whole(local, above));
+    this.#placeWhole(local, above, instances, at);
   }
 
   /** From above to below, as x3dom multiplies. */
-  #whole(local: Affine, above: Affine): Affine {
+  #placeWhole(local: Affine, above: Affine, instances: Instances, at: number): void {
     let whole = above;
-    for (const transform of this.#transforms) {
-      const own = transform === this.#transform ? local : fromX3D(transform._trafo, part);
-      whole = multiply(whole, own, whole === product ? next : product);
+    const last = this.#transforms.length - 1;
+    for (let i = 0; i <= last; i++) {
+      const { _trafo } = this.#transforms[i]!;
+      const own = this.#transforms[i] === this.#transform ? local : fromX3D(_trafo, part);
+      if (i === last) instances.place(at, whole, own);
+      else whole = multiply(whole, own, whole === product ? next : product);
     }
-    return whole;
   }
 
   get seen(): boolean {

@@ -42,7 +42,8 @@ interface Moved {
 /** The slice of a body's node that drawing needs. */
 interface Body {
   slot: number;
-  host: unknown;
+  /** One look for each body that moves. */
+  drawn: unknown;
 }
 
 const POSE = 7;
@@ -57,8 +58,6 @@ export class Drawing {
   readonly #under = new Sets<Element, Binding>();
   readonly #targets = new Map<Binding, Moved>();
   readonly #byElement = new Map<Element, Binding>();
-  /** The same by the body's node: one look for each body that moves. */
-  readonly #byNode = new WeakMap<object, Moved>();
   readonly #above = new Above();
 
   readonly #requestRender: () => void;
@@ -80,7 +79,7 @@ export class Drawing {
     this.#targets.set(binding, moved);
     for (const { element } of targets) this.#byElement.set(element, binding);
     for (const element of above) this.#under.add(element, binding);
-    if (binding.node) this.#byNode.set(binding.node, moved);
+    if (binding.node) (binding.node as unknown as Body).drawn = moved;
     this.#show(binding);
   }
 
@@ -114,8 +113,7 @@ export class Drawing {
     const { moved, movedCount, data } = physics.poses;
     this.#above.forget();
     for (let i = 0; i < movedCount; i++) {
-      const body = physics.bodies.at(moved[i]) as Body | undefined;
-      const known = body && this.#byNode.get(body);
+      const known = physics.bodies.in(moved[i])?.drawn as Moved | undefined;
       if (known) this.#draw(known, moved[i] * POSE, data);
     }
     if (movedCount > 0) this.#requestRender();

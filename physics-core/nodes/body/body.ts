@@ -32,6 +32,8 @@ import type { BodyJoint } from './body-joint.js';
 export class BodyNode extends PhysicsNode implements Body {
   /** -1 while the body is not built. */
   slot = -1;
+  /** What a page moves with it: the page's own matter, as its host is. */
+  drawn: unknown;
   readonly object = new BodyObject(this);
   readonly motion = new BodyMotion(this);
   readonly build = new BodyBuild(this);

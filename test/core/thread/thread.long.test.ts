@@ -345,6 +345,26 @@ test('what is recorded there is shown here, and gone on from to the bit', async 
   closeWorlds();
 });
 
+test('what another thread recorded is shown without waiting for a frame, edits before it done before', async () => {
+  const [here, there] = [await scene(), await scene()];
+  goAway(there);
+  const timelines = [await here.record(), await there.record()];
+  here.step(240);
+  await there.ask('step', 240);
+  for (const each of [here, there]) body(each, 'b2').set('mass', 3);
+  for (const each of timelines) each.seek(1);
+  const bob = (on: World): number[] => body(on, 'bob').get('position') as number[];
+  const before = bob(there);
+  // Nobody asks, and no frame comes.
+  for (let i = 0; i < 1000 && bob(there)[1] === before[1]; i++)
+    await new Promise((resolve) => setTimeout(resolve, 1));
+  assert.deepEqual(bob(there), bob(here));
+  for (const each of [here, there]) each.resume();
+  await answered(there);
+  assert.deepEqual([here, there].map((each) => body(each, 'b2').get('mass')), [1, 1]);
+  closeWorlds();
+});
+
 test('what is done before it has gone on from where one looked is done once', async () => {
   const [here, there] = [await scene(), await scene()];
   goAway(there);
