@@ -1,6 +1,7 @@
 import { grown, grownInt } from '../base/grown.js';
 import type { Ammo } from './ammo.js';
 import { pointCountAt } from './manifold.js';
+import { sortNearly } from './nearly-sorted.js';
 import { isInParts, isOfParts, partsKeyAt } from './manifold-parts.js';
 import { BODY, BROADPHASE, DISPATCHER, ISLANDS, MANIFOLD, PROXY, WORLD } from './offsets.js';
 
@@ -28,6 +29,7 @@ export class SolveOrder {
   #inParts = false;
   #aside = 0;
   #keys = new Float64Array(64);
+  #room = new Float64Array(64);
   #manifolds = new Int32Array(64);
   #roots = new Int32Array(64);
   #names = new Int32Array(64);
@@ -146,11 +148,12 @@ export class SolveOrder {
     if (count < 2) return;
     const at = HEAP32[(this.#dispatcher + DISPATCHER.manifolds) >> 2]! >> 2;
     if (this.#readKeys(at, count)) return;
-    const keys = this.#keys.subarray(0, count).sort();
+    const keys = this.#keys;
+    sortNearly(keys, count, this.#room);
     const before = this.#manifolds;
     for (let i = 0; i < count; i++) {
       const key = keys[i]!;
-      const manifold = before[key % count]!;
+      const manifold = before[key - Math.floor(key / count) * count]!;
       let to = i;
       while (
         to > 0 &&
@@ -201,6 +204,7 @@ export class SolveOrder {
 
   /** Of the same pair, and of a part that comes before. */
   #comesBefore(manifold: number, key: number, other: number, otherKey: number, count: number) {
+    if (key - otherKey >= count) return false;
     if (Math.floor(key / count) !== Math.floor(otherKey / count)) return false;
     return partsKeyAt(this.#ammo, manifold) < partsKeyAt(this.#ammo, other);
   }
@@ -209,6 +213,7 @@ export class SolveOrder {
   #readKeys(at: number, count: number): boolean {
     if (count > this.#keys.length) {
       this.#keys = grown(this.#keys, 2 * count);
+      this.#room = new Float64Array(2 * count);
       this.#manifolds = grownInt(this.#manifolds, 2 * count);
     }
     const { HEAP32 } = this.#ammo;

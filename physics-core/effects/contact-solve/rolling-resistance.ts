@@ -1,4 +1,5 @@
 import { grown, grownInt } from '../../base/grown.js';
+import { doublesOf, pack } from '../../base/packed.js';
 import type { Numbered } from '../effect/effect.js';
 import type { Simulation } from '../../dynamics/simulation.js';
 import { islandAt } from '../../engine/heap.js';
@@ -28,8 +29,12 @@ const KEPT = 4;
 
 /** For a snapshot. */
 export interface KeptRolling {
-  heaped: [id: number, last: number][];
-  kept: [id: number, rows: number[]][];
+  /** Many came out of it at once. */
+  heaped: [last: number, ids: number[]][];
+  /** The last step, the bodies that were held in it, and by which impulses, packed. */
+  step: number;
+  held: number[];
+  impulses: string;
 }
 
 /**
@@ -166,24 +171,42 @@ export class RollingResistance {
   /** By the ids of bodies, as long as anybody asks for it. */
   save(): KeptRolling {
     const { time, stepsTaken } = this.#simulation;
-    const kept: KeptRolling = { heaped: [], kept: [] };
+    const step = stepsTaken - 1;
+    const heaped = new Map<number, number[]>();
+    const held: number[] = [];
+    const impulses: number[] = [];
     for (const { id, pointer } of this.#simulation.bodies) {
       const last = this.#heaped.get(pointer);
-      if (last !== undefined && time - last <= APART) kept.heaped.push([id, last]);
-      const rows = this.#kept.get(pointer);
-      if (rows?.[KEPT - 1] === stepsTaken - 1) kept.kept.push([id, [...rows]]);
+      if (last !== undefined && time - last <= APART) listAt(heaped, last).push(id);
+      const kept = this.#kept.get(pointer);
+      if (kept?.[KEPT - 1] !== step) continue;
+      held.push(id);
+      for (let k = 0; k < KEPT - 1; k++) impulses.push(kept[k]!);
     }
-    return kept;
+    return { heaped: [...heaped], step, held, impulses: pack(Float64Array.from(impulses)) };
   }
 
-  load({ heaped, kept }: KeptRolling, { body }: Numbered): void {
+  load({ heaped, step, held, impulses }: KeptRolling, { body }: Numbered): void {
     this.forget();
-    for (const [id, last] of heaped) this.#heaped.set(body(id)?.pointer ?? 0, last);
-    for (const [id, rows] of kept) this.#kept.set(body(id)?.pointer ?? 0, Float64Array.from(rows));
+    for (const [last, ids] of heaped)
+      for (const id of ids) this.#heaped.set(body(id)?.pointer ?? 0, last);
+    const all = doublesOf(impulses);
+    for (let i = 0; i < held.length; i++) {
+      const kept = new Float64Array(KEPT);
+      kept.set(all.subarray(i * (KEPT - 1), (i + 1) * (KEPT - 1)));
+      kept[KEPT - 1] = step;
+      this.#kept.set(body(held[i]!)?.pointer ?? 0, kept);
+    }
   }
 
   forget(): void {
     this.#heaped.clear();
     this.#kept.clear();
   }
+}
+
+function listAt<Key>(lists: Map<Key, number[]>, key: Key): number[] {
+  const list = lists.get(key) ?? [];
+  lists.set(key, list);
+  return list;
 }

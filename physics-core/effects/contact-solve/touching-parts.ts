@@ -1,5 +1,5 @@
 import type { Simulation } from '../../dynamics/simulation.js';
-import { bodyAAt, bodyBAt, pointCountAt } from '../../engine/manifold.js';
+import { bodyAAt, bodyBAt } from '../../engine/manifold.js';
 import type { Effects } from '../effect/effects.js';
 import { jointSolve } from '../joints/effects.js';
 import type { Jointed } from '../joints/joint-solve.js';
@@ -35,16 +35,14 @@ export class TouchingParts {
     this.manifolds.length = 0;
     this.#bodies.begin();
     this.#parts.begin();
-    this.#simulation.bullet.eachAwakeManifold(this.#see);
+    this.#simulation.bullet.eachAwakeTouching(this.#see);
     for (const manifold of this.manifolds) this.#join(manifold);
     this.#joinJointed();
     this.#parts.sort(this.#bodies.count);
     for (const manifold of this.manifolds) this.#sort(manifold);
   }
 
-  readonly #see = (manifold: number): void => {
-    if (pointCountAt(this.#simulation.engine.ammo, manifold) > 0) this.manifolds.push(manifold);
-  };
+  readonly #see = (manifold: number): void => void this.manifolds.push(manifold);
 
   #join(manifold: number): void {
     const { ammo } = this.#simulation.engine;

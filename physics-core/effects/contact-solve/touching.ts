@@ -1,5 +1,4 @@
 import type { Simulation } from '../../dynamics/simulation.js';
-import { pointCountAt } from '../../engine/manifold.js';
 import { inverseMassOf } from '../../engine/body-state.js';
 import type { Effects } from '../effect/effects.js';
 import { contactSolve } from './effects.js';
@@ -8,8 +7,7 @@ import { contactSolve } from './effects.js';
 export function touching(simulation: Simulation, effects: Effects): void {
   if (!simulation.bullet.settings.direct || effects.caused(contactSolve)) return;
   const { ammo } = simulation.engine;
-  simulation.bullet.eachAwakeManifold((manifold, a, b) => {
-    if (pointCountAt(ammo, manifold) === 0) return;
+  simulation.bullet.eachAwakeTouching((_, a, b) => {
     const body = simulation.bodyAt(inverseMassOf(ammo, a) === 0 ? b : a);
     if (body) effects.get(contactSolve).touch(body);
   });

@@ -96,7 +96,7 @@ export interface NodeKind {
 }
 
 /** What a snapshot is written in. */
-export const FORMAT = 4;
+export const FORMAT = 5;
 
 /** A world at one moment as plain data. */
 export interface Snapshot {
