@@ -361,7 +361,10 @@ test('what another thread recorded is shown without waiting for a frame, edits b
   assert.deepEqual(bob(there), bob(here));
   for (const each of [here, there]) each.resume();
   await answered(there);
-  assert.deepEqual([here, there].map((each) => body(each, 'b2').get('mass')), [1, 1]);
+  assert.deepEqual(
+    [here, there].map((each) => body(each, 'b2').get('mass')),
+    [1, 1],
+  );
   closeWorlds();
 });
 
