@@ -8,9 +8,6 @@ export const keepAwake = (body: BtBody): void => body.forceActivationState(ACTIV
 /** Bullet leaves it where it is until something that moves touches it. */
 export const putToSleep = (body: BtBody): void => body.forceActivationState(ACTIVATION.sleeping);
 
-/** What is seen of Bullet's heap. */
-export type Views = Pick<Ammo, 'HEAP32' | 'HEAPF32'>;
-
 /** Moved by Bullet, carried along by its author, or fixed. */
 export type Mobility = 'dynamic' | 'kinematic' | 'static';
 
@@ -31,6 +28,6 @@ export const inverseMassOf = ({ HEAPF32 }: Ammo, body: number): number =>
   HEAPF32[(body + BODY.inverseMass) >> 2]!;
 
 /** Whether Bullet moves it: it is neither immovable nor asleep. By its heap pointer. */
-export const isAwake = ({ HEAP32, HEAPF32 }: Views, body: number): boolean =>
+export const isAwake = ({ HEAP32, HEAPF32 }: Ammo, body: number): boolean =>
   HEAP32[(body + BODY.activationState) >> 2] !== ACTIVATION.sleeping &&
   HEAPF32[(body + BODY.inverseMass) >> 2] !== 0;

@@ -1,7 +1,7 @@
 import type { Ammo } from './ammo.js';
 import type { Engine } from './engine.js';
 import type { BtBody } from './heap.js';
-import { isAwake, type Views } from './body-state.js';
+import { isAwake } from './body-state.js';
 import { keeping } from './keeping.js';
 import type { KeptWorld } from './kept-world.js';
 import { DISPATCHER, MANIFOLD, SOLVER, SOLVER_MODE } from './offsets.js';
@@ -148,18 +148,14 @@ export class BulletWorld {
   ): void {
     const { ammo } = this.engine;
     const dispatcher = ammo.getPointer(this.#dispatcher);
-    // Ammo itself has thousands of properties, and is slow to be asked for one.
-    let views: Views = { HEAP32: ammo.HEAP32, HEAPF32: ammo.HEAPF32 };
-    const count = views.HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
+    const count = ammo.HEAP32[(dispatcher + DISPATCHER.manifoldCount) >> 2]!;
     for (let i = 0; i < count; i++) {
-      // Whoever was told may have had the heap grow.
-      if (views.HEAP32.length === 0) views = { HEAP32: ammo.HEAP32, HEAPF32: ammo.HEAPF32 };
-      const { HEAP32 } = views;
+      const { HEAP32 } = ammo;
       const manifold = HEAP32[(HEAP32[(dispatcher + DISPATCHER.manifolds) >> 2]! >> 2) + i]!;
       if (touchingOnly && HEAP32[(manifold + MANIFOLD.pointCount) >> 2] === 0) continue;
       const a = HEAP32[(manifold + MANIFOLD.bodyA) >> 2]!;
       const b = HEAP32[(manifold + MANIFOLD.bodyB) >> 2]!;
-      if (!awakeOnly || isAwake(views, a) || isAwake(views, b)) visit(manifold, a, b);
+      if (!awakeOnly || isAwake(ammo, a) || isAwake(ammo, b)) visit(manifold, a, b);
     }
   }
 

@@ -136,11 +136,11 @@ const inBrowser =
         env: { TEST_COUNTS: report },
       });
       const { ended, files: counted } = countsIn(report);
-      const died = (bundle) =>
-        ended
-          ? counted[bundle]?.faults.some((fault) => GONE.test(fault))
-          : !(bundle in counted) || counted[bundle].failed > 0;
-      const done = bundles.filter((bundle) => (last ? bundle in counted : !died(bundle)));
+      const died = ({ failed, faults }) =>
+        ended ? faults.some((fault) => GONE.test(fault)) : failed > 0;
+      const done = bundles.filter(
+        (bundle) => bundle in counted && (last || !died(counted[bundle])),
+      );
       for (const bundle of done) {
         add(total, counted[bundle]);
         faults.push(...counted[bundle].faults);
